@@ -45,7 +45,7 @@ protected:
             classified_as.view.light = with.view.light = t.idea.light;
             const Classification before = measurer.judge(scene, classified_as), after = measurer.judge(scene, with);
             EXPECT_EQ(before.error.mae, t.before.error);
-            EXPECT_EQ(after.error.mae, t.after.error) << "exactly as it says";
+            EXPECT_EQ(after.error.mae, t.after.error) << "equal to the prediction";
             if (t.idea.claim == Claim::Same) {
                 EXPECT_LE(after.error.mae, before.error.mae + t.tolerance());
             }
@@ -139,7 +139,7 @@ TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
     const auto forced = ran({}, CostCase::Forced), camera = ran({}, CostCase::Camera), light = ran({}, CostCase::Light);
     EXPECT_GE(forced.first, 8);
     EXPECT_GE(forced.second, 8);
-    EXPECT_EQ(camera.first, 0) << "the map is kept";
+    EXPECT_EQ(camera.first, 0) << "the map is cached";
     EXPECT_GE(camera.second, 8);
     EXPECT_GE(light.first, 8);
     EXPECT_GE(ran({{"light.cascades", "2"}}, CostCase::Camera).first, 8) << "these maps follow the camera";

@@ -155,7 +155,7 @@ TEST_F(CasterOptimisationsTest, BackFacesOfClosedCastersAreNotDrawn) {
     EXPECT_EQ(triangles({}, {Optimisation::BackFaces}), 4 * ball + 2) << "the balls once more, by their backs";
     for (const auto& [key, value] : {std::pair{"caster.cull", "front"}, {"bias.raster_units", "3"}})
         EXPECT_EQ(triangles({{key, value}}, {Optimisation::BackFaces}), 2 * ball + 2)
-            << key << ": both sides, or as asked";
+            << key << ": both sides, or the setting's";
 }
 
 TEST_F(CasterOptimisationsTest, FlatCastersNotSeenEdgeOnNeedNoFragmentShader) {
@@ -181,10 +181,10 @@ TEST_F(CasterOptimisationsTest, FlatCastersNotSeenEdgeOnNeedNoFragmentShader) {
     };
     // The floor's side begins at the map's side. A driver with few sub-pixel bits may leave stray triangles there.
     const std::uint64_t well_seen = bare(slanted, {});
-    EXPECT_GE(well_seen, 3u) << "the boxes, of which no side is seen edge-on";
+    EXPECT_GE(well_seen, 3u) << "the boxes, no side of which is edge-on";
     EXPECT_LE(well_seen, 4u) << "and the floor; the ball has many sides";
     EXPECT_EQ(bare(slanted, {Optimisation::Fragments}), 0u);
-    EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are seen edge-on";
+    EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are edge-on";
     EXPECT_EQ(bare(with("light.azimuth", "90.001"), {}), well_seen - 1) << "two walls of the first box are nearly so";
     EXPECT_EQ(bare(with("map.format", "colour"), {}), 0u) << "a fragment shader writes the map";
     EXPECT_EQ(bare(with("light.type", "spot"), {}), 0u) << "its rays are not parallel";

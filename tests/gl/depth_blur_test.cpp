@@ -67,7 +67,7 @@ TEST_F(DepthBlur, EqualsTheMeanOfNeighboursInEveryFormatAndLightType) {
                         EXPECT_LE(worst, step) << format << " " << light << " face " << face << " radius " << radius;
                     }
                     EXPECT_GT(moved, 0.005)
-                        << "no edge was blurred, so the case says nothing: " << format << " " << light;
+                        << "no edge was blurred, so the case proves nothing: " << format << " " << light;
                 }
             }
 }

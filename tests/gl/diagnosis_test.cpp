@@ -311,7 +311,7 @@ TEST_F(DiagnosisTest, NamesTheBlurWhereTheUnblurredMapIsRight) {
     EXPECT_EQ(d.verdict.find("filter"), 0u) << d.verdict;
     EXPECT_NE(d.verdict.find("depth blur (map.blur_texels)"), std::string::npos) << d.verdict;
     s.map.blur_texels = 0;
-    EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "as the verdict says";
+    EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "the verdict's change";
 }
 
 TEST_F(DiagnosisTest, ValuesOfFixesAreShortDecimals) {

@@ -38,8 +38,8 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
     for (const double size : {10.0, 400.0})
         for (const glm::dvec3& place : {glm::dvec3(0), {115, 0, -80}, {1e4, 3e3, -1e4}})
             for (const View& view : {View{0.8, 55}, {1.5, 4}, {20, 1.5}}) {
-                SCOPED_TRACE(testing::Message() << size << " m at " << place.x << ", seen from " << view.distance * size
-                                                << " m at " << view.elevation << " degrees");
+                SCOPED_TRACE(testing::Message() << size << " m at " << place.x << ", camera distance "
+                                                << view.distance * size << " m at " << view.elevation << " degrees");
                 const Scene scene = make_scene(make_plane(size, size), moved(place.x, place.y, place.z));
                 Settings s = test::hard_settings();
                 set_setting(s, "filter.kernel", "pcf3");

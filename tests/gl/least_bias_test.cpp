@@ -136,7 +136,7 @@ TEST_F(LeastBiasTwins, CpuAndGpuAgreeOnRandomPlanes) {
     EXPECT_GT(perspective, 3000);
     EXPECT_GT(warped, 2000);
     EXPECT_GT(grazing, 1000);
-    EXPECT_GT(worst, 0.01) << "the tolerance says nothing";
+    EXPECT_GT(worst, 0.01) << "the tolerance is too large to prove anything";
 }
 
 }  // namespace

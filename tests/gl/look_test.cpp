@@ -228,7 +228,7 @@ TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     FrameRequest request = small_request();
     const FrameResult first = renderer.render(scene, s, request);
     const ByteImage as_drawn = renderer.read_colour(first.colour);
-    EXPECT_EQ(first.smooth.texture, 0u) << "nobody asked";
+    EXPECT_EQ(first.smooth.texture, 0u) << "smoothing was not requested";
     ByteImage one;
     for (request.smoothed = 1; request.smoothed <= kSmoothedMost; ++request.smoothed) {
         const FrameResult frame = renderer.render(scene, s, request);

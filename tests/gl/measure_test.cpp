@@ -168,7 +168,7 @@ TEST_F(MeasureTest, TheReferenceIsCachedWhereOnlyTheMapChanges) {
     s.lights[0].azimuth -= 10;
     s.camera.azimuth -= 10;
     measure(scene, s);
-    EXPECT_EQ(measured.traced.reference, reference) << "the last few are kept";
+    EXPECT_EQ(measured.traced.reference, reference) << "the last few are cached";
     const auto hard_reference = measured.traced.reference;
     s.lights[0].size = 2;
     measure(scene, s);

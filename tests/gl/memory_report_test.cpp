@@ -67,7 +67,7 @@ TEST_F(MemoryReportTest, MapsAreCountedAtTheirActualSize) {
 /// Memory that the report counts as released is released by the driver too, at the latest when nothing is drawn. The
 /// test uses 160 MB in forty layers.
 TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
-    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
+    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "other drivers may keep memory";
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "32"}, {"map.format", "d32f"}});
     s.light_count = 7;
@@ -86,7 +86,7 @@ TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
 
 /// The same holds for maps drawn in the background, by another context.
 TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
-    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
+    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "other drivers may keep memory";
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
     WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
     next.settings.light_count = 7;
@@ -139,7 +139,7 @@ TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
     };
     EXPECT_THROW(t.ensure("a test's image", GL_R32F, 256, 256), gl::OutOfMemory);
     gl::fault_injection() = {};
-    EXPECT_FALSE(t.texture) << "what failed is still held";
+    EXPECT_FALSE(t.texture) << "the failed image still exists";
     EXPECT_EQ(t.key, 0u);
     EXPECT_EQ(of("a test's image").bytes, 0u);
     EXPECT_TRUE(t.ensure("a test's image", GL_R32F, 64, 64)) << "the image of before is taken for this one";

@@ -266,7 +266,7 @@ TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
         EXPECT_GT(told, 15) << row->key;
         EXPECT_GT(apart, 2) << row->key << ": nothing in shadow";
     }
-    EXPECT_GT(partly, 10) << "nothing between, so this says little";
+    EXPECT_GT(partly, 10) << "nothing between, so this proves little";
 }
 
 /// Makes a floor with an upper cover over the half where x < 0 (at `upper` m) and an optional lower cover over all of
@@ -529,7 +529,7 @@ TEST(Moments, OfSeveralSamplesAreTheirMeans) {
     const glm::dvec2 edge(uvdw(view, {0, 1, 0})), covered(uvdw(view, {-1, 1, 0}));
     const int axis = std::abs(covered.x - edge.x) > std::abs(covered.y - edge.y) ? 0 : 1;
     const double at = edge[axis] * 61, fraction = at - std::floor(at);
-    ASSERT_GT(std::min(fraction, 1 - fraction), 0.05) << "the edge lies between texels, so this says little";
+    ASSERT_GT(std::min(fraction, 1 - fraction), 0.05) << "the edge lies between texels, so this proves little";
     const bool below = covered[axis] < edge[axis];
     int told = 0, partly = 0;
     for (int x = 40; x < 120; x += 3) {
@@ -609,7 +609,7 @@ TEST(Moments, OfMipLevelsAreMeansOverThePixelFootprint) {
             ++told;
         }
         EXPECT_GT(told, 10);
-        EXPECT_GT(sharper, 0) << "the levels are alike, so this says little";
+        EXPECT_GT(sharper, 0) << "the levels are alike, so this proves little";
     }
 }
 
@@ -678,7 +678,7 @@ TEST(Moments, AreShownByTheMapViewer) {
                 EXPECT_NEAR(alone.at(x, 63 - y), z, close) << row->key << " " << channel;
                 sum += std::abs(z - shares.at(3, y));
             }
-            EXPECT_GT(sum, 0.1) << "all alike, so this says little";
+            EXPECT_GT(sum, 0.1) << "all alike, so this proves little";
         }
         s.view.map_channel = int(row->moments.names.size()) + 1;
         if (s.view.map_channel < 5) {
@@ -751,7 +751,7 @@ TEST(Moments, AreShownByMipLevel) {
                         most = std::max(most, mean);
                         least = std::min(least, mean);
                     }
-                EXPECT_GT(most, least * 1.05) << "all alike, so this says little";
+                EXPECT_GT(most, least * 1.05) << "all alike, so this proves little";
             }
             finer = numbers;
         }

@@ -131,7 +131,7 @@ TEST_F(PanesTest, AFileHoldsAllPanesSideBySide) {
         const std::unique_ptr<stbi_uc, void (*)(void*)> whole(stbi_load(path.c_str(), &width, &height, nullptr, 4),
                                                               stbi_image_free);
         ASSERT_TRUE(whole) << path;
-        ASSERT_EQ(glm::ivec2(width, height), glm::ivec2(323, 181)) << "the size asked for is that of the whole picture";
+        ASSERT_EQ(glm::ivec2(width, height), glm::ivec2(323, 181)) << "the requested size is that of the whole picture";
         const PaneGrid grid = picture_grid(s, width, height);
         const FrameResult f = renderer.render(scene, s, {.width = grid.width, .height = grid.height});
         EXPECT_DOUBLE_EQ(f.camera.aspect, double(grid.width) / grid.height);

@@ -202,7 +202,7 @@ TEST_F(RandomWalkTest, CachedFramesEqualColdOnesAfterAnySteps) {
     const char* seeds = std::getenv("SI_LONG_WALK");
     if (!seeds) {
         walk(1, 250, 50);
-        EXPECT_GE(kept_apart, 5) << "what is drawn over casters at rest is no part of the walk";
+        EXPECT_GE(kept_apart, 5) << "the walk lacks maps drawn over static casters";
         return;
     }
     for (int seed = 2; seed < 2 + std::atoi(seeds) && !HasFatalFailure(); ++seed) walk(unsigned(seed), 1000, 20);

@@ -80,7 +80,7 @@ TEST_F(RealScenes, AShadowMovesWithTheSkinThatCastsIt) {
     EXPECT_LT(start.x + 15, half.x);
     EXPECT_LT(half.x + 15, end.x);
     EXPECT_EQ(late, end);
-    EXPECT_EQ(rest, half) << "at rest the joint stands at 0";
+    EXPECT_EQ(rest, half) << "in its rest pose the joint stands at 0";
     EXPECT_THROW(at({"scene.animation=1"}), UsageError);
     const Session still = open_session({.scene = "boxes", .sets = {"scene.time=1"}});
     EXPECT_TRUE(test::mentions(still.notes, "no animation"));

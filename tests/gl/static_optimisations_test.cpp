@@ -242,7 +242,7 @@ TEST_F(StaticOptimisationsTest, CastersThatStopMovingAreCached) {
     }
     EXPECT_EQ(drawn[3], 21 * ball);
     EXPECT_EQ(drawn[5], 21 * ball) << "they may move again";
-    EXPECT_EQ(drawn.back(), ball) << "they rest for long";
+    EXPECT_EQ(drawn.back(), ball) << "they are static";
 }
 
 TEST_F(StaticOptimisationsTest, MasksAreDrawnOverMasks) {

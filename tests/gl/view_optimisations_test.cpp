@@ -111,7 +111,7 @@ TEST_F(ViewOptimisationsTest, FacesReadByNoVisiblePointAreNotDrawn) {
     const FrameResult f = frame(scene, s, cold());
     const PassInfo& pass = map_pass(f);
     ASSERT_GE(pass.parts.size(), 6u);
-    EXPECT_EQ(pass.parts[0].state, PassState::Drawn) << "face +x holds what is seen";
+    EXPECT_EQ(pass.parts[0].state, PassState::Drawn) << "face +x holds the visible part";
     EXPECT_EQ(pass.parts[1].state, PassState::Skipped) << "face -x looks the other way";
     EXPECT_EQ(pass.parts[1].draws, 0u);
     EXPECT_EQ(pass.parts[1].by, Optimisation::Views);
@@ -185,7 +185,7 @@ TEST_F(ViewOptimisationsTest, ReceiversThatFaceAwayNeedNoCasters) {
             if (against)
                 EXPECT_LT(few, all / 2) << "the small ones cover only what faces away from the camera";
             else
-                EXPECT_GT(few, all / 2) << "their shadows are seen";
+                EXPECT_GT(few, all / 2) << "their shadows are visible";
         }
 }
 
@@ -209,7 +209,7 @@ TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayNeedNoMap) {
             const auto [saved, forced] = expect_one_picture(scene, s, type);
             EXPECT_GT(forced, 0u);
             if (below)
-                EXPECT_EQ(saved, 0u) << type << ": nothing is seen of the side that it shines on";
+                EXPECT_EQ(saved, 0u) << type << ": no lit side is visible";
             else
                 EXPECT_GT(saved, 0u) << type;
         }
@@ -309,7 +309,7 @@ TEST_F(ViewOptimisationsTest, AMovingCameraDrawsEachMapOnce) {
             EXPECT_EQ(different_pixels(kept, other.read_colour(other.render(scene, s, cold()).colour)), 0u) << i;
         }
         const std::size_t views = frame(scene, s).lights[0].views.size();
-        EXPECT_LE(redrawn, int(views)) << "of no map is more than the rest drawn, once";
+        EXPECT_LE(redrawn, int(views)) << "each map draws its missing part once";
         const std::uint64_t all = drawn_triangles(frame(scene, s, cold({Optimisation::Views})));
         EXPECT_LE(first + orbit, 2 * all);
     }
@@ -373,7 +373,7 @@ TEST_F(ViewOptimisationsTest, ReadersOfWholeMapsGetThemWhole) {
         frame(scene, s, cold());
         const Probe probe = renderer.probe(scene, s, {.width = 96, .height = 54}, 48, 27);
         EXPECT_TRUE(probe.hit);
-        EXPECT_TRUE(frame(scene, s).maps_are_whole) << "a probe reads the map, and it is kept";
+        EXPECT_TRUE(frame(scene, s).maps_are_whole) << "a probe reads the map, and the map is cached";
     }
 }
 

@@ -179,7 +179,7 @@ TEST_F(WasteTest, OverlaysAreTriedPaneByPane) {
     EXPECT_TRUE(tried_named(waste, "stored-depth quads").changes);
     const Waste see_through = waste_of(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}});
     EXPECT_FALSE(tried_named(see_through, "overlay n-dot-l").changes) << "drawn, and nobody sees it";
-    EXPECT_FALSE(was_tried(waste_of(scene, {{"view.overlay", "truth"}}), "overlay truth")) << "there is no truth";
+    EXPECT_FALSE(was_tried(waste_of(scene, {{"view.overlay", "truth"}}), "overlay truth")) << "there is no reference";
     EXPECT_TRUE(tried_named(see_through, "map of light 0").changes) << "the overlay is left out of the comparison";
 }
 

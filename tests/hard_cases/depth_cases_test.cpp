@@ -127,7 +127,7 @@ TEST(HardCase4, ReversedFloatResolvesEveryDistance) {
             if (reversed) {
                 EXPECT_LE(worst, 0x1p-22);
             } else {
-                EXPECT_GT(worst, 0x1p-22) << "standard depth must lose more, or the case says nothing";
+                EXPECT_GT(worst, 0x1p-22) << "standard depth must lose more, or the case proves nothing";
             }
         }
 }

@@ -85,7 +85,7 @@ TEST(HardCase23, NoExponentGivesNaN) {
                 const Shot shot = draw_shot(c);
                 expect_within_limit(23, errors(c, shot).false_shadow);
                 if (std::string(exponent) == "88") {
-                    EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped exponent must be said";
+                    EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped exponent must be reported";
                 }
             }
 }

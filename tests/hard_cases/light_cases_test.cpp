@@ -184,7 +184,7 @@ TEST_P(HardCase9, EverySpotAngleGivesFiniteMaps) {
     if (meaningful) {
         EXPECT_GT(shadow_share(shot), 0.01) << "the box must still cast";
     } else {
-        EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped cone must be said";
+        EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped cone must be reported";
     }
 }
 

@@ -175,7 +175,7 @@ TEST(HardCase36, ConvexBodiesDoNotShadowThemselves) {
     const DrawnCase c = hard_view("truth", true);
     const MeasuredError e = measured(c);
     const RayReference rays(c.scene);
-    EXPECT_EQ(rays.triangle_count(), c.scene.triangle_count()) << "truth and picture see different scenes";
+    EXPECT_EQ(rays.triangle_count(), c.scene.triangle_count()) << "reference and picture have different scenes";
     int shadowed = 0, bodies = 0, own = 0;
     for (std::size_t i = 0; i < e.traced.reference->state.size(); ++i) {
         const Receiver& r = e.traced.receivers->pixels[i];

@@ -146,7 +146,7 @@ TEST_F(RandomSettings, EarlierFaultsStayFixed) {
           {"filter.blur", "8"},
           {"filter.blur_shape", "gaussian"},
           {"map.resolution", "256"}}},
-        // Where near is a small share of far, rounding at the far plane moved depths out of their range.
+        // With near a small share of far, rounding at the far plane moved depths out of their range.
         {"figures",
          {{"filter.kernel", "evsm2"},
           {"light.projection", "perspective"},

@@ -246,7 +246,7 @@ TEST_P(EachKernel, WeightedTapsEqualTheVisibilityOnTheGpu) {
         }
     EXPECT_GT(told, 0);
     if (reach_under(s, fitted(scene, s), s.map.resolution).read > 0.5) {
-        EXPECT_GT(partly, 0) << "no pixel at an edge, so this says little";
+        EXPECT_GT(partly, 0) << "no pixel at an edge, so this proves little";
     }
 }
 

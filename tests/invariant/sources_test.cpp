@@ -100,7 +100,7 @@ TEST_P(EachSource, LightsAPlaneAndDarkensCoveredFloors) {
     const Shot shot = draw_shot(half, settings());
     // Sources with a map may miss an edge by a texel; others by the rounding of a position.
     double slack_m = 2e-3;
-    // Where four texels differ, a look-up mixes them: the error is their diagonal, larger across a near light's rays.
+    // Four different texels are mixed by a look-up: the error is their diagonal, larger across a near light's rays.
     for (const LightMapNeed& map : shot.frame.light_maps) slack_m += std::numbers::sqrt2 / map.texels_per_metre;
     if (row.needs.map) {
         const FittedLight& light = shot.light();

@@ -165,7 +165,7 @@ void expect_fault(int number, double value) {
     std::optional<double>& least = results.found[number].least_fault;
     if (!least || !(value >= *least)) least = value;
     EXPECT_GE(value, row.min_fault) << "hard case " << number << ", " << row.title
-                                    << ", says nothing: " << row.fault_measure;
+                                    << ", proves nothing: " << row.fault_measure;
 }
 
 std::string stability_driver() {
