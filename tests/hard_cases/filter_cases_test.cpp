@@ -24,8 +24,9 @@ double grey_share(const DrawnCase& c) {
     const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, reach + 2);
     int grey = 0, sheet = 0;
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        if (reference.lit[i] != Lit::Lit || glm::dot(reference.hits[i]->normal, shot.light().to_light) < 0.999)
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        if (reference.states[i] != ReferenceState::Lit ||
+            glm::dot(reference.hits[i]->normal, shot.light().to_light) < 0.999)
             continue;
         const glm::dvec3 p = reference.hits[i]->position - glm::dvec3(0, 2, 0);
         if (std::max(std::abs(p.x), glm::length(glm::dvec2(p.y, p.z))) > 4.75) continue;
@@ -128,12 +129,12 @@ TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
                                                              shot.width, shot.height, shot.frame.map_resolution, reach);
             double worst = 0;
             int clear = 0, covered = 0;
-            for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-                if (reference.lit[i] == Lit::Lit) {
+            for (std::size_t i = 0; i < reference.states.size(); ++i) {
+                if (reference.states[i] == ReferenceState::Lit) {
                     ++clear;
                     worst = std::max(worst, std::abs(1.0 - shot.visibility.data[i]));
                 }
-                if (reference.lit[i] == Lit::Shadow) {
+                if (reference.states[i] == ReferenceState::Shadow) {
                     ++covered;
                     worst = std::max(worst, double(shot.visibility.data[i]));
                 }

@@ -31,15 +31,16 @@ protected:
         const test::ReferenceImage reference = test::trace_reference(
             test::RayReference(scene), shot.frame.camera, shot.light(), 200, 150, shot.frame.map_resolution, reach);
         Seams out;
-        for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-            if (reference.lit[i] != test::Lit::Lit && reference.lit[i] != test::Lit::Shadow) continue;
+        for (std::size_t i = 0; i < reference.states.size(); ++i) {
+            if (reference.states[i] != test::ReferenceState::Lit && reference.states[i] != test::ReferenceState::Shadow)
+                continue;
             if (reference.hits[i]->normal.y < 0.5) continue;
             glm::dvec3 a = glm::abs(reference.hits[i]->position - shot.light().position);
             std::sort(&a.x, &a.x + 3);
             // Distance in texels from the border, where the two largest coordinates are equal.
             const double aside = (1 - a.y / a.z) * 0.5 * shot.frame.map_resolution;
             const double v = shot.visibility.data[i];
-            const bool wrong = reference.lit[i] == test::Lit::Lit ? v < 0.98 : v > 0.02;
+            const bool wrong = reference.states[i] == test::ReferenceState::Lit ? v < 0.98 : v > 0.02;
             const bool near = aside < reach + 3;
             (near ? out.near : out.inside) += 1;
             out.across += aside < reach - 1.5;

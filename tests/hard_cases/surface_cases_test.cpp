@@ -49,8 +49,10 @@ TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
         const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
                                                          shot.frame.map_resolution, 0);
         int shadow = 0, missing = 0;
-        for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-            if (!reference.hits[i] || reference.hits[i]->position.y > 1e-3 || reference.lit[i] != Lit::Shadow) continue;
+        for (std::size_t i = 0; i < reference.states.size(); ++i) {
+            if (!reference.hits[i] || reference.hits[i]->position.y > 1e-3 ||
+                reference.states[i] != ReferenceState::Shadow)
+                continue;
             // Pixels in the bar's shadow, which crosses that of the wires at their end, are left out.
             const glm::dvec3 p = reference.hits[i]->position + shot.light().to_light * (0.75 / shot.light().to_light.y);
             if (glm::dot(p - glm::dvec3(0, 0.75, -1.75), turn * glm::dvec3(0, 0, 1)) < 0.25) continue;

@@ -130,8 +130,8 @@ protected:
     };
     ClearedPixels told(const ReferenceImage& reference, const FrameResult& frame, const Settings& s, int step) const {
         ClearedPixels out;
-        for (std::size_t i = 0; i < reference.lit.size(); i += std::size_t(step)) {
-            if (reference.lit[i] != Lit::Lit || reference.hits[i]->normal.y < 0.5) continue;
+        for (std::size_t i = 0; i < reference.states.size(); i += std::size_t(step)) {
+            if (reference.states[i] != ReferenceState::Lit || reference.hits[i]->normal.y < 0.5) continue;
             // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
             const glm::dvec3 on_floor = reference.hits[i]->position - c.place.at;
             if (filter_of(s).samples == Samples::Moments && on_floor.y < 1 &&
@@ -195,8 +195,8 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
         acne += least.visibility.data[i] < 1 - tolerance.lit;
         without += none.visibility.data[i] < 1 - tolerance.lit;
     }
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        if (reference.lit[i] != Lit::Shadow || reference.hits[i]->normal.y < 0.5) continue;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        if (reference.states[i] != ReferenceState::Shadow || reference.hits[i]->normal.y < 0.5) continue;
         const BiasBreakdown a = account(*reference.hits[i], least.frame, s);
         if (a.amount(a.depth_shift).metres > 2) continue;  // the cover is 2.25 m above
         ++dark, leaks += least.visibility.data[i] > tolerance.dark;
@@ -224,8 +224,10 @@ TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
         const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(),
                                                          shot.width, shot.height, shot.frame.map_resolution, reach);
         int lit = 0;
-        for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-            if (reference.lit[i] != Lit::Lit || std::abs(reference.hits[i]->position.y - c.place.at.y) > 1e-3) continue;
+        for (std::size_t i = 0; i < reference.states.size(); ++i) {
+            if (reference.states[i] != ReferenceState::Lit ||
+                std::abs(reference.hits[i]->position.y - c.place.at.y) > 1e-3)
+                continue;
             ++lit;
             ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit) << value;
         }

@@ -105,21 +105,21 @@ TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
                                                      whole.height, whole.frame.map_resolution, reach);
     const Tolerance& tolerance = filter_of(s).tolerance;
     int lit = 0, dark = 0, beyond = 0;
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        const Lit is = reference.lit[i];
-        if (is != Lit::Lit && is != Lit::Shadow && is != Lit::Boundary) continue;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        const ReferenceState is = reference.states[i];
+        if (is != ReferenceState::Lit && is != ReferenceState::Shadow && is != ReferenceState::Boundary) continue;
         if (reference.hits[i]->normal.y < 0.5) continue;  // sides of the box lie within the bias of its top
         const double v = shot.visibility.data[i];
         const glm::dvec4 at = uvdw(view_of(shot.light(), reference.hits[i]->position), reference.hits[i]->position);
         const bool outside = std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0;
         if (outside && shot.light().closed) {
             ++beyond;
-            EXPECT_NE(is, Lit::Shadow) << "pixel " << i;
+            EXPECT_NE(is, ReferenceState::Shadow) << "pixel " << i;
             EXPECT_EQ(v, 1) << "pixel " << i;
         }
-        if (is == Lit::Boundary || own.lit[i] == Lit::Boundary) continue;
-        (is == Lit::Lit ? lit : dark) += 1;
-        ASSERT_TRUE(is == Lit::Lit ? v >= 1 - tolerance.lit : v <= tolerance.dark)
+        if (is == ReferenceState::Boundary || own.states[i] == ReferenceState::Boundary) continue;
+        (is == ReferenceState::Lit ? lit : dark) += 1;
+        ASSERT_TRUE(is == ReferenceState::Lit ? v >= 1 - tolerance.lit : v <= tolerance.dark)
             << v << " at pixel " << i << " of " << c.fit;
         ASSERT_NEAR(v, whole.visibility.data[i], std::max(tolerance.lit, tolerance.dark)) << "pixel " << i;
     }
@@ -147,8 +147,8 @@ TEST_P(EachFit, LightsALonePlane) {
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
     int lit = 0;
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        if (reference.lit[i] != Lit::Lit) continue;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        if (reference.states[i] != ReferenceState::Lit) continue;
         ++lit;
         ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit);
     }
@@ -187,13 +187,14 @@ TEST(EachFitInOtherProjection, AgreesWithTheReferenceAlongItsMapsRays) {
                 trace_reference(RayReference(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
                                 shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
             int lit = 0, dark = 0;
-            for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-                const Lit is = reference.lit[i];
-                if ((is != Lit::Lit && is != Lit::Shadow) || reference.hits[i]->normal.y < 0.5) continue;
+            for (std::size_t i = 0; i < reference.states.size(); ++i) {
+                const ReferenceState is = reference.states[i];
+                if ((is != ReferenceState::Lit && is != ReferenceState::Shadow) || reference.hits[i]->normal.y < 0.5)
+                    continue;
                 const glm::dvec3 at = uvdw(shot.view(), reference.hits[i]->position);
                 if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0.02) continue;
-                (is == Lit::Lit ? lit : dark) += 1;
-                ASSERT_NEAR(shot.visibility.data[i], is == Lit::Lit, 1e-6) << "pixel " << i;
+                (is == ReferenceState::Lit ? lit : dark) += 1;
+                ASSERT_NEAR(shot.visibility.data[i], is == ReferenceState::Lit, 1e-6) << "pixel " << i;
             }
             EXPECT_GT(lit, 1000);
             EXPECT_GT(dark, 150);

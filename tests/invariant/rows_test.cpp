@@ -129,7 +129,7 @@ void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, reach_texels);
     for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) visit(reference.at(x, y), double(shot.visibility.at(x, y)));
+        for (int x = 0; x < shot.width; ++x) visit(reference.state_at(x, y), double(shot.visibility.at(x, y)));
 }
 
 TEST_P(EachKernel, PlanesAreLitAndCoveredFloorsAreDark) {
@@ -141,12 +141,12 @@ TEST_P(EachKernel, PlanesAreLitAndCoveredFloorsAreDark) {
     const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1;
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
-    for_pixels(shot, scene, reach, [&](Lit reference, double v) {
-        if (reference == Lit::Lit) {
+    for_pixels(shot, scene, reach, [&](ReferenceState reference, double v) {
+        if (reference == ReferenceState::Lit) {
             ++lit;
             darkened += v < 1 - row.tolerance.lit;
         }
-        if (reference == Lit::Shadow) {
+        if (reference == ReferenceState::Shadow) {
             ++dark;
             most = std::max(most, v);
         }
@@ -182,8 +182,8 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     const Shot shot = draw_shot(scene, s);
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        if (reference.lit[i] != Lit::Lit) continue;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        if (reference.states[i] != ReferenceState::Lit) continue;
         // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
         const glm::dvec3 at = reference.hits[i]->position - c.place.at;
         if (row.samples == Samples::Moments && std::max(std::abs(at.x), std::abs(at.z)) > 2.2) continue;
@@ -201,8 +201,9 @@ TEST_P(EachKernel, FinerMapsAreCloserToTheReference) {
         s.lights[0].size *= 0.1;  // keeps the penumbra's width
         give_bias(s, fitted(scene, s), 1.5);
         double sum = 0;
-        for_pixels(draw_shot(scene, s), scene, 0, [&](Lit reference, double v) {
-            if (reference == Lit::Lit || reference == Lit::Shadow) sum += std::abs(v - (reference == Lit::Lit ? 1 : 0));
+        for_pixels(draw_shot(scene, s), scene, 0, [&](ReferenceState reference, double v) {
+            if (reference == ReferenceState::Lit || reference == ReferenceState::Shadow)
+                sum += std::abs(v - (reference == ReferenceState::Lit ? 1 : 0));
         });
         return sum;
     };

@@ -74,11 +74,11 @@ GuidedDrawing::MeanErrors GuidedDrawing::mean_errors() const {
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
             const double v = shot.visibility.at(x, y);
-            if (reference.at(x, y) == Lit::Shadow) {
+            if (reference.state_at(x, y) == ReferenceState::Shadow) {
                 ++dark;
                 sum.bled += v;
             }
-            if (reference.at(x, y) == Lit::Lit) {
+            if (reference.state_at(x, y) == ReferenceState::Lit) {
                 ++lit;
                 sum.darkened += 1 - v;
             }

@@ -130,20 +130,20 @@ ReferenceErrors compare_with_reference(const Shot& shot, const Scene& scene, dou
     ReferenceErrors e;
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
-            const Lit lit = reference.at(x, y);
-            if (lit == Lit::Nothing || lit == Lit::Away) continue;
+            const ReferenceState lit = reference.state_at(x, y);
+            if (lit == ReferenceState::Nothing || lit == ReferenceState::Away) continue;
             ++e.domain;
             const float v = shot.visibility.at(x, y);
-            if (lit == Lit::Shadow) {
+            if (lit == ReferenceState::Shadow) {
                 ++e.shadow;
                 e.false_light += v >= 0.5f;
                 e.any_leak += v > 1e-3f;
             }
-            if (lit == Lit::Lit) {
+            if (lit == ReferenceState::Lit) {
                 e.false_shadow += v < 0.5f;
                 e.any_acne += v < 1 - 1e-3f;
             }
-            if (lit == Lit::Boundary) ++e.boundary;
+            if (lit == ReferenceState::Boundary) ++e.boundary;
         }
     return e;
 }

@@ -119,8 +119,8 @@ ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, 
     ReferenceImage image;
     image.width = width;
     image.height = height;
-    image.lit.assign(std::size_t(width) * std::size_t(height), Lit::Nothing);
-    image.hits.resize(image.lit.size());
+    image.states.assign(std::size_t(width) * std::size_t(height), ReferenceState::Nothing);
+    image.hits.resize(image.states.size());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const std::size_t at = std::size_t(y) * std::size_t(width) + std::size_t(x);
@@ -129,11 +129,11 @@ ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, 
             const std::optional<Hit> hit = image.hits[at] = scene.first_hit(origin, dir);
             if (!hit) continue;
             if (!faces_light(glm::dot(hit->normal, direction_to(light, hit->position)))) {
-                image.lit[at] = Lit::Away;
+                image.states[at] = ReferenceState::Away;
                 continue;
             }
             const bool shadow = scene.occluded(hit->position, light, hit->triangle);
-            image.lit[at] = shadow ? Lit::Shadow : Lit::Lit;
+            image.states[at] = shadow ? ReferenceState::Shadow : ReferenceState::Lit;
             if (!(reach_texels > 0)) continue;
             // The receiver's plane under map places around the point, along the light's rays.
             const LightView& view = view_of(light, hit->position);
@@ -146,7 +146,8 @@ ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, 
                     const glm::dvec3 ray = view.curve.perspective ? at_depth - view.eye : -view.axes[2];
                     const double slope = glm::dot(ray, hit->normal);
                     const glm::dvec3 moved = at_depth - ray * (glm::dot(aside, hit->normal) / slope);
-                    if (scene.occluded(moved, light, hit->triangle) != shadow) image.lit[at] = Lit::Boundary;
+                    if (scene.occluded(moved, light, hit->triangle) != shadow)
+                        image.states[at] = ReferenceState::Boundary;
                 }
         }
     return image;

@@ -65,16 +65,16 @@ private:
 
 /// State of a pixel in the reference. Nothing: no geometry. Away: the surface faces away from the light. Boundary: a
 /// shadow edge lies within the reach of the comparison.
-enum class Lit { Nothing, Away, Lit, Shadow, Boundary };
+enum class ReferenceState { Nothing, Away, Lit, Shadow, Boundary };
 
 /// Picture of reference states and first hits, row by row from the top.
 struct ReferenceImage {
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
-    std::vector<Lit> lit;
+    std::vector<ReferenceState> states;
     std::vector<std::optional<Hit>> hits;  ///< first hit of each pixel's ray
     /// Returns the state of a pixel; y counts from the top.
-    Lit at(int x, int y) const { return lit[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+    ReferenceState state_at(int x, int y) const { return states[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
 /// Traces the reference state of every pixel of a camera's picture.
