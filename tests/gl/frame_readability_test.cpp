@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-struct Shown {
+struct ShownFrame {
     Scene scene;
     Settings settings;
     FrameRequest request;
@@ -16,8 +16,8 @@ struct Shown {
 class FrameReadability : public FrameTest {
 protected:
     /// Returns two frames that share nothing: scene, number and types of lights, formats, sizes and camera differ.
-    std::vector<Shown> shown() {
-        std::vector<Shown> out;
+    std::vector<ShownFrame> two_frames() {
+        std::vector<ShownFrame> out;
         Scene boxes = load_scene("boxes"), plane = load_scene("stage");
         out.push_back({std::move(boxes), {}, {.width = 160, .height = 120}});
         out.push_back({std::move(plane), {}, {.width = 200, .height = 90}});
@@ -32,10 +32,10 @@ protected:
                                                       {"light.azimuth", "90"},
                                                       {"view.map_source", "camera"},
                                                       {"bias.constant", "3"}});
-        for (Shown& s : out) s.request.outputs.shadow_map = true;
+        for (ShownFrame& s : out) s.request.outputs.shadow_map = true;
         return out;
     }
-    FrameResult draw(const Shown& s) { return renderer.render(s.scene, s.settings, s.request); }
+    FrameResult draw(const ShownFrame& s) { return renderer.render(s.scene, s.settings, s.request); }
     std::string why_not(const auto& read) {
         try {
             read();
@@ -48,9 +48,9 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, FrameReadability);
 TEST_F(FrameReadability, FramesAreReadableUntilReplacedAndThenRefused) {
-    const std::vector<Shown> both = shown();
+    const std::vector<ShownFrame> both = two_frames();
     std::vector<FloatImage> maps, views;
-    for (const Shown& s : both) {  // each by a new renderer
+    for (const ShownFrame& s : both) {  // each by a new renderer
         Renderer fresh;
         const FrameResult f = fresh.render(s.scene, s.settings, s.request);
         maps.push_back(fresh.read_shadow_map(f, 0, 0));
@@ -80,11 +80,11 @@ TEST_F(FrameReadability, FramesAreReadableUntilReplacedAndThenRefused) {
 }
 
 TEST_F(FrameReadability, AFrameThatDrawsNothingKeepsTheOtherReadable) {
-    const std::vector<Shown> both = shown();
+    const std::vector<ShownFrame> both = two_frames();
     const FrameResult f = draw(both[0]), again = draw(both[0]);
     EXPECT_TRUE(renderer.holds(f)) << "all was reused";
     EXPECT_TRUE(renderer.holds(again));
-    Shown less = both[0];
+    ShownFrame less = both[0];
     less.request.outputs = {.colour = false, .surface_ids = true};
     const FrameResult ids = draw(less);
     EXPECT_TRUE(renderer.holds(f)) << "other images of the same view";
@@ -98,10 +98,10 @@ TEST_F(FrameReadability, AFrameThatDrawsNothingKeepsTheOtherReadable) {
 }
 
 TEST_F(FrameReadability, AlternatingProbesAnswerForTheirOwnFrame) {
-    const std::vector<Shown> both = shown();
+    const std::vector<ShownFrame> both = two_frames();
     const glm::ivec2 pixel{90, 60};
     std::vector<Probe> alone;
-    for (const Shown& s : both) {
+    for (const ShownFrame& s : both) {
         Renderer fresh;
         alone.push_back(fresh.probe(s.scene, s.settings, s.request, pixel.x, pixel.y));
         ASSERT_TRUE(alone.back().hit);
@@ -110,7 +110,7 @@ TEST_F(FrameReadability, AlternatingProbesAnswerForTheirOwnFrame) {
     ASSERT_GT(glm::length(alone[0].position_ws - alone[1].position_ws), 0.01);
     for (int turn = 0; turn < 4; ++turn) {
         const auto now = std::size_t(turn % 2);
-        const Shown& s = both[now];
+        const ShownFrame& s = both[now];
         const FrameResult f = draw(s);
         const FloatImage before = renderer.read_map_view_depth(f);
         const Probe p = renderer.probe(s.scene, s.settings, s.request, pixel.x, pixel.y);
@@ -173,17 +173,17 @@ TEST_F(FrameReadability, AProbeKeepsTheShownFrame) {
 }
 
 TEST_F(FrameReadability, AFrameWithReleasedImagesIsRefused) {
-    std::vector<Shown> frames(4, shown()[0]);
+    std::vector<ShownFrame> frames(4, two_frames()[0]);
     set_setting(frames[0].settings, "filter.kernel", "vsm");
     set_setting(frames[1].settings, "map.blur_texels", "2");
     set_setting(frames[2].settings, "light.source", "volumes-zfail");
     set_setting(frames[2].settings, "light.1.source", "volumes-zfail");
     set_setting(frames[3].settings, "view.panes", "two");
     set_setting(frames[3].settings, "view.overlay", "normals");
-    for (const Shown& drawn : frames) {
+    for (const ShownFrame& drawn : frames) {
         const FrameResult f = draw(drawn);
         EXPECT_TRUE(renderer.holds(f));
-        Shown plain = shown()[0];
+        ShownFrame plain = two_frames()[0];
         set_setting(plain.settings, "light.azimuth", "33");
         draw(plain);
         EXPECT_FALSE(renderer.holds(f));

@@ -59,12 +59,12 @@ struct GroundedModel {
     std::string name;
     Session with, without;
 };
-GroundedModel stood(const std::string& name, Scene (*make)()) {
+GroundedModel with_and_without_ground(const std::string& name, Scene (*make)()) {
     return {name, session_of(make()), session_of(make(), {"scene.ground=off"})};
 }
 /// Returns the box, and the real models that exist.
 std::vector<GroundedModel> grounded_models() {
-    std::vector<GroundedModel> out{stood("box", box_alone)};
+    std::vector<GroundedModel> out{with_and_without_ground("box", box_alone)};
     for (const test::SharedModel& model : test::shared_models()) {
         const std::string name = model.file.filename().string();
         if (name != "sunflower.gltf" && name != "GlassVaseFlowers.gltf" && name != "Suzanne.gltf" &&
@@ -242,7 +242,7 @@ TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
 
 // Depths reach to the end of the shadow, with room for a kernel. Points past a map's far plane are not looked up.
 TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
-    const GroundedModel box = stood("box", box_alone);
+    const GroundedModel box = with_and_without_ground("box", box_alone);
     const Camera camera = make_camera(box.with.scene, box.with.settings, 16.0 / 9);
     for (const char* fit : {"scene", "casters", "view", "stabilised"}) {
         SCOPED_TRACE(fit);
@@ -340,7 +340,7 @@ TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
 
 // Visible ground needs shadows of invisible casters. The map grows for those, up to the bounds of its casters.
 TEST_F(GroundTest, AMapOfPartOfAModelCoversOnlyItsCasters) {
-    const GroundedModel table = stood("table", table_alone);
+    const GroundedModel table = with_and_without_ground("table", table_alone);
     Settings s = table.with.settings;
     s.camera = manual_camera(table.with.scene, table.with.settings, 16.0 / 9);
     const auto half_width = [&](const Scene& scene, std::string_view fit, double nearer) {

@@ -24,7 +24,7 @@ protected:
         FrameTest::TearDown();
     }
     /// Returns a holder's memory without that of other renderers of this process.
-    MemoryUse of(const std::string& holder) const {
+    MemoryUse memory_of(const std::string& holder) const {
         for (MemoryUse h : memory_report().holders) {
             if (h.holder != holder) continue;
             for (const MemoryUse& b : before_)
@@ -44,23 +44,23 @@ TEST_F(MemoryReportTest, ImageBytesFollowFormatSizeLayersLevelsAndSamples) {
     const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
         gl::Target t;
         t.ensure("a test's image", format, w, h, layers, extent);
-        return of("a test's image").bytes;
+        return memory_of("a test's image").bytes;
     };
     EXPECT_EQ(bytes(GL_R32F, 64, 32, 0, {}), 64u * 32 * 4);
     EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 3, {}), 64u * 64 * 3 * 4);
     EXPECT_EQ(bytes(GL_DEPTH_COMPONENT16, 64, 64, 0, {}), 64u * 64 * 2);
     EXPECT_EQ(bytes(GL_RGBA16F, 4, 4, 0, {.levels = 3}), (16u + 4 + 1) * 8);
     EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 0, {.samples = 4}), 64u * 64 * 4 * 4);
-    EXPECT_EQ(of("a test's image").bytes, 0u);
+    EXPECT_EQ(memory_of("a test's image").bytes, 0u);
 }
 
 TEST_F(MemoryReportTest, MapsAreCountedAtTheirActualSize) {
     const Scene scene = load_scene("boxes");
     picture(scene, settings_for(scene, {{"map.resolution", "512"}, {"map.format", "d32f"}}));
-    EXPECT_EQ(of("shadow maps").bytes, 512u * 512 * 4);
+    EXPECT_EQ(memory_of("shadow maps").bytes, 512u * 512 * 4);
     picture(scene, settings_for(scene, {{"map.resolution", "64"}, {"map.format", "d32f"}}));
-    EXPECT_EQ(of("shadow maps").bytes, 64u * 64 * 4) << "the larger one is still there";
-    EXPECT_GT(of("scene's vertices").bytes, 100u);
+    EXPECT_EQ(memory_of("shadow maps").bytes, 64u * 64 * 4) << "the larger one is still there";
+    EXPECT_GT(memory_of("scene's vertices").bytes, 100u);
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // the sanitizer's allocator reports nothing
@@ -100,7 +100,7 @@ TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
     };
     const std::uint64_t before = heap_after(32);
     EXPECT_LT(heap_after(1024), before + (16u << 20));
-    EXPECT_GE(of("shadow maps").most, 160u << 20) << "none was drawn";
+    EXPECT_GE(memory_of("shadow maps").most, 160u << 20) << "none was drawn";
     EXPECT_EQ(warmup.done(), 2u);
 }
 #endif
@@ -141,7 +141,7 @@ TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
     gl::fault_injection() = {};
     EXPECT_FALSE(t.texture) << "the failed image still exists";
     EXPECT_EQ(t.key, 0u);
-    EXPECT_EQ(of("a test's image").bytes, 0u);
+    EXPECT_EQ(memory_of("a test's image").bytes, 0u);
     EXPECT_TRUE(t.ensure("a test's image", GL_R32F, 64, 64)) << "the image of before is taken for this one";
     GLint width = 0;
     glGetTextureLevelParameteriv(t.texture.id(), 0, GL_TEXTURE_WIDTH, &width);
@@ -158,11 +158,11 @@ TEST_F(MemoryReportTest, BackgroundMeasurementsReleaseMemoryWhenIdle) {
                               .height = 48});
     thread.wait();
     EXPECT_TRUE(thread.status().measured) << thread.status().measure_problem;
-    EXPECT_GE(of("shadow maps").most, 256u * 256 * 4);
+    EXPECT_GE(memory_of("shadow maps").most, 256u * 256 * 4);
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)
+    while (memory_of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    EXPECT_EQ(of("shadow maps").bytes, 0u) << "its maps stay for good";
+    EXPECT_EQ(memory_of("shadow maps").bytes, 0u) << "its maps stay for good";
 }
 
 gl::ProgramRequest plain_program(int number) {
@@ -189,7 +189,7 @@ TEST_F(MemoryReportTest, LeastRecentlyUsedProgramsAreReleased) {
     EXPECT_TRUE(glIsProgram(first));
     EXPECT_NE(cache.get(plain_program(1)), 0u) << "what gave way is made again";
     EXPECT_EQ(cache.size(), 7u);
-    EXPECT_EQ(of("texts of shader programs").count, cache.size());
+    EXPECT_EQ(memory_of("texts of shader programs").count, cache.size());
     // All programs that one frame uses stay, whatever their number.
     for (int i = 0; i < 9; ++i) cache.get(plain_program(i));
     cache.end_frame(2);
@@ -209,7 +209,7 @@ TEST_F(MemoryReportTest, FramesWithFewProgramsDrawTheSamePicture) {
             Settings s = settings_for(scene, {{"map.resolution", "64"}});
             set_setting(s, "view.overlay", overlay);
             const ByteImage drawn = picture(scene, s, tiny);
-            most = std::max(most, of("texts of shader programs").count);
+            most = std::max(most, memory_of("texts of shader programs").count);
             const auto [known, is_new] = first.emplace(overlay, drawn);
             EXPECT_EQ(known->second, drawn) << overlay;
         }

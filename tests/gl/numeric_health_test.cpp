@@ -31,7 +31,7 @@ protected:
         gl::fault_injection() = {};
         FrameTest::TearDown();
     }
-    static void spoil(const std::vector<FaultyTexel>& all) {
+    static void inject_faults(const std::vector<FaultyTexel>& all) {
         gl::fault_injection().corrupt_image = [all](std::string_view image, GLuint texture) {
             for (const FaultyTexel& s : all) {
                 if (s.image != image) continue;
@@ -65,7 +65,7 @@ protected:
     void expect_alone(const char* scene, const Sets& sets, const FaultyTexel& s, NumberFault fault,
                       const std::string& place, glm::ivec2 at) {
         SCOPED_TRACE(fmt::format("{} in {}", fault_label(fault), place));
-        spoil({s});
+        inject_faults({s});
         const NumericHealth health = health_of(scene, sets);
         gl::fault_injection() = {};
         ASSERT_EQ(health.findings.size(), 1u) << health_text(health);
@@ -121,7 +121,7 @@ TEST_F(NumericHealthTest, FindsEachDepthFaultInEachKindOfMap) {
 }
 
 TEST_F(NumericHealthTest, FindsFaultyValuesOfFloatDepthBuffers) {
-    spoil({{.image = "shadow map", .at = {3, 127}, .numbers = {kNaN}, .depth = true}});
+    inject_faults({{.image = "shadow map", .at = {3, 127}, .numbers = {kNaN}, .depth = true}});
     const NumericHealth health = health_of("boxes", {{"map.format", "d32f"}});
     // Drivers may refuse NaN.
     for (const NumberFinding& f : health.findings) EXPECT_EQ(f.first, glm::ivec2(3, 127)) << finding_text(f);
@@ -166,9 +166,9 @@ TEST_F(NumericHealthTest, FindsFaultyPixels) {
 }
 
 TEST_F(NumericHealthTest, ReportsFirstWorstAndCount) {
-    spoil({{.image = "shadow map", .at = {90, 40}, .numbers = {1.25f}},
-           {.image = "shadow map", .at = {11, 41}, .numbers = {-7}},
-           {.image = "shadow map", .at = {12, 41}, .numbers = {1.5f}}});
+    inject_faults({{.image = "shadow map", .at = {90, 40}, .numbers = {1.25f}},
+                   {.image = "shadow map", .at = {11, 41}, .numbers = {-7}},
+                   {.image = "shadow map", .at = {12, 41}, .numbers = {1.5f}}});
     const NumericHealth health = health_of("boxes", {{"map.format", "colour"}});
     ASSERT_EQ(health.findings.size(), 1u) << health_text(health);
     const NumberFinding& f = health.findings[0];
@@ -207,7 +207,7 @@ TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
     ASSERT_TRUE(frame.pages);
     EXPECT_EQ(texels, frame.pages->read_texels());
     // One texel of the pool: the page table names its owner, and maps are read back by that table.
-    spoil({{.image = "shadow map", .at = {5, 7}, .numbers = {kNaN}}});
+    inject_faults({{.image = "shadow map", .at = {5, 7}, .numbers = {kNaN}}});
     request.force = true;
     const FrameResult spoilt = renderer.render(scene, settings_for(scene, sets), request);
     const auto found = renderer.numeric_health(spoilt);

@@ -316,16 +316,16 @@ TEST_F(StaticOptimisationsTest, LightsWithoutStaticCacheReportTheReason) {
 TEST_F(StaticOptimisationsTest, ReportTheirEffect) {
     Scene scene = many_balls();
     const Settings s = small_maps(scene, kinds()[0]);
-    const auto told = [&] {
+    const auto reported = [&] {
         move_by(scene, node_named(scene, "Mover"), 0.2, 0, 0);
         const FrameResult f = renderer.render(scene, s, asked());
         for (const Effect& e : frame_effects(scene, s, f))
             if (e.name == "casters at rest in maps of light 0") return e;
         return Effect{};
     };
-    told();
-    told();
-    const Effect drawn = told(), kept = told();
+    reported();
+    reported();
+    const Effect drawn = reported(), kept = reported();
     EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
     EXPECT_EQ(kept.saving, Optimisation::Static);
@@ -379,15 +379,15 @@ TEST_F(StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove) {
         Renderer again;  // a renderer that has seen no movement
         const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
-        const auto told =
+        const auto reported =
             std::ranges::find_if(effects, [](const Effect& e) { return e.saving == Optimisation::Static && !e.part; });
-        EXPECT_NE(told, effects.end());
-        if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
+        EXPECT_NE(reported, effects.end());
+        if (reported == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
         const std::vector<Optimisation> named = named_optimisations(effects);
         EXPECT_TRUE(std::ranges::count(named, Optimisation::Static) == 1);
         const SavedTimes times = measure_saved(again, scene, s, asked(), named, 5);
-        const Spread* ms = times.of(*told);
-        return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
+        const Spread* ms = times.of(*reported);
+        return std::pair(*reported, ms ? std::optional(*ms) : std::nullopt);
     };
     Settings s = small_maps(moving, kinds()[0]);
     const auto [of_moving, ms] = measured(moving, s);

@@ -64,11 +64,11 @@ std::string validate(const fs::path& folder, const std::vector<ShaderText>& text
     }
     std::istringstream log(file_bytes(folder / "log.txt"));
     std::string out, file;
-    std::set<std::string> told;
+    std::set<std::string> seen_errors;
     for (std::string line; std::getline(log, line);) {
         if (line.ends_with(".frag") || line.ends_with(".vert"))
             file = line;
-        else if (line.starts_with("ERROR: ") && !line.ends_with("No code generated.") && told.insert(line).second)
+        else if (line.starts_with("ERROR: ") && !line.ends_with("No code generated.") && seen_errors.insert(line).second)
             out += fmt::format("{}: {}\n", (folder / file).string(), line);
     }
     return out.empty() ? file_bytes(folder / "log.txt") : out;
@@ -133,7 +133,7 @@ public:
         return errors_;
     }
     /// Returns whether some text contains this line of a shader file.
-    bool saw(const std::string& line) const { return lines_.contains(Key().add(line).value()); }
+    bool has_line(const std::string& line) const { return lines_.contains(Key().add(line).value()); }
 
 private:
     void add(ShaderText text) {
@@ -565,7 +565,7 @@ TEST_F(Permutations, CompileWithTheReferenceCompiler) {
         std::string last;
         for (std::string line; std::getline(in, line);)
             if (line.size() > last.size() && !line.starts_with("#")) last = line;  // the longest line names the file
-        EXPECT_TRUE(recorder.saw(last)) << entry.path() << " is in no program: " << last;
+        EXPECT_TRUE(recorder.has_line(last)) << entry.path() << " is in no program: " << last;
     }
     EXPECT_GT(recorder.texts(), 1000u);
     std::printf(

@@ -159,7 +159,7 @@ std::string bytes_off(const ClassifiedPicture& a, const ClassifiedPicture& b) {
 /// Pictures of unmoved cases, by case, fix and light.
 class UnmovedPictures {
 public:
-    const ClassifiedPicture& of(const HardCase& row, bool fixed, std::size_t light) {
+    const ClassifiedPicture& picture_of(const HardCase& row, bool fixed, std::size_t light) {
         const auto key = std::tuple(row.number, fixed, light);
         if (const auto it = pictures_.find(key); it != pictures_.end()) return it->second;
         return pictures_[key] = *classified(row, fixed, {.light = light});
@@ -179,7 +179,7 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
     for (const Placement& placement : placements) {
         if (placement.is_unmoved() || (placement.mirrored && !allowed.mirrors)) continue;
         SCOPED_TRACE(std::string(row.key) + ": " + placement.name());
-        const ClassifiedPicture& home = unmoved_pictures.of(row, fixed, placement.light);
+        const ClassifiedPicture& home = unmoved_pictures.picture_of(row, fixed, placement.light);
         const auto there = classified(row, fixed, placement);
         if (!there) continue;
         ++compared;
@@ -235,7 +235,7 @@ void expect_axes_nothing_special(const HardCase& row, UnmovedPictures& unmoved_p
     const double turn = -1e-6 * 180 / M_PI;
     std::size_t pixels = 0, look = 0, wrong = 0, other_cause = 0;
     for (std::size_t light = 1; light < light_directions().size(); ++light) {
-        const ClassifiedPicture& exact = unmoved_pictures.of(row, true, light);
+        const ClassifiedPicture& exact = unmoved_pictures.picture_of(row, true, light);
         const auto off_axis = classified(row, true, {.light = light}, turn);
         ASSERT_TRUE(off_axis);
         for (std::size_t i = 0; i < exact.state.size(); ++i) {

@@ -46,7 +46,7 @@ class Drawings {
 public:
     explicit Drawings(std::string key) : key_(std::move(key)) {}
 
-    const GuidedDrawing& of(const ClaimSubject& subject) {
+    const GuidedDrawing& drawing_of(const ClaimSubject& subject) {
         auto& drawing = drawings_[{subject.preset, subject.set, subject.size}];
         if (!drawing) drawing = std::make_unique<GuidedDrawing>(key_, subject);
         return *drawing;
@@ -60,8 +60,8 @@ private:
 
 void expect_claim(const PresetClaim& claim, Drawings& drawings) {
     SCOPED_TRACE(claim.text);
-    const GuidedDrawing& drawing = drawings.of(claim.subject);
-    const GuidedDrawing* than = claim.than ? &drawings.of(*claim.than) : nullptr;
+    const GuidedDrawing& drawing = drawings.drawing_of(claim.subject);
+    const GuidedDrawing* than = claim.than ? &drawings.drawing_of(*claim.than) : nullptr;
     const double left = claim_metric(claim.subject, drawing, than);
     double right = claim.value;
     if (than && !compares_drawings(claim.subject.metric))
@@ -84,7 +84,7 @@ TEST(Claims, WithAnUnknownMetricFail) {
     Drawings drawings("hard-edges");
     for (const std::string metric : {"gray", "grey + gray", "cause.acme", "differing_share"}) {
         const ClaimSubject subject{.metric = metric};
-        EXPECT_THROW(claim_metric(subject, drawings.of(subject), nullptr), Error) << metric;
+        EXPECT_THROW(claim_metric(subject, drawings.drawing_of(subject), nullptr), Error) << metric;
     }
     EXPECT_FALSE(holds(1, "<", 1) || holds(1, ">", 1) || holds(1, "==", 2) || holds(2, "<=", 1) || holds(1, ">=", 2));
     EXPECT_TRUE(holds(1, "<=", 1) && holds(1, ">=", 1) && holds(1, "==", 1) && holds(1, "<", 2) && holds(2, ">", 1));

@@ -54,7 +54,7 @@ std::vector<std::string> amounts_of(const Bias& row) {
 }
 
 /// Returns the settings of a row; for a row without numbers only its choice.
-std::vector<std::string> turned(const Bias& row) {
+std::vector<std::string> amounts_to_raise(const Bias& row) {
     std::vector<std::string> keys = amounts_of(row);
     return keys.empty() ? std::vector<std::string>{"bias.kind"} : keys;
 }
@@ -63,7 +63,7 @@ std::vector<BiasCase> bias_cases() {
     std::vector<BiasCase> out;
     std::size_t turn = 0, format = 0;
     for (const Bias& row : biases())
-        for (const std::string& key : turned(row))
+        for (const std::string& key : amounts_to_raise(row))
             for (const LightType light : kLightTypes) {
                 const std::size_t k = turn++ * 5 % filters().size();
                 for (const Place& place : kPlaces) {
@@ -92,7 +92,7 @@ protected:
 
     /// Sets the setting to `value`, and the row's other settings to a tenth of it: a slope alone is zero under a
     /// vertical light.
-    void give(Settings& s, double value) const {
+    void set_amount(Settings& s, double value) const {
         for (const std::string& key : amounts_of(row)) {
             const SettingRef ref = *find_setting(key);
             set_value(s, ref, std::min(key == c.key ? value : 0.1 * value, ref.param->max));
@@ -114,7 +114,7 @@ protected:
         set_setting(s, "light.fit", c.fit);
         s.camera.elevation = 35;  // sees below the cover
         move_camera(s, c.place.at);
-        give(s, value);
+        set_amount(s, value);
         return s;
     }
 
@@ -128,7 +128,8 @@ protected:
         std::vector<std::size_t> cleared;
         std::size_t lit = 0, sloped = 0;
     };
-    ClearedPixels told(const ReferenceImage& reference, const FrameResult& frame, const Settings& s, int step) const {
+    ClearedPixels cleared_pixels(const ReferenceImage& reference, const FrameResult& frame, const Settings& s,
+                                 int step) const {
         ClearedPixels out;
         for (std::size_t i = 0; i < reference.states.size(); i += std::size_t(step)) {
             if (reference.states[i] != ReferenceState::Lit || reference.hits[i]->normal.y < 0.5) continue;
@@ -177,14 +178,14 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     };
     ReferenceImage reference = reference_within(reach);
     const double value = least_value([&](double v) {
-        give(s, v);
-        const ClearedPixels t = told(reference, none.frame, s, 13);
+        set_amount(s, v);
+        const ClearedPixels t = cleared_pixels(reference, none.frame, s, 13);
         return double(t.cleared.size()) / double(std::max<std::size_t>(t.lit, 1));
     });
     if (row.stage == BiasStage::LookUp) reference = reference_within(reach + value);  // edges move by as much
-    give(s, value * 1.001);
+    set_amount(s, value * 1.001);
     const Shot least = draw_shot(scene, s);
-    const ClearedPixels t = told(reference, least.frame, s, 1);
+    const ClearedPixels t = cleared_pixels(reference, least.frame, s, 1);
     const Tolerance& tolerance = filter_of(s).tolerance;
     ASSERT_GT(t.lit, 2000u);
     EXPECT_GT(double(t.cleared.size()), 0.7 * double(t.lit)) << "at " << value;

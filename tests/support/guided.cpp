@@ -18,7 +18,7 @@ bool named(const GuidedDrawing::Nodes& nodes, const std::string& path) {
 }
 
 /// Returns the scene with the objects of these nodes only.
-Scene only(Scene scene, const GuidedDrawing::Nodes& nodes) {
+Scene only_nodes(Scene scene, const GuidedDrawing::Nodes& nodes) {
     std::erase_if(scene.objects, [&](const Object& o) { return !named(nodes, scene.nodes[std::size_t(o.node)].path); });
     return scene;
 }
@@ -146,7 +146,7 @@ double GuidedDrawing::wrongly_dark(const Nodes& receivers) const {
 
 double GuidedDrawing::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
     std::optional<RayReference> some;
-    if (!casters.empty()) some.emplace(only(scene, casters));
+    if (!casters.empty()) some.emplace(only_nodes(scene, casters));
     int shadow = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {
         if (shadowed(some ? *some : rays(), hit)) {
