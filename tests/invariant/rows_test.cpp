@@ -120,7 +120,7 @@ FittedLight fitted(const Scene& scene, const Settings& s) {
 class EachKernel : public testing::TestWithParam<Case> {
 protected:
     const Case& c = GetParam();
-    const Filter& row = filters()[std::size_t(kernel(c.kernel))];
+    const Filter& row = filters()[std::size_t(kernel_row(c.kernel))];
 };
 
 /// Visits each pixel's reference and visibility. Boundary pixels have an edge within the given number of texels.

@@ -12,7 +12,7 @@ class Confinement {
 public:
     /// Creates rules that forbid changes to files outside `folder`, except devices.
     /// @returns nothing where the kernel lacks Landlock
-    static std::optional<Confinement> to(const std::filesystem::path& folder);
+    static std::optional<Confinement> for_folder(const std::filesystem::path& folder);
     ~Confinement();
     Confinement(Confinement&& other) noexcept;
     Confinement(const Confinement&) = delete;
