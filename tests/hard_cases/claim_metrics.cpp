@@ -10,6 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/depth_compare.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
 namespace si::test {
