@@ -21,6 +21,7 @@ default_stages=(
   "invariant:invariants of all rows, two choices at a time"
   "cli:commands"
   "ui:panels, without a window"
+  "recipe:the recipe for a filter kernel, followed by its page"
 )
 more_stages=(
   "window:the editor in windows of its own"

@@ -233,7 +233,9 @@ std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
     for (const auto& [family, name] : kFamilies)
         if (any) idea(name, [&, fam = family](Settings& s) { s.bias = bias(fam); });
     for (const auto& [row, least] : f.least_of_rows)
-        if (any) idea(fmt::format("least bias, {}", in_a_sentence(row->label)), [&](Settings& s) { s.bias = least; });
+        if (any)
+            idea(fmt::format("least bias, {}", in_a_sentence(row->label)),
+                 [&, bias = least](Settings& s) { s.bias = bias; });
     idea("no normal offset", [](Settings& s) { s.bias.normal = 0; });
     idea("no polygon offset", [](Settings& s) { s.bias.raster_slope = s.bias.raster_units = 0; });
     idea("no contact shadows", [&](Settings& s) { s.lights[std::size_t(f.light)].contact = 0; });

@@ -10,17 +10,6 @@
 
 namespace si {
 
-/// What of each light's maps the camera reads, kept until it changes.
-struct SeenFromCamera {
-    std::uint64_t key = 0;
-    std::optional<SeenBodies> bodies;
-    struct OfLight {
-        std::uint64_t key = 0;
-        NeededMaps called;
-    };
-    std::array<OfLight, kMaxLights> lights;
-};
-
 /// Whether something that the frame is asked for reads more of maps than look-ups of the picture do, or may.
 bool reads_whole_maps(const FrameState& f);
 

@@ -10,12 +10,6 @@
 
 namespace si {
 
-/// Boxes of one mesh.
-struct BoxesOfMesh {
-    std::vector<Cluster> clusters;
-    std::optional<std::vector<Bounds>> runs;
-};
-
 /// See build_clusters(); none of a mesh that changes with the pose.
 std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh);
 /// See index_run_boxes(); none of a mesh that changes with the pose.

@@ -1,13 +1,49 @@
 // Facts that passes find of the casters once and keep between frames.
 #pragma once
 
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
-#include "renderer/passes/caster_content.h"
-#include "renderer/passes/casters.h"
+#include "renderer/scene/part_identity.h"
 #include "renderer/scene/per_mesh.h"
 
 namespace si {
+
+/// Side of a mesh: a plane that holds triangles of one direction.
+struct MeshSide {
+    glm::dvec3 normal, corner;
+};
+/// Sides of one mesh.
+struct SidesOfMesh {
+    std::vector<MeshSide> sides;  ///< empty: there are too many, all of them small
+    double least_height = 0;      ///< smallest height of its triangles that have an area, metres
+};
+
+/// Keys of the depths that casters draw into a map.
+struct CasterContent {
+    std::uint64_t key = 0;  ///< of the scene's arrangement
+    /// Key by instance in the order of SceneGpu, of all that its depths depend on but the settings that all share
+    /// (ReadBy::Maps); 0: the instance never casts.
+    std::vector<std::uint64_t> of;
+};
+
+/// Keys of a rigid mesh, drawn opaque and with its mask; 0: not computed yet.
+struct RigidContent {
+    std::uint64_t opaque = 0, masked = 0;
+};
+
+/// Keys of casters and textures that were computed before.
+struct KnownContent {
+    /// Key of one texture.
+    struct OfTexture {
+        TextureIdentity texture;
+        std::uint64_t content = 0;  ///< 0: not computed yet
+    };
+    CasterContent casters;
+    std::vector<OfTexture> textures;
+};
 
 /// Sides of meshes and keys of their content, each found when first needed. One object a renderer
 /// (Resources::caster_findings).

@@ -33,16 +33,6 @@ struct IndexRange {
     GLsizei count = 0;
 };
 
-/// Sides of a mesh, one of each direction.
-struct MeshSide {
-    glm::dvec3 normal, corner;
-};
-/// Of a mesh, found when first asked for.
-struct SidesOfMesh {
-    std::vector<MeshSide> sides;  ///< none: there are very many, all of them small
-    double least_height = 0;      ///< of its triangles that have an area
-};
-
 /// Adds what follows in the mesh, to the last part where that ends there.
 void add_part(std::vector<IndexRange>& parts, IndexRange next);
 

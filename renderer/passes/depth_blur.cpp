@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/optimisations/map_extents.h"
-#include "renderer/passes/light_depth.h"
+#include "renderer/passes/compared_maps.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {

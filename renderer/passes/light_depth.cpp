@@ -9,6 +9,7 @@
 #include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
+#include "renderer/passes/compared_maps.h"
 #include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
@@ -112,12 +113,6 @@ PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
 }
 
 }  // namespace
-
-void place_compared_maps(FrameState& f, const gl::Target& maps) {
-    f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
-    if (!is_colour(f.settings.map.format))
-        f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
-}
 
 namespace {
 

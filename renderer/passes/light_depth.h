@@ -13,9 +13,6 @@ namespace si {
 
 class PagePasses;
 
-/// Places the maps whose depths shaders compare.
-void place_compared_maps(FrameState& f, const gl::Target& maps);
-
 /// What of a light is drawn apart from what moves.
 struct StaticOfLight {
     StaticCasters casters;

@@ -11,7 +11,7 @@
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/light_depth.h"
+#include "renderer/passes/compared_maps.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"

@@ -21,7 +21,7 @@ public:
     struct Targets {
         gl::Target reference, more_reference;  ///< of the truth picture
         gl::Target classified;                 ///< RG32F, see judgement() in lib/truth.glsl
-        gl::Target marks;                      ///< depths MARK_* of shared/judged.h
+        gl::Target marks;                      ///< depths MARK_* of shared/classified.h
         std::uint64_t causes_key = 0;          ///< of `judged` with the causes in it
         gl::Target error_tiles;                ///< RGBA32F, see error_tiles.frag.glsl
         std::array<gl::Target, kEvidenceImages> evidence;

@@ -1,6 +1,6 @@
 // The ray-traced truth about the shown light (renderer/reference/reference_picture.h), and what was made of it.
 #include "shared/units.h"
-#include "shared/judged.h"
+#include "shared/classified.h"
 
 layout(binding = UNIT_REFERENCE) uniform sampler2D reference_map;   // rows from the top: R, metres to the drawn surface nearest the light, state, noise
 layout(binding = UNIT_MORE_REFERENCE) uniform sampler2D more_map;    // rows from the top: metres to the nearest of all casters, hard R, edge_m, run_m

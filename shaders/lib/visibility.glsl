@@ -2,7 +2,7 @@
 #include "lib/receiver.glsl"
 #include "lib/compare.glsl"
 #include "lib/map_bounds.glsl"
-#include "shared/judged.h"
+#include "shared/classified.h"
 
 #define UNKNOWN uintBitsToFloat(0x7fc00000u)
 

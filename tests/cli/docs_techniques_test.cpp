@@ -96,8 +96,8 @@ TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
 TEST(DocsTechniques, HasTheTextsOfTheTables) {
     const std::string page = file_bytes(test::source_tree() / "docs/techniques.md");
     const auto expect_text = [&](std::string_view key, std::string_view help, std::string_view paper) {
-        const std::string text =
-            fmt::format("`{}`<br>{}{} | ", key, cell(help), paper.empty() ? "" : fmt::format("<br>*{}*", cell(paper)));
+        const std::string text = fmt::format("`{}`<br>{}{} | ", key, markdown_cell(help),
+                                             paper.empty() ? "" : fmt::format("<br>*{}*", markdown_cell(paper)));
         EXPECT_NE(page.find(text), std::string::npos)
             << text << "\nwrite it with: shadow-inspector docs techniques -o docs/techniques.md";
     };

@@ -221,9 +221,9 @@ TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
         EXPECT_NE(merged.err.find(said), std::string::npos) << merged.err;
         EXPECT_FALSE(fs::exists(folder / "merged"));
     }
-    Words again = again;
-    again.push_back("--fresh");
-    ASSERT_EQ(run_program(again, folder).code, 0);
+    Words fresh = again;
+    fresh.push_back("--fresh");
+    ASSERT_EQ(run_program(fresh, folder).code, 0);
     EXPECT_EQ(run_program({"merge", "1", "2", "-o", "merged"}, folder).code, 0);
     EXPECT_EQ(results_of(folder / "merged")["finished"], 4);
 }

@@ -395,8 +395,8 @@ TEST_P(EachSquareKernel, BlursAnEdgeByItsTapWeights) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels()),
-                         [](const testing::TestParamInfo<SizedKernel>& info) {
-                             const SizedKernel& k = info.param;
+                         [](const testing::TestParamInfo<SizedKernel>& row) {
+                             const SizedKernel& k = row.param;
                              std::string name = k.key + "_size_" + std::to_string(k.size) + (k.point ? "_points" : "");
                              std::ranges::replace(name, '-', '_');
                              return name;

@@ -77,14 +77,17 @@ bool add_patterns(const char* variable, std::string& to) {
     return true;
 }
 
-/// Writes down tests that were skipped because something is missing, for the summary of test.sh.
+/// Writes down tests that were skipped because something is missing, for the summary of test.sh. The listing happens at
+/// the end of a test, because googletest holds its lock while it reports a part of one.
 class LackingTests : public testing::EmptyTestEventListener {
-    void OnTestPartResult(const testing::TestPartResult& result) override {
-        const std::string reason = result.message();
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        if (!test || !result.skipped() || !reason.starts_with(kMissingReason)) return;
-        const std::string file = SI_TEST_OUTPUT_DIR "/lacking-" + std::to_string(getpid()) + ".txt";
-        std::ofstream(file, std::ios::app) << test->test_suite_name() << "." << test->name() << " " << reason << "\n";
+    void OnTestEnd(const testing::TestInfo& test) override {
+        for (int i = 0; i < test.result()->total_part_count(); ++i) {
+            const testing::TestPartResult& part = test.result()->GetTestPartResult(i);
+            const std::string reason = part.message();
+            if (!part.skipped() || !reason.starts_with(kMissingReason)) continue;
+            const std::string file = SI_TEST_OUTPUT_DIR "/lacking-" + std::to_string(getpid()) + ".txt";
+            std::ofstream(file, std::ios::app) << test.test_suite_name() << "." << test.name() << " " << reason << "\n";
+        }
     }
 };
 

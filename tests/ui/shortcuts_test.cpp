@@ -14,6 +14,7 @@
 #include <set>
 #include <string>
 
+#include "renderer/base/index_of.h"
 #include "renderer/settings/overlays.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/overlay_widget.h"
@@ -52,7 +53,7 @@ TEST(Shortcuts, NoKeyDoesTwoThings) {
 TEST(Shortcuts, EveryCommandHasARow) {
     std::set<Command> found;
     for (const Shortcut& row : shortcuts()) found.insert(row.command);
-    for (int i = 0; i <= Command::CloseOverview; ++i) EXPECT_TRUE(found.contains(Command(i))) << i;
+    for (int i = 0; i <= index_of(Command::CloseOverview); ++i) EXPECT_TRUE(found.contains(Command(i))) << i;
 }
 
 TEST(Shortcuts, OnlyHeldKeysAndGesturesHaveNoAction) {

@@ -126,10 +126,10 @@ TEST(Autosave, WritesOnlyChangesAndNotTooOften) {
 TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
     const fs::path folder = fresh_test_folder();
     auto first = std::make_unique<Autosave>(folder), second = std::make_unique<Autosave>(folder);
-    first->follow("boxes", with_bias(0.1), 0);
-    second->follow("boxes", with_bias(0.1), 0);
-    first->follow("boxes", with_bias(11), 1);
-    second->follow("stage", with_bias(22), 1);
+    first->update("boxes", with_bias(0.1), 0);
+    second->update("boxes", with_bias(0.1), 0);
+    first->update("boxes", with_bias(11), 1);
+    second->update("stage", with_bias(22), 1);
     EXPECT_EQ(files_in(folder, ".json"), 2u) << "each has its own";
     EXPECT_EQ(Autosave(folder).lost(), nullptr);
     second.reset();  // crashes; the first goes on
@@ -138,7 +138,7 @@ TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
     EXPECT_EQ(third.lost()->preset.settings.bias.constant, 22);
     EXPECT_EQ(Autosave(folder).lost(), nullptr) << "two editors were offered one session";
     third.forget_lost();
-    first->follow("boxes", with_bias(12), 50);
+    first->update("boxes", with_bias(12), 50);
     first->end("boxes", with_bias(12), false);
     EXPECT_EQ(files_in(folder, ".json"), 0u);
 }
@@ -146,8 +146,8 @@ TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
 TEST(Autosave, AProgramThatIsStillEndingAsTheNextBeginsIsOfferedALittleLater) {
     const fs::path folder = fresh_test_folder();
     auto ending = std::make_unique<Autosave>(folder);
-    ending->follow("boxes", with_bias(0.1), 0);
-    ending->follow("boxes", with_bias(11), 1);
+    ending->update("boxes", with_bias(0.1), 0);
+    ending->update("boxes", with_bias(11), 1);
     Autosave next(folder);
     next.update("boxes", with_bias(0.1), 0);
     EXPECT_EQ(next.lost(), nullptr);
@@ -161,7 +161,7 @@ TEST(Autosave, SeveralLostSessionsComeOneAfterTheOther) {
     const fs::path folder = fresh_test_folder();
     {
         Autosave a(folder), b(folder);
-        for (Autosave* editor : {&a, &b}) editor->follow("boxes", with_bias(0.1), 0);
+        for (Autosave* editor : {&a, &b}) editor->update("boxes", with_bias(0.1), 0);
         a.update("boxes", with_bias(1), 1);
         b.update("boxes", with_bias(2), 1);
     }

@@ -8,9 +8,9 @@
 namespace si {
 namespace {
 
-constexpr double kViewBegins = 1e-4;         // of the farthest corner's distance: a perspective view begins there
-constexpr double kEdgeOn = 1e-6;             // cosine up to which rounding decides which side of a plane is lit
-constexpr std::size_t kMostPairs = 1 << 18;  // of casters and receivers that are held against each other
+constexpr double kViewBegins = 1e-4;              // of the farthest corner's distance: a perspective view begins there
+constexpr double kEdgeOn = 1e-6;                  // cosine up to which rounding decides which side of a plane is lit
+constexpr std::size_t kMaxShadowPairs = 1 << 18;  // of casters and receivers that are held against each other
 constexpr std::size_t kMostTriangles = 1 << 19;
 constexpr double kLarge = 0.25;             // of what receives shadows, across: it is worth a closer look
 constexpr std::size_t kMostOutline = 4096;  // vertices of a caster whose outline is found
@@ -109,7 +109,7 @@ private:
     /// Whether so many pairs more are to be held against each other.
     bool affords_pairs() {
         pairs_ += receivers_.size();
-        return pairs_ <= kMostPairs;
+        return pairs_ <= kMaxShadowPairs;
     }
 
     /// Cosine between the direction to the light and a plane's normal, about.
