@@ -1,5 +1,5 @@
-// Compares the ray-traced reference with closed forms in double (a plane, a box and a ball) wherever a scene stands,
-// and scenes with distant vertices with the same numbers placed by a node.
+// Compares the ray-traced reference with closed forms in double (a plane, a box and a ball) wherever a scene stands.
+// Also compares scenes with distant vertices with the same numbers placed by a node.
 #include <cmath>
 
 #include "renderer/measure/measured_error.h"

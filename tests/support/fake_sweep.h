@@ -62,6 +62,7 @@ struct FakeSweep {
     std::vector<SweepAxis> axes = {parse_axis("map.resolution=256:2048:*2"), parse_axis("filter.kernel=hard,pcf3")};
     SweepPlan plan = plan_sweep(Settings{}, axes);
     SweepSpec spec;
+    /// Plans the sweep. @param f folder of the journal
     explicit FakeSweep(fs::path f) : folder(std::move(f)) {
         spec.scene = "stage";
         spec.axes = axes;
