@@ -12,6 +12,8 @@
 #include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si::test {
 namespace {
