@@ -1,4 +1,4 @@
-// What the scene advises is what one gets: each change that is shown, made and measured again.
+// Tests advice on built-in scenes: each suggested change is made and measured again.
 #include "renderer/advise/advice.h"
 
 #include "renderer/advise/autopilot.h"
@@ -16,7 +16,7 @@ protected:
     int width = 240, height = 160;
     Workers workers;
 
-    /// Times by a clock that counts work, so that ranks depend on no machine.
+    /// Returns a meter whose clock counts work, so that ranks do not depend on the machine.
     AdviceMeter meter_by_work(const Scene& scene) {
         AdviceMeter meter = renderer_advice_meter(renderer, scene, width, height, {}, cache, workers);
         meter.time = [judge = meter.classify](const Settings& a, const Settings& b) {
@@ -31,8 +31,8 @@ protected:
         return measure_ideas(s, advice_ideas(s, facts), meter_by_work(scene));
     }
 
-    /// Makes each change as the editor and --set do, and measures it as `measure` does.
-    void keeps_what_it_says(const Scene& scene, const Settings& s, const std::vector<TriedAdvice>& all) {
+    /// Makes each suggested change as the editor and --set do, and measures the result as `measure` does.
+    void expect_predicted_effects(const Scene& scene, const Settings& s, const std::vector<TriedAdvice>& all) {
         Measurer measurer(renderer, width, height);
         Settings classified_as = s;
         std::size_t shown = 0;
@@ -46,7 +46,7 @@ protected:
             const Classification before = measurer.classify(scene, classified_as),
                                  after = measurer.classify(scene, with);
             EXPECT_EQ(before.error.mae, t.before.error);
-            EXPECT_EQ(after.error.mae, t.after.error) << "exactly as it says";
+            EXPECT_EQ(after.error.mae, t.after.error) << "equal to the prediction";
             if (t.idea.claim == Claim::Same) {
                 EXPECT_LE(after.error.mae, before.error.mae + t.tolerance());
             }
@@ -67,31 +67,31 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, AdviceTest);
 SI_TESTS_ARE(Repeated, AdviceTest);
-TEST_F(AdviceTest, KeepsWhatItSaysOnBuiltInScenes) {
+TEST_F(AdviceTest, ItsPredictionsHoldOnBuiltInScenes) {
     for (const char* name : {"boxes", "teapot"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(name);
         const Settings s = settings_for(scene);
-        keeps_what_it_says(scene, s, advised(scene, s));
+        expect_predicted_effects(scene, s, advised(scene, s));
     }
 }
 
-TEST_F(AdviceTest, FindsWhatIsForNothing) {
+TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = settings_for(scene, {{"filter.kernel", "pcss"}, {"light.size", "0.01"}, {"light.cascades", "4"}});
     std::vector<TriedAdvice> all = advised(scene, s);
     EXPECT_TRUE(has(all, "narrow-penumbra"));
-    keeps_what_it_says(scene, s, all);
-    // Too little bias: it puts pixels right.
+    expect_predicted_effects(scene, s, all);
+    // Too little bias: the change corrects pixels.
     s = settings_for(scene, {{"bias.normal", "0"}, {"bias.constant", "0"}});
     all = advised(scene, s);
     EXPECT_TRUE(has(all, "bias"));
-    keeps_what_it_says(scene, s, all);
+    expect_predicted_effects(scene, s, all);
 }
 
-TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNone) {
+TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    // Seen from straight above, under a light from straight above, 115 m from the origin.
+    // The camera and the light are straight above the scene, 115 m from the origin.
     const glm::dvec3 far_off(80, 0, 80);
     test::move_scene(scene, far_off);
     const Settings s = settings_for(scene, {{"light.elevation", "90"},
@@ -102,7 +102,7 @@ TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNone) {
                                             {"camera.orthographic", "true"}});
     const std::vector<TriedAdvice> all = advised(scene, s);
     EXPECT_TRUE(has(all, "no-shadow"));
-    keeps_what_it_says(scene, s, all);
+    expect_predicted_effects(scene, s, all);
 }
 
 TEST_F(AdviceTest, AnEmptySceneIsNoProblem) {
@@ -123,8 +123,8 @@ TEST_F(AdviceTest, AStoppedSearchThrows) {
                  Cancelled);
 }
 
-/// Frames of which only one thing moves draw what depends on it, and no more.
-TEST_F(AdviceTest, MotionsDrawWhatDependsOnThem) {
+/// Frames in which one thing moves draw only the passes that depend on it.
+TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
     const Scene scene = load_scene("boxes");
     Measurer measurer(renderer, width, height);
     const auto ran = [&](const Sets& sets, CostCase cost) {
@@ -140,14 +140,14 @@ TEST_F(AdviceTest, MotionsDrawWhatDependsOnThem) {
     const auto forced = ran({}, CostCase::Forced), camera = ran({}, CostCase::Camera), light = ran({}, CostCase::Light);
     EXPECT_GE(forced.first, 8);
     EXPECT_GE(forced.second, 8);
-    EXPECT_EQ(camera.first, 0) << "the map is kept";
+    EXPECT_EQ(camera.first, 0) << "the map is cached";
     EXPECT_GE(camera.second, 8);
     EXPECT_GE(light.first, 8);
     EXPECT_GE(ran({{"light.cascades", "2"}}, CostCase::Camera).first, 8) << "these maps follow the camera";
     EXPECT_GE(ran({{"light.elevation", "90"}}, CostCase::Light).first, 8) << "a light at the zenith moves, too";
 }
 
-/// Real errors over a made-up clock that counts bytes: within a tenth of the optimum that all combinations have.
+/// Errors are real and the clock counts bytes. The result lies within a tenth of the optimum over all combinations.
 TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
     const std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf3", "pcf5"}},
                                          {"map.resolution", {"", "256", "512", "1024"}},

@@ -1,4 +1,4 @@
-// Overlays of bias and texel density against the same formulas in double, pixel by pixel.
+// Compares overlays of bias and texel density with the same formulas in double, pixel by pixel.
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -10,7 +10,7 @@ namespace {
 
 class BiasOverlays : public FrameTest {
 protected:
-    /// A floor with a ball on it: planes of every direction.
+    /// Makes a floor with a ball: planes of every direction.
     static Scene hills() {
         Scene scene;
         const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
@@ -39,7 +39,7 @@ protected:
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 80; ++x) {
                 glm::dvec3 origin, dir;
-                // Derivatives are of 2x2 blocks: all four must lie in one triangle.
+                // Derivatives use 2x2 blocks: all four pixels must lie in one triangle.
                 std::optional<test::Hit> hit, other;
                 bool inner = true;
                 for (int k = 0; k < 4 && inner; ++k) {
@@ -78,8 +78,8 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     return s;
 }
 
-SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory);
-TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
+SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
+TEST_F(BiasOverlays, LeastBiasAndSlackEqualTheFormulas) {
     const Scene scene = hills();
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
                                     {LightType::Directional, LightFit::Lispsm},
@@ -112,7 +112,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                                                                 .bias_normal = hit.normal,
                                                                 .origin_ws = p.frame.camera.origin()},
                                                                driver);
-                        if (a.receiver.n_dot_l < 0.02) return;  // edge-on nothing of single precision is left
+                        if (a.receiver.n_dot_l < 0.02) return;  // edge-on surfaces leave no digits in single precision
                         const double scale = a.amount(a.least.total()).texels;
                         worst = std::max(worst, std::abs(value - expected_texels(a)) / (1 + scale));
                     });
@@ -129,7 +129,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
             }
 }
 
-TEST_F(BiasOverlays, SlackBelowZeroIsWhereAcneIs) {
+TEST_F(BiasOverlays, AcneAppearsWhereSlackIsNegative) {
     const Scene scene = hills();
     Settings s = lit_by(LightType::Directional);
     s.bias = test::no_bias();
@@ -146,8 +146,8 @@ TEST_F(BiasOverlays, SlackBelowZeroIsWhereAcneIs) {
     }
 }
 
-// A pixel's step in the map by central differences of exact positions.
-TEST_F(BiasOverlays, DensityIsBothSingularValues) {
+// The expected value is a pixel's step in the map by central differences of exact positions.
+TEST_F(BiasOverlays, DensityEqualsBothSingularValues) {
     const Scene scene = hills();
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
                                     {LightType::Directional, LightFit::Lispsm},

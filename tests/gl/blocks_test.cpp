@@ -1,4 +1,4 @@
-// Shaders read a frame's numbers from uniform blocks or from images of the same buffers: the bits must be the same.
+// Tests that shaders read the same bits of a frame's numbers from uniform blocks and from images of the same buffers.
 #include "renderer/frame/blocks.h"
 
 #include "renderer/settings/filters.h"
@@ -27,7 +27,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, BlocksTest);
-TEST_F(BlocksTest, AreReadAsTheSameBitsEitherWay) {
+TEST_F(BlocksTest, BuffersAndImagesGiveTheSameBits) {
     if (!renderer.driver().blocks_as_images) GTEST_SKIP() << "this driver reads uniform blocks";
     static const std::vector<Sets> cases = {
         {{"shading.shininess", "20"}},

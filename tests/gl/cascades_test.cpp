@@ -1,4 +1,4 @@
-// Cascades as they are drawn: each pixel by the map of its interval, two of them mixed in a band, nothing read beside.
+// Tests drawn cascades: each pixel reads the map of its interval, a band mixes two maps, and nothing outside is read.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ using Change = std::vector<std::pair<std::string, std::string>>;
 class CascadesTest : public FrameTest {
 protected:
     FloatImage visibility(const Scene& scene, const Settings& s, FrameResult* frame = nullptr) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .shadow_map = true, .visibility = true};
         const FrameResult f = renderer.render(scene, s, request);
         if (frame) *frame = f;
@@ -25,7 +25,7 @@ protected:
     }
 };
 
-TEST_F(CascadesTest, OneIsAsIfThereWereNone) {
+TEST_F(CascadesTest, OneCascadeEqualsASingleMap) {
     const Scene scene = load_scene("stage");
     for (const Change& plain :
          {Change{}, {{"light.fit", "manual"}, {"light.extent", "4"}}, {{"light.type", "point"}}}) {
@@ -34,13 +34,13 @@ TEST_F(CascadesTest, OneIsAsIfThereWereNone) {
         for (const auto& [key, value] :
              Change{{"light.split_lambda", "0.9"}, {"light.cascade_blend", "0.7"}, {"light.cascade_choice", "map"}})
             set_setting(with, key, value);
-        if (!plain.empty()) set_setting(with, "light.cascades", "4");  // without effect there
+        if (!plain.empty()) set_setting(with, "light.cascades", "4");  // no effect for these lights
         EXPECT_EQ(picture(scene, s), picture(scene, with));
     }
 }
 
-// The band mixes what two maps say, by the share that the chooser names: the nearest texels looked up by hand.
-TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
+// The band mixes two maps by the share that the chooser returns. The test looks up the nearest texels itself.
+TEST_F(CascadesTest, PixelsReadTheMapOfTheirCascade) {
     Scene near = load_scene("stage");
     for (const char* reversed : {"false", "true"}) {
         const Settings s = settings_for(near, {{"light.cascades", "3"},
@@ -54,7 +54,7 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
         const FittedLight& light = frame.lights[0];
         std::vector<FloatImage> maps;
         for (int v = 0; v < 3; ++v) maps.push_back(renderer.read_shadow_map(frame, 0, v));
-        const ReferenceTask task = reference_task(renderer, near, s, small(), 0);
+        const ReferenceTask task = reference_task(renderer, near, s, small_request(), 0);
         const Receivers receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         std::size_t compared = 0, mixed = 0, wrong = 0;
         for (int y = 0; y < drawn.height; ++y)
@@ -94,9 +94,9 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
     }
 }
 
-SI_TEST_IS(Repeated, CascadesTest, NothingIsReadBesideAMap);
-// Where taps would reach beyond a map's sides or its far plane, the answer there would show.
-TEST_F(CascadesTest, NothingIsReadBesideAMap) {
+SI_TEST_IS(Repeated, CascadesTest, NothingIsReadOutsideAMap);
+// A tap outside a map or past its far plane would show the outside mode's value.
+TEST_F(CascadesTest, NothingIsReadOutsideAMap) {
     for (const char* name : {"stage", "landscape"}) {
         const Scene scene = load_scene(name);
         for (const char* elevation : {"90", "35"})
@@ -114,7 +114,7 @@ TEST_F(CascadesTest, NothingIsReadBesideAMap) {
                 const FloatImage unlit = visibility(scene, s);
                 std::size_t differ = 0;
                 for (std::size_t i = 0; i < lit.data.size(); ++i) differ += lit.data[i] != unlit.data[i];
-                // The border's colour is also what empty texels hold under neither.
+                // The border's colour equals that of empty texels under either setting.
                 EXPECT_EQ(differ, 0u) << name << " " << elevation << " " << more[0].second;
             }
     }
@@ -136,10 +136,10 @@ TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
     }
 }
 
-TEST_F(CascadesTest, FollowTheCameraAndOnlyThey) {
+TEST_F(CascadesTest, OnlyCascadesFollowTheCamera) {
     const Scene scene = load_scene("boxes");
     const auto map_state = [&](const Settings& s) {
-        for (const PassInfo& p : renderer.render(scene, s, small()).passes)
+        for (const PassInfo& p : renderer.render(scene, s, small_request()).passes)
             if (p.name.starts_with("shadow map 0")) return p.state;
         return PassState::Skipped;
     };
@@ -153,15 +153,15 @@ TEST_F(CascadesTest, FollowTheCameraAndOnlyThey) {
     }
 }
 
-SI_TEST_IS(Repeated, CascadesTest, TheProbeNamesThem);
-TEST_F(CascadesTest, TheProbeNamesThem) {
+SI_TEST_IS(Repeated, CascadesTest, TheProbeNamesTheCascade);
+TEST_F(CascadesTest, TheProbeNamesTheCascade) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene, {{"light.cascades", "4"}, {"light.cascade_blend", "0.3"}});
     FrameResult frame;
     const FloatImage drawn = visibility(scene, s, &frame);
     int blended = 0;
     for (int y = 20; y < 180; y += 12) {
-        const Probe probe = renderer.probe(scene, s, small(), 160, y);
+        const Probe probe = renderer.probe(scene, s, small_request(), 160, y);
         if (!probe.hit) continue;
         const Probe::PerLight& p = probe.lights[0];
         const ChosenView chosen = frame.lights[0].chooser.choose(frame.lights[0].views, probe.position_ws);
@@ -179,9 +179,9 @@ TEST_F(CascadesTest, TheProbeNamesThem) {
 TEST_F(CascadesTest, ACameraThroughTheLightHasTheWholeScenesMap) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"camera.source", "light"}});
-    const Camera one = renderer.render(scene, s, small()).camera;
+    const Camera one = renderer.render(scene, s, small_request()).camera;
     s.lights[0].cascades = 3;
-    const FrameResult several = renderer.render(scene, s, small());
+    const FrameResult several = renderer.render(scene, s, small_request());
     EXPECT_EQ(several.camera.eye, one.eye);
     EXPECT_EQ(several.camera.projection(), one.projection());
     EXPECT_EQ(several.lights[0].views.size(), 3u);

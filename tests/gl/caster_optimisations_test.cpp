@@ -1,4 +1,4 @@
-// What is drawn into maps, and what is not: the texels are the same, and counts tell what was left out.
+// Tests skipped casters of maps: the texels stay equal, and counts show the skipped work.
 #include <bit>
 #include <cmath>
 
@@ -35,7 +35,7 @@ protected:
             count += std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i]);
         return count;
     }
-    /// Every texel of every map, with each of the savings forced.
+    /// Compares every texel of every map with each optimisation forced.
     void expect_one_map(const Scene& scene, const Sets& sets, const std::string& what) {
         Settings s = settings_for(scene, sets);
         s.map.resolution = std::min(s.map.resolution, 512);
@@ -72,13 +72,13 @@ Scene displaced_by(Scene scene, const glm::dmat4& by) {
 
 SI_TESTS_ARE(DriverIndependent, CasterOptimisationsTest);
 SI_TESTS_ARE(Repeated, CasterOptimisationsTest);
-TEST_F(CasterOptimisationsTest, LeaveEveryTexelInEveryBuiltInScene) {
+TEST_F(CasterOptimisationsTest, KeepEveryTexelOfBuiltInScenes) {
     for (const BuiltinScene& row : builtin_scenes())
         for (const Sets& sets : kinds_of_maps())
             expect_one_map(load_scene(std::string(row.key)), sets, std::string(row.key));
 }
 
-TEST_F(CasterOptimisationsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
+TEST_F(CasterOptimisationsTest, KeepEveryTexelOfMovedMirroredAndShearedScenes) {
     glm::dmat4 sheared = moved(115, 0, 40) * scaled(-1, 1.3, 1);
     sheared[1][0] = 0.4;
     for (const Sets& sets : kinds_of_maps()) {
@@ -88,7 +88,7 @@ TEST_F(CasterOptimisationsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
     expect_one_map(Scene{}, {}, "an empty scene");
 }
 
-TEST_F(CasterOptimisationsTest, LeaveEveryTexelOfRealModels) {
+TEST_F(CasterOptimisationsTest, KeepEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
     if (models.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     for (const test::SharedModel& model : models) {
@@ -104,7 +104,7 @@ TEST_F(CasterOptimisationsTest, LeaveEveryTexelOfRealModels) {
     }
 }
 
-/// A floor, a ball, and one far away.
+/// Makes a floor with a ball and a distant ball.
 Scene two_balls() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -123,7 +123,7 @@ const PassInfo& map_pass(const FrameResult& f) {
     return f.passes.front();
 }
 
-TEST_F(CasterOptimisationsTest, CastersBesideAFaceAreNotDrawn) {
+TEST_F(CasterOptimisationsTest, CastersOutsideAFaceAreNotDrawn) {
     const Scene scene = two_balls();
     const Settings s = settings_for(scene, {{"light.type", "point"},
                                             {"light.target_y", "1"},
@@ -156,10 +156,10 @@ TEST_F(CasterOptimisationsTest, BackFacesOfClosedCastersAreNotDrawn) {
     EXPECT_EQ(triangles({}, {Optimisation::CasterBackFaces}), 4 * ball + 2) << "the balls once more, by their backs";
     for (const auto& [key, value] : {std::pair{"caster.cull", "front"}, {"bias.raster_units", "3"}})
         EXPECT_EQ(triangles({{key, value}}, {Optimisation::CasterBackFaces}), 2 * ball + 2)
-            << key << ": both sides, or as asked";
+            << key << ": both sides, or the setting's";
 }
 
-TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
+TEST_F(CasterOptimisationsTest, FlatCastersNotSeenEdgeOnNeedNoFragmentShader) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(9, 9), grey));
@@ -180,12 +180,12 @@ TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
         sets.emplace_back(key, value);
         return sets;
     };
-    // Of the floor, whose side begins where the map does, a driver of few sub-pixel bits may leave strays.
+    // The floor's side begins at the map's side. A driver with few sub-pixel bits may leave stray triangles there.
     const std::uint64_t well_seen = bare(slanted, {});
-    EXPECT_GE(well_seen, 3u) << "the boxes, of which no side is seen edge-on";
+    EXPECT_GE(well_seen, 3u) << "the boxes, no side of which is edge-on";
     EXPECT_LE(well_seen, 4u) << "and the floor; the ball has many sides";
     EXPECT_EQ(bare(slanted, {Optimisation::CasterFragments}), 0u);
-    EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are seen edge-on";
+    EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are edge-on";
     EXPECT_EQ(bare(with("light.azimuth", "90.001"), {}), well_seen - 1) << "two walls of the first box are nearly so";
     EXPECT_EQ(bare(with("map.format", "colour"), {}), 0u) << "a fragment shader writes the map";
     EXPECT_EQ(bare(with("light.type", "spot"), {}), 0u) << "its rays are not parallel";
@@ -193,15 +193,15 @@ TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
         expect_one_map(scene, sets, "flat casters");
 }
 
-// What the driver itself makes of both sides: rounding decides where a texel's centre lies on a silhouette, and nowhere
-// else. Among four million texels of the agreed scene these are fewer than ten.
-TEST_F(CasterOptimisationsTest, BackFacesWouldShowOnSilhouettesAlone) {
+// Drivers round both sides of a closed body. Rounding decides only texels whose centre lies on a silhouette: fewer
+// than ten among four million texels of the agreed scene.
+TEST_F(CasterOptimisationsTest, BackFacesChangeSilhouetteTexelsOnly) {
     for (const char* key : {"boxes", "figures"}) {
         const Scene scene = load_scene(key);
         Settings all = settings_for(scene, {{"caster.cull", "none"}, {"map.resolution", "2048"}});
         const FrameResult drawn = frame(scene, all);
         const std::vector<float> saved = texels(drawn);
-        all.bias.raster_units = 1e-30;  // so that nothing is left out
+        all.bias.raster_units = 1e-30;  // disables the skipping of back faces
         const std::vector<float> both = texels(frame(scene, all));
         std::size_t others = 0;
         double most = 0;

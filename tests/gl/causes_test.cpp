@@ -1,5 +1,5 @@
-// Why pixels are wrong: the GPU's decisions against those in C++ from the same trials, and scenes in which one or two
-// things are wrong against their repaired twins.
+// Compares the GPU's causes of wrong pixels with C++ decisions from the same trials, and scenes with one or two faults
+// with their repaired twins.
 #include <cstring>
 #include <map>
 
@@ -47,7 +47,7 @@ protected:
         return out;
     }
 
-    /// Decides in C++ upon what the GPU's trials gave, and demands the GPU's own decisions. @returns the GPU's
+    /// Decides in C++ from the GPU's trials and expects the GPU's own decisions. @returns the GPU's decisions
     MeasuredError agree(const Scene& scene, const Settings& s, const char* what, const ReferenceOptions& options = {}) {
         SCOPED_TRACE(what);
         const MeasuredError gpu = measure(scene, s, options);
@@ -79,14 +79,14 @@ protected:
         return gpu;
     }
 
-    double named(const Scene& scene, const Settings& wrong, const Settings& twin, const std::vector<Artefact>& causes,
-                 std::size_t least = 100) {
-        return named(measure(scene, wrong), measure(scene, twin), causes, least);
+    double named_share(const Scene& scene, const Settings& wrong, const Settings& twin,
+                       const std::vector<Artefact>& causes, std::size_t least = 100) {
+        return named_share(measure(scene, wrong), measure(scene, twin), causes, least);
     }
-    /// Of the pixels that are wrong, and right in the twin, the share that names one of the causes.
-    double named(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes,
-                 std::size_t least = 100) {
-        std::size_t cured = 0, told = 0;
+    /// Returns the share of pixels with one of the causes, among pixels that are wrong here and right in the twin.
+    double named_share(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes,
+                       std::size_t least = 100) {
+        std::size_t cured = 0, named = 0;
         std::map<std::string_view, int> others;
         for (std::size_t i = 0; i < a.classified.size(); ++i) {
             if (a.classified[i].artefact == Artefact::None || b.classified[i].artefact != Artefact::None) continue;
@@ -94,20 +94,20 @@ protected:
             bool hit = false;
             for (const Artefact c : causes)
                 hit |= a.classified[i].artefact == c || (a.classified[i].also() >> int(c) & 1) != 0;
-            told += hit;
+            named += hit;
             if (!hit) ++others[name(a.classified[i].artefact)];
         }
         EXPECT_GE(cured, least) << "the twin shows what was wrong";
         std::string text;
         for (const auto& [key, n] : others) text += std::string(key) + " " + std::to_string(n) + "  ";
-        last_ = std::to_string(cured) + " cured, not told: " + text;
-        return cured ? double(told) / double(cured) : 0;
+        last_ = std::to_string(cured) + " fixed, not named: " + text;
+        return cured ? double(named) / double(cured) : 0;
     }
     std::string last_;
 };
 
-SI_TEST_IS(Repeated, CausesTest, AreTheSameInCxxAndOnTheGpu);
-TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
+SI_TEST_IS(Repeated, CausesTest, CpuAndGpuAgree);
+TEST_F(CausesTest, CpuAndGpuAgree) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
         Settings s = test::texel_settings(kernel, 256, 0.4);
@@ -228,10 +228,10 @@ TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
     const double by_bias = m.metrics.bias_false_light / m.metrics.false_light;
     EXPECT_GT(m.metrics.false_light, 0.002);
     EXPECT_GT(by_bias, 0.6) << "not an edge's: " << counts(m);
-    EXPECT_GE(named(scene, s, least, {Artefact::PeterPanning}), 0.95) << last_;
+    EXPECT_GE(named_share(scene, s, least, {Artefact::PeterPanning}), 0.95) << last_;
 }
 
-TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsTheOffsets) {
+TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsAttributedToTheOffset) {
     const Scene scene = test::wall_on_plane();
     Settings s = test::low_sun_settings("pcf3", 4096, 2);
     s.lights[0].elevation = 40;
@@ -242,7 +242,7 @@ TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsTheOffsets) {
     const MeasuredError m = measure(scene, s);
     EXPECT_GT(count(m, Artefact::PeterPanningOffset), 300u);
     EXPECT_LT(count(m, Artefact::EdgeAliasing) + count(m, Artefact::PeterPanning), 20u);
-    EXPECT_GE(named(scene, s, without, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}), 0.95) << last_;
+    EXPECT_GE(named_share(scene, s, without, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}), 0.95) << last_;
 }
 
 TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
@@ -265,8 +265,8 @@ TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
     EXPECT_LT(count(measure(scene, s), Artefact::Undersampled), undersampled / 20);
 }
 
-SI_TEST_IS(Repeated, CausesTest, EdgesOfABoxOnAPlaneStayEdges);
-TEST_F(CausesTest, EdgesOfABoxOnAPlaneStayEdges) {
+SI_TEST_IS(Repeated, CausesTest, EdgesOfABoxOnAPlaneAreClassifiedAsEdges);
+TEST_F(CausesTest, EdgesOfABoxOnAPlaneAreClassifiedAsEdges) {
     for (const char* kernel : {"hard", "pcf3"}) {
         const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
         Settings s = test::texel_settings(kernel, 4096, kernel[0] == 'h' ? 2.2 : 5.2);
@@ -286,7 +286,7 @@ TEST_F(CausesTest, EdgesOfABoxOnAPlaneStayEdges) {
     }
 }
 
-/// A thing that can be wrong: how it gets so, how it is right, what it is called.
+/// Fault of a scene: settings that cause the fault, settings that repair it, and its cause.
 struct Fault {
     const char* what;
     void (*wrong)(Settings&);
@@ -304,7 +304,7 @@ const std::vector<Fault>& faults() {
         {"front culling",
          [](Settings& s) { s.caster.cull = Cull::Front; },
          {Artefact::LostCaster, Artefact::PeterPanning}},
-        // At the bias of a narrow one it shadows itself, which more bias cures as well.
+        // At the bias of a narrow kernel the scene shadows itself, which more bias fixes as well.
         {"wide kernel",
          [](Settings& s) { set_setting(s, "filter.kernel", "pcf9"); },
          {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
@@ -312,8 +312,8 @@ const std::vector<Fault>& faults() {
     return all;
 }
 
-SI_TEST_IS(Repeated, CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin);
-TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
+SI_TEST_IS(Repeated, CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows);
+TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) {
     Scene scene = test::floor_and_box(10, {1.5, 0.6, 2}, 0.3);
     const int grey = add_material(scene, "more grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(1.5, 1.5), grey), moved(2.5, 1.1, 1));
@@ -333,10 +333,10 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
             }
             faults()[a].wrong(both);
             if (both == twin) continue;
-            // Thirty texels of offset are worth more than the plane needs: its constant is not too little then.
+            // Thirty texels of normal offset exceed the plane's need: its constant bias is not too little then.
             if (faults()[a].what == std::string("little bias") && faults()[b].what == std::string("much offset"))
                 continue;
-            const double share = named(scene, both, twin, faults()[a].causes, 0);
+            const double share = named_share(scene, both, twin, faults()[a].causes, 0);
             const std::string line = std::string(faults()[a].what) +
                                      (a == b ? "" : std::string(" with ") + faults()[b].what) + ": " +
                                      std::to_string(share) + " of " + last_;
@@ -348,7 +348,7 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
     if (HasFailure()) std::puts(table.c_str());
 }
 
-/// A room that is one mesh, its walls and floor joined, with a box that touches the floor.
+/// Makes a room as one mesh of joined walls and floor, with a box that touches the floor.
 Scene room() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -364,7 +364,7 @@ Scene room() {
     return scene;
 }
 
-/// Four tiles of hills that meet in the middle, with a box over the seams.
+/// Makes four tiles of hills that meet in the middle, with a box over the seams.
 Scene tiles() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -381,8 +381,8 @@ Scene tiles() {
     return scene;
 }
 
-/// A sheet over a floor with holes in it, as fine as it may be drawn by a coarse map. @param levels whether its mask
-/// has coarser ones
+/// Makes a sheet with fine holes over a floor; the holes are as fine as a coarse map can draw. @param levels gives the
+/// mask coarser mip levels
 Scene masked_sheet(bool levels) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -400,17 +400,17 @@ Scene masked_sheet(bool levels) {
     return scene;
 }
 
-TEST_F(CausesTest, MasksThatCoarserLevelsThinOutAreLostCasters) {
+TEST_F(CausesTest, MasksThinnedByCoarserMipLevelsAreLostCasters) {
     Settings s = test::texel_settings("hard", 128, 2);
     s.camera.distance = 7;
     const MeasuredError coarse = measure(masked_sheet(true), s), fine = measure(masked_sheet(false), s);
     EXPECT_GT(count(coarse, Artefact::LostCaster), 300u) << counts(coarse);
     EXPECT_EQ(count(fine, Artefact::LostCaster), 0u) << "there are no other levels: " << counts(fine);
-    const double share = named(coarse, fine, {Artefact::LostCaster, Artefact::Filter});
+    const double share = named_share(coarse, fine, {Artefact::LostCaster, Artefact::Filter});
     EXPECT_GE(share, 0.95) << last_;
 }
 
-TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
+TEST_F(CausesTest, TapsOutsideTheMapAreClassifiedAsItsSeam) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
     Settings s = test::texel_settings("pcf9", 64, 12);
     s.lights[0].fit = LightFit::Manual;
@@ -419,14 +419,14 @@ TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
     Settings twin = s;
     twin.map.outside = Outside::Lit;
     const MeasuredError dark = measure(scene, s), lit = measure(scene, twin);
-    EXPECT_GE(named(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
+    EXPECT_GE(named_share(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
     std::size_t seams = 0;
     for (std::size_t i = 0; i < dark.classified.size(); ++i)
         if (!dark.classified[i].has(ClassifiedPixel::kOutside)) seams += dark.classified[i].has(ClassifiedPixel::kSeam);
     EXPECT_GT(seams, 50u);
 }
 
-TEST_F(CausesTest, ACubeHasNoSeams) {
+TEST_F(CausesTest, ACubeMapHasNoSeams) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
     Settings s = test::texel_settings("pcf9", 64, 8);
     s.lights[0].type = LightType::Point;
@@ -439,8 +439,8 @@ TEST_F(CausesTest, ACubeHasNoSeams) {
     }
 }
 
-SI_TEST_IS(Repeated, CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight);
-TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
+SI_TEST_IS(Repeated, CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight);
+TEST_F(CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight) {
     struct Place {
         const char* what;
         Scene scene;
@@ -489,7 +489,7 @@ TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
             place.light(twin);
             Settings wrong = twin;
             faults()[a].wrong(wrong);
-            const double share = named(place.scene, wrong, twin, faults()[a].causes, 0);
+            const double share = named_share(place.scene, wrong, twin, faults()[a].causes, 0);
             if (std::stoul(last_) < 30) continue;
             EXPECT_GE(share, 0.95) << place.what << ", " << faults()[a].what << ": " << share << " of " << last_;
         }

@@ -1,4 +1,4 @@
-// The colours that legends explain are those that the shaders paint with.
+// Tests that shaders draw the colours that legends explain.
 #include "shaders/shared/colours.h"
 
 #include <algorithm>
@@ -17,12 +17,12 @@ protected:
     }
 };
 
-TEST_F(ColoursTest, DepthBands) {
+TEST_F(ColoursTest, DepthBandsFollowDepth) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(
         scene,
         {{"view.map", "bands"}, {"map.resolution", "128"}, {"view.band_low", "0.45"}, {"view.band_high", "0.6"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .shadow_map = true};
     const FrameResult f = renderer.render(scene, s, request);
     const FloatImage depth = renderer.read_map_view_depth(f);
@@ -33,7 +33,7 @@ TEST_F(ColoursTest, DepthBands) {
             const float d = depth.at(x, y);
             const int band = d < 0.45f ? 0 : d < 0.6f ? 1 : 2;
             ++bands[band];
-            // Within the first band, which is nearly all of a perspective map, brightness tells depths apart.
+            // The first band covers nearly all of a perspective map; brightness separates its depths.
             expect_colour(shown, x, y,
                           band == 0   ? shared::BAND_NEAR * (0.35f + 0.65f * d / 0.45f)
                           : band == 1 ? shared::BAND_MIDDLE
@@ -42,13 +42,13 @@ TEST_F(ColoursTest, DepthBands) {
     for (const int count : bands) EXPECT_GT(count, 20);
 }
 
-TEST_F(ColoursTest, OverlayScales) {
+TEST_F(ColoursTest, OverlayScalesFollowTheirValues) {
     const Scene scene = load_scene("boxes");
     for (const auto& [overlay, low, middle, high] :
          {std::tuple{"own-depth", shared::SEQUENTIAL_LOW, shared::SEQUENTIAL_MIDDLE, shared::SEQUENTIAL_HIGH},
           {"n-dot-l", shared::DIVERGING_LOW, shared::DIVERGING_MIDDLE, shared::DIVERGING_HIGH}}) {
         const Settings s = settings_for(scene, {{"view.overlay", overlay}, {"view.overlay_range", "fitted"}});
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.overlay = true;
         const FrameResult f = renderer.render(scene, s, request);
         const FloatImage values = renderer.read_float(f.overlay, 4);

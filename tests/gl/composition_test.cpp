@@ -1,4 +1,4 @@
-// How light and shadow become a picture: one pass with visibility as a factor, or a dim pass and a lit one over it.
+// Tests how light and shadow become a picture: in one pass with visibility as a factor, or in a dim and a lit pass.
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +11,9 @@ namespace {
 
 class CompositionTest : public FrameTest {};
 
-// Each pixel of a soft shadow is wholly lit or wholly dim, by whether its visibility reaches the alpha test; a dim one
-// has the share of diffuse light that was asked for.
-TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
+// Each pixel of a soft shadow is lit or dim, depending on whether its visibility reaches the alpha test. A dim pixel
+// has the requested share of diffuse light.
+TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf9", 128, 6);
@@ -25,7 +25,7 @@ TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
         s.shading = {.ambient = 0.1, .diffuse = 0.7, .specular = 0};
         s.shading.composition = Composition::DimLit;
         s.shading.dim = 0.3;
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.visibility = true;
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage v = renderer.read_float(frame.visibility, 1);
@@ -50,7 +50,7 @@ TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
     }
 }
 
-TEST_F(CompositionTest, IsTheSameWhetherVisibilityIsAPassOfItsOwn) {
+TEST_F(CompositionTest, FusedAndSeparateVisibilityGiveTheSamePicture) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"shading.composition", "dim-lit"}});
     const ByteImage fused = picture(scene, s);
@@ -60,9 +60,9 @@ TEST_F(CompositionTest, IsTheSameWhetherVisibilityIsAPassOfItsOwn) {
     EXPECT_GT(different_pixels(fused, picture(scene, s)), 1000u);
 }
 
-// The two ways to a place in the map are one in exact numbers: in single precision they differ by what its digits are
-// worth, which grows with how far the camera stands from what it sees.
-TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingsAlone) {
+// Both ways to a map coordinate are equal in exact numbers. In single precision their difference grows with the
+// distance from the camera to the surface.
+TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf3", 1024, 3);
@@ -72,7 +72,7 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingsAlone) {
             s.lights[0].cone = 90;
         }
         set_setting(s, "view.overlay", "transform-difference");
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.overlay = true;
         const auto worst = [&](double distance_m) {
             s.camera.distance = distance_m;

@@ -1,4 +1,4 @@
-// Contact shadows: what they bring back, that they invent nothing, and that they are a factor on any source.
+// Tests contact shadows: they restore lost shadows, add no false ones, and multiply any source.
 #include <algorithm>
 
 #include "renderer/measure/measured_error.h"
@@ -40,7 +40,7 @@ protected:
     }
 };
 
-// No surface is before itself, whatever lights and looks at it; a ball is its own smallest occluder at its rim.
+// No surface occludes itself under any light or camera; a ball is its own smallest occluder at its rim.
 TEST_F(ContactTest, APlaneAloneStaysLit) {
     for (const test::Place& place : kPlaces)
         for (const LightType type : kLightTypes)
@@ -53,23 +53,22 @@ TEST_F(ContactTest, APlaneAloneStaysLit) {
                 Settings s = under(type, place);
                 set_setting(s, "light.source", "none");
                 s.camera.orthographic = orthographic;
-                s.camera.elevation = 8;  // grazing: a pixel spans far along the plane
+                s.camera.elevation = 8;  // grazing: a pixel spans a long stretch of the plane
                 const FloatImage v = visibility(floor, s);
                 EXPECT_TRUE(std::ranges::all_of(v.data, [](float x) { return x == 1; })) << int(type) << orthographic;
             }
 }
 
-// A box on a floor without any other shadow, held against rays as long as the marched ones: what they find dark, and
-// what they leave lit. The camera sees the box from the side that the light does not, so that its near faces stand for
-// it.
-TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
+// A box on a floor without any other shadow is compared with rays as long as the marched ones. The camera faces the
+// box's unlit side, so that its near faces stand for the box.
+TEST_F(ContactTest, OccludersWithinTheRayLengthDarkenAPixel) {
     for (const test::Place& place : kPlaces)
         for (const LightType type : kLightTypes) {
             Scene scene = test::floor_and_box(10, {1.5, 1, 2});
             test::move_scene(scene, place.at);
             Settings s = under(type, place);
             set_setting(s, "light.source", "none");
-            s.contact.thickness = 3;  // the box is as deep
+            s.contact.thickness = 3;  // depth of the box
             const FrameResult frame = renderer.render(scene, s, request);
             const FloatImage v = renderer.read_float(frame.visibility, 1);
             const test::RayReference rays(scene);
@@ -104,8 +103,8 @@ TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
         }
 }
 
-// Bias has moved the shadow off its caster: the contact's is back, and what is wrong elsewhere stays as it was.
-TEST_F(ContactTest, BringBackWhatBiasLost) {
+// Bias has detached the shadow from its caster. The contact shadow closes the gap and changes no other error.
+TEST_F(ContactTest, ContactShadowsRestoreShadowsThatBiasRemoved) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     Settings s = test::texel_settings("pcf3", 512, 40);
     const auto measured = [&] { return measure_error(renderer, scene, s, request, 0, {}, cache).metrics; };
@@ -121,7 +120,7 @@ TEST_F(ContactTest, BringBackWhatBiasLost) {
         << "what they darken wrongly bears their name";
 }
 
-TEST_F(ContactTest, AreAFactorOnAnySource) {
+TEST_F(ContactTest, ContactShadowsMultiplyAnySource) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.source", "none"}, {"light.contact", "1"}});
     const FloatImage factor = visibility(scene, s);

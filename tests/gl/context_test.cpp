@@ -1,4 +1,4 @@
-// Contexts without a display: what they offer, that they follow one another, that nothing piles up.
+// Tests contexts without a display: version, switching, and release of memory.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST(HeadlessContext, IsACoreDebugContextOfVersion45) {
     EXPECT_EQ(context.description().rfind("EGL ", 0), 0u) << context.description();
 }
 
-TEST(HeadlessContext, TwoLiveSideBySideAndSwitch) {
+TEST(HeadlessContext, TwoContextsCanBeSwitched) {
     HeadlessContext first;
     GLuint made = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &made);
@@ -53,10 +53,10 @@ TEST(HeadlessContext, TwoLiveSideBySideAndSwitch) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-TEST(HeadlessContext, FiftyOnesLeaveNothingBehind) {
+TEST(HeadlessContext, FiftyContextsReleaseAllMemory) {
     const auto cycle = [] {
         const HeadlessContext context;
-        GLuint texture = 0;  // 16 MiB, cleared so that it is really there
+        GLuint texture = 0;  // 16 MiB, cleared so that the driver allocates it
         glCreateTextures(GL_TEXTURE_2D, 1, &texture);
         glTextureStorage2D(texture, 1, GL_RGBA8, 2048, 2048);
         glClearTexImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -67,7 +67,7 @@ TEST(HeadlessContext, FiftyOnesLeaveNothingBehind) {
     const long memory = resident_kib();
     for (int i = 0; i < 50; ++i) cycle();
     EXPECT_EQ(open_files(), files);
-    // A context that were kept would hold its texture: 50 of them 800 MiB.
+    // Leaked contexts would hold 50 such textures, 800 MiB.
     EXPECT_LT(resident_kib() - memory, 100 * 1024);
 }
 
@@ -82,7 +82,7 @@ TEST(HeadlessContext, NeedsNoDisplay) {
         unsetenv("DISPLAY");
 }
 
-TEST(WindowContext, SaysWhatToDoWithoutADisplay) {
+TEST(WindowContext, WithoutADisplayTheErrorNamesTheFix) {
     unsetenv("WAYLAND_DISPLAY");
     setenv("DISPLAY", ":nowhere", 1);
     try {

@@ -1,5 +1,5 @@
-// map.blur_texels: every stored depth is the mean of its neighbours', whatever the format and the light; 0 costs
-// nothing.
+// Tests map.blur_texels: every stored depth is the mean of its neighbours in every format and light type; 0 runs no
+// pass.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// The mean of the texels within `radius` along both axes that lie in the map, in double.
+/// Returns the mean of the map's texels within `radius` along both axes, in double.
 std::vector<double> box_blur(const FloatImage& map, int radius) {
     std::vector<double> out(map.data.size());
     for (int y = 0; y < map.height; ++y)
@@ -30,7 +30,7 @@ protected:
     static FrameRequest maps() { return {.width = 64, .height = 48, .outputs = {.colour = false, .shadow_map = true}}; }
 };
 
-TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
+TEST_F(DepthBlur, EqualsTheMeanOfNeighboursInEveryFormatAndLightType) {
     const Scene scene = load_scene("boxes");
     const std::pair<const char*, double> formats[] = {
         {"d16", 2.0 / 65535}, {"d24", 1e-6}, {"d32f", 1e-6}, {"colour", 1e-6}};
@@ -43,8 +43,8 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
                                                   {"light.type", light},
                                                   {"map.reversed_z", reversed}});
                 for (const int radius : {1, 4}) {
-                    // The faces of a point light overlap by what is read beyond them: as far for an offset as for a
-                    // blur.
+                    // The faces of a point light overlap by the reach of look-ups: a blur needs as much as an offset
+                    // of equal size.
                     Settings unblurred = s;
                     unblurred.map.blur_texels = 0;
                     unblurred.bias.normal += radius;
@@ -67,12 +67,12 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
                         EXPECT_LE(worst, step) << format << " " << light << " face " << face << " radius " << radius;
                     }
                     EXPECT_GT(moved, 0.005)
-                        << "no edge was blurred, so the case says nothing: " << format << " " << light;
+                        << "no edge was blurred, so the case proves nothing: " << format << " " << light;
                 }
             }
 }
 
-TEST_F(DepthBlur, OfSeveralLightsBlursEachLayer) {
+TEST_F(DepthBlur, BlursTheLayersOfEveryLight) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.fit", "scene"},
                                       {"map.resolution", "32"},
@@ -93,40 +93,40 @@ TEST_F(DepthBlur, OfSeveralLightsBlursEachLayer) {
     }
 }
 
-TEST_F(DepthBlur, RunsOnlyWhenAskedForAndIsReused) {
+TEST_F(DepthBlur, RunsOnlyWhenEnabledAndIsCached) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "256"}});
-    const FrameResult off = renderer.render(scene, s, small());
+    const FrameResult off = renderer.render(scene, s, small_request());
     ASSERT_NE(off.pass("depth blur"), nullptr);
     EXPECT_EQ(off.pass("depth blur")->state, PassState::Skipped);
     EXPECT_NE(off.pass("depth blur")->reason.find("map.blur_texels is 0"), std::string::npos);
     const ByteImage sharp = renderer.read_colour(off.colour);
     s.map.blur_texels = 3;
-    const FrameResult on = renderer.render(scene, s, small());
+    const FrameResult on = renderer.render(scene, s, small_request());
     EXPECT_EQ(on.pass("depth blur")->state, PassState::Drawn);
     for (const PassInfo& pass : on.passes)
         EXPECT_EQ(pass.category == PassCategory::Maps, pass.name == "depth blur" || pass.name == "moments" ||
                                                            pass.name == "map bounds" ||
                                                            pass.name.starts_with("shadow map"))
             << pass.name;
-    const FrameResult again = renderer.render(scene, s, small());
+    const FrameResult again = renderer.render(scene, s, small_request());
     EXPECT_EQ(again.pass("depth blur")->state, PassState::Cached);
     const ByteImage blurred = renderer.read_colour(again.colour);
     EXPECT_GT(different_pixels(sharp, blurred, 2), 100u);
-    s.lights[0].azimuth += 20;  // what it reads changes
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Drawn);
+    s.lights[0].azimuth += 20;  // changes the blur's input
+    EXPECT_EQ(renderer.render(scene, s, small_request()).pass("depth blur")->state, PassState::Drawn);
     s.lights[0].azimuth -= 20;
     s.map.blur_texels = 0;
     EXPECT_EQ(picture(scene, s).data, sharp.data) << "switching it off leaves a trace";
     s.light_count = 0;
     s.map.blur_texels = 3;
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Skipped);
+    EXPECT_EQ(renderer.render(scene, s, small_request()).pass("depth blur")->state, PassState::Skipped);
 }
 
-// Wrong on purpose: unlike a filter of the comparisons it makes no greys at the shadow's edge.
+// The blur is wrong on purpose: unlike filters of comparisons it makes no greys at shadow edges.
 TEST_F(DepthBlur, SoftensNoEdge) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     const auto greys = [&](const Settings& s) {
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);

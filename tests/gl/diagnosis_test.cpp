@@ -1,5 +1,5 @@
-// The dossier of a probed pixel: taps that add up to what the GPU found, a truth that agrees with `measure`, verdicts,
-// and remedies that work.
+// Tests the diagnosis of a probed pixel: taps that add up to the GPU's visibility, a reference that agrees with
+// `measure`, verdicts, and working fixes.
 #include <bit>
 #include <cstring>
 
@@ -32,7 +32,7 @@ protected:
         ReferenceCache cache;
         return measure_error(renderer, scene, s, kPicture, 0, {}, cache);
     }
-    /// The first pixel from the middle of the picture outwards that `measure` calls this.
+    /// Returns the first pixel with a class of `measure`, searched from the middle of the picture outwards.
     std::optional<glm::ivec2> find(const MeasuredError& m, Artefact wanted) {
         std::optional<glm::ivec2> best;
         int least = 1 << 30;
@@ -56,8 +56,8 @@ protected:
     }
 };
 
-/// A probe asks each light by its own map, source and sides, whichever is shown, and if none of that number shines.
-TEST_F(DiagnosisTest, WhatALightIsAskedGoesByThatLight) {
+/// A probe answers by each light's own map, source and sides, for any shown light and for light numbers out of range.
+TEST_F(DiagnosisTest, AnswersConcernTheChosenLight) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "128"},
                                       {"light.count", "2"},
@@ -86,8 +86,8 @@ TEST_F(DiagnosisTest, WhatALightIsAskedGoesByThatLight) {
     }
 }
 
-SI_TEST_IS(Repeated, DiagnosisTest, TapsAddUpToWhatTheGpuFound);
-TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
+SI_TEST_IS(Repeated, DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu);
+TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr std::pair<const char*, const char*> kUnder[] = {{"d16", "receiver-plane"},
                                                               {"d32f", "slope"},
@@ -95,7 +95,7 @@ TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
                                                               {"linear16", "constant"},
                                                               {"d32f", "receiver-plane"}};
     int checked = 0, partial = 0, off = 0;
-    std::size_t next = 0;  // kernels meet them by turns
+    std::size_t next = 0;  // alternates between kernels
     for (const Filter& filter : filters())
         for (int turn = 0; turn < 2; ++turn) {
             if (!filter.linear) continue;
@@ -118,7 +118,7 @@ TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
         }
     EXPECT_GT(checked, 500);
     EXPECT_GT(partial, 30);
-    // Single precision may decide a comparison or a texel the other way.
+    // Single precision may decide a comparison or a texel differently.
     EXPECT_LE(off, checked / 200);
 }
 
@@ -136,7 +136,7 @@ TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
         for (int y = 0; y < kPicture.height; ++y)
             for (int x = 0; x < kPicture.width; ++x) {
                 const std::size_t i = std::size_t(y * kPicture.width + x);
-                // Some of the right ones, and more of the wrong.
+                // The test samples few of the right pixels and more of the wrong ones.
                 if (m.classified[i].artefact == Artefact::None ? (x % 11 != 3 || y % 9 != 5) : ++wrong % 23 != 0)
                     continue;
                 const Probe p = renderer.probe(scene, s, kPicture, x, y);
@@ -166,7 +166,7 @@ TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
     EXPECT_GT(kinds[std::size_t(Artefact::Acne)], 5);
 }
 
-TEST_F(DiagnosisTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
+TEST_F(DiagnosisTest, AcneReportsTheNeededBiasAndItsFixWorks) {
     const Scene scene = make_scene(make_plane(10, 10));
     for (const char* kernel : {"hard", "hw2x2"})
         for (const bool slope : {false, true}) {
@@ -187,18 +187,17 @@ TEST_F(DiagnosisTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
             ASSERT_TRUE(d.fix) << kernel;
             EXPECT_EQ(d.fix->settings[0].first, slope ? "bias.slope" : "bias.constant");
             EXPECT_GT(d.fix->equivalent_bias_texels, 0.999 * d.least.texels);
-            EXPECT_LT(d.fix->equivalent_bias_texels, 1.02 * d.least.texels)
-                << "it is what the surface needs, rounded up";
+            EXPECT_LT(d.fix->equivalent_bias_texels, 1.02 * d.least.texels) << "the surface's need, rounded up";
             apply(s, *d.fix);
             EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
-            // The floor is one plane under one light: what cures a pixel cures all.
+            // The floor is one plane under one light: a fix for one pixel fixes all.
             const ErrorMetrics after = measure(scene, s).metrics;
             EXPECT_GT(before.metrics.acne, 0.1);
             EXPECT_EQ(after.acne, 0) << kernel << d.fix->text;
         }
 }
 
-TEST_F(DiagnosisTest, AWideKernelHidesAcneThatIsStillTold) {
+TEST_F(DiagnosisTest, AcneUnderAWideKernelIsStillReported) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = plain("pcf5", 1.5);
     const PixelDiagnosis d = diagnosis(scene, s, {80, 60});
@@ -211,7 +210,7 @@ TEST_F(DiagnosisTest, AWideKernelHidesAcneThatIsStillTold) {
     EXPECT_EQ(measure(scene, s).metrics.any_acne, 0);
 }
 
-TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
+TEST_F(DiagnosisTest, TooMuchBiasIsPeterPanningAndLessFixesIt) {
     const Scene scene = test::sheet_over_floor(0.6);
     Settings s = plain("hard", 0);
     s.bias.constant = 60;
@@ -221,18 +220,18 @@ TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
     EXPECT_EQ(d.verdict.find("peter-panning: bias moves it"), 0u) << d.verdict;
     EXPECT_TRUE(d.window_open());
     EXPECT_GE(d.shift.texels, d.occluder.texels);
-    // Along a ray at 40 degrees above the horizon.
+    // The distance is along a ray 40 degrees above the horizon.
     EXPECT_NEAR(d.occluder.metres, 0.6 / std::sin(glm::radians(40.0)), 1e-4);
     EXPECT_NEAR(d.reference.gap_m, d.occluder.metres, 1e-6);
     ASSERT_TRUE(d.fix);
     EXPECT_EQ(d.fix->settings[0].first, "bias.constant");
     apply(s, *d.fix);
-    const PixelDiagnosis cured = diagnosis(scene, s, *pixel);
-    EXPECT_TRUE(cured.right) << cured.verdict;
+    const PixelDiagnosis after_fix = diagnosis(scene, s, *pixel);
+    EXPECT_TRUE(after_fix.right) << after_fix.verdict;
     EXPECT_EQ(measure(scene, s).metrics.artefacts[std::size_t(Artefact::Acne)], 0u);
 }
 
-TEST_F(DiagnosisTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
+TEST_F(DiagnosisTest, WithoutAValidBiasItNamesTheNeededResolution) {
     const Scene scene = test::sheet_over_floor(0.3);
     Settings s = plain("pcf7", 12);
     s.map.resolution = 128;
@@ -245,7 +244,7 @@ TEST_F(DiagnosisTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
     EXPECT_NE(d.verdict.find("no depth bias can be right here"), std::string::npos) << d.verdict;
     EXPECT_NE(d.verdict.find(std::to_string(int(d.opening_resolution)) + "² would open the window"), std::string::npos);
     EXPECT_GT(d.opening_resolution, 128);
-    // At that resolution there is such a bias, at half of it there is none.
+    // A valid bias exists at that resolution, and none at half of it.
     for (const auto& [resolution, open] :
          {std::pair{int(d.opening_resolution), true}, {int(d.opening_resolution) / 2, false}}) {
         s.map.resolution = resolution;
@@ -257,7 +256,7 @@ TEST_F(DiagnosisTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
     EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
 }
 
-TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
+TEST_F(DiagnosisTest, NormalOffsetCountsByItsEquivalentDepthBias) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = plain("hard", 0);
     s.bias.normal = 1;
@@ -267,7 +266,7 @@ TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
     EXPECT_NEAR(d.shift.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
     EXPECT_NEAR(a.contact_gap_m(), a.receiver.texel_m * std::tan(std::acos(cosine)), 1e-6) << "h tan(theta)";
-    // The least offset by the theory is where the account comes out even.
+    // The least offset by the theory balances the account.
     s.bias.normal =
         least_normal_offset(probed.lights[0].fitted.views[0], probed.position_ws, probed.normal_ws, a.least.total()) /
         a.receiver.texel_m;
@@ -275,7 +274,7 @@ TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     EXPECT_NEAR(even.has.depth / even.least.depth, 1, 1e-4);
 }
 
-TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
+TEST_F(DiagnosisTest, DistinguishesEdgesLostCastersAndPointsOutsideTheMap) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = plain("hard", 3);
     s.map.resolution = 64;
@@ -303,7 +302,7 @@ TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
     EXPECT_EQ(diagnosis(sheet, s, *outside).verdict.find("outside the map"), 0u);
 }
 
-TEST_F(DiagnosisTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
+TEST_F(DiagnosisTest, NamesTheBlurWhereTheUnblurredMapIsRight) {
     Settings s = plain("hard", 3);
     s.map.blur_texels = 6;
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
@@ -313,16 +312,16 @@ TEST_F(DiagnosisTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
     EXPECT_EQ(d.verdict.find("filter"), 0u) << d.verdict;
     EXPECT_NE(d.verdict.find("depth blur (map.blur_texels)"), std::string::npos) << d.verdict;
     s.map.blur_texels = 0;
-    EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "as the verdict says";
+    EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "the verdict's change";
 }
 
-TEST_F(DiagnosisTest, ValuesOfRemediesAreShortDecimals) {
+TEST_F(DiagnosisTest, ValuesOfFixesAreShortDecimals) {
     for (const auto& [from, to] :
          {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
         EXPECT_EQ(round_up_3_digits(from), to);
 }
 
-TEST_F(DiagnosisTest, ALargeLightIsSeenInPart) {
+TEST_F(DiagnosisTest, ALargeLightIsPartlyVisible) {
     const Scene scene = test::sheet_over_floor(1.2);
     Settings s = plain("hard", 3);
     s.lights[0].size = 8;

@@ -1,4 +1,5 @@
-// What is measured of the driver at hand: the worth of glPolygonOffset, and which clock tells the truth.
+// Tests measured properties of the driver: the effect of glPolygonOffset and the choice of a reliable clock.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <set>
@@ -12,7 +13,7 @@
 namespace si {
 namespace {
 
-/// Another function behind an OpenGL name (epoxy's pointer) while it lives.
+/// Replaces a function behind an OpenGL name (epoxy's pointer) during its lifetime.
 template <typename Function>
 class Instead {
 public:
@@ -30,14 +31,14 @@ class DriverTest : public FrameTest {
 protected:
     const Scene scene = load_scene("boxes");
     FrameResult draw(const Settings& s, bool timing = false) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.force = true;
         request.timing = timing;
         return renderer.render(scene, s, request);
     }
 };
 
-TEST_F(DriverTest, IsTheOneThatTheRunNames) {
+TEST_F(DriverTest, IsTheDriverThatTheRunNames) {
     const DriverInfo& d = renderer.driver();
     EXPECT_NE(d.renderer.find(test::requested_driver()), std::string::npos) << d.renderer;
     RecordProperty("driver", d.renderer + ", " + d.version);
@@ -47,7 +48,7 @@ TEST_F(DriverTest, IsTheOneThatTheRunNames) {
 int offsets_set = 0;
 decltype(epoxy_glPolygonOffset) real_offset = nullptr;
 
-TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
+TEST_F(DriverTest, PolygonOffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     Settings s = settings_for(scene);
     glPolygonOffset(0, 0);  // epoxy looks a function up when it is first called
     real_offset = epoxy_glPolygonOffset;
@@ -63,7 +64,7 @@ TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     };
     EXPECT_EQ(set_by([&] { draw(s); }), 0) << "nothing asks for an offset";
     s.bias.raster_units = 1;
-    EXPECT_GT(set_by([&] { draw(s); }), 1) << "the first frame with an offset measures what it is worth";
+    EXPECT_GT(set_by([&] { draw(s); }), 1) << "the first frame with an offset measures its effect";
     EXPECT_EQ(set_by([&] { draw(s); }), 1) << "and the next only draws its map";
     set_setting(s, "map.format", s.map.format == MapFormat::D16 ? "d24" : "d16");
     EXPECT_GT(set_by([&] { draw(s); }), 1) << "another format is another measure";
@@ -72,8 +73,8 @@ TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     for (const PolygonOffset& offset : renderer.driver().offset) EXPECT_TRUE(offset.measured);
 }
 
-// OpenGL 4.5, 14.6.5: m lies between the larger component and the length; r is at least what can be told apart.
-TEST_F(DriverTest, OffsetsAreWithinWhatOpenGLAllows) {
+// OpenGL 4.5, 14.6.5: m lies between the larger component and the length; r is at least the smallest resolvable step.
+TEST_F(DriverTest, PolygonOffsetsLieWithinTheBoundsOfOpenGL) {
     for (std::size_t i = 0; i < kMapFormats; ++i) {
         const PolygonOffset& offset = renderer.driver().offset[i];
         SCOPED_TRACE(i);
@@ -83,7 +84,7 @@ TEST_F(DriverTest, OffsetsAreWithinWhatOpenGLAllows) {
             continue;
         }
         EXPECT_NE(offset.unit_depth > 0, offset.unit_steps > 0);
-        const double step = i == 0 ? 1.0 / 65535 : 0x1p-24;  // at depths from 1/2 on
+        const double step = i == 0 ? 1.0 / 65535 : 0x1p-24;  // depth of 1/2 and more
         EXPECT_GE(offset.unit(step), 0.99 * step);
         EXPECT_LE(offset.unit(step), 8 * step);
         EXPECT_NEAR(offset.slope_gain, 1, 0.011);
@@ -110,7 +111,7 @@ std::vector<double> state() {
     return out;
 }
 
-TEST_F(DriverTest, MeasuringAnOffsetLeavesTheStateAsItWas) {
+TEST_F(DriverTest, MeasuringAnOffsetRestoresTheState) {
     const DriverInfo usual = renderer.driver();
     draw(settings_for(scene));  // a program, a framebuffer and vertices are bound
     glDepthFunc(GL_NOTEQUAL);
@@ -128,7 +129,7 @@ TEST_F(DriverTest, MeasuringAnOffsetLeavesTheStateAsItWas) {
     for (std::size_t format = 0; format < kMapFormats; ++format) {
         const PolygonOffset offset = measure_polygon_offset(MapFormat(format));
         EXPECT_EQ(state(), before) << format;
-        // And the state does not get into the measure.
+        // The state does not influence the measurement.
         const PolygonOffset& as_usual = usual.offset[format];
         EXPECT_EQ(offset.unit(0x1p-24), as_usual.unit(0x1p-24));
         EXPECT_EQ(offset.slope({1, 1}), as_usual.slope({1, 1}));
@@ -139,9 +140,9 @@ std::set<GLuint> linked, used;
 decltype(epoxy_glLinkProgram) real_link = nullptr;
 decltype(epoxy_glUseProgram) real_use = nullptr;
 
-SI_TEST_IS(Repeated, DriverTest, CompilesWhatAFrameUses);
-// A renderer that was just made compiles what its frames draw with, when they first do, and nothing else.
-TEST_F(DriverTest, CompilesWhatAFrameUses) {
+SI_TEST_IS(Repeated, DriverTest, CompilesOnlyTheProgramsThatAFrameUses);
+// A new renderer compiles exactly the programs that its frames use, at their first use.
+TEST_F(DriverTest, CompilesOnlyTheProgramsThatAFrameUses) {
     const GLuint program = glCreateProgram();
     glLinkProgram(program);
     glUseProgram(0);  // epoxy looks a function up when it is first called
@@ -162,11 +163,11 @@ TEST_F(DriverTest, CompilesWhatAFrameUses) {
     used.clear();
     Renderer fresh;
     EXPECT_TRUE(linked.empty()) << "before the first frame";
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.shadow_map = true;
     for (const char* kernel : {"pcf3", "pcss", "vsm", "savsm"}) {
         const Settings s = settings_for(scene, {{"filter.kernel", kernel}});
-        // With the very first frame the new picture is there, compiled and all.
+        // The very first frame shows the new picture, with its programs compiled.
         const ByteImage at_once = fresh.read_colour(fresh.render(scene, s, request).colour);
         EXPECT_FALSE(linked.empty());
         EXPECT_TRUE(std::ranges::includes(used, linked)) << kernel;
@@ -180,7 +181,7 @@ TEST_F(DriverTest, CompilesWhatAFrameUses) {
 int stamps = 0;
 decltype(epoxy_glQueryCounter) real_stamp = nullptr;
 
-TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
+TEST_F(DriverTest, PassTimesUseTheReliableClockAndSumUpToTheFrame) {
     const DriverInfo& d = renderer.driver();
     const bool honest = d.query_share > 0.5 && d.query_share < 2;
     EXPECT_EQ(d.clock, honest ? "GPU timer queries" : "finished wall time (CPU rasteriser)") << d.query_share;
@@ -228,7 +229,7 @@ TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
 std::chrono::steady_clock::time_point query_began;
 decltype(epoxy_glBeginQuery) real_begin = nullptr;
 
-TEST_F(DriverTest, TheClockFollowsWhatQueriesShowAndSaysSo) {
+TEST_F(DriverTest, TheClockFollowsTheQueriesAndIsReported) {
     { const gl::PassClock first; }  // epoxy looks functions up when they are first called
     {
         const Instead lying(

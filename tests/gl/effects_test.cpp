@@ -1,4 +1,4 @@
-// Effects tell what the frame did. Of each reason is asked: if I do what it says, does the effect's state change?
+// Tests that effects report what a frame did: making the change that a reason names must change the effect's state.
 #include "renderer/inspect/effects.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 class EffectsTest : public FrameTest {
 protected:
-    std::vector<Effect> effects(const Scene& scene, const Sets& sets, FrameRequest request = small()) {
+    std::vector<Effect> effects(const Scene& scene, const Sets& sets, FrameRequest request = small_request()) {
         const Settings s = settings_for(scene, sets);
         const FrameResult frame = renderer.render(scene, s, request);
         last = frame;
@@ -32,7 +32,7 @@ EffectState state_of_effect(const std::vector<Effect>& effects, std::string_view
     return effect ? effect->state : EffectState::NotNeeded;
 }
 
-/// A clause that nobody wrote as a sentence, or none at all.
+/// Returns the clause of an effect that is missing or is no written sentence; empty: none.
 std::string fault_of(const Effect& effect) {
     const std::string& text = effect.reason;
     if (text.empty()) return "no reason";
@@ -61,10 +61,10 @@ const std::vector<Sets>& varied() {
     return all;
 }
 
-SI_TEST_IS(DriverIndependent, EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence);
-SI_TEST_IS(Repeated, EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence);
-TEST_F(EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence) {
-    FrameRequest request = small();
+SI_TEST_IS(DriverIndependent, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
+SI_TEST_IS(Repeated, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
+TEST_F(EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence) {
+    FrameRequest request = small_request();
     request.outputs.shadow_map = request.outputs.surface_ids = request.outputs.texels_read = true;
     for (const char* name : {"stage", "boxes", "plane", "figures"}) {
         const Scene scene = load_scene(name);
@@ -84,16 +84,16 @@ TEST_F(EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence) {
     }
 }
 
-/// An effect that these settings do not call for, what its reason must name, and the change that it asks for.
-struct Remedied {
+/// Effect that the settings do not need, the text that its reason must name, and the change that it requests.
+struct ReasonedChange {
     const char* effect;
     Sets before;
     const char* reason;
     Sets after;
 };
 
-TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
-    const Remedied all[] = {
+TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
+    const ReasonedChange all[] = {
         {"shadow map 0 (directional)", {{"light.cast", "false"}}, "light.cast", {}},
         {"shadow map 0 (directional)", {{"light.source", "none"}}, "light.source", {{"light.source", "map"}}},
         {"contact shadows of light 0", {}, "light.contact", {{"light.contact", "0.5"}}},
@@ -131,9 +131,9 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
         {"visibility texture", {}, "shading", {{"shading.separate_visibility", "true"}}},
     };
     const Scene scene = load_scene("boxes");
-    FrameRequest cold = small();
+    FrameRequest cold = small_request();
     cold.force = true;
-    for (const Remedied& r : all) {
+    for (const ReasonedChange& r : all) {
         const std::vector<Effect> before = effects(scene, r.before, cold);
         ASSERT_TRUE(effect_named(before, r.effect)) << r.effect;
         EXPECT_EQ(state_of_effect(before, r.effect), EffectState::NotNeeded) << r.effect;
@@ -145,8 +145,8 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
     EXPECT_EQ(state_of_effect(effects(scene, {{"map.virtual", "true"}}), "pages of shadow maps"), EffectState::Drawn);
 }
 
-/// A reason that names one of two things that an effect lacks would be no remedy.
-TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
+/// A reason that names one of two missing things would not be a fix.
+TEST_F(EffectsTest, ViewsThatAreNotShownAreReportedAsUnused) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> all = effects(scene, {});
     const auto says = [&](const std::vector<Effect>& list, const char* name, const char* what) {
@@ -156,7 +156,7 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
     for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "needs the reference");
     says(all, "drawn depth range", "closed");
     says(all, "unfiltered map", "Not needed: causes are not shown");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.shadow_map = request.outputs.error = true;
     const std::vector<Effect> asked = effects(scene, {}, request);
     says(asked, "metrics", "not traced");
@@ -165,7 +165,7 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
               EffectState::Drawn);
 }
 
-TEST_F(EffectsTest, MasksCountAsTheSceneHasThem) {
+TEST_F(EffectsTest, MasksCountOnlyInScenesThatHaveThem) {
     EXPECT_EQ(state_of_effect(effects(load_scene("boxes"), {}), "alpha test in maps of light 0"),
               EffectState::NotNeeded);
     const Scene stage = load_scene("stage");
@@ -175,7 +175,7 @@ TEST_F(EffectsTest, MasksCountAsTheSceneHasThem) {
     EXPECT_EQ(state_of_effect(effects(opaque, {}), "alpha test in maps of light 0"), EffectState::NotNeeded);
 }
 
-TEST_F(EffectsTest, EachFaceAndCascadeIsOne) {
+TEST_F(EffectsTest, EachFaceAndCascadeIsAnEffect) {
     const Scene scene = load_scene("boxes");
     const auto count = [](const std::vector<Effect>& all, const char* what) {
         return std::count_if(all.begin(), all.end(), [&](const Effect& e) { return e.name.starts_with(what); });
@@ -184,7 +184,7 @@ TEST_F(EffectsTest, EachFaceAndCascadeIsOne) {
     EXPECT_EQ(count(effects(scene, {{"light.cascades", "3"}}), "cascade "), 3);
 }
 
-TEST_F(EffectsTest, WhatIsKeptIsReused) {
+TEST_F(EffectsTest, CachedResultsAreReportedAsCached) {
     const Scene scene = load_scene("boxes");
     effects(scene, {});
     const std::vector<Effect> again = effects(scene, {{"camera.azimuth", "80"}});
@@ -194,23 +194,23 @@ TEST_F(EffectsTest, WhatIsKeptIsReused) {
               EffectState::Drawn);
 }
 
-TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
+TEST_F(EffectsTest, AForcedEffectIsDrawn) {
     const Scene scene = load_scene("boxes");
     const Sets sets = {{"light.cast", "false"}, {"shading.separate_visibility", "true"}};
-    const Effect* spared = nullptr;
+    const Effect* skipped = nullptr;
     const std::vector<Effect> before = effects(scene, sets);
-    ASSERT_TRUE(spared = effect_named(before, "look-ups of light 0"));
-    EXPECT_EQ(spared->state, EffectState::NotNeeded);
-    EXPECT_EQ(spared->optimisation, Optimisation::DeadPasses);
+    ASSERT_TRUE(skipped = effect_named(before, "look-ups of light 0"));
+    EXPECT_EQ(skipped->state, EffectState::NotNeeded);
+    EXPECT_EQ(skipped->optimisation, Optimisation::DeadPasses);
     const std::uint64_t draws = last.pass("visibility")->draws;
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.forced = {Optimisation::DeadPasses};
     const std::vector<Effect> forced = effects(scene, sets, request);
     EXPECT_EQ(state_of_effect(forced, "look-ups of light 0"), EffectState::Drawn);
-    EXPECT_GT(last.pass("visibility")->draws, draws) << "it is said to be simulated, and nothing more is drawn";
+    EXPECT_GT(last.pass("visibility")->draws, draws) << "it is reported as drawn, and nothing more is drawn";
 }
 
-TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereTheyAreForced) {
+TEST_F(EffectsTest, PartsSkippedByOptimisationsNameThemAndAreDrawnWhenForced) {
     const Scene scene = load_scene("boxes");
     const Sets sets = {{"filter.kernel", "pcss"}, {"light.size", "0"}};
     const std::pair<const char*, Optimisation> all[] = {
@@ -223,11 +223,11 @@ TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereT
         EXPECT_EQ(state_of_effect(before, name), EffectState::NotNeeded) << name;
         ASSERT_TRUE(effect_named(before, name));
         EXPECT_EQ(effect_named(before, name)->optimisation, saving) << name;
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.forced = {saving};
         const std::vector<Effect> forced = effects(scene, sets, request);
         EXPECT_EQ(state_of_effect(forced, name), EffectState::Drawn) << name;
-        EXPECT_EQ(effect_named(forced, name)->optimisation, saving) << name << ": it could not be let go again";
+        EXPECT_EQ(effect_named(forced, name)->optimisation, saving) << name << ": it could not be released again";
         for (const Effect& e : forced) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
     }
     const std::vector<Effect> sized = effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "1"}});
@@ -241,18 +241,18 @@ std::string reason_of(const std::vector<Effect>& effects, std::string_view name)
     return effect ? effect->reason : "";
 }
 
-TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
+TEST_F(EffectsTest, BlockerSearchesFollowTheKernelUnderEachLight) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> rays = effects(scene, {{"filter.kernel", "smrt"}, {"light.size", "1"}});
     EXPECT_EQ(state_of_effect(rays, "blocker search"), EffectState::Drawn);
     EXPECT_NE(reason_of(rays, "blocker search").find("marches rays"), std::string::npos);
     EXPECT_FALSE(effect_named(rays, "search for a penumbra of light 0"));
     const Sets no_size = {{"filter.kernel", "smrt"}, {"light.size", "0"}};
-    const std::vector<Effect> spared = effects(scene, no_size);
-    EXPECT_NE(reason_of(spared, "blocker search").find("none is marched where no occluder"), std::string::npos);
-    ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
-    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->optimisation, Optimisation::BlockerSearch);
-    FrameRequest request = small();
+    const std::vector<Effect> skipped = effects(scene, no_size);
+    EXPECT_NE(reason_of(skipped, "blocker search").find("none is marched where no occluder"), std::string::npos);
+    ASSERT_TRUE(effect_named(skipped, "search for a penumbra of light 0")) << "it could not be forced";
+    EXPECT_EQ(effect_named(skipped, "search for a penumbra of light 0")->optimisation, Optimisation::BlockerSearch);
+    FrameRequest request = small_request();
     request.forced = {Optimisation::BlockerSearch};
     EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
               EffectState::Drawn);
@@ -262,7 +262,7 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
         << "all places are looked at";
     EXPECT_FALSE(effect_named(effects(scene, {{"filter.kernel", "dpcf"}, {"light.size", "0"}}),
                               "search for a penumbra of light 0"))
-        << "its taps compare whatever the light's size: nothing is spared";
+        << "its taps compare whatever the light's size: nothing is skipped";
     const std::vector<Effect> two =
         effects(scene, {{"filter.kernel", "pcss"}, {"light.count", "2"}, {"light.0.size", "1"}, {"light.1.size", "0"}});
     for (const char* name : {"blocker search", "light's size"}) {
@@ -271,17 +271,17 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
     }
     EXPECT_FALSE(effect_named(two, "search for a penumbra of light 0"));
     EXPECT_TRUE(effect_named(two, "search for a penumbra of light 1"));
-    for (const std::vector<Effect>* all : {&rays, &spared, &two})
+    for (const std::vector<Effect>* all : {&rays, &skipped, &two})
         for (const Effect& e : *all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
 }
 
-TEST_F(EffectsTest, TexelsOfLookUpsAreThoseThatAreFetchedAtMost) {
+TEST_F(EffectsTest, TexelsOfLookUpsAreAnUpperBound) {
     const Scene scene = load_scene("boxes");
     const Sets no_size = {
         {"filter.kernel", "pcss"}, {"filter.taps", "20"}, {"filter.blocker_taps", "10"}, {"light.size", "0"}};
     EXPECT_EQ(reason_of(effects(scene, no_size), "look-ups of light 0"),
               "Kernel PCSS fetches up to 21 texels a look-up.");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.forced = {Optimisation::BlockerSearch};
     EXPECT_EQ(reason_of(effects(scene, no_size, request), "look-ups of light 0"),
               "Kernel PCSS fetches up to 30 texels a look-up.");
@@ -289,7 +289,7 @@ TEST_F(EffectsTest, TexelsOfLookUpsAreThoseThatAreFetchedAtMost) {
               "Kernel Hard (nearest) fetches up to 1 texel a look-up.");
 }
 
-TEST_F(EffectsTest, WhatIsNotLookedUpIsNotSearched) {
+TEST_F(EffectsTest, WithoutALookUpThereIsNoSearch) {
     const Scene scene = load_scene("boxes");
     Sets away = {{"filter.kernel", "pcss"}, {"camera.source", "manual"}, {"camera.target_x", "500"}};
     for (const bool separate : {false, true}) {
@@ -308,11 +308,11 @@ TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
                                      {.name = "d", .optimisation = Optimisation::UnreadViews},
                                      {.name = "e"}};
     EXPECT_EQ(sharing_optimisation_count(all, all[0]), 2u);
-    EXPECT_EQ(sharing_optimisation_count(all, all[1]), 1u) << "what no saving spares is alone";
+    EXPECT_EQ(sharing_optimisation_count(all, all[1]), 1u) << "an effect that no optimisation skips is alone";
     EXPECT_EQ(sharing_optimisation_count(all, all[2]), 1u);
 }
 
-TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
+TEST_F(EffectsTest, EmptyScenesAndFarLightsHaveEffects) {
     Scene empty;
     finalise(empty);
     for (const Effect& e : effects(empty, {})) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
@@ -328,14 +328,14 @@ TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
         6);
 }
 
-TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
+TEST(PassParts, ReportedByPassesAreEffectsWithTheirOptimisation) {
     Scene scene;
     finalise(scene);
     FrameResult frame;
     PassInfo pass{.name = "shadow map 0 (spot)", .state = PassState::Drawn, .reason = "its inputs changed", .light = 0};
     pass.parts.push_back({.name = "casters of light 0",
                           .state = PassState::Drawn,
-                          .reason = "they lie beside what the light reaches",
+                          .reason = "they lie outside the light's reach",
                           .left_out = 7,
                           .unit = "casters",
                           .by = Optimisation::DeadPasses});
@@ -343,14 +343,14 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
     const std::vector<Effect> all = frame_effects(scene, {}, frame);
     const Effect* part = effect_named(all, "casters of light 0");
     ASSERT_TRUE(part);
-    EXPECT_EQ(part->reason, "They lie beside what the light reaches. 7 casters are left out.");
+    EXPECT_EQ(part->reason, "They lie outside the light's reach. 7 casters are left out.");
     EXPECT_EQ(part->optimisation, Optimisation::DeadPasses);
     EXPECT_TRUE(part->part);
     EXPECT_EQ(part->pass, pass.name);
     EXPECT_EQ(part->state, EffectState::Drawn);
 }
 
-TEST(Sentences, KeepKeysAndStops) {
+TEST(Sentences, KeepKeysAndFullStops) {
     EXPECT_EQ(as_sentence("nothing reads it"), "Nothing reads it.");
     EXPECT_EQ(as_sentence("map.virtual is off"), "map.virtual is off.");
     EXPECT_EQ(as_sentence("Done."), "Done.");

@@ -1,5 +1,5 @@
-// Normals of triangles as shaders have them, against those of the geometry in double: near and far from the world's
-// origin, seen along the surface, mirrored, stretched and bent.
+// Compares triangle normals of the shaders with the geometry in double: near and far from the world origin, at grazing
+// views, mirrored, stretched and bent.
 #include "renderer/bias/account.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
@@ -15,7 +15,7 @@ constexpr int kWidth = 320, kHeight = 240;
 class FaceNormalsOnGpu : public FrameTest {
 protected:
     FrameResult frame;
-    /// The first pane's values, x of each pixel; NaN where nothing is drawn or told.
+    /// Returns the first pane's values, x of each pixel; NaN for background and undefined values.
     std::vector<float> values(const Scene& scene, Settings s, const char* overlay) {
         set_setting(s, "view.overlay", overlay);
         FrameRequest request{.width = kWidth, .height = kHeight};
@@ -38,8 +38,8 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
     for (const double size : {10.0, 400.0})
         for (const glm::dvec3& place : {glm::dvec3(0), {115, 0, -80}, {1e4, 3e3, -1e4}})
             for (const View& view : {View{0.8, 55}, {1.5, 4}, {20, 1.5}}) {
-                SCOPED_TRACE(testing::Message() << size << " m at " << place.x << ", seen from " << view.distance * size
-                                                << " m at " << view.elevation << " degrees");
+                SCOPED_TRACE(testing::Message() << size << " m at " << place.x << ", camera distance "
+                                                << view.distance * size << " m at " << view.elevation << " degrees");
                 const Scene scene = make_scene(make_plane(size, size), moved(place.x, place.y, place.z));
                 Settings s = test::hard_settings();
                 set_setting(s, "filter.kernel", "pcf3");
@@ -74,7 +74,7 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
             }
 }
 
-// N.L of facets, however their object is placed: by rays against the triangles in double.
+// N.L of facets is compared with rays against the triangles in double, under every transform.
 TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
     const auto under = [](const glm::dmat4& m) {
         Scene scene;
@@ -90,7 +90,7 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
           moved(115, 20, -300) * scaled(3, 1, 1), moved(1e4, 0, 1e4), scaled(1e-5, 1e-5, 1e-5)}) {
         const Scene scene = under(m);
         SCOPED_TRACE(testing::Message() << m[0].x << " " << m[1].y << " " << m[3].x);
-        Settings s;  // the automatic camera and light
+        Settings s;  // default camera and light
         s.lights[0].azimuth = 20, s.lights[0].elevation = 35;
         const std::vector<float> shown = values(scene, s, "n-dot-l");
         const test::RayReference rays(scene);
@@ -112,7 +112,7 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
     }
 }
 
-// A morph bends the mesh: its facets' normals follow, those of corners that several triangles share too.
+// A morph bends the mesh. The facets' normals follow, also at corners that several triangles share.
 TEST_F(FaceNormalsOnGpu, FollowPoses) {
     Scene scene = make_scene(make_sphere(1, 24, 12));
     Mesh& mesh = scene.meshes[0];

@@ -1,4 +1,5 @@
-// Drivers that run out of memory, cannot build a shader or lose their context: by a seam, at every call of a frame.
+// Tests drivers that run out of memory, reject a shader or lose their context, by failure injection at every call of a
+// frame.
 #include <fmt/format.h>
 
 #include <memory>
@@ -19,10 +20,10 @@ protected:
     void SetUp() override { test::expect_requested_driver(); }
     void TearDown() override { gl::fault_injection() = {}; }
 
-    /// Calls of a kind are counted; the one of this number fails. 0: none does.
+    /// Counter of calls of one kind, which fails the call with a given number. 0: none fails.
     struct Count {
         int calls = 0, failing = 0;
-        std::string failed;  ///< what it was for
+        std::string failed;  ///< purpose of the failed call
     };
     static std::shared_ptr<Count> fail(DriverFailure kind, int number) {
         auto count = std::make_shared<Count>(Count{.failing = number});
@@ -33,7 +34,7 @@ protected:
         };
         return count;
     }
-    /// Of what is called this.
+    /// Lets every call for this purpose fail.
     static void always_fail(const std::string& name) {
         gl::fault_injection().fails = [name](DriverFailure of, std::string_view what) {
             return of == DriverFailure::Memory && what.find(name) != std::string_view::npos;
@@ -54,8 +55,9 @@ protected:
     static ByteImage draw(Renderer& renderer, const Scene& scene, const Settings& s) {
         return renderer.read_colour(renderer.render(scene, s, request()).colour);
     }
-    /// Draws whole frames with a new renderer, and in each another call fails. All that follow are as ever.
-    void survive_each(DriverFailure kind, std::size_t least_calls) {
+    /// Draws whole frames with a new renderer, with another failing call in each. The frames that follow draw as
+    /// usual.
+    void expect_each_failure_handled(DriverFailure kind, std::size_t least_calls) {
         const Scene scene = load_scene("boxes");
         const Settings s = settings(scene);
         ByteImage whole;
@@ -80,13 +82,13 @@ protected:
                           std::string::npos)
                     << text;
                 EXPECT_NE(text.find(count->failed), std::string::npos) << "it does not say where: " << text;
-                EXPECT_NE(text.find("; "), std::string::npos) << "it names no remedy: " << text;
+                EXPECT_NE(text.find("; "), std::string::npos) << "it names no fix: " << text;
             }
             EXPECT_FALSE(count->failed.empty()) << "nothing failed";
             what.insert(count->failed);
             gl::fault_injection() = {};
             Settings again = s;
-            again.map.resolution = 65;  // which no limit is known of
+            again.map.resolution = 65;  // a resolution without a known limit
             renderer.render(scene, again, request());
             EXPECT_EQ(draw(renderer, scene, s), whole) << "after " << count->failed;
         }
@@ -95,15 +97,15 @@ protected:
 };
 
 SI_TESTS_ARE(DriverIndependent, FailuresTest);
-TEST_F(FailuresTest, MemoryMayEndAtEveryCallOfAFrame) {
-    survive_each(DriverFailure::Memory, 20);
+TEST_F(FailuresTest, OutOfMemoryIsHandledAtEveryCallOfAFrame) {
+    expect_each_failure_handled(DriverFailure::Memory, 20);
 }
 
-TEST_F(FailuresTest, EveryShaderOfAFrameMayFail) {
-    survive_each(DriverFailure::Shader, 10);
+TEST_F(FailuresTest, FailureOfEveryShaderIsHandled) {
+    expect_each_failure_handled(DriverFailure::Shader, 10);
 }
 
-TEST_F(FailuresTest, SmallerMapsAreTheWayOnAndNamed) {
+TEST_F(FailuresTest, SmallerMapsAreDrawnAndReported) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"map.resolution", "512"}});
     Settings smaller = s;
@@ -121,12 +123,12 @@ TEST_F(FailuresTest, SmallerMapsAreTheWayOnAndNamed) {
     EXPECT_TRUE(told) << fmt::format("{}", fmt::join(frame.notes, "; "));
     const ByteImage picture = renderer.read_colour(frame.colour);
     gl::fault_injection() = {};
-    EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 128) << "it is tried anew in every frame";
+    EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 128) << "it is tried again in every frame";
     EXPECT_EQ(draw(renderer, scene, smaller), picture);
     EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 512) << "another resolution ends it";
 }
 
-TEST_F(FailuresTest, WhereNoSizeHelpsTheSentenceSaysSo) {
+TEST_F(FailuresTest, WithoutMemoryForAnyMapTheMessageReportsIt) {
     const Scene scene = load_scene("boxes");
     Renderer renderer;
     always_fail("shadow maps");
@@ -138,7 +140,7 @@ TEST_F(FailuresTest, WhereNoSizeHelpsTheSentenceSaysSo) {
     }
 }
 
-TEST_F(FailuresTest, ALostContextIsSaidOnceAFrameAndEndsNothing) {
+TEST_F(FailuresTest, ALostContextIsReportedOncePerFrame) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings(scene);
     Renderer renderer;

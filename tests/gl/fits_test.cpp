@@ -1,4 +1,5 @@
-// Maps that are fitted to where shadows are: what lies beyond is lit, in truth and in the picture, and finer for it.
+// Tests maps fitted to the caster region: points outside are lit in the reference and the picture, and texels are
+// finer.
 #include "renderer/settings/fits.h"
 
 #include <algorithm>
@@ -18,14 +19,14 @@ class FitsTest : public FrameTest {
 protected:
     ReferenceCache cache;
 
-    struct Judged {
+    struct Comparison {
         std::size_t beyond = 0, shadowed_beyond = 0, unlit_beyond = 0, shadowed = 0;
         ErrorMetrics metrics;
         FittedLight light;
     };
 
-    /// Holds every pixel's visibility against hard truth.
-    Judged judge(const Scene& scene, const Settings& s, int width = 240, int height = 135) {
+    /// Compares every pixel's visibility with the hard reference.
+    Comparison compare_with_reference(const Scene& scene, const Settings& s, int width = 240, int height = 135) {
         FrameRequest request{.width = width, .height = height};
         request.outputs = {.colour = false, .visibility = true, .map_coordinates = true};
         const FrameResult frame = renderer.render(scene, s, request);
@@ -34,7 +35,7 @@ protected:
         request.outputs = {.colour = false};
         const MeasuredError measured = measure_error(renderer, scene, s, request, 0, {}, cache);
         const Reference& reference = *measured.traced.reference;
-        Judged out{.metrics = measured.metrics, .light = frame.lights.at(0)};
+        Comparison out{.metrics = measured.metrics, .light = frame.lights.at(0)};
         const FloatImage& hard = reference.hard();
         for (std::size_t i = 0; i < reference.state.size(); ++i) {
             if (reference.state[i] != PixelState::Counted) continue;
@@ -50,8 +51,8 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, FitsTest);
-SI_TEST_IS(DriverIndependent, FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections);
-TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
+SI_TEST_IS(DriverIndependent, FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections);
+TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections) {
     struct Sun {
         const char *azimuth, *elevation;
     };
@@ -66,12 +67,12 @@ TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
             SCOPED_TRACE(std::string(row.key) + " " + light[0].second + " " + light[1].second);
             light.emplace_back("map.resolution", "1024");
             light.emplace_back("light.fit", "scene");
-            const Judged whole = judge(scene, settings_for(scene, light));
+            const Comparison whole = compare_with_reference(scene, settings_for(scene, light));
             for (const FitRow& fit : fits()) {
                 if (!fit.narrows) continue;
                 SCOPED_TRACE(fit.key);
                 light.back().second = fit.key;
-                const Judged j = judge(scene, settings_for(scene, light));
+                const Comparison j = compare_with_reference(scene, settings_for(scene, light));
                 EXPECT_EQ(j.shadowed_beyond, 0u) << "of " << j.beyond;
                 EXPECT_EQ(j.unlit_beyond, 0u);
                 EXPECT_TRUE(j.metrics.outside_map == 0 || !j.light.closed);
@@ -82,9 +83,9 @@ TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
     }
 }
 
-SI_TEST_IS(DriverIndependent, FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth);
-// Wherever the camera stands, within the scene too: of the pixels that it sees none beyond the map is in shadow.
-TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
+SI_TEST_IS(DriverIndependent, FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras);
+// Cameras stand anywhere, also within the scene: none of their pixels outside the map is in shadow.
+TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> unit(-1, 1);
     std::size_t beyond = 0, shadowed = 0;
@@ -101,7 +102,7 @@ TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
             if (i % 4 == 3) {
                 light.type = LightType::Spot;
                 light.cone = 70 + 30 * unit(random);
-                light.distance = i % 8 == 3 ? 0 : 0.3 * r;  // above all, or amid it
+                light.distance = i % 8 == 3 ? 0 : 0.3 * r;  // above the scene, or inside it
             }
             CameraSettings& camera = s.camera;
             camera.source = CameraSource::Manual;
@@ -115,7 +116,7 @@ TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
             camera.fov = i % 5 == 4 ? 15 : 55;
             camera.orthographic = i % 6 == 1;
             camera.height = 0.6 * r;
-            const Judged j = judge(scene, s, 112, 63);
+            const Comparison j = compare_with_reference(scene, s, 112, 63);
             EXPECT_EQ(j.shadowed_beyond, 0u) << "of " << j.beyond;
             EXPECT_EQ(j.unlit_beyond, 0u);
             beyond += j.beyond;
@@ -129,7 +130,7 @@ TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
     RecordProperty("cases", std::to_string(closed) + " " + std::to_string(open));
 }
 
-TEST_F(FitsTest, BeyondItNeitherWrapNorOutsideDecides) {
+TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     for (const char* wrap : {"border", "clamp", "repeat", "range"})
         for (const char* outside : {"lit", "unlit"}) {
@@ -138,22 +139,22 @@ TEST_F(FitsTest, BeyondItNeitherWrapNorOutsideDecides) {
             for (const auto& [key, value] :
                  Sets{{"map.wrap", wrap}, {"map.outside", outside}, {"light.fit", "casters"}, {"bias.normal", "0"}})
                 set_setting(s, key, value);
-            const Judged j = judge(scene, s);
+            const Comparison j = compare_with_reference(scene, s);
             EXPECT_TRUE(j.light.closed);
             EXPECT_GT(j.beyond, 3000u) << "the floor is much wider than the box";
             EXPECT_EQ(j.unlit_beyond, 0u);
             EXPECT_EQ(j.metrics.outside_map, 0);
             EXPECT_GT(j.shadowed, 300u);
-            // By hand, the same map has an outside.
+            // The same map with manual settings has an outside.
             s.lights[0].fit = LightFit::Manual;
             s.lights[0].extent = j.light.views[0].half_width;
-            EXPECT_GT(judge(scene, s).metrics.outside_map, 0.1);
+            EXPECT_GT(compare_with_reference(scene, s).metrics.outside_map, 0.1);
         }
 }
 
-TEST_F(FitsTest, KernelsAreWholeAtTheRim) {
-    // Seen from straight above, the edges of the box's shadow lie on the region's sides: what a kernel greys beyond
-    // them must not be cut off. The same map by hand reads on everywhere.
+TEST_F(FitsTest, KernelsAreCompleteAtTheMapsRim) {
+    // Seen from straight above, the edges of the box's shadow lie on the region's sides. The kernel's penumbra outside
+    // must not be cut off. The same map with manual settings has no such border.
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.5);
     for (const char* kernel : {"hard", "pcf3", "pcf9"}) {
         SCOPED_TRACE(kernel);
@@ -206,7 +207,7 @@ TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
         const Settings s = settings_for(
             scene,
             {{"light.fit", fit}, {"camera.source", "manual"}, {"camera.distance", "4"}, {"camera.azimuth", azimuth}});
-        const FrameResult frame = renderer.render(scene, s, small());
+        const FrameResult frame = renderer.render(scene, s, small_request());
         EXPECT_TRUE(frame.lights[0].closed);
         return std::pair(frame.lights[0].views[0].half_width, frame.lights[0].views[0].eye);
     };
@@ -215,7 +216,7 @@ TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
     EXPECT_LT(half_width("view", "0").first, half_width("casters", "0").first);
 }
 
-TEST_F(FitsTest, AProbeSaysThatNothingCanCastAShadowThere) {
+TEST_F(FitsTest, AProbeReportsPointsThatNoCasterCanShadow) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     Settings s = test::texel_settings("pcf3", 512, 3);
     s.lights[0].fit = LightFit::Casters;

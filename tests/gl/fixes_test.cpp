@@ -1,4 +1,5 @@
-// The cure table: what it offers is what one gets, and its first row cures what the scene suffers from.
+// Tests the table of fixes: each row has the measured effect that it reports, and the first row fixes the scene's main
+// fault.
 #include "renderer/advise/fixes.h"
 
 #include <algorithm>
@@ -26,9 +27,9 @@ protected:
         return s;
     }
 
-    /// Finds cures, demands of every row that it keeps what it says, of one that it cures nine of ten pixels with one
-    /// of the causes, and of the first, which cures most of all causes together, that it cures eight.
-    FixTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
+    /// Finds fixes and expects each row to have the effect that it reports. One row fixes nine of ten pixels with one
+    /// of the causes, and the first row eight of ten. @returns the fixes
+    FixTable expect_fixes(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
         const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
         const MeasuredError before = measure(scene, s);
         for (const MeasuredFix& row : table.rows) {
@@ -74,37 +75,38 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, FixesTest);
 SI_TESTS_ARE(Repeated, FixesTest);
-TEST_F(FixesTest, PeterPanningIsCuredByTheLeastBias) {
+TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);
-    const FixTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
+    const FixTable table = expect_fixes(scene, s, {Artefact::PeterPanning}, 100);
     const MeasuredFix* least = row(table, "least bias, constant alone");
     ASSERT_TRUE(least);
     EXPECT_GT(least->cured_of[std::size_t(Artefact::PeterPanning)],
               0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
 }
 
-TEST_F(FixesTest, AnOffsetsStripIsCured) {
+TEST_F(FixesTest, ASmallerNormalOffsetRemovesItsStrip) {
     Settings s = test::texel_settings("pcf3", 2048, 2);
     s.bias.normal = 60;
-    cured(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}, 300);
+    expect_fixes(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow},
+                 300);
 }
 
-TEST_F(FixesTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
+TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
     const Scene stage = load_scene("stage");
     width = 320;
     height = 180;
-    // A light under which few pixels are wrong for two causes at once.
+    // Under this light few pixels are wrong, for two causes at once.
     const auto under = [&](std::vector<std::pair<std::string_view, std::string_view>> sets) {
         Settings s = settings_for(stage, {{"light.fit", "scene"}, {"light.azimuth", "72"}, {"light.elevation", "36"}});
         for (const auto& [key, value] : sets) set_setting(s, key, value);
         return s;
     };
-    cured(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 120);
-    cured(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
+    expect_fixes(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 120);
+    expect_fixes(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
 }
 
-TEST_F(FixesTest, AFenceIsCuredByTheResolutionThatItNeeds) {
+TEST_F(FixesTest, TheNeededResolutionRestoresAFence) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
@@ -116,10 +118,10 @@ TEST_F(FixesTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     s.camera.distance = 7;
     width = 480;
     height = 360;
-    cured(scene, s, {Artefact::Undersampled}, 300);
+    expect_fixes(scene, s, {Artefact::Undersampled}, 300);
 }
 
-TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
+TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 512, 0);
     const MeasuredError m = measure(scene, s);
@@ -151,8 +153,8 @@ TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
     EXPECT_EQ(&point.rows.back(), fit) << "what was not tried stands last";
 }
 
-// All rows of the tables of fits and biases that suit the light, and cascades.
-TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
+// The candidates are all rows of the tables of fits and biases that suit the light, and cascades.
+TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
     width = 160;
     height = 120;
     const Scene scene = test::floor_and_box(12, {1.5, 1, 2}, 0.4);
@@ -191,7 +193,7 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
         for (int n = 2; n <= kMaxCascades; n *= 2)
             EXPECT_EQ(tried([&](const Settings& t) { return t.lights[0].cascades == n; }), kind.cascades ? 1 : 0);
         for (const Choice& bias : bias_choices())
-            if (bias.key != "constant") {  // the slope's row spends the same by its constant
+            if (bias.key != "constant") {  // the slope row gains as much by its constant
                 EXPECT_GT(tried([&](const Settings& t) { return bias_of(t).key == bias.key && !(t.bias == s.bias); }),
                           0)
                     << bias.key;
@@ -210,7 +212,7 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
         << "cascades are fitted by what they are";
 }
 
-// The least bias of each row of the table, families or not, clears flat ground wholly.
+// The least bias of each row of the table clears flat ground entirely.
 TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     width = 240;
     height = 180;
@@ -249,7 +251,7 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     EXPECT_EQ(numbers, 4);
 }
 
-TEST_F(FixesTest, CascadesCureWhatOneMapDoesNotResolve) {
+TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     width = 320;
     height = 180;
     const Scene scene = load_scene("landscape");
@@ -266,7 +268,7 @@ TEST_F(FixesTest, CascadesCureWhatOneMapDoesNotResolve) {
     EXPECT_EQ(left, table.wrong - four->cured + four->broken);
 }
 
-TEST_F(FixesTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
+TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = test::texel_settings("hard", 256, 3);
     s.camera.distance = 4;

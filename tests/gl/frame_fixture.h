@@ -1,4 +1,4 @@
-// A renderer of the test's own in a context that all share; every test must leave the driver without complaint.
+// Defines the fixture of the drawing tests: a renderer per test in the shared OpenGL context.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,9 +13,11 @@
 
 namespace si {
 
-using Sets = std::vector<std::pair<std::string, std::string>>;  // keys and values
+/// Changes of settings: keys with values.
+using Sets = std::vector<std::pair<std::string, std::string>>;
 
-/// What the scene suggests, and then `extra`.
+/// Returns default settings with the scene's suggested changes and then `extra`. @throws Error for an unknown key or
+/// value
 inline Settings settings_for(const Scene& scene, const Sets& extra = {}) {
     Settings s;
     for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
@@ -23,13 +25,15 @@ inline Settings settings_for(const Scene& scene, const Sets& extra = {}) {
     return s;
 }
 
-/// Has a renderer that has drawn nothing, with the programs that earlier tests of the process compiled.
+/// Fixture with a renderer that has drawn nothing and reuses programs compiled by earlier tests of the process. A test
+/// fails if the driver reports a message.
 class FrameTest : public ::testing::Test {
 protected:
     HeadlessContext& context = test::shared_context();
     Renderer renderer;
 
-    /// @param programs of shared_context(); where compiling is the subject: a cache of the test's own
+    /// Creates the renderer in the shared context.
+    /// @param programs program cache; a fresh one for tests of compiling
     explicit FrameTest(std::shared_ptr<gl::ProgramCache> programs = test::shared_programs())
         : renderer(std::move(programs)) {}
     void SetUp() override { test::expect_requested_driver(); }
@@ -37,13 +41,16 @@ protected:
         context.make_current();  // test::hard_renderer() has one of its own, whose objects are not this renderer's
         for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;
     }
-    static FrameRequest small() { return {.width = 320, .height = 180}; }
-    ByteImage picture(const Scene& scene, const Settings& s, FrameRequest request = small()) {
+    /// Returns a request for a picture of 320 x 180 pixels.
+    static FrameRequest small_request() { return {.width = 320, .height = 180}; }
+    /// Draws a scene and returns the shaded picture.
+    ByteImage picture(const Scene& scene, const Settings& s, FrameRequest request = small_request()) {
         return renderer.read_colour(renderer.render(scene, s, request).colour);
     }
 };
 
-/// Pixels of two pictures of one size that differ by more than `tolerance` in any channel.
+/// Counts the pixels of two pictures of equal size that differ by more than `tolerance` (0 to 255) in any channel.
+/// Fails the test if the sizes differ.
 inline std::size_t different_pixels(const ByteImage& a, const ByteImage& b, int tolerance = 0) {
     EXPECT_EQ(a.data.size(), b.data.size());
     std::size_t count = 0;
@@ -55,7 +62,9 @@ inline std::size_t different_pixels(const ByteImage& a, const ByteImage& b, int 
     return count;
 }
 
-/// The stage from exactly above, where pickets and walls are seen edge-on and cover pixels by rounding alone.
+/// Returns settings for the built-in scene "stage" with an orthographic camera straight above it. Pickets and walls are
+/// then seen edge-on and cover pixels by rounding only.
+/// @param map_resolution value of map.resolution
 inline Settings stage_from_above(const Scene& scene, const char* map_resolution) {
     return settings_for(scene, {{"map.resolution", map_resolution},
                                 {"light.azimuth", "116"},

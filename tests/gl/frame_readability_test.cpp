@@ -1,5 +1,5 @@
-// Frames of different scenes and settings, read and probed in turn: each answers for itself, or says that its images
-// are gone.
+// Tests frames of different scenes and settings that are read and probed in turn: each answers for itself, or reports
+// that its images are gone.
 #include "renderer/base/error.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/traits.h"
@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-struct Shown {
+struct ShownFrame {
     Scene scene;
     Settings settings;
     FrameRequest request;
@@ -15,9 +15,9 @@ struct Shown {
 
 class FrameReadability : public FrameTest {
 protected:
-    /// Two that share nothing: scene, kinds and number of lights, formats, sizes, camera.
-    std::vector<Shown> shown() {
-        std::vector<Shown> out;
+    /// Returns two frames that share nothing: scene, number and types of lights, formats, sizes and camera differ.
+    std::vector<ShownFrame> two_frames() {
+        std::vector<ShownFrame> out;
         Scene boxes = load_scene("boxes"), plane = load_scene("stage");
         out.push_back({std::move(boxes), {}, {.width = 160, .height = 120}});
         out.push_back({std::move(plane), {}, {.width = 200, .height = 90}});
@@ -32,10 +32,10 @@ protected:
                                                       {"light.azimuth", "90"},
                                                       {"view.map_source", "camera"},
                                                       {"bias.constant", "3"}});
-        for (Shown& s : out) s.request.outputs.shadow_map = true;
+        for (ShownFrame& s : out) s.request.outputs.shadow_map = true;
         return out;
     }
-    FrameResult draw(const Shown& s) { return renderer.render(s.scene, s.settings, s.request); }
+    FrameResult draw(const ShownFrame& s) { return renderer.render(s.scene, s.settings, s.request); }
     std::string why_not(const auto& read) {
         try {
             read();
@@ -47,10 +47,10 @@ protected:
 };
 
 SI_TESTS_ARE(DriverIndependent, FrameReadability);
-TEST_F(FrameReadability, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
-    const std::vector<Shown> both = shown();
+TEST_F(FrameReadability, FramesAreReadableUntilReplacedAndThenRefused) {
+    const std::vector<ShownFrame> both = two_frames();
     std::vector<FloatImage> maps, views;
-    for (const Shown& s : both) {  // each by a renderer that has drawn nothing else
+    for (const ShownFrame& s : both) {  // each by a new renderer
         Renderer fresh;
         const FrameResult f = fresh.render(s.scene, s.settings, s.request);
         maps.push_back(fresh.read_shadow_map(f, 0, 0));
@@ -79,29 +79,29 @@ TEST_F(FrameReadability, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
     }
 }
 
-TEST_F(FrameReadability, OneThatDrawsNothingNewLeavesTheOtherAlone) {
-    const std::vector<Shown> both = shown();
+TEST_F(FrameReadability, AFrameThatDrawsNothingKeepsTheOtherReadable) {
+    const std::vector<ShownFrame> both = two_frames();
     const FrameResult f = draw(both[0]), again = draw(both[0]);
     EXPECT_TRUE(renderer.has_images_of(f)) << "all was reused";
     EXPECT_TRUE(renderer.has_images_of(again));
-    Shown less = both[0];
+    ShownFrame less = both[0];
     less.request.outputs = {.colour = false, .surface_ids = true};
     const FrameResult ids = draw(less);
     EXPECT_TRUE(renderer.has_images_of(f)) << "other images of the same view";
     EXPECT_NE(why_not([&] { renderer.read_shadow_map(ids, 0, 0); }).find("did not draw"), std::string::npos);
     EXPECT_EQ(renderer.read_shadow_map(f, 0, 0).data, renderer.read_shadow_map(again, 0, 0).data);
-    less.request.width += 8;  // the picture's shape, and so its camera's depth
+    less.request.width += 8;  // changes the picture's aspect, and so the camera's depth range
     less.request.outputs.colour = true;
     draw(less);
     EXPECT_FALSE(renderer.has_images_of(f));
     EXPECT_NO_THROW(renderer.read_shadow_map(f, 0, 0)) << "the maps are the same";
 }
 
-TEST_F(FrameReadability, ProbesInTurnEachAnswerForTheirOwn) {
-    const std::vector<Shown> both = shown();
+TEST_F(FrameReadability, AlternatingProbesAnswerForTheirOwnFrame) {
+    const std::vector<ShownFrame> both = two_frames();
     const glm::ivec2 pixel{90, 60};
     std::vector<Probe> alone;
-    for (const Shown& s : both) {
+    for (const ShownFrame& s : both) {
         Renderer fresh;
         alone.push_back(fresh.probe(s.scene, s.settings, s.request, pixel.x, pixel.y));
         ASSERT_TRUE(alone.back().hit);
@@ -110,7 +110,7 @@ TEST_F(FrameReadability, ProbesInTurnEachAnswerForTheirOwn) {
     ASSERT_GT(glm::length(alone[0].position_ws - alone[1].position_ws), 0.01);
     for (int turn = 0; turn < 4; ++turn) {
         const auto now = std::size_t(turn % 2);
-        const Shown& s = both[now];
+        const ShownFrame& s = both[now];
         const FrameResult f = draw(s);
         const FloatImage before = renderer.read_map_view_depth(f);
         const Probe p = renderer.probe(s.scene, s.settings, s.request, pixel.x, pixel.y);
@@ -130,9 +130,9 @@ TEST_F(FrameReadability, ProbesInTurnEachAnswerForTheirOwn) {
     }
 }
 
-SI_TEST_IS(Repeated, FrameReadability, AProbeLeavesTheFrameThatIsShownAsItIs);
-// Where it did not, a window that shows both would draw for ever.
-TEST_F(FrameReadability, AProbeLeavesTheFrameThatIsShownAsItIs) {
+SI_TEST_IS(Repeated, FrameReadability, AProbeKeepsTheShownFrame);
+// Otherwise a window that shows both frames would draw forever.
+TEST_F(FrameReadability, AProbeKeepsTheShownFrame) {
     using Sets = std::vector<std::pair<std::string, std::string>>;
     const std::vector<Sets> all = {
         {},
@@ -167,23 +167,23 @@ TEST_F(FrameReadability, AProbeLeavesTheFrameThatIsShownAsItIs) {
                 renderer.probe(scene, s, request, 48, 40);
                 held = renderer.has_images_of(shown);
             }
-            EXPECT_LE(drawn, 2) << what << "and " << ask.size() << " outputs";  // the probe needs maps as a whole
+            EXPECT_LE(drawn, 2) << what << "and " << ask.size() << " outputs";  // the probe needs whole maps
         }
     }
 }
 
-TEST_F(FrameReadability, OneWhoseImagesAreGivenUpIsGone) {
-    std::vector<Shown> frames(4, shown()[0]);
+TEST_F(FrameReadability, AFrameWithReleasedImagesIsRefused) {
+    std::vector<ShownFrame> frames(4, two_frames()[0]);
     set_setting(frames[0].settings, "filter.kernel", "vsm");
     set_setting(frames[1].settings, "map.blur_texels", "2");
     set_setting(frames[2].settings, "light.source", "volumes-zfail");
     set_setting(frames[2].settings, "light.1.source", "volumes-zfail");
     set_setting(frames[3].settings, "view.panes", "two");
     set_setting(frames[3].settings, "view.overlay", "normals");
-    for (const Shown& drawn : frames) {
+    for (const ShownFrame& drawn : frames) {
         const FrameResult f = draw(drawn);
         EXPECT_TRUE(renderer.has_images_of(f));
-        Shown plain = shown()[0];
+        ShownFrame plain = two_frames()[0];
         set_setting(plain.settings, "light.azimuth", "33");
         draw(plain);
         EXPECT_FALSE(renderer.has_images_of(f));

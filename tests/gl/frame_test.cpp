@@ -1,4 +1,5 @@
-// One frame as a function: equal inputs give equal bytes, two ways give one picture, and the plan tells the truth.
+// Tests one frame as a function: equal inputs give equal bytes, alternative paths give one picture, and the plan is
+// correct.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,17 +23,17 @@ double shadowed_share(const FloatImage& visibility) {
     return double(dark) / double(visibility.data.size());
 }
 
-TEST_F(FrameTest, SameInputsSameBytesAlsoInAnotherRenderer) {
+TEST_F(FrameTest, EqualInputsGiveEqualBytesInAnotherRenderer) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene);
     const ByteImage first = picture(scene, s);
-    FrameRequest again = small();
+    FrameRequest again = small_request();
     again.force = true;
     EXPECT_EQ(first.data, picture(scene, s, again).data);
     {
         HeadlessContext other_context;
         Renderer other;
-        EXPECT_EQ(first.data, other.read_colour(other.render(load_scene("stage"), s, small()).colour).data);
+        EXPECT_EQ(first.data, other.read_colour(other.render(load_scene("stage"), s, small_request()).colour).data);
     }
     context.make_current();
 }
@@ -45,7 +46,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
             Settings s = settings_for(scene, {{"light.type", light}});
             const ByteImage fused = picture(scene, s);
             s.shading.separate_visibility = true;
-            const FrameResult separate = renderer.render(scene, s, small());
+            const FrameResult separate = renderer.render(scene, s, small_request());
             ASSERT_NE(separate.pass("visibility"), nullptr);
             EXPECT_EQ(separate.pass("visibility")->state, PassState::Drawn);
             // Not one pixel may differ by more than the rounding of one 8-bit step.
@@ -57,7 +58,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
 SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePicture);
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     const Scene scene = load_scene("stage");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     for (const Filter& filter : filters()) {
         Settings s = settings_for(scene, {{"filter.kernel", std::string(filter.key)}, {"filter.method", "gather"}});
@@ -67,18 +68,19 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
         std::size_t differing = 0;
         for (std::size_t i = 0; i < gather.data.size(); ++i)
             differing += std::abs(gather.data[i] - sampler.data[i]) > 1e-3f;
-        // The two round texture coordinates apart, so a fragment on a texel border may choose the other texel.
+        // The two paths round texture coordinates differently, so a fragment on a texel border may choose the other
+        // texel.
         EXPECT_LE(differing, gather.data.size() / 1000) << filter.key;
         EXPECT_GT(shadowed_share(gather), 0.02) << filter.key;
     }
 }
 
-SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange);
-// Beyond the far plane and before the near plane: a fixed-point format's sampler clamps what it compares, a float's
+SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange);
+// Depths past the far and before the near plane: a fixed-point format's sampler clamps the compared depth, a float's
 // does not.
-TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
+TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     for (const char* format : {"d16", "d24", "d32f"})
         for (const char* reversed : {"false", "true"})
@@ -118,7 +120,7 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
 
 TEST_F(FrameTest, WiderKernelsSoftenMore) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     std::size_t previous = 0;
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5", "pcf7", "pcf9"}) {
@@ -136,7 +138,7 @@ TEST_F(FrameTest, WiderKernelsSoftenMore) {
     }
 }
 
-/// Frames under choices of the settings that make programs.
+/// Fixture that draws frames under choices of the settings that select programs.
 class ProgramsTest : public FrameTest {
 protected:
     std::vector<const Param*> rows;
@@ -169,7 +171,8 @@ TEST_F(ProgramsTest, EveryChoiceCompiles) {
 
 // Each choice of each row under some choice of each other row.
 TEST_F(ProgramsTest, PairsOfChoicesCompile) {
-    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "texts that tests/glsl judges, by the driver as well: SI_LONG=1";
+    if (!std::getenv("SI_LONG"))
+        GTEST_SKIP() << "tests/glsl compiles these texts; the driver compiles them too with SI_LONG=1";
     const Scene boxes = load_scene("boxes");
     for (std::size_t a = 0; a < rows.size(); ++a)
         for (std::size_t b = a + 1; b < rows.size(); ++b)
@@ -185,7 +188,7 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     for (const Overlay& overlay : overlays())
         for (const char* light : {"directional", "spot", "point"})
             for (const char* separate : {"false", "true"}) {
-                const bool pages = overlay.key.starts_with("page-");  // of what whole maps have none
+                const bool pages = overlay.key.starts_with("page-");  // whole maps have none of these
                 const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)},
                                                         {"light.type", light},
                                                         {"shading.separate_visibility", separate},
@@ -220,10 +223,10 @@ TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {
     EXPECT_EQ(different_pixels(plain, none), 0u);
 }
 
-TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
+TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene);
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.shadow_map = true;
     using Names = std::set<std::string>;
     Names reused;
@@ -286,7 +289,7 @@ TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
     }
 }
 
-/// Everything a frame shows: the panes, the map viewer's picture, and where the map is read.
+/// Returns everything a frame shows: the panes, the map viewer's picture, and the read texels.
 std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequest request, Renderer& renderer) {
     request.outputs.shadow_map = request.outputs.map_coordinates = true;
     const FrameResult f = renderer.render(scene, s, request);
@@ -297,8 +300,8 @@ std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequ
     return out;
 }
 
-SI_TEST_IS(Repeated, FrameTest, SkippingAndCachingLeaveThePixelsAlone);
-TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
+SI_TEST_IS(Repeated, FrameTest, SkippingAndCachingChangeNoPixel);
+TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
     const Scene scene = load_scene("stage");
     for (const auto& extra : std::vector<std::vector<std::pair<std::string, std::string>>>{
              {},
@@ -309,17 +312,17 @@ TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
              {{"view.slabs", "both"}, {"view.map_source", "camera"}},
              {{"view.panes", "four"}, {"view.overlay_2", "n-dot-l"}, {"view.overlay_range", "fitted"}}}) {
         const Settings s = settings_for(scene, extra);
-        FrameRequest all = small();
+        FrameRequest all = small_request();
         all.force = true;
         all.forced = OptimisationSet::all();
-        EXPECT_EQ(pictures(scene, s, small(), renderer), pictures(scene, s, all, renderer));
-        FrameRequest timed = small();
+        EXPECT_EQ(pictures(scene, s, small_request(), renderer), pictures(scene, s, all, renderer));
+        FrameRequest timed = small_request();
         timed.timing = timed.force = true;
         EXPECT_EQ(picture(scene, s).data, picture(scene, s, timed).data);
     }
 }
 
-/// After each step a renderer that has seen all steps before draws what a new one draws.
+/// Steps through settings. After each step a renderer with all earlier steps draws the same as a new renderer.
 using Walk = std::vector<std::pair<std::string, std::string>>;
 
 void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const Scene& scene, Settings s,
@@ -391,7 +394,7 @@ TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
 
 TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .shadow_map = true};
     const auto sum = [&](const Settings& s) {
         const FloatImage map = renderer.read_shadow_map(renderer.render(scene, s, request), 0, 0);
@@ -403,28 +406,28 @@ TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     const double none = sum(s);
     set_setting(s, "caster.cull", "front");
     const double front = sum(s);
-    EXPECT_GT(front, none + 1e-3);  // only far sides are left, and the one-sided floor is lost
+    EXPECT_GT(front, none + 1e-3);  // only back sides remain, and the one-sided floor is missing
     set_setting(s, "object.Boxes/Floor.cull", "none");
     EXPECT_LT(sum(s), front - 1e-3);  // the exception brings the floor back
     set_setting(s, "object.Boxes/Floor.cast", "false");
     EXPECT_GT(sum(s), none);
 }
 
-TEST_F(FrameTest, AnObjectThatCeasesToCastIsKnownToTheFit) {
+TEST_F(FrameTest, TheFitIgnoresObjectsThatNoLongerCast) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene);
-    EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
+    EXPECT_TRUE(renderer.render(scene, s, small_request()).lights.at(0).casts);
     for (const Object& o : scene.objects) s.objects[scene.nodes[std::size_t(o.node)].path].cast = false;
-    const FittedLight none = renderer.render(scene, s, small()).lights.at(0);
+    const FittedLight none = renderer.render(scene, s, small_request()).lights.at(0);
     EXPECT_FALSE(none.casts);
     EXPECT_EQ(none.reason, "no object casts");
     s.objects.begin()->second.cast = true;
-    EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
+    EXPECT_TRUE(renderer.render(scene, s, small_request()).lights.at(0).casts);
     for (auto& [path, object] : s.objects) {
         object.cast = true;
         object.receive = false;
     }
-    EXPECT_EQ(renderer.render(scene, s, small()).lights.at(0).reason, "no object receives shadows");
+    EXPECT_EQ(renderer.render(scene, s, small_request()).lights.at(0).reason, "no object receives shadows");
 }
 
 SI_TEST_IS(Repeated, FrameTest, ProbeAgreesWithTheVisibilityPicture);
@@ -432,7 +435,7 @@ TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
     const Scene scene = load_scene("stage");
     for (const char* light : {"directional", "spot", "point"}) {
         const Settings s = settings_for(scene, {{"light.type", light}});
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .visibility = true};
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
         int hits = 0, dark = 0;
@@ -456,7 +459,7 @@ TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
 
 TEST_F(FrameTest, MapViewerShowsTheMap) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .shadow_map = true};
     for (const char* format : {"d16", "d24", "d32f", "colour"})
         for (const char* reversed : {"false", "true"}) {

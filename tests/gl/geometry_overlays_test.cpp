@@ -1,4 +1,4 @@
-// Overlays about the triangles themselves: their edges, and how many lie over each other.
+// Tests overlays of triangle edges and of overdraw.
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class GeometryOverlays : public FrameTest {
 protected:
-    /// A floor of 4 x 4 m with a plate of 2 x 2 m above and one beneath, seen from straight above, 5 m high.
+    /// Makes a floor of 4 x 4 m with a plate of 2 x 2 m above and one beneath, seen from 5 m straight above.
     static Scene plates() {
         Scene scene;
         scene.name = "plates";
@@ -33,7 +33,7 @@ protected:
 
 TEST_F(GeometryOverlays, OverdrawCountsEveryLayer) {
     const FloatImage v = values(plates(), "overdraw");
-    // 20 pixels a metre, the middle at 50: three layers in the middle, hidden ones counted, none beside the floor.
+    // 20 pixels a metre, the middle at 50: three layers in the middle, hidden ones counted, none outside the floor.
     EXPECT_EQ(v.at(52, 47), 3);
     EXPECT_EQ(v.at(65, 50), 2);
     EXPECT_EQ(v.at(80, 50), 1);
@@ -55,25 +55,26 @@ TEST_F(GeometryOverlays, WireframeDrawsVisibleEdges) {
     EXPECT_FALSE(drawn_near(96, 50));
 }
 
-TEST_F(GeometryOverlays, LeaveNoTraceInLaterPasses) {
+TEST_F(GeometryOverlays, ChangeNothingInLaterPasses) {
     const Scene scene = load_scene("boxes");
     const ByteImage before = picture(scene, settings_for(scene));
     for (const char* overlay : {"wireframe", "overdraw"}) {
         picture(scene, settings_for(scene, {{"view.overlay", overlay}}));
-        FrameRequest again = small();
+        FrameRequest again = small_request();
         again.force = true;
         EXPECT_EQ(before, picture(scene, settings_for(scene), again)) << overlay;
-        // The depth that the overlay needs is there even when nothing else of the picture is drawn.
+        // The overlay's depth exists even if no other part of the picture is drawn.
         {
             HeadlessContext fresh_context;
             Renderer fresh;
-            FrameRequest values_only = small();
+            FrameRequest values_only = small_request();
             values_only.outputs = {.colour = false, .overlay = true};
             const Settings s = settings_for(scene, {{"view.overlay", overlay}});
             const FloatImage alone = fresh.read_float(fresh.render(scene, s, values_only).overlay, 4);
             const FrameRequest both{.width = 320, .height = 180, .outputs = {.overlay = true}, .force = true};
             EXPECT_EQ(alone.data, fresh.read_float(fresh.render(scene, s, both).overlay, 4).data) << overlay;
-            EXPECT_EQ(fresh.read_colour(fresh.render(scene, settings_for(scene), small()).colour), before) << overlay;
+            EXPECT_EQ(fresh.read_colour(fresh.render(scene, settings_for(scene), small_request()).colour), before)
+                << overlay;
         }
         context.make_current();
     }

@@ -1,4 +1,4 @@
-// Golden pictures: each row of each table of techniques is drawn as when a person last looked at it (tests/golden).
+// Compares a picture of each row of each table of techniques with its reviewed golden picture (tests/golden).
 #include "tests/support/golden.h"
 
 #include <fmt/format.h>
@@ -14,12 +14,13 @@
 namespace si::test {
 namespace {
 
-constexpr int kTolerance = 8;  ///< of 255, in any channel
+constexpr int kTolerance = 8;  ///< accepted difference in any channel, of 255
 
-/// Share of the pixels that may differ by more. The pictures are llvmpipe's, which may round otherwise on another
-/// machine. Lavapipe under zink differed in 0.6 % where 16 bits hold four moments, elsewhere in 0.2 % at most.
+/// Returns the share of pixels that may differ by more than kTolerance. The pictures are llvmpipe's, which may round
+/// otherwise on another machine. Lavapipe under zink differed in 0.6 % where 16 bits hold four moments, elsewhere in
+/// 0.2 % at most.
 /// @returns nothing for other drivers, whose rasterisers have rules of their own
-std::optional<double> most_different(std::string_view driver) {
+std::optional<double> max_differing_share(std::string_view driver) {
     if (driver.find("llvmpipe") == std::string_view::npos) return {};
     return driver.starts_with("zink") ? 0.01 : 0.002;
 }
@@ -33,9 +34,9 @@ std::string fix(const GoldenPicture& picture) {
 class GoldenTest : public FrameTest, public testing::WithParamInterface<std::string> {};
 
 SI_TESTS_ARE(Repeated, GoldenTest);
-TEST_P(GoldenTest, RowsAreDrawnAsTheyWere) {
+TEST_P(GoldenTest, RowsMatchTheirGoldenPictures) {
     const std::string driver = current_driver();
-    const std::optional<double> most = most_different(driver);
+    const std::optional<double> most = max_differing_share(driver);
     if (!most) GTEST_SKIP() << "the golden pictures are llvmpipe's, and this is " << driver;
     const std::filesystem::path folder = fresh_test_folder();
     for (const GoldenPicture& picture : golden_pictures(GetParam())) {
@@ -72,7 +73,7 @@ std::string table_name(const testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Each, GoldenTest, testing::ValuesIn(golden_tables()), table_name);
 
-TEST(GoldenPictures, AreOfRowsThatThereAre) {
+TEST(GoldenPictures, ShowExistingRows) {
     std::set<std::filesystem::path> rows;
     for (const std::string& table : golden_tables())
         for (const GoldenPicture& picture : golden_pictures(table)) rows.insert(golden_file(golden_folder(), picture));

@@ -1,4 +1,4 @@
-// A model that is opened shows its shadow: on a ground of its own, or on one that it is stood on.
+// Tests that an opened model shows its shadow, on an added ground or on one that it stands on.
 #include "renderer/scene/ground.h"
 
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ namespace si {
 namespace {
 
 Session session_of(Scene scene, std::vector<std::string> sets = {}) {
-    sets.insert(sets.begin(), "map.resolution=512");  // as the pictures here are a fourth of a window's
-    scene.file_scenes = {""};                         // as if from a file
+    sets.insert(sets.begin(), "map.resolution=512");  // pictures here are a fourth of a window's
+    scene.file_scenes = {""};                         // marks the scene as loaded from a file
     return compose_session(plan_session({.scene = "a file", .sets = std::move(sets)}), std::move(scene));
 }
 
@@ -40,7 +40,7 @@ Scene box_alone() {
     return scene;
 }
 
-/// Of a flat top no caster of which is thick, so that shadows fall mostly on the ground.
+/// Makes a model with a flat top and thin casters, so that shadows fall mostly on the ground.
 Scene table_alone() {
     Scene scene;
     scene.name = "table";
@@ -54,17 +54,17 @@ Scene table_alone() {
     return scene;
 }
 
-/// A scene on a ground, and without.
-struct Stood {
+/// Model with an added ground, and the same without.
+struct GroundedModel {
     std::string name;
     Session with, without;
 };
-Stood stood(const std::string& name, Scene (*make)()) {
+GroundedModel with_and_without_ground(const std::string& name, Scene (*make)()) {
     return {name, session_of(make()), session_of(make(), {"scene.ground=off"})};
 }
-/// The box, and those of the models that are there.
-std::vector<Stood> stood_models() {
-    std::vector<Stood> out{stood("box", box_alone)};
+/// Returns the box, and the real models that exist.
+std::vector<GroundedModel> grounded_models() {
+    std::vector<GroundedModel> out{with_and_without_ground("box", box_alone)};
     for (const test::SharedModel& model : test::shared_models()) {
         const std::string name = model.file.filename().string();
         if (name != "sunflower.gltf" && name != "GlassVaseFlowers.gltf" && name != "Suzanne.gltf" &&
@@ -79,15 +79,16 @@ std::vector<Stood> stood_models() {
     return out;
 }
 
-/// What a first picture shows of the shadow on the ground, or on the floor that a file brings.
+/// First picture of a model: its shadow on the added ground or on its own floor.
 struct FirstPicture {
     std::size_t ground = 0, dark = 0, dark_at_rim = 0;
-    std::size_t surfaces = 0, dark_surfaces = 0;  ///< all that is seen
+    std::size_t surfaces = 0, dark_surfaces = 0;  ///< all visible pixels
     bool own_floor = false;
     double read = 0;  ///< share of the map's texels
 };
 
-/// For each object whether shadows are to be seen on it: the ground, or a sheet at the bottom that carries the rest.
+/// Returns for each object whether it is a floor for shadows: the ground, or a sheet at the bottom that carries the
+/// model.
 std::vector<bool> floors_of(const Scene& scene) {
     std::vector<bool> floors;
     const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo;
@@ -135,17 +136,17 @@ protected:
         }
         return out;
     }
-    /// Asks what the editor shows first of a file that has cameras, as a person drops it. Returns what is to be seen.
+    /// Draws the editor's first view of a dropped file with cameras. Returns a text about the visible shadow.
     std::string picture_by_own_camera(Session& session) {
         const Scene& scene = session.scene;
         session.settings.camera = base_settings(scene).camera;
-        const auto [width, height] = std::pair(small().width, small().height);
+        const auto [width, height] = std::pair(small_request().width, small_request().height);
         const Camera camera = make_camera(scene, session.settings, double(width) / height);
         EXPECT_EQ(camera.eye, glm::dvec3(scene.cameras[0].world[3])) << "another camera than the file's first";
         const glm::dvec4 middle = camera.project(scene.bounds.centre(), width, height);
         EXPECT_GT(middle.w, 0) << "the scene lies behind it";
         EXPECT_TRUE(middle.x >= 0 && middle.x < width && middle.y >= 0 && middle.y < height)
-            << middle.x << ", " << middle.y << ": the scene lies beside its picture";
+            << middle.x << ", " << middle.y << ": the scene lies outside its picture";
         const FirstPicture seen = first_picture(session);
         const std::size_t standing = seen.surfaces - seen.ground;
         const std::string text =
@@ -165,7 +166,7 @@ TEST_F(GroundTest, AModelAloneShowsItsShadow) {
     EXPECT_EQ(first_picture(session_of(box_alone(), {"scene.ground=off"})).ground, 0u);
 }
 
-TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
+TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
     const Session with = session_of(box_alone()), without = session_of(box_alone(), {"scene.ground=off"});
     ASSERT_FALSE(with.scene.ground_bounds.empty());
     EXPECT_TRUE(without.scene.ground_bounds.empty());
@@ -185,7 +186,7 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
                 EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (1 + 1e-9));
             }
     const auto drawn = [&](const Scene& scene) {
-        FrameRequest whole = small();
+        FrameRequest whole = small_request();
         whole.outputs.shadow_map = whole.force = true;
         for (const PassInfo& pass : renderer.render(scene, with.settings, whole).passes)
             if (pass.name.starts_with("shadow map 0")) return pass.triangles;
@@ -194,12 +195,12 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     EXPECT_EQ(drawn(with.scene), drawn(without.scene)) << "into the map";
     EXPECT_EQ(ReferenceGeometry(with.scene, with.settings).caster_triangles(),
               ReferenceGeometry(without.scene, with.settings).caster_triangles())
-        << "in the truth";
-    // Under a light from below the box is lit as it would be without a ground.
+        << "in the reference";
+    // Under a light from below the box is lit as it is without a ground.
     Settings s = with.settings;
     s.camera = manual_camera(without.scene, without.settings, 16.0 / 9);
     s.lights[0].elevation = -60;
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.visibility = request.outputs.surface_ids = true;
     const auto of_box = [&](const Scene& scene) {
         const FrameResult frame = renderer.render(scene, s, request);
@@ -219,9 +220,9 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     EXPECT_LT(differ, box / 100);
 }
 
-// Where the picture shows all of a model.
-TEST_F(GroundTest, MapsOfModelsAreNoWiderForIt) {
-    for (const Stood& model : stood_models()) {
+// The picture shows the whole model.
+TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
+    for (const GroundedModel& model : grounded_models()) {
         ASSERT_FALSE(model.with.scene.ground_bounds.empty()) << model.name;
         const Camera camera = make_camera(model.with.scene, model.with.settings, 16.0 / 9);
         for (const Choice& fit : find_setting("light.fit")->param->choices()) {
@@ -239,9 +240,9 @@ TEST_F(GroundTest, MapsOfModelsAreNoWiderForIt) {
     }
 }
 
-// Depths up to where the shadow ends, and a kernel's room: what lies beyond a map's far plane is not looked up.
-TEST_F(GroundTest, MapsAreDeeperUpToTheShadowsEnd) {
-    const Stood box = stood("box", box_alone);
+// Depths reach to the end of the shadow, with room for a kernel. Points past a map's far plane are not looked up.
+TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
+    const GroundedModel box = with_and_without_ground("box", box_alone);
     const Camera camera = make_camera(box.with.scene, box.with.settings, 16.0 / 9);
     for (const char* fit : {"scene", "casters", "view", "stabilised"}) {
         SCOPED_TRACE(fit);
@@ -263,9 +264,9 @@ TEST_F(GroundTest, MapsAreDeeperUpToTheShadowsEnd) {
     }
 }
 
-// All of the model is seen, and the map has the same texels.
-TEST_F(GroundTest, AModelsOwnPixelsHaveTheSameVisibility) {
-    for (const Stood& model : stood_models())
+// The whole model is visible, and the map has the same texels.
+TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
+    for (const GroundedModel& model : grounded_models())
         for (const Choice& fit : find_setting("light.fit")->param->choices()) {
             SCOPED_TRACE(model.name + " " + std::string(fit.key));
             Settings s = model.with.settings;
@@ -274,7 +275,7 @@ TEST_F(GroundTest, AModelsOwnPixelsHaveTheSameVisibility) {
             s.camera = manual_camera(model.with.scene, model.with.settings, 16.0 / 9);
             Settings bare = s;
             bare.scene = model.without.settings.scene;
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs.visibility = request.outputs.surface_ids = true;
             const FrameResult stands = renderer.render(model.with.scene, s, request);
             const SurfaceIds ids = renderer.read_surface_ids(stands.surface_ids);
@@ -291,13 +292,13 @@ TEST_F(GroundTest, AModelsOwnPixelsHaveTheSameVisibility) {
             }
             EXPECT_GT(own, 300u);
             EXPECT_LE(elsewhere, own / 500) << "hidden by the ground, or as deep as something else";
-            // A warped map's depths are divided, and round otherwise.
+            // Depths of a warped map are divided, and round differently.
             EXPECT_LE(differ, fit.key == "lispsm" ? own / 1000 : 0) << "of " << own;
         }
 }
 
-// Also where the picture shows a part of the model, and maps are for that part, or for slices of it.
-TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
+// The picture may show part of the model, with maps for that part or for slices of it.
+TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
     for (const auto& make : {box_alone, table_alone}) {
         const Session session = session_of(make(), {"map.resolution=1024"});
         ASSERT_FALSE(session.scene.ground_bounds.empty());
@@ -306,7 +307,7 @@ TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
             Settings s = session.settings;
             s.camera = manual_camera(session.scene, session.settings, 16.0 / 9);
             s.camera.distance *= nearer;
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs.visibility = request.outputs.surface_ids = true;
             const auto visibility = [&](std::string_view fit, const char* cascades) {
                 set_setting(s, "light.fit", fit);
@@ -337,10 +338,9 @@ TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
     }
 }
 
-// What is seen of the ground asks for shadows of what is not seen: for those the map grows, but never beyond its
-// casters.
-TEST_F(GroundTest, APartOfAModelHasAMapOfNoMoreThanItsCasters) {
-    const Stood table = stood("table", table_alone);
+// Visible ground needs shadows of invisible casters. The map grows for those, up to the bounds of its casters.
+TEST_F(GroundTest, AMapOfPartOfAModelCoversOnlyItsCasters) {
+    const GroundedModel table = with_and_without_ground("table", table_alone);
     Settings s = table.with.settings;
     s.camera = manual_camera(table.with.scene, table.with.settings, 16.0 / 9);
     const auto half_width = [&](const Scene& scene, std::string_view fit, double nearer) {
@@ -359,7 +359,7 @@ TEST_F(GroundTest, APartOfAModelHasAMapOfNoMoreThanItsCasters) {
     }
 }
 
-/// What cannot be as the others are, and why.
+/// Models that differ from the others, with the reason.
 constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"04_lights.gltf", "it is one sheet, and nothing stands on it"},
     {"TwoSidedPlane.gltf", "the same"},
@@ -367,15 +367,15 @@ constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"MorphStressTest.glb", "it is five times as long as wide, and the map is square"},
     {"chainlink_fence.glb", "its wires are thinner than a hundredth of the fence's height"},
     {"huge_extent.glb", "it lies about a million metres apart"},
-    {"LightsPunctualLamp.gltf", "its first light hangs low beside the stem, whose shadow runs to the ground's end"},
+    {"LightsPunctualLamp.gltf", "its first light hangs low at the stem, whose shadow runs to the ground's end"},
     {"ToyCar.gltf", "it stands on a cloth of its own, which spreads as wide and as flat as its shadow falls"},
 };
 
-SI_TEST_IS(Repeated, GroundTest, ModelsShowTheirShadowsAtOnce);
-SI_TEST_IS(DriverIndependent, GroundTest, ModelsShowTheirShadowsAtOnce);
-// What a file's own camera shows of the shadow is the file's affair; the camera that frames the scene is asked for it.
-// But a file opens with its own: there has to be a picture.
-TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
+SI_TEST_IS(Repeated, GroundTest, ShowsModelsShadowsWithDefaultSettings);
+SI_TEST_IS(DriverIndependent, GroundTest, ShowsModelsShadowsWithDefaultSettings);
+// The test uses the camera that frames the scene, because a file's own camera may show no shadow. A file opens with
+// its own camera, which must draw a picture too.
+TEST_F(GroundTest, ShowsModelsShadowsWithDefaultSettings) {
     const std::vector<test::SharedModel> files = test::shared_models();
     if (files.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     int shown = 0, with_camera = 0;
@@ -416,7 +416,7 @@ TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
     RecordProperty("by_own_cameras", by_own_cameras);
 }
 
-TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
+TEST_F(GroundTest, FollowsTheSettingAndThePlacement) {
     Session session = session_of(box_alone(), {"scene.scale=3", "scene.distance=100"});
     const double gap = session.scene.bounds.lo.y - session.scene.ground_bounds.hi.y;
     EXPECT_GT(gap, 0);
@@ -436,13 +436,13 @@ TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
     EXPECT_NEAR(session.scene.ground_bounds.hi.y, session.scene.bounds.lo.y, 0.01);
 }
 
-TEST_F(GroundTest, WhatHasALevelSurfaceGetsNone) {
+TEST_F(GroundTest, IsNotAddedToModelsWithALevelSurface) {
     for (const BuiltinScene& row : builtin_scenes()) {
         if (row.key == "plane") continue;
         EXPECT_TRUE(has_level_surface(row.make())) << row.key;
     }
     EXPECT_FALSE(has_level_surface(box_alone()));
-    // A floor under a roof is indoors: shadows fall outside of it.
+    // A floor under a roof is indoors: shadows fall outside.
     const auto place_with = [](bool roof) {
         Scene scene;
         const auto add = [&](const char* name, Mesh mesh, const glm::dmat4& at) {

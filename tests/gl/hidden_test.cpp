@@ -1,4 +1,4 @@
-// Objects that are hidden are in no picture, no map and no truth, and come back as they were.
+// Tests that hidden objects are absent from picture, map and reference, and return unchanged.
 #include <algorithm>
 
 #include "app/session/session.h"
@@ -33,7 +33,7 @@ protected:
     }
 };
 
-TEST_F(HiddenTest, LeaveThePictureTheMapAndTheTruthAsIfTheyWereNotThere) {
+TEST_F(HiddenTest, HiddenObjectsAreAbsentFromPictureMapAndReference) {
     const Session whole = stage({}), hidden = stage({"object.Stage/Wall.shown=false"});
     Scene without = whole.scene;
     std::erase_if(without.objects,
@@ -51,7 +51,7 @@ TEST_F(HiddenTest, LeaveThePictureTheMapAndTheTruthAsIfTheyWereNotThere) {
     EXPECT_EQ(draw(again, whole.settings), draw(whole.scene, whole.settings));
 }
 
-TEST_F(HiddenTest, ASweepHidesAndShows) {
+TEST_F(HiddenTest, SweepsCanHideAndShowObjects) {
     CaseSessions cases(plan_session({.scene = "boxes"}));
     const Session boxes = open_session({.scene = "boxes"});
     const std::string path = boxes.scene.nodes[std::size_t(boxes.scene.objects.back().node)].path;

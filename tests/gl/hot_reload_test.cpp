@@ -1,4 +1,4 @@
-// Shaders read from a tree: saved files take effect, broken ones leave the last good program in place.
+// Tests shaders read from a tree: saved files take effect, broken files leave the last good program in place.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -33,7 +33,7 @@ protected:
 
 constexpr const char* kVertex = "void main() { gl_Position = vec4(0.0); }\n";
 
-TEST_F(HotReload, SavedFilesTakeEffectAndBrokenOnesKeepTheLastGoodProgram) {
+TEST_F(HotReload, SavedFilesTakeEffectAndBrokenFilesKeepTheLastProgram) {
     save("a.vert.glsl", kVertex);
     save("b.frag.glsl", "#include \"c.glsl\"\nout vec4 o;\nvoid main() { o = colour(); }\n");
     save("c.glsl", "vec4 colour() { return vec4(1.0); }\n");

@@ -1,5 +1,5 @@
-// What is said to be without effect changes no pixel, and what has one shows at once: pictures of many states, with
-// each setting at other values.
+// Tests that idle settings change no pixel and active ones show at once, over pictures of many states with each
+// setting at other values.
 #include <fmt/format.h>
 
 #include "renderer/scenes/shapes.h"
@@ -73,11 +73,11 @@ std::vector<Value> others(const SettingRef& ref, const Value& present) {
     return values;
 }
 
-/// Pictures of a frame one after the other.
+/// Bytes of all pictures of a frame, one picture after the other.
 using Bytes = std::vector<std::uint8_t>;
 
-/// A directional light's map stands elsewhere along its axis, so that depths round elsewhere: a step of the scale is no
-/// effect.
+/// Compares the pictures of two frames. A directional light's map may move along its axis, which rounds depths
+/// differently: one step of the scale is no effect.
 std::string difference(const Bytes& a, const Bytes& b) {
     if (a.size() != b.size()) return "other pictures";
     std::size_t differ = 0;
@@ -111,7 +111,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, IdleTest);
 SI_TESTS_ARE(Repeated, IdleTest);
-TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
+TEST_F(IdleTest, IdleSettingsChangeNoPixel) {
     const Scene scene = load_scene("boxes");
     std::size_t compared = 0;
     for (const Sets& sets : states()) {
@@ -138,7 +138,7 @@ TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
     EXPECT_GT(compared, 500u);
 }
 
-/// States in which each pass has something to do.
+/// Returns states in which every pass has work.
 const std::vector<Sets>& busy_states() {
     static const std::vector<Sets> list = {
         {{"light.count", "2"},
@@ -182,8 +182,8 @@ const std::vector<Sets>& busy_states() {
     return list;
 }
 
-/// Few materials, as each wants programs of its own for every setting that enters them: their making is what takes time
-/// here. The ball's normals are not those of its triangles.
+/// Makes a scene of few materials, because each needs programs of its own for every setting and compiling dominates
+/// this test. The ball's normals differ from those of its triangles.
 Scene boxes_and_ball() {
     Scene scene = load_scene("boxes");
     add_object(scene, "ball", -1, add_mesh(scene, "ball", make_sphere(0.6, 12, 8), 0), moved(1.5, 0.8, 1.5));
@@ -195,8 +195,8 @@ class BusyStates : public IdleTest, public testing::WithParamInterface<std::size
 
 SI_TESTS_ARE(Repeated, BusyStates);
 SI_TESTS_ARE(DriverIndependent, BusyStates);
-// What is kept from frame to frame is never of other settings: each picture is held against the same drawn anew, right
-// after one that shares nothing with it.
+// Results cached from frame to frame never belong to other settings. Each picture is compared with the same picture
+// drawn without caches, right after one that shares nothing with it.
 TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
     const Scene scene = boxes_and_ball();
     const Settings apart = settings_for(scene, {{"map.resolution", "32"},
@@ -214,18 +214,18 @@ TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
     const Bytes before = drawn_again(s);
     std::size_t seen = 0;
     for (const SettingRef& ref : all_settings(s)) {
-        // Of several lights the last: what the first alone has is changed in states that have no other.
+        // The last of several lights is changed: states with one light cover the first.
         const bool of_light = ref.param->key.starts_with("light.X");
         if (of_light && ref.light != s.light_count - 1) continue;
         const std::vector<Value> values = others(ref, get_value(s, ref));
         if (values.empty()) continue;
         Settings changed = s;
         set_value(changed, ref, values.front());
-        // The default would take longer than all else.
+        // The default would take longer than everything else.
         if (ref.param->key == "map.resolution") changed.map.resolution = 96;
         const std::string what = setting_key(ref) + " = " + value_text(*ref.param, get_value(changed, ref));
         const Bytes now = pictures(scene, changed);
-        const bool fresh = now == drawn_again(changed);  // not EXPECT_EQ, which would print them
+        const bool fresh = now == drawn_again(changed);  // EXPECT_EQ would print all bytes
         EXPECT_TRUE(fresh) << what;
         seen += now != before;
         const bool back = pictures(scene, s) == before;
@@ -234,7 +234,7 @@ TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
     EXPECT_GT(seen, 30u) << "settings whose change shows";
 }
 
-// One by one, so that several are drawn at a time.
+// One instance per state, so that several run at a time.
 INSTANTIATE_TEST_SUITE_P(Each, BusyStates, testing::Range(std::size_t(0), busy_states().size()));
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The least bias stands in GLSL (shaders/lib/bias.glsl, lib/least_bias.glsl) and in C++ (renderer/bias): both are equal
-// on random planes under random lights, for every format, kernel and kind of bias.
+// Compares the least bias in GLSL (shaders/lib/bias.glsl, lib/least_bias.glsl) with C++ (renderer/bias) on random
+// planes under random lights, for every format, kernel and kind of bias.
 #include <random>
 
 #include "renderer/base/directions.h"
@@ -20,8 +20,8 @@ protected:
     std::mt19937 random{20261};
     double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); }
 
-    /// A plane somewhere in the world that fills the picture, with a small sheet before it, so that lights have depths
-    /// to span.
+    /// Plane somewhere in the world that fills the picture, with a small sheet before it that gives the light
+    /// a depth range.
     struct Sight {
         Scene scene;
         Settings settings;
@@ -64,12 +64,12 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, LeastBiasTwins);
-TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
+TEST_F(LeastBiasTwins, CpuAndGpuAgreeOnRandomPlanes) {
     int compared = 0, perspective = 0, warped = 0, grazing = 0;
     std::size_t next = 0;
     constexpr const char* formats[] = {"d16", "d24", "d32f", "colour", "linear", "linear16"};
     double worst = 0;
-    // A step of a float is another on the other side of a power of two.
+    // A float's step doubles at a power of two.
     const auto at_power_of_two = [](double v) {
         int exponent = 0;
         const double mantissa = std::frexp(v, &exponent);
@@ -81,7 +81,7 @@ TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
                                     {LightType::Point, LightFit::Casters}})
         for (const Filter& filter : filters()) {
             const char* format = formats[next % std::size(formats)];
-            // Each kind meets each format, under kernels by turns.
+            // Each kind meets each format, with alternating kernels.
             const Choice& kind = bias_choices()[next++ % bias_choices().size()];
             const Sight sight = random_sight(type, fit);
             Settings s = sight.settings;
@@ -110,10 +110,10 @@ TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
                     const double cosine = a.receiver.n_dot_l;
                     if (cosine < 0.01) continue;  // half a degree: single precision keeps few digits
                     const double expected = a.amount(a.least.total()).texels;
-                    // The tangent of the angle carries the normal's rounding over its cosine; beside that a few
-                    // dozen roundings of single precision each, and of coordinates up to the scene's extent.
+                    // The tangent of the angle carries the normal's rounding over its cosine. Some dozens of roundings
+                    // of single precision, and of coordinates up to the scene's extent, come on top.
                     double scale = expected;
-                    // Of what bias.plane_clamp leaves of the kernel's part, both terms round.
+                    // Both terms of the kernel's part under bias.plane_clamp round.
                     if (a.per_texel && a.least.kernel > 0) scale += a.amount(a.max_texel_shift).texels;
                     double tolerance = scale * 2e-5 / cosine;
                     const double share = (a.receiver.own_m - a.curve.near) / (a.curve.far - a.curve.near);
@@ -136,7 +136,7 @@ TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
     EXPECT_GT(perspective, 3000);
     EXPECT_GT(warped, 2000);
     EXPECT_GT(grazing, 1000);
-    EXPECT_GT(worst, 0.01) << "the tolerance says nothing";
+    EXPECT_GT(worst, 0.01) << "the tolerance is too large to prove anything";
 }
 
 }  // namespace

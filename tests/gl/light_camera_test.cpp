@@ -1,4 +1,4 @@
-// The picture through the light: the camera is the light's view, and map coordinates are pixel coordinates.
+// Tests the picture through the light: the camera is the light's view, and map coordinates are pixel coordinates.
 #include <algorithm>
 #include <cmath>
 
@@ -45,14 +45,15 @@ TEST_F(LightCamera, MapCoordinatesArePixelCoordinates) {
             for (int y = 0; y < size.y; ++y)
                 for (int x = 0; x < size.x; ++x) {
                     if (at.at(x, y, 3) == 0 || at.at(x, y, 2) != std::atof(kind.face)) continue;
-                    // The map's square stands in the middle of the picture.
+                    // The map's square lies in the middle of the picture.
                     const double u = (x + 0.5 - 0.5 * (size.x - side)) / side;
                     const double v = (size.y - y - 0.5 - 0.5 * (size.y - side)) / side;
                     ++seen;
                     ASSERT_NEAR(at.at(x, y, 0), u, 2e-5) << kind.type << " " << x << "," << y;
                     ASSERT_NEAR(at.at(x, y, 1), v, 2e-5) << kind.type << " " << x << "," << y;
                 }
-            if (std::string(kind.face) == "0" && std::string(kind.type) == "point") continue;  // looks past the scene
+            // this face looks past the scene
+            if (std::string(kind.face) == "0" && std::string(kind.type) == "point") continue;
             EXPECT_GT(seen, side * side / 8) << kind.type << " " << kind.projection << " " << size.x;
         }
 }
@@ -65,7 +66,7 @@ TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
                                                 {"light.projection", kind.projection},
                                                 {"view.face", kind.face},
                                                 {"map.resolution", "256"},
-                                                {"map.reversed_z", "true"},  // as the camera's
+                                                {"map.reversed_z", "true"},  // as in the camera
                                                 {"view.map_source", "camera"}});
         const FrameResult f = frame(scene, s, 256, 256);
         const FloatImage camera = renderer.read_map_view_depth(f),
@@ -75,7 +76,7 @@ TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
             apart += std::abs(camera.data[i] - map.data[i]) > 1e-5;
             drawn += map.data[i] != 0;
         }
-        // The scene's one-sided faces cast both ways and are seen from one side; edges round apart.
+        // The scene's one-sided faces cast from both sides and are visible from one side; edges round differently.
         EXPECT_LE(apart, 256 * 256 / 400) << kind.type << " " << kind.projection << " " << kind.face;
         if (std::string(kind.type) != "point") {
             EXPECT_GT(drawn, 256 * 256 / 8) << kind.type;
@@ -83,18 +84,18 @@ TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
     }
 }
 
-TEST_F(LightCamera, WithoutLightsItIsTheAutomaticCameraAndSaysSo) {
+TEST_F(LightCamera, WithoutLightsTheAutomaticCameraIsUsedAndReported) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"camera.source", "light"}, {"light.count", "0"}});
-    const FrameResult f = renderer.render(scene, s, small());
+    const FrameResult f = renderer.render(scene, s, small_request());
     const Settings automatic = settings_for(scene, {{"light.count", "0"}});
     EXPECT_EQ(f.camera.eye, make_camera(scene, automatic, 320.0 / 180).eye);
     EXPECT_TRUE(std::any_of(f.notes.begin(), f.notes.end(),
                             [](const std::string& n) { return n.starts_with("camera.source light"); }));
 }
 
-SI_TEST_IS(Repeated, LightCamera, CanBeTakenOverByHand);
-TEST_F(LightCamera, CanBeTakenOverByHand) {
+SI_TEST_IS(Repeated, LightCamera, CanBecomeAManualCamera);
+TEST_F(LightCamera, CanBecomeAManualCamera) {
     const Scene scene = load_scene("boxes");
     for (const Kind& kind : kKinds) {
         Settings s = settings_for(scene, {{"camera.source", "light"},
@@ -115,8 +116,8 @@ TEST_F(LightCamera, CanBeTakenOverByHand) {
     }
 }
 
-TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
-    // Through the light at one pixel a texel, each texel that holds a lit surface is read by its own pixel.
+TEST_F(LightCamera, UtilisationOfAFlatMapEqualsTheCoveredShare) {
+    // Through the light at one pixel per texel, each texel with a lit surface is read by its own pixel.
     const Scene scene = load_scene("boxes");
     const int n = 128;
     Settings s = settings_for(scene, {{"camera.source", "light"}, {"bias.normal", "0"}, {"filter.kernel", "hard"}});
@@ -136,8 +137,7 @@ TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
         }
     EXPECT_DOUBLE_EQ(usage.utilisation(), double(reading) / (n * n));
     EXPECT_GT(reading, n * n / 8);
-    // From half as far to each side a pixel is two texels wide, and a bilinear tap reads 2x2 around its middle: still
-    // all.
+    // At half the extent a pixel is two texels wide, and a bilinear tap reads 2x2 texels: all texels again.
     const FrameResult half = frame(scene, s, n / 2, n / 2);
     const FloatImage coarse = renderer.read_float(half.map_coordinates, 4);
     set_setting(s, "filter.kernel", "hw2x2");
@@ -147,14 +147,14 @@ TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
     EXPECT_NEAR(texel_usage(coarse, s, n).utilisation(), usage.utilisation() / 4, 0.01);
 }
 
-SI_TEST_IS(Repeated, LightCamera, CoordinatesAreTheTexelThatTheProbeTests);
-TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
+SI_TEST_IS(Repeated, LightCamera, CoordinatesNameTheTexelOfTheProbe);
+TEST_F(LightCamera, CoordinatesNameTheTexelOfTheProbe) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "spot", "point"}) {
-        // An offset of many texels, so that coordinates without it would be of another texel.
+        // An offset of many texels: coordinates without it would name another texel.
         const Settings s =
             settings_for(scene, {{"light.type", type}, {"bias.normal", "12"}, {"map.resolution", "512"}});
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .map_coordinates = true};
         const FloatImage at = renderer.read_float(renderer.render(scene, s, request).map_coordinates, 4);
         int tested = 0, apart = 0;
@@ -172,12 +172,12 @@ TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
     }
 }
 
-SI_TEST_IS(Repeated, LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads);
-TEST_F(LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads) {
+SI_TEST_IS(Repeated, LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel);
+TEST_F(LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel) {
     const Scene scene = load_scene("boxes");
     const auto reading = [&](const std::vector<std::pair<std::string, std::string>>& extra) {
         const Settings s = settings_for(scene, extra);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .map_coordinates = true};
         const FrameResult f = renderer.render(scene, s, request);
         if (!f.map_coordinates.texture) return -1;
@@ -192,7 +192,7 @@ TEST_F(LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads) {
     EXPECT_LT(reading({{"object.Boxes/Floor.receive", "false"}}), all / 2);
     EXPECT_LT(reading({{"light.elevation", "-30"}}), all / 2) << "what is turned away reads nothing";
     EXPECT_EQ(reading({{"light.cast", "false"}}), -1) << "no map, no coordinates";
-    // A map much smaller than the scene: beside it nothing is read, unless it is repeated.
+    // The map is much smaller than the scene: outside it nothing is read unless the map repeats.
     const std::vector<std::pair<std::string, std::string>> narrow = {{"light.fit", "manual"}, {"light.extent", "1"}};
     for (const auto& [wrap, everywhere] :
          {std::pair{"border", false}, {"range", false}, {"clamp", true}, {"repeat", true}}) {

@@ -1,4 +1,4 @@
-// Baked light maps as frames look them up: held against closed forms and rays, wherever scene, light and camera stand.
+// Compares look-ups of baked light maps with closed forms and rays, for many positions of scene, light and camera.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -33,7 +33,7 @@ protected:
         return renderer.read_float(frame.visibility, 1);
     }
     double texel_m() const { return 1 / frame.light_maps.at(0).texels_per_metre; }
-    /// Calls with each pixel's point, its visibility and that of the truth, of those that count.
+    /// Calls a function with point, visibility and reference visibility of each counted pixel.
     template <class Visit>
     void each_pixel(const Scene& scene, const Settings& s, const ReferenceOptions& options, Visit visit) {
         const FloatImage v = visibility(scene, s);
@@ -42,7 +42,7 @@ protected:
             if (t.reference->state[i] == PixelState::Counted)
                 visit(t.receivers->pixels[i], double(v.data[i]), double(t.reference->visibility.data[i]));
     }
-    /// Share of the pixels that count on the wrong side of one half.
+    /// Returns the share of counted pixels on the wrong side of one half.
     double wrong_share(const Scene& scene, const Settings& s) {
         std::size_t wrong = 0, all = 0, dark = 0;
         each_pixel(scene, s, {.nearest = false}, [&](const Receiver&, double v, double t) {
@@ -68,8 +68,8 @@ Settings light_mapped(const Scene& scene, const Sets& more = {}) {
     return s;
 }
 
-// A sheet of 4 m above a floor: of its shadow's edge a look-up is off by half a texel's diagonal at most.
-TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
+// At the shadow edge of a sheet of 4 m above a floor a look-up deviates by at most half a texel's diagonal.
+TEST_F(LightMapTest, EdgesDeviateByAtMostHalfATexelDiagonal) {
     std::vector<test::Place> places(std::begin(test::kPlaces), std::end(test::kPlaces));
     places.push_back({{115, 0, -115}, 90, 45});
     places.push_back({{1e5, 0, -1e5}, 30, 60});
@@ -88,12 +88,12 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
                 double most_m = 0;
                 std::size_t dark = 0, lit = 0;
                 each_pixel(scene, s, {.nearest = false}, [&](const Receiver& r, double v, double) {
-                    if (std::abs(r.position_ws.y - place.at.y) > 1e-3) return;  // the sheet itself
+                    if (std::abs(r.position_ws.y - place.at.y) > 1e-3) return;  // pixels of the sheet
                     const FittedLight& light = frame.lights[0];
                     const glm::dvec3 ray =
                         type == LightType::Directional ? light.to_light : light.position - r.position_ws;
                     const glm::dvec3 at = r.position_ws + ray * (2.25 / ray.y) - place.at;
-                    // Of a light that is near, the shadow is larger than the sheet.
+                    // Under a near light the shadow is larger than the sheet.
                     const double grows = type == LightType::Directional ? 1 : ray.y / (ray.y - 2.25);
                     const double within_m = (2 - std::max(std::abs(at.x), std::abs(at.z))) * grows;
                     (v < 0.5 ? dark : lit) += 1;
@@ -108,9 +108,9 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
     }
 }
 
-SI_TEST_IS(Repeated, LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner);
-// Twice the texels across, about half as much wrong along the edges.
-TEST_F(LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner) {
+SI_TEST_IS(Repeated, LightMapTest, FinerTexelsApproachRaysOnTheStage);
+// Twice the texels per side halve the error along edges.
+TEST_F(LightMapTest, FinerTexelsApproachRaysOnTheStage) {
     const Scene scene = load_scene("stage");
     std::vector<double> shares;
     for (const int resolution : {256, 512, 1024, 2048}) {
@@ -125,9 +125,9 @@ TEST_F(LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner) {
     EXPECT_LT(shares.back(), 0.014);
 }
 
-SI_TEST_IS(Repeated, LightMapTest, PenumbraeAreThoseOfTheLightsDisc);
-// The share of a disc on the sky beyond a straight edge, in closed form.
-TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
+SI_TEST_IS(Repeated, LightMapTest, PenumbraeMatchTheLightsDisc);
+// The expected value is the closed form of a disc's share above a straight edge.
+TEST_F(LightMapTest, PenumbraeMatchTheLightsDisc) {
     test::Place above;
     above.elevation = 90;
     const Scene scene = test::floor_under_sheet(above);
@@ -142,7 +142,7 @@ TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
     std::size_t within = 0;
     each_pixel(scene, s, {.nearest = false}, [&](const Receiver& r, double v, double) {
         if (std::abs(r.position_ws.y) > 1e-3 || std::abs(r.position_ws.z) > 1) return;
-        const double d = (std::abs(r.position_ws.x) - 2) / radius_m;  // 1: sees all of it
+        const double d = (std::abs(r.position_ws.x) - 2) / radius_m;  // 1: the whole disc is visible
         if (std::abs(d) > 1.5) return;
         const double c = std::clamp(d, -1.0, 1.0);
         const double share = 0.5 + (c * std::sqrt(1 - c * c) + std::asin(c)) / std::numbers::pi;
@@ -157,11 +157,11 @@ TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
     EXPECT_LT(std::sqrt(squares / double(within)), 0.02);
 }
 
-/// Out of the axes, so that what lies in the wall's plane does so but for rounding.
+/// Rotation off the axes in degrees, so that rounding alone moves points out of the wall's plane.
 constexpr double kRoomsTurned = 33;
 
-/// Two rooms of 3 m on either side of a wall of 2 cm, or of none: one has a roof and walls, the other is open to the
-/// sky.
+/// Makes two rooms of 3 m with or without a wall of 2 cm between them. One room has a roof and walls, the other is
+/// open to the sky.
 Scene rooms(bool one_floor, bool sheet = false) {
     Scene scene;
     const int root = add_node(scene, "turned", -1, turned(kRoomsTurned));
@@ -189,8 +189,8 @@ Scene rooms(bool one_floor, bool sheet = false) {
     return scene;
 }
 
-// A wall much thinner than a texel: surfaces that end at it keep their side's shadow to themselves. A floor that goes
-// on below it is one chart, and mixes both sides within a texel of it.
+// A wall much thinner than a texel separates two shadows: surfaces that end at the wall keep their side's. A floor
+// that continues below the wall is one chart and mixes both sides within a texel.
 TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
     for (const auto& [one_floor, sheet] : {std::pair(false, false), {false, true}, {true, false}}) {
         SCOPED_TRACE(testing::Message() << one_floor << sheet);
@@ -230,9 +230,8 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
     }
 }
 
-// What stands on a floor and what lies mirrored is found as well as what does not; both sides of a sheet have their
-// own.
-TEST_F(LightMapTest, FindsMirroredTurnedAndDoubleSidedObjects) {
+// Standing, mirrored and turned objects are all in the map; both sides of a sheet have texels of their own.
+TEST_F(LightMapTest, ContainsMirroredTurnedAndDoubleSidedObjects) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     scene.materials[std::size_t(grey)].double_sided = true;
@@ -255,7 +254,7 @@ TEST_F(LightMapTest, FindsMirroredTurnedAndDoubleSidedObjects) {
     }
 }
 
-TEST_F(LightMapTest, LightsAndInstancesHaveTheirOwn) {
+TEST_F(LightMapTest, LightsAndInstancesHaveSeparateMaps) {
     const Scene scene = load_scene("boxes");
     Settings s = light_mapped(scene, {{"light.count", "3"},
                                       {"light.1.source", "volumes-zfail"},
@@ -279,8 +278,8 @@ TEST_F(LightMapTest, LightsAndInstancesHaveTheirOwn) {
     }
 }
 
-// Cameras share a map; whatever rays find asks for another.
-TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
+// Cameras share a map; each change that rays can see needs another.
+TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAgainForOtherChanges) {
     const Scene scene = load_scene("figures");
     Settings s = light_mapped(scene, {{"light_map.resolution", "256"}});
     const std::size_t before = baked();
@@ -327,7 +326,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
     Settings dropped = s;
     dropped.objects[scene.nodes[std::size_t(scene.objects[0].node)].path].cast = false;
     EXPECT_FALSE(renderer.render(scene, dropped, request).light_maps[0].met);
-    // Another pose, and back again: known by what it is made of.
+    // Another pose and back: the map is keyed by its inputs.
     Scene moved = scene;
     moved.nodes[std::size_t(moved.objects[0].node)].local[3].x += 0.3;
     refresh(moved);
@@ -340,7 +339,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
     EXPECT_EQ(baked(), before + 2) << "under another number it is the same scene";
 }
 
-TEST_F(LightMapTest, HasTheSameBytesAfterItIsForgotten) {
+TEST_F(LightMapTest, HasTheSameBytesAfterEviction) {
     const Scene scene = load_scene("boxes");
     const Settings s =
         light_mapped(scene, {{"light.size", "2"}, {"light_map.samples", "64"}, {"light_map.resolution", "200"}});

@@ -1,4 +1,4 @@
-// light.range: the window of KHR_lights_punctual in the picture, in the probe's words and in the measured error.
+// Tests light.range, the window of KHR_lights_punctual: picture, probe and measured error.
 #include <cmath>
 
 #include "renderer/measure/measured_error.h"
@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-constexpr double kLightHeight = 2;  // m, of the light over the floor
+constexpr double kLightHeight = 2;  // height of the light over the floor, metres
 
 double linear(std::uint8_t srgb) {
     const double c = srgb / 255.0;
@@ -44,7 +44,7 @@ protected:
 
 TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
     const double range = 3;
-    const FrameRequest request = small();
+    const FrameRequest request = small_request();
     for (const char* type : {"spot", "point"})
         for (const char* path : {"true", "false"}) {
             Settings s = lit(type, 0);
@@ -68,7 +68,7 @@ TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
                         dark += endless.data[i] > 0;
                     } else if (before > 0.02) {
                         const double window = std::max(1 - std::pow(share, 4), 0.0);
-                        // Both are rounded to steps of 1/255, of which the steepest is 0.0091 of linear light.
+                        // Both values are rounded to steps of 1/255, the steepest of which is 0.0091 in linear light.
                         EXPECT_NEAR(after, before * window, 0.0091) << type << " at " << x << ',' << y;
                         half += share > 0.7 && share < 0.85;
                     }
@@ -93,13 +93,13 @@ TEST_F(LightRange, AtHalfTheRangeFifteenSixteenthsAreLeft) {
     EXPECT_EQ(middle(), 0);
 }
 
-SI_TEST_IS(Repeated, LightRange, ProbeSaysWhyItIsDark);
-TEST_F(LightRange, ProbeSaysWhyItIsDark) {
+SI_TEST_IS(Repeated, LightRange, ProbeReportsPointsOutOfRange);
+TEST_F(LightRange, ProbeReportsPointsOutOfRange) {
     const Settings s = lit("point", 3);
     int beyond = 0, within = 0;
     for (int y = 20; y < 180; y += 10)
         for (int x = 10; x < 320; x += 20) {
-            const Probe p = renderer.probe(scene, s, small(), x, y);
+            const Probe p = renderer.probe(scene, s, small_request(), x, y);
             if (!p.hit) continue;
             const bool reached = glm::distance(p.position_ws, glm::dvec3(0, kLightHeight, 0)) < 3;
             EXPECT_EQ(p.lights.at(0).verdict.find("beyond the light's range of 3 m") == std::string::npos, reached)
@@ -110,10 +110,10 @@ TEST_F(LightRange, ProbeSaysWhyItIsDark) {
     EXPECT_GT(within, 5);
 }
 
-TEST_F(LightRange, WhatLightDoesNotReachIsNotMeasured) {
+TEST_F(LightRange, PointsOutOfRangeAreNotMeasured) {
     Settings s = lit("point", 3);
     ReferenceCache cache;
-    const MeasuredError error = measure_error(renderer, scene, s, small(), 0, {}, cache);
+    const MeasuredError error = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
     const std::size_t beyond = error.metrics.pixels[std::size_t(PixelState::BeyondRange)];
     EXPECT_GT(beyond, 1000u);
     EXPECT_GT(error.metrics.counted, 1000u);
@@ -122,12 +122,12 @@ TEST_F(LightRange, WhatLightDoesNotReachIsNotMeasured) {
     set_setting(s, "light.near", "0.1");
     set_setting(s, "light.far", "1.9");
     set_setting(s, "light.fit", "manual");
-    const MeasuredError cut = measure_error(renderer, scene, s, small(), 0, {}, cache);
+    const MeasuredError cut = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
     EXPECT_EQ(cut.metrics.counted, error.metrics.counted);
     EXPECT_GT(cut.metrics.outside_false_shadow, 0) << "the map ends before the light does";
     set_setting(s, "light.range", "0");
-    const MeasuredError endless = measure_error(renderer, scene, s, small(), 0, {}, cache);
-    EXPECT_EQ(endless.metrics.counted, error.metrics.counted + beyond) << "another range is another truth";
+    const MeasuredError endless = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
+    EXPECT_EQ(endless.metrics.counted, error.metrics.counted + beyond) << "another range needs another reference";
 }
 
 }  // namespace

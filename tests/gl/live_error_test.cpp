@@ -1,4 +1,4 @@
-// What a frame says is wrong with its shadows, against the same computed on the CPU.
+// Compares a frame's live error numbers with the same computed on the CPU.
 #include "renderer/reference/live_error.h"
 
 #include "renderer/bias/account.h"
@@ -21,7 +21,7 @@ protected:
 
     static Settings hard(int resolution, double constant) { return test::texel_settings("hard", resolution, constant); }
 
-    /// Measures on both sides and demands that they agree. @returns the CPU's numbers
+    /// Measures on both sides and expects equal numbers. @returns the CPU's numbers
     ErrorMetrics agree(const Settings& s, const char* what) {
         SCOPED_TRACE(what);
         frame = render_with_reference(renderer, scene, s, request, cache);
@@ -119,7 +119,7 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
     const auto reference = request.reference;
     for (const double constant : {1.0, 2.0, 4.0, 8.0}) {
         s.bias.constant = constant;
-        frame = renderer.render(scene, s, request);  // not render_with_reference: nothing may be traced
+        frame = renderer.render(scene, s, request);  // without render_with_reference(): no rays may be traced
         ASSERT_TRUE(frame.reference.met);
         ASSERT_TRUE(frame.error);
         const ErrorMetrics& m = frame.error->metrics;
@@ -130,16 +130,16 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
     s.bias.constant = 0;
     frame = renderer.render(scene, s, request);
     ASSERT_TRUE(frame.error);
-    EXPECT_GT(frame.error->metrics.any_acne, acne) << "another kernel is judged at once, too";
+    EXPECT_GT(frame.error->metrics.any_acne, acne) << "another kernel is measured at once";
     set_setting(s, "filter.kernel", "hard");
     s.lights[0].azimuth += 1;
     frame = renderer.render(scene, s, request);
-    EXPECT_FALSE(frame.reference.met) << "another light, another truth";
+    EXPECT_FALSE(frame.reference.met) << "another light needs another reference";
     EXPECT_FALSE(frame.error);
     EXPECT_EQ(request.reference, reference);
 }
 
-TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
+TEST_F(LiveErrorTest, OverlaysShowTheCountedPixels) {
     Settings s = hard(512, 0);
     set_setting(s, "view.overlay", "artefacts");
     request.outputs = {.colour = true, .overlay = true, .error = true};
@@ -183,13 +183,13 @@ TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
     EXPECT_NEAR(sum / double(counted), frame.error->metrics.signed_mean, 1e-6);
 }
 
-TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
+TEST_F(LiveErrorTest, BiasWindowIsTheGapMinusThePlanesNeed) {
     scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
     request.outputs = {.colour = false, .overlay = true};
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         Settings s = hard(128, 1);
         s.lights[0].type = type;
-        set_setting(s, "filter.kernel", "pcf9");  // wide: it needs more bias than there is room for beside the box
+        set_setting(s, "filter.kernel", "pcf9");  // wide: needs more bias than the gap at the box allows
         set_setting(s, "view.overlay", "bias-window");
         frame = render_with_reference(renderer, scene, s, request, cache);
         ASSERT_FALSE(frame.panes.front().lacks_reference);
@@ -216,12 +216,12 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
                 off += !(std::abs(value - texels) <= 0.02 + 2e-3 * std::abs(texels));
             }
         EXPECT_GT(shadowed, 1000u);
-        EXPECT_GT(closed, 20u) << "beside the box no bias is right";
+        EXPECT_GT(closed, 20u) << "at the box no bias is valid";
         EXPECT_LT(off, shadowed / 200) << int(type);
     }
 }
 
-TEST_F(LiveErrorTest, TruePictureIsTheShadedOneUnderTheTruth) {
+TEST_F(LiveErrorTest, ReferencePictureIsShadedWithTheReference) {
     Settings s = hard(4096, 4);
     request.outputs = {.colour = true, .true_colour = true};
     frame = render_with_reference(renderer, scene, s, request, cache);
@@ -232,7 +232,7 @@ TEST_F(LiveErrorTest, TruePictureIsTheShadedOneUnderTheTruth) {
     s.bias.constant = 0;
     s.map.resolution = 256;
     frame = render_with_reference(renderer, scene, s, request, cache);
-    EXPECT_EQ(reference.data, renderer.read_colour(frame.true_colour).data) << "the truth knows no map";
+    EXPECT_EQ(reference.data, renderer.read_colour(frame.true_colour).data) << "the reference has no map";
     EXPECT_GT(different_pixels(renderer.read_colour(frame.colour), reference, 2), map.data.size() / 4 / 10);
 }
 

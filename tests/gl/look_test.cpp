@@ -1,5 +1,4 @@
-// What makes a picture pleasant to look at touches no number: sky, ambient light, tone curve, smoothing of a static
-// view.
+// Tests that the look (sky, ambient light, tone curve, smoothing of static views) changes no measured number.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -42,7 +41,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, LookTest);
-TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
+TEST_F(LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook) {
     for (const BuiltinScene& row : builtin_scenes()) {
         SCOPED_TRACE(row.key);
         const Scene scene = row.make();
@@ -64,8 +63,8 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
     }
 }
 
-// The ground that a loaded model gets is a part of the look, too: the model's own pixels know nothing of it.
-TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
+// The ground added to a loaded model belongs to the look: the model's own pixels stay unchanged.
+TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
     std::vector<std::string> files{""};
     for (const test::SharedModel& model : test::shared_models()) {
         const std::string name = model.file.filename().string();
@@ -76,7 +75,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
         const auto open = [&](const char* ground) {
             std::vector<std::string> sets{"map.resolution=512", "camera.index=-1",
                                           std::string("scene.ground=") + ground};
-            // Of boxes that shadow each other the map of other fits holds only where they do, unless there is a ground.
+            // Other fits cover boxes that shadow each other only in the caster region, unless there is a ground.
             if (file.empty()) sets.emplace_back("light.fit=scene");
             if (!file.empty()) return open_session({.scene = file, .sets = sets});
             Scene scene;
@@ -84,7 +83,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
             add_object(scene, "box", -1, mesh, turned(20));
             add_object(scene, "lid", -1, mesh, moved(0.4, 1.8, 0.2) * turned(50));
             finalise(scene);
-            scene.file_scenes = {""};  // as if from a file
+            scene.file_scenes = {""};  // marks the scene as loaded from a file
             return compose_session(plan_session({.scene = "a file", .sets = sets}), std::move(scene));
         };
         const Session with = open("auto"), without = open("off");
@@ -93,7 +92,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
         Settings on = with.settings;
         on.shading.exposure = 1;
         on.camera = manual_camera(with.scene, with.settings, 16.0 / 9);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.force = request.outputs.visibility = request.outputs.surface_ids = true;
         struct Drawn {
             FloatImage visibility;
@@ -126,7 +125,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
     }
 }
 
-TEST_F(LookTest, SeveralLightsDoNotBecomePaper) {
+TEST_F(LookTest, SeveralLightsAreNotOverexposed) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 128, 3);
     s.light_count = 2;
@@ -140,8 +139,8 @@ TEST_F(LookTest, SeveralLightsDoNotBecomePaper) {
     EXPECT_GT(filmic, 200);
 }
 
-// By ambient light alone: what is turned up is brighter than what is turned sideways, where light from everywhere makes
-// them one.
+// Under hemispheric ambient light, surfaces turned up are brighter than surfaces turned sideways. Under constant
+// ambient light both are equal.
 TEST_F(LookTest, ShadowsKeepTheirForm) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 64, 3);
@@ -149,11 +148,11 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
     const auto tones = [&](const Settings& of) {
         std::vector<int> greens;
         const ByteImage image = picture(scene, of);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .surface_ids = true};
         const SurfaceIds ids = renderer.read_surface_ids(renderer.render(scene, of, request).surface_ids);
         for (std::size_t i = 0; i < ids.data.size(); ++i)
-            if (ids.data[i].x == 2) greens.push_back(image.data[4 * i + 1]);  // of the box
+            if (ids.data[i].x == 2) greens.push_back(image.data[4 * i + 1]);  // pixels of the box
         std::ranges::sort(greens);
         return greens;
     };
@@ -163,8 +162,8 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
     EXPECT_LE(flat.back() - flat.front(), 1);
 }
 
-// As an eye sees it: of encoded values.
-TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
+// Brightness is that of encoded values, as an eye sees it.
+TEST_F(LookTest, TheStageIsNeitherTooDarkNorOverexposed) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene);
     FrameRequest request{.width = 480, .height = 270};
@@ -198,7 +197,7 @@ TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
     EXPECT_GE(lit / lit_count, 1.8 * (dark / dark_count));
 }
 
-TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyWhatIsEmpty) {
+TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyBackgroundPixels) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"map.resolution", "256"}});
     const ByteImage high = picture(scene, s);
@@ -225,13 +224,13 @@ TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
     EXPECT_LE(different_pixels(exposed, picture(scene, s), 1), 3u);
 }
 
-TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
+TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"map.resolution", "512"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     const FrameResult first = renderer.render(scene, s, request);
     const ByteImage as_drawn = renderer.read_colour(first.colour);
-    EXPECT_EQ(first.smooth.texture, 0u) << "nobody asked";
+    EXPECT_EQ(first.smooth.texture, 0u) << "smoothing was not requested";
     ByteImage one;
     for (request.smoothed = 1; request.smoothed <= kMaxSmoothedShadings; ++request.smoothed) {
         const FrameResult frame = renderer.render(scene, s, request);
@@ -245,7 +244,7 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     request.force = true;
     const ByteImage at_once = renderer.read_colour(renderer.render(scene, s, request).smooth);
     EXPECT_TRUE(by_steps.data == at_once.data);
-    // An edge's pixels lie between what is on its sides: neighbours differ by less than in one picture.
+    // An edge's pixels lie between both sides' values: neighbours differ by less than in a single picture.
     const auto steepest = [](const ByteImage& image) {
         long steep = 0;
         for (int y = 0; y < image.height; ++y)
@@ -255,12 +254,12 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     };
     EXPECT_LT(steepest(by_steps), 0.85 * double(steepest(one)));
     EXPECT_GT(different_pixels(one, as_drawn, 20), 20u) << "its camera is turned by part of a pixel";
-    // Blue sky and plain ground are the same from all of them.
+    // Blue sky and plain ground are the same in all shadings.
     EXPECT_LT(different_pixels(by_steps, as_drawn, 12), by_steps.data.size() / 4 / 8);
 }
 
-/// Of each shading the camera is turned by a part of a pixel, however large the scene is and wherever it lies.
-TEST_F(LookTest, SmoothPicturesAreOfTheSameSceneAtEverySize) {
+/// Each shading turns the camera by a fraction of a pixel, for every size and position of the scene.
+TEST_F(LookTest, SmoothPicturesShowTheSameSceneAtEverySize) {
     const auto unlike = [&](const char* scale) {
         const Session session =
             open_session({.scene = "stage", .sets = {"map.resolution=256", std::string("scene.scale=") + scale}});
@@ -277,7 +276,7 @@ TEST_F(LookTest, SmoothPicturesAreOfTheSameSceneAtEverySize) {
     EXPECT_NEAR(unlike("0.01"), is_unmoved, 0.1 * is_unmoved);
 }
 
-TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
+TEST_F(LookTest, TheEditorAccumulatesAStaticViewAndThenSleeps) {
     const Scene scene = load_scene("boxes");
     FrameLoop loop(false);
     PictureState state;
@@ -312,10 +311,10 @@ TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
     EXPECT_FALSE(shows_smooth());
 }
 
-TEST_F(LookTest, ThePlanTellsOfEach) {
+TEST_F(LookTest, ThePlanReportsEachLookPass) {
     const Scene scene = load_scene("boxes");
     const auto told = [&](const Settings& s, std::string_view name) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.smoothed = 1;
         request.force = true;
         for (const Effect& e : frame_effects(scene, s, renderer.render(scene, s, request), {}))
@@ -337,7 +336,7 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
         << "visibility has its own pixels";
 }
 
-TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {
+TEST(SkyTest, AmbientLightEqualsTheSetting) {
     for (const double sine : {-1.0, -0.1, 0.0, 0.3, 0.7, 1.0}) {
         const Sky sky = sky_for_sun({std::sqrt(1 - sine * sine), sine, 0});
         EXPECT_NEAR(luminance(sky.ambient), 1, 1e-9) << sine;

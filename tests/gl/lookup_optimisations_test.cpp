@@ -1,5 +1,5 @@
-// What look-ups in maps save: the same bytes with it forced, and fewer texels fetched, as the overlay `taps` counts
-// them.
+// Tests optimisations of map look-ups: forced look-ups give the same bytes, and the overlay `taps` counts fewer
+// fetches.
 #include <algorithm>
 #include <numeric>
 
@@ -18,7 +18,7 @@ class LookupOptimisationsTest : public FrameTest {
 protected:
     FrameRequest request{.width = 128, .height = 96};
 
-    /// Draws the maps alone: bounds are found of those that a frame keeps.
+    /// Draws the maps once, because bounds exist only for cached maps.
     void draw_maps(const Scene& scene, const Settings& s, OptimisationSet forced) {
         FrameRequest maps = request;
         maps.forced = forced;
@@ -31,7 +31,7 @@ protected:
         request.outputs = {.colour = false, .visibility = true};
         return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
     }
-    /// Texels fetched by pixel; below 0 where no surface or no number is.
+    /// Returns the fetched texels by pixel; negative without surface or number.
     std::vector<float> taps(const Scene& scene, Settings s, OptimisationSet forced = {}) {
         set_setting(s, "view.overlay", "taps");
         request.forced = forced;
@@ -43,7 +43,7 @@ protected:
             out.push_back(values.data[i + 3] > 0 && std::isfinite(values.data[i]) ? values.data[i] : -1);
         return out;
     }
-    /// Every pixel that shows a surface fetches so many texels.
+    /// Expects the same number of fetched texels at every pixel with a surface.
     void expect_taps(const Scene& scene, const Settings& s, OptimisationSet forced, float texels, const char* what) {
         int shown = 0, other = 0;
         for (const float n : taps(scene, s, forced)) {
@@ -68,11 +68,11 @@ protected:
 const OptimisationSet kLookups = {Optimisation::EarlyOut, Optimisation::BlockerSearch,
                                   Optimisation::BackFacingReceivers};
 
-/// A bare floor, all of it in the map, and taps beyond its sides as the floor goes on.
+/// Returns settings for a bare floor within the map, whose outside mode continues the floor.
 Settings floor_settings(std::string_view kernel) {
     Settings s = test::texel_settings(kernel, 256, 0.2);
     set_setting(s, "bias.kind", "adaptive");
-    s.bias.normal = 1;  // adaptive bias leaves nothing over
+    s.bias.normal = 1;  // adaptive bias leaves no margin
     set_setting(s, "map.wrap", "clamp");
     return s;
 }
@@ -91,17 +91,17 @@ TEST_F(LookupOptimisationsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
         Settings s = floor_settings(kernel);
         s.filter.size = 15;
         s.map.resolution = 1024;
-        s.camera.distance = 2;  // far from the floor's edges
+        s.camera.distance = 2;  // well inside the floor's edges
         s.filter.taps = s.filter.blocker_taps = 64;
         s.lights[0].size = 0.2;
         const FilterCost cost = cost_of(s);
-        const bool searches = std::string_view(kernel) == "pcss";  // and ends where it finds nothing
+        const bool searches = std::string_view(kernel) == "pcss";  // a search ends where it finds no blocker
         expect_taps(scene, s, {Optimisation::EarlyOut}, float(searches ? 64 : cost.texels), kernel);
         expect_taps(scene, s, {}, 0, kernel);
     }
 }
 
-TEST_F(LookupOptimisationsTest, TapsAreFetchedAboutEdgesAlone) {
+TEST_F(LookupOptimisationsTest, TapsAreFetchedNearEdgesOnly) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = floor_settings("pcf");
     s.filter.size = 15;
@@ -122,7 +122,7 @@ TEST_F(LookupOptimisationsTest, TapsAreFetchedAboutEdgesAlone) {
     EXPECT_LT(fetched, int(saved.size()) / 2);
 }
 
-TEST_F(LookupOptimisationsTest, ASearchWithoutAPenumbraLooksOnce) {
+TEST_F(LookupOptimisationsTest, ABlockerSearchWithoutPenumbraReadsOnce) {
     const Scene scene = bare_floor();
     Settings s = floor_settings("pcss");
     s.filter.blocker_taps = 24;
@@ -167,7 +167,7 @@ TEST_F(LookupOptimisationsTest, NothingIsFetchedForLightThatDoesNotArrive) {
     }
 }
 
-/// Each way by itself in which bounds could be wrong.
+/// Returns the cases: each tests one way in which bounds could be wrong.
 const std::vector<Sets>& ways() {
     static const std::vector<Sets> all = {
         {},
@@ -194,8 +194,8 @@ const std::vector<Sets>& ways() {
     return all;
 }
 
-SI_TEST_IS(DriverIndependent, LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap);
-TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
+SI_TEST_IS(DriverIndependent, LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap);
+TEST_F(LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap) {
     static constexpr const char* kKernels[] = {"pcf", "gauss", "poisson", "vogel", "pcss", "dpcf", "smrt"};
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4), far = scene;
     request.width = 64;
@@ -232,8 +232,8 @@ TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
     }
 }
 
-/// Bounds are of maps that are kept: they are measured while the camera moves.
-TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
+/// Bounds belong to cached maps: the test measures them while the camera moves.
+TEST_F(LookupOptimisationsTest, TheGainOfBoundsIsMeasuredOverCachedMaps) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});
     const FrameRequest tiny{.width = 64, .height = 36};

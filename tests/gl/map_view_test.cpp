@@ -1,4 +1,4 @@
-// The map viewer: what it shows of a shadow map or of the camera's depth, and what reading it back gives.
+// Tests the map viewer: shown shadow maps, shown camera depth, and their read-back.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 class MapViewTest : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Settings& s) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .shadow_map = true};
         return renderer.render(scene, s, request);
     }
@@ -27,7 +27,7 @@ SI_TEST_IS(Repeated, MapViewTest, ShowsTheCamerasOwnDepth);
 TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
     const Scene scene = load_scene("boxes");
     for (const char* orthographic : {"false", "true"})
-        for (const char* reversed_map : {"false", "true"}) {  // must not matter to the camera
+        for (const char* reversed_map : {"false", "true"}) {  // must not affect the camera
             Settings s = settings_for(scene, {{"camera.source", "manual"},
                                               {"camera.distance", "9"},
                                               {"camera.orthographic", orthographic},
@@ -46,7 +46,7 @@ TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
             int surfaces = 0;
             for (int y = 4; y < 180; y += 23)
                 for (int x = 2; x < 320; x += 29) {
-                    const Probe p = renderer.probe(scene, s, small(), x, y);
+                    const Probe p = renderer.probe(scene, s, small_request(), x, y);
                     if (!p.hit) {
                         EXPECT_EQ(depth.at(x, y), 0) << "nothing drawn";
                         EXPECT_LT(grey(shown, x, y), 45) << "hatched, as dark as no surface here";
@@ -63,7 +63,7 @@ TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
 }
 
 TEST_F(MapViewTest, NearAndFarPlanesCutSharply) {
-    // A floor from behind the camera to beyond the far plane, seen nearly level.
+    // A floor reaches from behind the camera past the far plane, seen nearly level.
     const Scene scene = load_scene("boxes");
     for (const auto& [near, far] : {std::pair{"1", "8"}, {"1", "7.5"}, {"3", "5"}}) {
         const Settings s = settings_for(scene, {{"camera.source", "manual"},
@@ -84,7 +84,7 @@ TEST_F(MapViewTest, NearAndFarPlanesCutSharply) {
     }
 }
 
-TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
+TEST_F(MapViewTest, FitsGreysToTheDrawnDepths) {
     const Scene scene = load_scene("boxes");
     for (const char* source : {"light", "camera"})
         for (const char* type : {"directional", "spot", "point"})
@@ -115,14 +115,14 @@ TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
                             const double value = shown_depth(double(depth.at(x, y)), f.map_view_curve, s.view.map,
                                                              map_v_of_row(depth, y));
                             const double t = (value - f.map_black) / (f.map_white - f.map_black);
-                            // Near the far plane of a perspective map a step of the float is a visible distance.
+                            // Near the far plane of a perspective map one float step is a visible distance.
                             const double step = raw ? 1e-7 / (f.map_white - f.map_black) : 1e-4;
                             EXPECT_NEAR(grey(shown, x, y), 255 * std::clamp(t, 0.0, 1.0), 1.01 + 255 * step) << where;
                         }
                 }
 }
 
-// Of a plane that the light meets aslant, whose depths are all there are.
+// A plane under slanted light covers the whole range of depths.
 TEST_F(MapViewTest, RampsFollowDepth) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "128"}, {"view.map_fit", "true"}});
@@ -131,12 +131,12 @@ TEST_F(MapViewTest, RampsFollowDepth) {
     for (const char* ramp : {"turbo", "viridis"}) {
         set_setting(s, "view.map_colours", ramp);
         const ByteImage shown = renderer.read_colour(frame(scene, s).map_view);
-        std::map<int, glm::ivec3> of_grey;  // one colour for one depth
+        std::map<int, glm::ivec3> of_grey;  // one colour per depth
         for (std::size_t i = 0; i < shown.data.size(); i += 4) {
-            if (greys.data[i] != greys.data[i + 2]) continue;  // hatched: bluish
+            if (greys.data[i] != greys.data[i + 2]) continue;  // hatched pixels are bluish
             const glm::ivec3 colour(shown.data[i], shown.data[i + 1], shown.data[i + 2]);
             const glm::ivec3 known = of_grey.emplace(greys.data[i], colour).first->second;
-            for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], colour[c], 16) << ramp;  // within one grey
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], colour[c], 16) << ramp;  // within one grey level
         }
         ASSERT_GT(of_grey.size(), 50u);
         const glm::ivec3 low = of_grey.begin()->second, high = of_grey.rbegin()->second;
@@ -149,7 +149,7 @@ TEST_F(MapViewTest, RampsFollowDepth) {
     }
 }
 
-TEST_F(MapViewTest, GreysByHandAreGivenBack) {
+TEST_F(MapViewTest, ManualGreysAreReturned) {
     const Scene scene = load_scene("boxes");
     const FrameResult f = frame(scene, settings_for(scene, {{"view.map_black", "0.25"}, {"view.map_white", "0.5"}}));
     EXPECT_EQ(f.map_black, 0.25f);
@@ -157,7 +157,7 @@ TEST_F(MapViewTest, GreysByHandAreGivenBack) {
     EXPECT_EQ(f.map_view_size, glm::ivec2(f.map_resolution));
 }
 
-TEST_F(MapViewTest, ANumberPastTheLastMapShowsTheLastAndSaysSo) {
+TEST_F(MapViewTest, ANumberAfterTheLastMapShowsTheLastAndIsReported) {
     const Scene scene = load_scene("boxes");
     const auto noted = [&](const char* type, const char* cascades, const char* face) {
         const FrameResult f = frame(
@@ -174,7 +174,7 @@ TEST_F(MapViewTest, ANumberPastTheLastMapShowsTheLastAndSaysSo) {
     EXPECT_EQ(noted("directional", "1", "5"), "") << "without effect there";
 }
 
-TEST_F(MapViewTest, ReadingBackGivesTheShownMap) {
+TEST_F(MapViewTest, ReadBackGivesTheShownMap) {
     const Scene scene = load_scene("boxes");
     const Settings s =
         settings_for(scene, {{"light.type", "point"}, {"light.count", "2"}, {"view.light", "0"}, {"view.face", "3"}});
@@ -182,7 +182,7 @@ TEST_F(MapViewTest, ReadingBackGivesTheShownMap) {
     EXPECT_EQ(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 3).data);
     EXPECT_NE(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 2).data);
     EXPECT_EQ(f.map_view_curve.far, f.lights[0].views[3].curve.far);
-    FrameRequest closed = small();
+    FrameRequest closed = small_request();
     EXPECT_THROW(renderer.read_map_view_depth(renderer.render(scene, s, closed)), Error);
 }
 

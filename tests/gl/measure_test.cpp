@@ -1,4 +1,4 @@
-// Measured errors of real frames: acne where bias is missing, sampling errors that fall with resolution, lost casters.
+// Tests measured errors of real frames: acne without bias, sampling errors that fall with resolution, lost casters.
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -15,12 +15,12 @@ protected:
     const ErrorMetrics& measure(const Scene& scene, const Settings& settings, const ReferenceOptions& options = {},
                                 int width = 320, int height = 240) {
         measured = measure_error(renderer, scene, settings, {.width = width, .height = height}, 0, options, cache);
-        sums_are_whole();
+        expect_sums_of_causes();
         return measured.metrics;
     }
     std::size_t count(Artefact a) const { return measured.metrics.artefacts[std::size_t(a)]; }
-    /// False shadow and false light are the sums of their causes, to the pixel.
-    void sums_are_whole() const {
+    /// Expects false shadow and false light to be the sums of their causes, to the pixel.
+    void expect_sums_of_causes() const {
         const ErrorMetrics& m = measured.metrics;
         const auto px = [&](double share) { return std::llround(share * double(m.counted)); };
         EXPECT_EQ(px(m.false_shadow),
@@ -59,12 +59,12 @@ TEST_F(MeasureTest, FindsNothingButEdgesInAWellBiasedFrame) {
     }
 }
 
-TEST_F(MeasureTest, CallsMissingBiasAcne) {
+TEST_F(MeasureTest, ClassifiesMissingBiasAsAcne) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
     s.bias.constant = 0;
     const ErrorMetrics& m = measure(scene, s);
-    // On a plane without bias half of all texels lie before it.
+    // On a plane without bias half of all texels lie before the plane.
     EXPECT_GT(m.false_shadow, 0.3);
     EXPECT_GT(m.acne, 0.95 * m.false_shadow);
     EXPECT_GE(m.any_acne, m.acne);
@@ -76,11 +76,11 @@ TEST_F(MeasureTest, CallsMissingBiasAcne) {
     EXPECT_NEAR(double(acne) / double(m.counted), m.acne, 1e-12);
 }
 
-TEST_F(MeasureTest, CallsTooMuchBiasPeterPanning) {
+TEST_F(MeasureTest, ClassifiesTooMuchBiasAsPeterPanning) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
     Settings s = hard(1024);
     s.bias.unit = BiasUnit::Metres;
-    s.bias.constant = 3;  // more than the box is thick along the light
+    s.bias.constant = 3;  // more than the box's thickness along the light
     const ErrorMetrics& m = measure(scene, s);
     EXPECT_GT(m.bias_false_light, 0.01);
     EXPECT_EQ(m.acne, 0);
@@ -89,7 +89,7 @@ TEST_F(MeasureTest, CallsTooMuchBiasPeterPanning) {
     EXPECT_GT(m.signed_mean, 0.01);
 }
 
-TEST_F(MeasureTest, CallsCulledFacesLostCasters) {
+TEST_F(MeasureTest, ClassifiesCulledFacesAsLostCasters) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
@@ -105,7 +105,7 @@ TEST_F(MeasureTest, CallsCulledFacesLostCasters) {
     EXPECT_LT(measure(scene, s, {.as_rasterised = true}).false_light, 0.01) << "without the faces that culling drops";
 }
 
-TEST_F(MeasureTest, KeepsWhatTheMapDoesNotHoldApart) {
+TEST_F(MeasureTest, CountsPointsOutsideTheMapSeparately) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
     s.lights[0].fit = LightFit::Manual;
@@ -145,7 +145,7 @@ TEST_F(MeasureTest, ErrorOfTheHardKernelFallsWithSlopeMinusOne) {
     EXPECT_NEAR(xy / xx, -1, 0.2);
 }
 
-TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
+TEST_F(MeasureTest, TheReferenceIsCachedWhereOnlyTheMapChanges) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
     measure(scene, s);
@@ -168,7 +168,7 @@ TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
     s.lights[0].azimuth -= 10;
     s.camera.azimuth -= 10;
     measure(scene, s);
-    EXPECT_EQ(measured.traced.reference, reference) << "the last few are kept";
+    EXPECT_EQ(measured.traced.reference, reference) << "the last few are cached";
     const auto hard_reference = measured.traced.reference;
     s.lights[0].size = 2;
     measure(scene, s);

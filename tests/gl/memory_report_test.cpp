@@ -1,4 +1,4 @@
-// What the renderer holds: every image and buffer is told of by its bytes and let go, and programs do not pile up.
+// Tests the renderer's memory report: every image and buffer is counted and released, and programs do not pile up.
 #include <chrono>
 #include <map>
 #include <thread>
@@ -18,13 +18,13 @@ namespace {
 
 class MemoryReportTest : public FrameTest {
 protected:
-    MemoryReportTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // programs are counted here
+    MemoryReportTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // this suite counts programs
     void TearDown() override {
         gl::fault_injection() = {};
         FrameTest::TearDown();
     }
-    /// Beside what other renderers of this process hold.
-    MemoryUse of(const std::string& holder) const {
+    /// Returns a holder's memory without that of other renderers of this process.
+    MemoryUse memory_of(const std::string& holder) const {
         for (MemoryUse h : memory_report().holders) {
             if (h.holder != holder) continue;
             for (const MemoryUse& b : before_)
@@ -40,33 +40,34 @@ protected:
 };
 
 SI_TESTS_ARE(DriverIndependent, MemoryReportTest);
-TEST_F(MemoryReportTest, ImagesByFormatSizeLayersLevelsAndSamples) {
+TEST_F(MemoryReportTest, ImageBytesFollowFormatSizeLayersLevelsAndSamples) {
     const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
         gl::Target t;
         t.ensure("a test's image", format, w, h, layers, extent);
-        return of("a test's image").bytes;
+        return memory_of("a test's image").bytes;
     };
     EXPECT_EQ(bytes(GL_R32F, 64, 32, 0, {}), 64u * 32 * 4);
     EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 3, {}), 64u * 64 * 3 * 4);
     EXPECT_EQ(bytes(GL_DEPTH_COMPONENT16, 64, 64, 0, {}), 64u * 64 * 2);
     EXPECT_EQ(bytes(GL_RGBA16F, 4, 4, 0, {.levels = 3}), (16u + 4 + 1) * 8);
     EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 0, {.samples = 4}), 64u * 64 * 4 * 4);
-    EXPECT_EQ(of("a test's image").bytes, 0u);
+    EXPECT_EQ(memory_of("a test's image").bytes, 0u);
 }
 
-TEST_F(MemoryReportTest, MapsOfTheFrameAsLargeAsTheyAre) {
+TEST_F(MemoryReportTest, MapsAreCountedAtTheirActualSize) {
     const Scene scene = load_scene("boxes");
     picture(scene, settings_for(scene, {{"map.resolution", "512"}, {"map.format", "d32f"}}));
-    EXPECT_EQ(of("shadow maps").bytes, 512u * 512 * 4);
+    EXPECT_EQ(memory_of("shadow maps").bytes, 512u * 512 * 4);
     picture(scene, settings_for(scene, {{"map.resolution", "64"}, {"map.format", "d32f"}}));
-    EXPECT_EQ(of("shadow maps").bytes, 64u * 64 * 4) << "the larger one is still there";
-    EXPECT_GT(of("scene's vertices").bytes, 100u);
+    EXPECT_EQ(memory_of("shadow maps").bytes, 64u * 64 * 4) << "the larger one is still there";
+    EXPECT_GT(memory_of("scene's vertices").bytes, 100u);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // whose allocator is not asked
-/// What is told to be let go is the driver's too, at the latest when nothing is drawn: 160 MB in forty layers.
+#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer's allocator reports nothing
+/// Memory that the report counts as released is released by the driver too, at the latest when nothing is drawn. The
+/// test uses 160 MB in forty layers.
 TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
-    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
+    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "other drivers may keep memory";
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "32"}, {"map.format", "d32f"}});
     s.light_count = 7;
@@ -83,9 +84,9 @@ TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
     EXPECT_TRUE(gl::release_finished_images()) << "not even the largest picture takes long";
 }
 
-/// Nor where it was drawn in the background, by a context of its own.
-TEST_F(MemoryReportTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
-    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
+/// The same holds for maps drawn in the background, by another context.
+TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
+    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "other drivers may keep memory";
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
     WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
     next.settings.light_count = 7;
@@ -99,13 +100,13 @@ TEST_F(MemoryReportTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
     };
     const std::uint64_t before = heap_after(32);
     EXPECT_LT(heap_after(1024), before + (16u << 20));
-    EXPECT_GE(of("shadow maps").most, 160u << 20) << "none was drawn";
+    EXPECT_GE(memory_of("shadow maps").most, 160u << 20) << "none was drawn";
     EXPECT_EQ(warmup.done(), 2u);
 }
 #endif
 
-/// A thread beside a window's has one picture drawn and one waiting at most.
-TEST_F(MemoryReportTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
+/// A background thread keeps at most one picture in drawing and one waiting.
+TEST_F(MemoryReportTest, BackgroundDrawingWaitsForThePictureBeforeTheLast) {
     constexpr int kSide = 8192;
     gl::Target tiny, large;
     tiny.ensure("a test's image", GL_R8, 1, 1);
@@ -127,9 +128,9 @@ TEST_F(MemoryReportTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
     gl::set_background_drawing(false);
 }
 
-/// A failed allocation leaves nothing: neither the image of the size before, which would be taken for the one asked
-/// for, nor the memory of the one that failed.
-TEST_F(MemoryReportTest, ATargetThatFoundNoMemoryIsNone) {
+/// A failed allocation leaves no image: neither the one of the earlier size, which would pass for the requested one,
+/// nor the failed one.
+TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
     gl::Target t;
     t.ensure("a test's image", GL_R32F, 64, 64);
     t.key = 5;
@@ -138,16 +139,16 @@ TEST_F(MemoryReportTest, ATargetThatFoundNoMemoryIsNone) {
     };
     EXPECT_THROW(t.ensure("a test's image", GL_R32F, 256, 256), gl::OutOfMemory);
     gl::fault_injection() = {};
-    EXPECT_FALSE(t.texture) << "what failed is still held";
+    EXPECT_FALSE(t.texture) << "the failed image still exists";
     EXPECT_EQ(t.key, 0u);
-    EXPECT_EQ(of("a test's image").bytes, 0u);
+    EXPECT_EQ(memory_of("a test's image").bytes, 0u);
     EXPECT_TRUE(t.ensure("a test's image", GL_R32F, 64, 64)) << "the image of before is taken for this one";
     GLint width = 0;
     glGetTextureLevelParameteriv(t.texture.id(), 0, GL_TEXTURE_WIDTH, &width);
     EXPECT_EQ(width, 64);
 }
 
-TEST_F(MemoryReportTest, WhatMeasuresInTheBackgroundGivesBackWhenNothingIsWanted) {
+TEST_F(MemoryReportTest, BackgroundMeasurementsReleaseMemoryWhenIdle) {
     const Settings s = settings_for(load_scene("boxes"), {{"map.resolution", "256"}});
     MeasuringThread thread(std::chrono::milliseconds(300));
     thread.start_measurement({.scene = std::make_shared<const Scene>(load_scene("boxes")),
@@ -157,11 +158,11 @@ TEST_F(MemoryReportTest, WhatMeasuresInTheBackgroundGivesBackWhenNothingIsWanted
                               .height = 48});
     thread.wait();
     EXPECT_TRUE(thread.status().measured) << thread.status().measure_problem;
-    EXPECT_GE(of("shadow maps").most, 256u * 256 * 4);
+    EXPECT_GE(memory_of("shadow maps").most, 256u * 256 * 4);
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)
+    while (memory_of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    EXPECT_EQ(of("shadow maps").bytes, 0u) << "its maps stay for good";
+    EXPECT_EQ(memory_of("shadow maps").bytes, 0u) << "its maps stay for good";
 }
 
 gl::ProgramRequest plain_program(int number) {
@@ -172,7 +173,7 @@ gl::ProgramRequest plain_program(int number) {
             .preamble = "// " + std::to_string(number) + "\n"};
 }
 
-TEST_F(MemoryReportTest, TheLongestUnusedProgramsGiveWay) {
+TEST_F(MemoryReportTest, LeastRecentlyUsedProgramsAreReleased) {
     gl::ProgramCache cache;
     for (int i = 0; i < 6; ++i) {
         cache.get(plain_program(i));
@@ -188,8 +189,8 @@ TEST_F(MemoryReportTest, TheLongestUnusedProgramsGiveWay) {
     EXPECT_TRUE(glIsProgram(first));
     EXPECT_NE(cache.get(plain_program(1)), 0u) << "what gave way is made again";
     EXPECT_EQ(cache.size(), 7u);
-    EXPECT_EQ(of("texts of shader programs").count, cache.size());
-    // All that one frame uses stay, however many.
+    EXPECT_EQ(memory_of("texts of shader programs").count, cache.size());
+    // All programs that one frame uses stay, whatever their number.
     for (int i = 0; i < 9; ++i) cache.get(plain_program(i));
     cache.end_frame(2);
     EXPECT_EQ(cache.size(), 9u);
@@ -197,7 +198,7 @@ TEST_F(MemoryReportTest, TheLongestUnusedProgramsGiveWay) {
     EXPECT_EQ(cache.size(), 2u);
 }
 
-TEST_F(MemoryReportTest, FramesKeepSoManyProgramsAndDrawTheSame) {
+TEST_F(MemoryReportTest, FramesWithFewProgramsDrawTheSamePicture) {
     const Scene scene = load_scene("boxes");
     const FrameRequest tiny{.width = 32, .height = 18};
     gl::fault_injection().max_programs = 4;
@@ -208,7 +209,7 @@ TEST_F(MemoryReportTest, FramesKeepSoManyProgramsAndDrawTheSame) {
             Settings s = settings_for(scene, {{"map.resolution", "64"}});
             set_setting(s, "view.overlay", overlay);
             const ByteImage drawn = picture(scene, s, tiny);
-            most = std::max(most, of("texts of shader programs").count);
+            most = std::max(most, memory_of("texts of shader programs").count);
             const auto [known, is_new] = first.emplace(overlay, drawn);
             EXPECT_EQ(known->second, drawn) << overlay;
         }

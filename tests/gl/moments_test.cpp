@@ -1,5 +1,5 @@
-// Kernels that read averages of functions of depth: what they read is what the maps' depths give, the bounds by it are
-// those of the papers, computed here by other ways in double, and no setting makes numbers that are none.
+// Tests kernels that read averages of functions of depth: the averages equal those of the map's depths, bounds equal
+// the papers' formulas, and no setting gives NaN.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ bool reads(const Filter& row, std::string_view key) {
     return std::ranges::find(row.settings, key) != row.settings.end();
 }
 
-/// What each kernel stores of a depth, as its paper has it.
+/// Returns the functions of depth that each kernel stores, by its paper.
 Moments moments_of(std::string_view key, const FilterSettings& s, double z) {
     const double x = 2 * z - 1, rise = std::exp(s.exponent * x), fall = -std::exp(-s.negative_exponent * x);
     if (key == "esm") return {rise};
@@ -45,7 +45,7 @@ double share_of(const DepthCurve& c, double depth) {
     return (c.distance(depth) - c.near) / (c.far - c.near);
 }
 
-/// A map's depths as shares of its range, and averages of functions of them.
+/// A map's depths as shares of its range, with averages of functions of them.
 class Shares {
 public:
     Shares(const FloatImage& map, const DepthCurve& curve) : n_(map.width) {
@@ -55,7 +55,7 @@ public:
     int size() const { return n_; }
     double at(int x, int y) const { return z_[std::size_t(y) * std::size_t(n_) + std::size_t(x)]; }
 
-    /// Blended of the 2x2 texels about `uv` of what `texel` makes of each.
+    /// Returns `texel`'s values of the 2x2 texels about `uv`, bilinearly blended.
     template <class Texel>
     static Moments blended(const glm::dvec2& uv, int n, Texel texel) {
         const glm::dvec2 p = uv * double(n) - 0.5, lo = glm::floor(p), f = p - lo;
@@ -69,7 +69,7 @@ public:
         return sum;
     }
 
-    /// The mean over the texels within `radius` of one that lie in the map.
+    /// Returns the mean over the map's texels within `radius` of a texel.
     template <class Of>
     Moments mean(int x, int y, int radius, bool gaussian, Of of) const {
         Moments sum{};
@@ -86,7 +86,7 @@ public:
         return sum;
     }
 
-    /// The mean over a square of so many texels about `uv`, each by how much of it lies inside.
+    /// Returns the mean over a square about `uv`, weighted by each texel's covered area.
     template <class Of>
     Moments over(const glm::dvec2& uv, double width, Of of) const {
         const glm::dvec2 lo = glm::max(uv * double(n_) - 0.5 * width, glm::dvec2(0));
@@ -110,7 +110,7 @@ private:
     std::vector<double> z_;
 };
 
-/// What the kernel should read at a place of the map.
+/// Returns the averages that the kernel should read at a place of the map.
 Moments expected_moments(const Filter& row, const FilterSettings& s, const Shares& shares, const glm::dvec2& uv) {
     const auto of = [&](double z) { return moments_of(row.key, s, z); };
     if (row.moments.summed) return shares.over(uv, s.window, of);
@@ -125,7 +125,7 @@ double cantelli(double mean, double square, double own, double least) {
     return v / (v + (own - mean) * (own - mean));
 }
 
-using Matrix = std::vector<std::vector<double>>;  ///< rows, the right side in the last column
+using Matrix = std::vector<std::vector<double>>;  ///< rows with the right side in the last column
 
 std::vector<double> solve(Matrix m) {
     const std::size_t n = m.size();
@@ -145,7 +145,7 @@ std::vector<double> solve(Matrix m) {
     return x;
 }
 
-/// The share before `own` of the distribution at these depths with as many of the moments.
+/// Returns the share before `own` of the distribution at these depths with equal moments.
 double share_before(const std::vector<double>& depths, const Moments& b, double own) {
     Matrix m;
     for (std::size_t k = 0; k < depths.size(); ++k) {
@@ -161,7 +161,7 @@ double share_before(const std::vector<double>& depths, const Moments& b, double 
     return sum;
 }
 
-/// Peters and Klein's bound, by Gaussian elimination.
+/// Returns Peters and Klein's bound, by Gaussian elimination.
 double moment_bound(const Moments& read, double bias, double own, bool hausdorff) {
     Moments b{};
     for (std::size_t k = 0; k < 4; ++k) b[k] = (1 - bias) * read[k] + bias * 0.5;
@@ -176,7 +176,7 @@ double moment_bound(const Moments& read, double bias, double own, bool hausdorff
     return 1 - std::clamp(share_before(depths, b, own), 0.0, 1.0);
 }
 
-/// The bound by moments that the kernel says it read.
+/// Returns the bound by the moments that the kernel reports.
 double bound_of(const Filter& row, const FilterSettings& s, const Moments& m, double own) {
     const double x = 2 * own - 1, rise = std::exp(s.exponent * x), fall = -std::exp(-s.negative_exponent * x);
     const auto warped = [&](double mean, double square, double w, double exponent) {
@@ -200,9 +200,9 @@ struct Case {
 };
 
 SI_TESTS_ARE(Repeated, Moments);
-// Every row under every type of light, both directions of depth, at home and away: moments by the map, bound by
-// moments, visibility by bound.
-TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
+// Every row is tested under every type of light and both directions of depth, near and far from the origin: moments by
+// the map, the bound by the moments, visibility by the bound.
+TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
     const Case cases[] = {{LightType::Directional, false, {0, 0, 0}, 30},
                           {LightType::Spot, true, {90, 5, -70}, 90},
                           {LightType::Point, false, {-115, 0, 20}, 30}};
@@ -247,7 +247,7 @@ TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
                 Moments read{};
                 for (std::size_t k = 0; k < row->moments.names.size(); ++k) {
                     read[k] = l.kernel.moments[k];
-                    // Samplers may blend by 256ths; the warp multiplies what a depth is off by.
+                    // Samplers may blend by 256ths; the warp scales an error of depth.
                     ASSERT_NEAR(read[k], wanted[k], 1e-2 * std::abs(wanted[k])) << row->key << " moment " << k;
                 }
                 const double own = share_of(view.curve, l.compared);
@@ -266,10 +266,11 @@ TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
         EXPECT_GT(told, 15) << row->key;
         EXPECT_GT(apart, 2) << row->key << ": nothing in shadow";
     }
-    EXPECT_GT(partly, 10) << "nothing between, so this says little";
+    EXPECT_GT(partly, 10) << "nothing between, so this proves little";
 }
 
-/// A floor, and above it covers over the half where x < 0 (at `upper` m) and, if so, over all of the middle (`lower`).
+/// Makes a floor with an upper cover over the half where x < 0 (at `upper` m) and an optional lower cover over all of
+/// the middle (`lower`).
 Scene covered_floor(double upper, double lower = 0) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -321,9 +322,9 @@ void along_the_edge(const Scene& scene, const Settings& s, Visit visit) {
         }
 }
 
-// Where two depths meet, each bound by spread is met: the share of lit texels. ESM's is that share and a rest that
-// falls with e to the distance.
-TEST(Moments, OfTwoPlanesGiveTheShareThatIsLit) {
+// Between two depths each bound by spread is exact: the share of lit texels. ESM gives that share plus a rest that
+// falls exponentially with the distance.
+TEST(Moments, OfTwoPlanesGiveTheLitShare) {
     const Scene scene = covered_floor(1);
     for (const Filter* row : moment_rows()) {
         Settings s = overhead(*row);
@@ -331,7 +332,7 @@ TEST(Moments, OfTwoPlanesGiveTheShareThatIsLit) {
         int partly = 0;
         double worst = 0;
         along_the_edge(scene, s, [&](const Shares& shares, glm::dvec2 uv, double own, double v) {
-            // The wall of the picture shows the floor alone where no cover hides it.
+            // The lower part of the picture shows only the floor where no cover hides it.
             const auto lit = [&](double z) { return Moments{z > own - 0.02 ? 1.0 : 0.0, z}; };
             const Moments share =
                 row->moments.summed ? shares.over(uv, 3, lit) : Shares::blended(uv, shares.size(), [&](int x, int y) {
@@ -339,7 +340,7 @@ TEST(Moments, OfTwoPlanesGiveTheShareThatIsLit) {
                 });
             double expected = share[0];
             if (row->key == "esm" && expected < 1) {
-                const double cover = (share[1] - share[0] * own) / (1 - share[0]);  // the other depth
+                const double cover = (share[1] - share[0] * own) / (1 - share[0]);  // depth of the cover
                 expected += (1 - share[0]) * std::exp(2 * s.filter.exponent * (cover - own));
             }
             worst = std::max(worst, std::abs(v - expected));
@@ -350,8 +351,8 @@ TEST(Moments, OfTwoPlanesGiveTheShareThatIsLit) {
     }
 }
 
-// Under two covers nothing is lit. Variance says that some may be, by a closed form; the others let in less.
-TEST(Moments, LetLightBleedBelowTwoCoversAsMuchAsTheirBoundsSay) {
+// Under two covers nothing is lit. The bound by variance allows light, by a closed form; the other bounds allow less.
+TEST(Moments, BleedLightBelowTwoCoversWithinTheirBounds) {
     const Scene scene = covered_floor(3, 1);
     std::map<std::string_view, double> most;
     for (const Filter* row : moment_rows()) {
@@ -374,26 +375,27 @@ TEST(Moments, LetLightBleedBelowTwoCoversAsMuchAsTheirBoundsSay) {
         along_the_edge(scene, s, [&](const Shares&, glm::dvec2, double, double v) { left = std::max(left, v); });
         EXPECT_EQ(left, 0) << row->key;
     }
-    // p of the depths at a, the rest at b, own at 0 behind both: the maximum over p of p (1 - p) (a - b)^2 / (... +
-    // mean^2) lies at p = b / (a + b), and is (a - b)^2 / (a + b)^2: of covers 3 m and 1 m above, a quarter.
+    // Let a share p lie at depth a and the rest at b, and own at 0 behind both. The maximum over p of p (1 - p) (a -
+    // b)^2 / (... + mean^2) lies at p = b / (a + b), and is (a - b)^2 / (a + b)^2: for covers 3 m and 1 m above, a
+    // quarter.
     EXPECT_NEAR(most["vsm"], 0.25, 0.02);
     EXPECT_NEAR(most["savsm"], 0.25, 0.02);
     for (const char* less : {"evsm2", "evsm4", "esm"}) EXPECT_LT(most[less], 0.3 * most["vsm"]) << less;
     for (const char* less : {"msm_hamburger", "msm_hausdorff"}) EXPECT_LT(most[less], 0.5 * most["vsm"]) << less;
 }
 
-// Any window of the table is the blur of the same width: the tables lose nothing that shows.
-TEST(Moments, BySummedAreasAreThoseOfABlur) {
+// A window of the table equals the blur of the same width: the table loses no visible digits.
+TEST(Moments, FromSummedAreasEqualThoseOfABlur) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     const FrameRequest request{
         .width = kPicture.width, .height = kPicture.height, .outputs = {.colour = false, .visibility = true}};
     for (const int radius : {1, 4})
         for (const TableSums sums : {TableSums::Integer, TableSums::Float}) {
-            Settings s = texel_settings("vsm", 200, 0.5);  // no power of two
+            Settings s = texel_settings("vsm", 200, 0.5);  // not a power of two
             s.filter.blur = radius;
             const FloatImage blurred = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-            s.filter.kernel = kernel("savsm");
+            s.filter.kernel = kernel_row("savsm");
             s.filter.window = 2 * radius + 1;
             s.filter.sums = sums;
             const FloatImage summed = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
@@ -409,8 +411,7 @@ TEST(Moments, BySummedAreasAreThoseOfABlur) {
         }
 }
 
-// Planes that nothing shadows stay lit: under a light straight above and a grazing one, far from the origin, of each
-// type.
+// Unshadowed planes stay lit: under vertical and grazing lights of each type, far from the origin.
 TEST(Moments, LeaveNoAcneOnALitPlane) {
     struct Place {
         LightType light;
@@ -436,7 +437,7 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
             s.lights[0].cone = 90;
             move_camera(s, place.at);
             const Shot shot = draw_shot(scene, s, 80, 45);
-            const ReferenceErrors e = compare(shot, scene, 0);
+            const ReferenceErrors e = compare_with_reference(shot, scene, 0);
             EXPECT_GT(e.domain, 500);
             double least = 1;
             for (int y = 20; y < 44; ++y)
@@ -446,8 +447,8 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
         }
 }
 
-// At the limit of each format no number overflows, beyond it the limit is used and said.
-TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
+// At the limit of each format no number overflows; above it the limit is used and reported.
+TEST(Moments, StayFiniteAtAndAboveTheExponentsLimits) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     for (const Filter* row : moment_rows()) {
         if (row->moments.power == 0) continue;
@@ -458,14 +459,14 @@ TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
             if (format == MomentFormat::Bits16) {
                 EXPECT_EQ(limit, row->moments.power == 1 ? 11.08 : 5.54);
             } else {
-                // Less the shares that a blur takes of each texel.
+                // The shares that a blur takes of each texel reduce the limit.
                 EXPECT_NEAR(limit, (87.33 - std::log(2 * s.filter.blur + 1)) / row->moments.power, 0.02);
             }
             s.filter.exponent = limit;
             if (reads(*row, "filter.negative_exponent")) s.filter.negative_exponent = limit;
-            const Shot at_limit = draw_shot(scene, s);  // demands that all are numbers
+            const Shot at_limit = draw_shot(scene, s);  // checks that all results are finite
             EXPECT_TRUE(at_limit.frame.notes.empty());
-            const ReferenceErrors e = compare(at_limit, scene, 4);
+            const ReferenceErrors e = compare_with_reference(at_limit, scene, 4);
             EXPECT_LT(e.any_acne, e.domain / 20) << row->key << " " << index_of(format) << ": lit places must stay lit";
             EXPECT_LT(e.any_leak, e.domain / 3) << row->key;
             EXPECT_GT(shadow_share(at_limit), 0.01);
@@ -478,8 +479,8 @@ TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
     }
 }
 
-// 16 bits are coarser, not wrong: four moments by their transform stay near to those of 32.
-TEST(Moments, Of16BitsAreNearThoseOf32) {
+// 16 bits are coarser but not wrong: four moments after their transform stay close to those in 32 bits.
+TEST(Moments, In16BitsAreCloseToThoseIn32) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     for (const Filter* row : moment_rows()) {
         if (!reads(*row, "filter.moment_format")) continue;
@@ -496,8 +497,8 @@ TEST(Moments, Of16BitsAreNearThoseOf32) {
     }
 }
 
-// Several samples a texel: an edge covers as much of a texel as of its samples, at the places that the driver names.
-TEST(Moments, OfSeveralSamplesAreTheMeansOverThem) {
+// With several samples per texel, an edge covers the share of a texel's samples, at the driver's sample positions.
+TEST(Moments, OfSeveralSamplesAreTheirMeans) {
     Renderer& renderer = hard_renderer();
     ASSERT_FALSE(renderer.driver().map_samples.empty());
     const int samples = renderer.driver().map_samples.front();
@@ -505,7 +506,7 @@ TEST(Moments, OfSeveralSamplesAreTheMeansOverThem) {
     const Scene scene = covered_floor(1);
     Settings s = overhead(*moment_rows().front());
     s.filter.blur = 0;
-    s.map.resolution = 61;  // so that the edge lies within a texel
+    s.map.resolution = 61;  // puts the edge inside a texel
     s.map.samples = samples;
     const FrameResult frame = renderer.render(scene, s, kPicture);
     EXPECT_TRUE(frame.notes.empty());
@@ -524,11 +525,11 @@ TEST(Moments, OfSeveralSamplesAreTheMeansOverThem) {
     const LightView& view = frame.lights[0].views[0];
     const auto share = [&](double y) { return share_of(view.curve, uvdw(view, {0, y, 0}).z); };
     const double floor_z = share(0), cover_z = share(1);
-    // The edge at x = 0, and on which side of it the cover is, in texels.
+    // Position of the edge at x = 0 and the side of its cover, in texels.
     const glm::dvec2 edge(uvdw(view, {0, 1, 0})), covered(uvdw(view, {-1, 1, 0}));
     const int axis = std::abs(covered.x - edge.x) > std::abs(covered.y - edge.y) ? 0 : 1;
     const double at = edge[axis] * 61, fraction = at - std::floor(at);
-    ASSERT_GT(std::min(fraction, 1 - fraction), 0.05) << "the edge lies between texels, so this says little";
+    ASSERT_GT(std::min(fraction, 1 - fraction), 0.05) << "the edge lies between texels, so this proves little";
     const bool below = covered[axis] < edge[axis];
     int told = 0, partly = 0;
     for (int x = 40; x < 120; x += 3) {
@@ -551,7 +552,7 @@ TEST(Moments, OfSeveralSamplesAreTheMeansOverThem) {
     }
     EXPECT_GT(told, 8);
     EXPECT_GT(partly, 0) << "no texel at the edge was read";
-    s.map.samples = 32;  // more than any driver at hand
+    s.map.samples = 32;  // more than any known driver offers
     const FrameResult asked = renderer.render(scene, s, kPicture);
     if (samples < 32) {
         ASSERT_EQ(asked.notes.size(), 1u);
@@ -559,7 +560,7 @@ TEST(Moments, OfSeveralSamplesAreTheMeansOverThem) {
     }
 }
 
-/// Looks straight down on a floor, a pixel `texels` wide in the map.
+/// Sets a camera that looks straight down on a floor, with pixels `texels` wide in the map.
 Settings from_above(const Filter& row, const Scene& scene, double texels) {
     Settings s = overhead(row);
     s.map.resolution = 128;
@@ -568,17 +569,17 @@ Settings from_above(const Filter& row, const Scene& scene, double texels) {
     s.filter.mips = true;
     s.filter.blur = 0;
     const FrameResult frame = hard_renderer().render(scene, s, kPicture);
-    s.camera.target_x += 0.13;  // so that no pixel is centred in a texel of a level
+    s.camera.target_x += 0.13;  // no pixel is centred in a texel of a level
     s.camera.height = texels * frame.lights[0].views[0].texel_size(1, 128) * kPicture.height;
     return s;
 }
 
-// Over a pixel of four texels: the second mip level, each of its texels the mean of sixteen.
-TEST(Moments, OfMipLevelsAreMeansOverThePixelsFootprint) {
+// A pixel covers four texels: the look-up reads the second mip level, whose texels are means of sixteen.
+TEST(Moments, OfMipLevelsAreMeansOverThePixelFootprint) {
     const Scene scene = floor_and_box(8, {3.35, 1, 2.3}, 0.4);
     Renderer& renderer = hard_renderer();
     for (const char* key : {"vsm", "evsm4"}) {
-        const Filter& row = filters()[std::size_t(kernel(key))];
+        const Filter& row = filters()[std::size_t(kernel_row(key))];
         Settings s = from_above(row, scene, 4);
         s.filter.exponent = s.filter.negative_exponent = 2;
         const FrameRequest maps{
@@ -608,11 +609,11 @@ TEST(Moments, OfMipLevelsAreMeansOverThePixelsFootprint) {
             ++told;
         }
         EXPECT_GT(told, 10);
-        EXPECT_GT(sharper, 0) << "the levels are alike, so this says little";
+        EXPECT_GT(sharper, 0) << "the levels are alike, so this proves little";
     }
 }
 
-// Where the view grazes, a pixel is long in the map: several samples along it keep what lies across.
+// At grazing views a pixel is long in the map: several samples along it keep detail across it.
 TEST(Moments, OfMipLevelsAreSharperWithAnisotropy) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Settings s = texel_settings("vsm", 512, 1);
@@ -638,7 +639,7 @@ TEST(Moments, OfMipLevelsAreSharperWithAnisotropy) {
     EXPECT_LT(off(sharp), 0.8 * off(plain)) << "nearer to what no level blurs";
 }
 
-// The map viewer shows each moment: raw as the number itself, linear as the depth that alone would have it.
+// The map viewer shows each moment: raw as the number itself, linear as the depth with that moment.
 TEST(Moments, AreShownByTheMapViewer) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
@@ -672,12 +673,12 @@ TEST(Moments, AreShownByTheMapViewer) {
                     const double wanted = shares.mean(x, y, 2, false, of)[std::size_t(channel - 1)];
                     EXPECT_NEAR(number, wanted, 1e-3 * std::abs(wanted) + 1e-6) << row->key << " " << channel;
                 }
-                // Of a table nothing but rounding to its steps: 32 bits hold the widest window, 34 x 34 texels.
+                // A table rounds to its steps: 32 bits hold the widest window, 34 x 34 texels.
                 const double close = row->moments.summed ? 4 * 34.0 * 34.0 * 0x1p-32 : 1e-4;
                 EXPECT_NEAR(alone.at(x, 63 - y), z, close) << row->key << " " << channel;
                 sum += std::abs(z - shares.at(3, y));
             }
-            EXPECT_GT(sum, 0.1) << "all alike, so this says little";
+            EXPECT_GT(sum, 0.1) << "all alike, so this proves little";
         }
         s.view.map_channel = int(row->moments.names.size()) + 1;
         if (s.view.map_channel < 5) {
@@ -686,9 +687,8 @@ TEST(Moments, AreShownByTheMapViewer) {
     }
 }
 
-// All texels of a map, those whose windows the map's sides cut on both sides and those that they leave whole: also
-// where windows are as wide as the map, or wider.
-TEST(Moments, AreMeansOfWindowsThatTheMapsSidesCut) {
+// Windows are clipped at the map's sides or lie inside; some are as wide as the map, or wider.
+TEST(Moments, AreMeansOfWindowsClippedAtTheMapsSides) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
@@ -716,8 +716,8 @@ TEST(Moments, AreMeansOfWindowsThatTheMapsSidesCut) {
         }
 }
 
-// Of a mip level each texel has the mean of the four below it, in the number itself.
-TEST(Moments, AreShownByMipLevels) {
+// Each texel of a mip level holds the mean of the four texels below it, in the stored number.
+TEST(Moments, AreShownByMipLevel) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
@@ -751,7 +751,7 @@ TEST(Moments, AreShownByMipLevels) {
                         most = std::max(most, mean);
                         least = std::min(least, mean);
                     }
-                EXPECT_GT(most, least * 1.05) << "all alike, so this says little";
+                EXPECT_GT(most, least * 1.05) << "all alike, so this proves little";
             }
             finer = numbers;
         }
@@ -765,8 +765,8 @@ TEST(Moments, AreShownByMipLevels) {
     }
 }
 
-// What is prepared is kept while only the camera moves, whatever is prepared.
-TEST(Moments, AreKeptWhileOnlyTheCameraMoves) {
+// All prepared textures stay cached while only the camera moves.
+TEST(Moments, AreCachedWhileOnlyTheCameraMoves) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     for (const Filter* row : moment_rows()) {

@@ -1,4 +1,4 @@
-// Where nodes alone have moved, what the driver was handed of meshes stays with it.
+// Tests that meshes stay uploaded where only node transforms have changed.
 #include <epoxy/gl.h>
 
 #include "renderer/scenes/builtin.h"
@@ -7,8 +7,8 @@
 namespace si {
 namespace {
 
-/// Counts what is put into buffers while it lives. Something must have been put before: epoxy finds a function of the
-/// driver at its first call, and takes the place of what is put there.
+/// Counts uploads into buffers during its lifetime. An upload must come first: epoxy loads a function of the driver at
+/// its first call and would overwrite the replacement.
 class UploadCount {
 public:
     UploadCount() {
@@ -43,7 +43,7 @@ protected:
         picture_ = renderer.read_colour(renderer.render(scene, settings_, request).colour);
         return count.bytes();
     }
-    /// The last picture against one that knows nothing from before.
+    /// Compares the last picture with one by a new renderer.
     void expect_as_fresh(const Scene& scene) {
         Renderer fresh;
         FrameRequest request{.width = 160, .height = 90};
@@ -54,7 +54,7 @@ protected:
     ByteImage picture_;
 };
 
-TEST_F(MovedNodes, MeshesStayWhereOnlyTheirPlacesChange) {
+TEST_F(MovedNodes, MeshesAreNotUploadedWhereOnlyTransformsChange) {
     Scene scene = load_scene("teapot");
     const std::size_t all = uploads(scene);
     for (Node& node : scene.nodes) node.local[3].x += 0.25;
@@ -68,7 +68,7 @@ TEST_F(MovedNodes, MeshesStayWhereOnlyTheirPlacesChange) {
     expect_as_fresh(scene);
 }
 
-TEST_F(MovedNodes, WhatIsAnotherMeshOrMaterialIsHandedOverAnew) {
+TEST_F(MovedNodes, ChangedMeshesAndMaterialsAreUploadedAgain) {
     Scene scene = load_scene("teapot");
     const std::size_t all = uploads(scene);
     for (glm::vec3& p : scene.meshes[0].positions.edit()) p *= 1.5f;
@@ -82,7 +82,7 @@ TEST_F(MovedNodes, WhatIsAnotherMeshOrMaterialIsHandedOverAnew) {
     refresh(scene);
     EXPECT_GT(uploads(scene), all / 2);
     expect_as_fresh(scene);
-    // Equal numbers at another place in memory are another mesh.
+    // Equal numbers at another address are another mesh.
     for (Mesh& m : scene.meshes) m.positions = std::vector<glm::vec3>(m.positions.all());
     refresh(scene);
     EXPECT_GT(uploads(scene), all / 2);

@@ -1,4 +1,4 @@
-// What is no number, or lies where none can, is found where it was put, and nowhere else.
+// Tests the search for NaN and values out of range: faults are found at their place and nowhere else.
 #include "renderer/frame/numeric_health.h"
 
 #include <fmt/format.h>
@@ -16,11 +16,11 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 
-/// Numbers put into one texel of an image before it is searched.
-struct Spoilt {
+/// Faulty values for one texel of an image, written before the search.
+struct FaultyTexel {
     std::string image;  ///< "shadow map"
     int layer = 0, level = 0;
-    glm::ivec2 at{0};  ///< row 0 at the bottom
+    glm::ivec2 at{0};  ///< texel; row 0 is at the bottom
     std::vector<float> numbers;
     bool depth = false;
 };
@@ -31,9 +31,9 @@ protected:
         gl::fault_injection() = {};
         FrameTest::TearDown();
     }
-    static void spoil(const std::vector<Spoilt>& all) {
+    static void inject_faults(const std::vector<FaultyTexel>& all) {
         gl::fault_injection().corrupt_image = [all](std::string_view image, GLuint texture) {
-            for (const Spoilt& s : all) {
+            for (const FaultyTexel& s : all) {
                 if (s.image != image) continue;
                 constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
                 const GLenum format = s.depth ? GLenum(GL_DEPTH_COMPONENT) : kFormats[s.numbers.size() - 1];
@@ -61,11 +61,11 @@ protected:
         small.insert(small.end(), sets.begin(), sets.end());
         return health_of(loaded, settings_for(loaded, small));
     }
-    /// What was put there is all that is found. @param place the finding's
-    void expect_alone(const char* scene, const Sets& sets, const Spoilt& s, NumberFault fault, const std::string& place,
-                      glm::ivec2 at) {
+    /// Expects the written fault as the only finding. @param place expected place of the finding
+    void expect_alone(const char* scene, const Sets& sets, const FaultyTexel& s, NumberFault fault,
+                      const std::string& place, glm::ivec2 at) {
         SCOPED_TRACE(fmt::format("{} in {}", fault_label(fault), place));
-        spoil({s});
+        inject_faults({s});
         const NumericHealth health = health_of(scene, sets);
         gl::fault_injection() = {};
         ASSERT_EQ(health.findings.size(), 1u) << health_text(health);
@@ -79,7 +79,7 @@ protected:
     }
 };
 
-TEST_F(NumericHealthTest, FindsEachFaultOfADepthInEachKindOfMap) {
+TEST_F(NumericHealthTest, FindsEachDepthFaultInEachKindOfMap) {
     struct Kind {
         const char* scene;
         Sets sets;
@@ -113,17 +113,17 @@ TEST_F(NumericHealthTest, FindsEachFaultOfADepthInEachKindOfMap) {
                                            {-kInf, NumberFault::Infinite},
                                            {-0.25f, NumberFault::OutsideRange},
                                            {1.5f, NumberFault::OutsideRange}}) {
-            // Of one kind each of them, of the others one for each way of finding it.
+            // The test tries each value of one kind, and for the others one value per way of detection.
             if (&k != kinds && (std::isinf(value) || value > 1)) continue;
             expect_alone(k.scene, k.sets, {.image = k.image, .layer = k.layer, .at = {77, 31}, .numbers = {value}},
                          fault, k.place, {77, 31});
         }
 }
 
-TEST_F(NumericHealthTest, FindsWhatDepthBuffersOfFloatsCanHold) {
-    spoil({{.image = "shadow map", .at = {3, 127}, .numbers = {kNaN}, .depth = true}});
+TEST_F(NumericHealthTest, FindsFaultyValuesOfFloatDepthBuffers) {
+    inject_faults({{.image = "shadow map", .at = {3, 127}, .numbers = {kNaN}, .depth = true}});
     const NumericHealth health = health_of("boxes", {{"map.format", "d32f"}});
-    // Drivers may refuse what is none.
+    // Drivers may refuse NaN.
     for (const NumberFinding& f : health.findings) EXPECT_EQ(f.first, glm::ivec2(3, 127)) << finding_text(f);
     EXPECT_TRUE(health_of("boxes", {{"map.format", "d16"}}).findings.size() <= 1);
 }
@@ -150,14 +150,14 @@ TEST_F(NumericHealthTest, FindsNegativeVariancesAndOverflowsAtEveryLevel) {
         expect_alone("boxes", {{"filter.kernel", "esm"}, {"filter.moment_format", format}},
                      {.image = "moments", .at = {127, 0}, .numbers = {kInf}}, NumberFault::Overflow, moments, {127, 0});
     }
-    // The last of four faces' layers has the number of its face.
+    // The last of four faces' layers reports the number of its face.
     expect_alone("boxes",
                  {{"filter.kernel", "msm_hausdorff"}, {"filter.moment_format", "32-bit"}, {"light.type", "point"}},
                  {.image = "moments", .layer = 4, .at = {5, 6}, .numbers = {0.5f, 0.1f, 0.1f, 0.1f}},
                  NumberFault::NegativeVariance, "moments, face +z of light 0", {5, 6});
 }
 
-TEST_F(NumericHealthTest, FindsWhatIsWrongWithPixels) {
+TEST_F(NumericHealthTest, FindsFaultyPixels) {
     // Rows of pixels count from the top.
     for (const auto& [value, fault] : {std::pair{kNaN, NumberFault::NotANumber}, {-0.1f, NumberFault::OutsideRange}})
         expect_alone("boxes", {{"light.count", "2"}},
@@ -165,10 +165,10 @@ TEST_F(NumericHealthTest, FindsWhatIsWrongWithPixels) {
                      "visibility of light 1", {70, 0});
 }
 
-TEST_F(NumericHealthTest, TellsFirstWorstAndHowMany) {
-    spoil({{.image = "shadow map", .at = {90, 40}, .numbers = {1.25f}},
-           {.image = "shadow map", .at = {11, 41}, .numbers = {-7}},
-           {.image = "shadow map", .at = {12, 41}, .numbers = {1.5f}}});
+TEST_F(NumericHealthTest, ReportsFirstWorstAndCount) {
+    inject_faults({{.image = "shadow map", .at = {90, 40}, .numbers = {1.25f}},
+                   {.image = "shadow map", .at = {11, 41}, .numbers = {-7}},
+                   {.image = "shadow map", .at = {12, 41}, .numbers = {1.5f}}});
     const NumericHealth health = health_of("boxes", {{"map.format", "colour"}});
     ASSERT_EQ(health.findings.size(), 1u) << health_text(health);
     const NumberFinding& f = health.findings[0];
@@ -181,8 +181,8 @@ TEST_F(NumericHealthTest, TellsFirstWorstAndHowMany) {
               "(-7)");
 }
 
-TEST_F(NumericHealthTest, FindsItInThePagesOfTheMapThatHasThem) {
-    // Wherever the page lies in the pool: every texel of it.
+TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
+    // The page may lie anywhere in the pool: every texel of the pool is faulty.
     gl::fault_injection().corrupt_image = [](std::string_view image, GLuint texture) {
         if (image != "shadow map") return;
         const float nan = kNaN;
@@ -206,8 +206,8 @@ TEST_F(NumericHealthTest, FindsItInThePagesOfTheMapThatHasThem) {
     const FrameResult frame = renderer.render(scene, settings_for(scene, sets), request);
     ASSERT_TRUE(frame.pages);
     EXPECT_EQ(texels, frame.pages->read_texels());
-    // One texel of the pool: whose it is says the page table, by which maps are read back.
-    spoil({{.image = "shadow map", .at = {5, 7}, .numbers = {kNaN}}});
+    // One texel of the pool: the page table names its owner, and maps are read back by that table.
+    inject_faults({{.image = "shadow map", .at = {5, 7}, .numbers = {kNaN}}});
     request.force = true;
     const FrameResult spoilt = renderer.render(scene, settings_for(scene, sets), request);
     const auto found = renderer.numeric_health(spoilt);
@@ -230,8 +230,8 @@ TEST_F(NumericHealthTest, FindsMatricesThatSinglePrecisionCannotHold) {
     EXPECT_TRUE(found) << health_text(health);
 }
 
-// From exactly above, walls and pickets are seen edge-on: a pixel that one covers by rounding alone has no place.
-TEST_F(NumericHealthTest, WhatIsSeenEdgeOnIsSound) {
+// From exactly above, walls and pickets are seen edge-on: a pixel covered by rounding alone has no position.
+TEST_F(NumericHealthTest, SurfacesSeenEdgeOnHaveNoFault) {
     const Scene scene = load_scene("stage");
     Settings s = stage_from_above(scene, "1024");
     const auto expect_sound = [&] {
@@ -248,7 +248,7 @@ TEST_F(NumericHealthTest, WhatIsSeenEdgeOnIsSound) {
     }
 }
 
-TEST_F(NumericHealthTest, BuiltInScenesAreSound) {
+TEST_F(NumericHealthTest, BuiltInScenesHaveNoFault) {
     for (const BuiltinScene& scene : builtin_scenes()) {
         const NumericHealth health = health_of(std::string(scene.key).c_str(), {});
         EXPECT_TRUE(health.sound()) << scene.key << ": " << health_text(health);
@@ -257,7 +257,7 @@ TEST_F(NumericHealthTest, BuiltInScenesAreSound) {
     }
 }
 
-TEST_F(NumericHealthTest, CostsNothingUnlessAskedForAndThenLeavesThePictureAlone) {
+TEST_F(NumericHealthTest, RunsOnlyWhenEnabledAndChangesNoPixel) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene, {{"map.resolution", "256"}});
     FrameRequest request{.width = 96, .height = 54};

@@ -1,4 +1,4 @@
-// Savings are proved both ways: what is forced draws the same bytes, and counts say that what is saved was not done.
+// Tests all optimisations at once: forced frames draw the same bytes, and counts show that the optimisations acted.
 #include "renderer/optimisations/optimisations.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 class OptimisationsTest : public FrameTest {
 protected:
-    OptimisationSet made;  ///< of frames that were drawn
+    OptimisationSet made;  ///< optimisations that acted in the drawn frames
 
     const FrameResult& note_made(const Scene& scene, const Settings& s, const FrameResult& frame,
                                  OptimisationSet forced = {}) {
@@ -25,10 +25,10 @@ protected:
             if (effect.optimisation && !forced.contains(*effect.optimisation)) made.add(*effect.optimisation);
         return frame;
     }
-    /// Every picture of a frame that is saved on, and of one that forces a row, must be the same.
+    /// Expects equal pictures from a frame with optimisations and from a frame that forces a row.
     void expect_one_picture(const Scene& scene, const Settings& s, const std::string& what) {
         FrameRequest cold{.width = 160, .height = 90}, maps = cold;
-        // Some savings are made on maps that are kept; of those that are forced every map is drawn anew.
+        // Some optimisations act on cached maps; forced frames draw every map again.
         maps.outputs = {.colour = false, .shadow_map = true};
         renderer.render(scene, s, maps);
         const ByteImage saved = renderer.read_colour(note_made(scene, s, renderer.render(scene, s, cold)).colour);
@@ -40,7 +40,7 @@ protected:
                 << what << ", " << optimisation_rows()[row].key << " forced";
         }
     }
-    /// From where the scene is shown first, and from near a corner of it, where much is out of sight.
+    /// Draws from the scene's first view, and from near one of its corners, where much is out of sight.
     void expect_one_picture(const Scene& scene, const Sets& extra, const std::string& what) {
         Settings s = settings_for(scene, extra);
         expect_one_picture(scene, s, what);
@@ -51,14 +51,14 @@ protected:
         s.camera.distance *= 0.3;
         expect_one_picture(scene, s, what + ", near a corner");
     }
-    /// Frames made each of these, or nothing was compared.
+    /// Expects each of these to have acted; otherwise nothing was compared.
     void expect_made(std::initializer_list<Optimisation> some) {
         for (const Optimisation saving : some)
-            EXPECT_TRUE(made.contains(saving)) << row_of(saving).key << " was never made";
+            EXPECT_TRUE(made.contains(saving)) << row_of(saving).key << " never acted";
     }
 };
 
-/// Of lights, kernels and maps what decides which savings can be made.
+/// Returns settings of lights, kernels and maps that decide which optimisations can act.
 const std::vector<Sets>& cases() {
     static const std::vector<Sets> all = {
         {},
@@ -77,12 +77,12 @@ const std::vector<Sets>& cases() {
 
 SI_TESTS_ARE(DriverIndependent, OptimisationsTest);
 SI_TESTS_ARE(Repeated, OptimisationsTest);
-TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
+TEST_F(OptimisationsTest, ForcedOrNotDrawTheSameBytesInBuiltInScenes) {
     std::size_t next = 1;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));
         expect_one_picture(scene, cases()[0], std::string(row.key));
-        // By turns: each scene meets two, each is met by several scenes.
+        // Scenes and cases alternate: each scene meets two cases, and each case meets several scenes.
         for (int i = 0; i < 2; ++i, next = next % (cases().size() - 1) + 1)
             expect_one_picture(scene, settings_for(scene, cases()[next]),
                                std::string(row.key) + ", " + cases()[next][0].second);
@@ -93,8 +93,8 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
                  Optimisation::UnreadViews, Optimisation::CasterFragments});
 }
 
-// All of them under all cases take an hour.
-TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesOfRealModels) {
+// All scenes under all cases take an hour.
+TEST_F(OptimisationsTest, ForcedOrNotDrawTheSameBytesOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
     if (models.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     const bool all = std::getenv("SI_LONG");

@@ -1,5 +1,5 @@
-// Virtual shadow maps: the pictures are those of whole maps, whatever is kept, moved or given up, and what they cost is
-// told.
+// Tests virtual shadow maps: pictures equal those of whole maps for any cached, moved or evicted pages, and costs are
+// reported.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -37,10 +37,10 @@ protected:
     }
 };
 
-SI_TEST_IS(Repeated, PagesTest, AreTheWholeMapsTexels);
-// Pages are drawn with the map's own matrix, moved by whole texels. All that may differ is where a rasteriser rounds a
-// corner to 1/256 of a texel.
-TEST_F(PagesTest, AreTheWholeMapsTexels) {
+SI_TEST_IS(Repeated, PagesTest, PagesHoldTheTexelsOfTheWholeMap);
+// Pages are drawn with the map's own matrix, moved by whole texels. Differences come only from rounding a corner to
+// 1/256 of a texel.
+TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {
     std::size_t pixels = 0, wrong = 0, dark = 0;
     const Sets kinds[] = {{{"filter.kernel", "hard"}, {"light.elevation", "90"}},
                           {{"filter.kernel", "pcf5"}, {"map.reversed_z", "true"}, {"light.azimuth", "90"}},
@@ -56,7 +56,7 @@ TEST_F(PagesTest, AreTheWholeMapsTexels) {
         for (std::size_t i = 0; i < std::size(kinds); ++i) {
             if (place.x > 0 && i % 3 != 1) continue;
             Settings s = settings_for(scene, kinds[i]);
-            set_setting(s, "camera.index", "-1");  // the file's does not move along
+            set_setting(s, "camera.index", "-1");  // the file's camera does not move with the scene
             set_setting(s, "map.resolution", "450");
             set_setting(s, "map.page_size", "32");
             const FloatImage whole = visibility(renderer, scene, s);
@@ -78,8 +78,8 @@ TEST_F(PagesTest, AreTheWholeMapsTexels) {
     EXPECT_GT(dark, 500u);
 }
 
-// A hundred steps of everything that moves: what is kept is what would be drawn.
-TEST_F(PagesTest, KeptAreThoseThatWouldBeDrawn) {
+// Over a hundred steps of everything that moves, cached pages equal freshly drawn ones.
+TEST_F(PagesTest, CachedPagesEqualDrawnPages) {
     Scene scene = displaced(load_scene("boxes"), {115, 3, -40});
     std::mt19937 engine(2);
     const auto between = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine); };
@@ -129,7 +129,7 @@ TEST_F(PagesTest, KeptAreThoseThatWouldBeDrawn) {
     EXPECT_GT(coarser, 20u);
 }
 
-TEST_F(PagesTest, OnlyWhatMovedIsDrawnAnew) {
+TEST_F(PagesTest, OnlyPagesOfMovedCastersAreDrawnAgain) {
     Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "2048"}, {"map.page_size", "64"}});
     const auto pages = [&] {
@@ -158,8 +158,8 @@ TEST_F(PagesTest, OnlyWhatMovedIsDrawnAnew) {
     EXPECT_EQ(pages().kept, 0) << "the light moved";
 }
 
-// Where the pool is too small coarser pages stand in: never a hole, and a sentence that says so.
-TEST_F(PagesTest, AFullPoolCostsSharpnessAlone) {
+// With too small a pool coarser pages replace the missing ones: without holes, and with a note.
+TEST_F(PagesTest, AFullPoolReducesSharpnessOnly) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "1024"}, {"map.page_size", "32"}});
     FrameResult frame;
@@ -172,7 +172,7 @@ TEST_F(PagesTest, AFullPoolCostsSharpnessAlone) {
     EXPECT_LE(frame.pages->drawn + frame.pages->kept, wanted / 3);
     EXPECT_TRUE(std::any_of(frame.notes.begin(), frame.notes.end(),
                             [](const std::string& note) { return note.find("map.page_pool") != std::string::npos; }));
-    // Away from edges both say the same.
+    // Away from edges both are equal.
     std::size_t inner = 0, wrong = 0;
     for (int y = 3; y < all.height - 3; ++y)
         for (int x = 3; x < all.width - 3; ++x) {
@@ -187,8 +187,8 @@ TEST_F(PagesTest, AFullPoolCostsSharpnessAlone) {
     EXPECT_LT(double(wrong), 0.01 * double(inner));
 }
 
-// Glass is no part of what the surfaces are seen from, and reads the map all the same; so do masks and several lights.
-TEST_F(PagesTest, BlendedSurfacesFindTheirPages) {
+// Glass is absent from the depth that selects pages and still reads the map; so do masks and several lights.
+TEST_F(PagesTest, BlendedSurfacesReadTheirPages) {
     Scene scene;
     scene.materials.push_back({.name = "glass", .base_colour = {1, 1, 1, 0.9f}, .alpha = AlphaMode::Blend});
     scene.meshes = {make_quad(4, 4), make_quad(1, 1)};
@@ -214,9 +214,9 @@ TEST_F(PagesTest, BlendedSurfacesFindTheirPages) {
     EXPECT_GT(different_pixels(whole, picture(scene, s), 1), 200u) << "there is a shadow on the glass";
 }
 
-SI_TEST_IS(Repeated, PagesTest, AreSharperThanAFixedMapOfMoreTexels);
-// Two kilometres of land: less is wrong than with one map of 4096 texels, for far fewer texels drawn.
-TEST_F(PagesTest, AreSharperThanAFixedMapOfMoreTexels) {
+SI_TEST_IS(Repeated, PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels);
+// On two kilometres of terrain fewer pixels are wrong than with one map of 4096 texels, for far fewer drawn texels.
+TEST_F(PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");
     Measurer measurer(renderer, 160, 90);
     Settings s = settings_for(scene, {{"map.resolution", "4096"}});

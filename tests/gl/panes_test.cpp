@@ -1,4 +1,4 @@
-// Several overlays at once: each pane is what one picture of that overlay would be.
+// Tests several overlays at once: each pane equals a picture of its overlay alone.
 #include <stb/stb_image.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using Extra = std::vector<std::pair<std::string, std::string>>;
 class PanesTest : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Extra& extra) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.overlay = true;
         return renderer.render(scene, settings_for(scene, extra), request);
     }
@@ -42,7 +42,7 @@ TEST_F(PanesTest, EachPaneIsThePictureOfItsOverlay) {
     EXPECT_EQ(f.panes[0].values.texture, f.overlay.texture);
     EXPECT_EQ(f.panes[1].values.texture, 0u);
     for (std::size_t i = 0; i < 4; ++i) {
-        // The visibility overlay draws visibility on its own, for all panes alike.
+        // The visibility overlay needs visibility as a separate pass, for all panes.
         const FrameResult alone =
             frame(scene, {{"view.overlay", overlays_shown[i]}, {"shading.separate_visibility", "true"}});
         ASSERT_EQ(alone.panes.size(), 1u);
@@ -99,16 +99,16 @@ TEST_F(PanesTest, FittedRangesFollowThePicture) {
     EXPECT_EQ(f.overlay_min, expected->min);
     EXPECT_EQ(f.overlay_max, expected->max);
     EXPECT_GT(f.overlay_min, 0.01f) << "the boxes do not fill the whole range of depth";
-    // The same picture as with these numbers by hand.
+    // The picture equals one with these numbers as manual settings.
     const ByteImage fitted = renderer.read_colour(f.colour);
     Settings manual = settings_for(scene, {{"view.overlay", "own-depth"}, {"view.overlay_range", "manual"}});
     manual.view.overlay_min = expected->min;
     manual.view.overlay_max = expected->max;
     EXPECT_EQ(fitted, picture(scene, manual));
-    // And another one once the values change.
+    // The picture changes once the values change.
     settings.push_back({"light.elevation", "80"});
     EXPECT_NE(frame(scene, settings).overlay_min, f.overlay_min);
-    // Symmetric where zero is the middle of the scale.
+    // The range is symmetric where zero is the middle of the scale.
     settings[0].second = "depth-difference";
     const FrameResult difference = frame(scene, settings);
     EXPECT_EQ(difference.overlay_min, -difference.overlay_max);
@@ -131,7 +131,7 @@ TEST_F(PanesTest, AFileHoldsAllPanesSideBySide) {
         const std::unique_ptr<stbi_uc, void (*)(void*)> whole(stbi_load(path.c_str(), &width, &height, nullptr, 4),
                                                               stbi_image_free);
         ASSERT_TRUE(whole) << path;
-        ASSERT_EQ(glm::ivec2(width, height), glm::ivec2(323, 181)) << "the size asked for is that of the whole picture";
+        ASSERT_EQ(glm::ivec2(width, height), glm::ivec2(323, 181)) << "the requested size is that of the whole picture";
         const PaneGrid grid = picture_grid(s, width, height);
         const FrameResult f = renderer.render(scene, s, {.width = grid.width, .height = grid.height});
         EXPECT_DOUBLE_EQ(f.camera.aspect, double(grid.width) / grid.height);

@@ -1,4 +1,4 @@
-// Planning a frame leaves the images of others as they are; only what is carried out takes their place.
+// Tests that planning a frame keeps the images of other frames: only drawing replaces them.
 #include "app/context/headless_context.h"
 #include "renderer/render/renderer_impl.h"
 #include "tests/gl/frame_fixture.h"
@@ -15,7 +15,7 @@ protected:
     void TearDown() override {
         for (const std::string& message : renderer.messages.take_messages()) ADD_FAILURE() << "driver: " << message;
     }
-    /// All that is kept from frame to frame without a truth.
+    /// Returns a request for everything that a renderer caches without a reference.
     static FrameRequest request(int width, int height) {
         FrameRequest r{.width = width, .height = height};
         r.outputs = {.shadow_map = true,
@@ -46,13 +46,13 @@ protected:
         gl::prepare_read_back();
         GLint format = 0;
         glGetTextureLevelParameteriv(image.texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-        if (format == GL_RG32UI) return out;  // its pixels cannot be had as colours
+        if (format == GL_RG32UI) return out;  // these pixels cannot be read as colours
         glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
         return out;
     }
 };
 
-TEST_F(PlanningTest, WhatIsOnlyPlannedLeavesTheLastFrameReusable) {
+TEST_F(PlanningTest, ADiscardedPlanKeepsTheLastFrameReusable) {
     const std::vector<Sets> frames = {
         {{"light.count", "2"},
          {"light.1.type", "spot"},

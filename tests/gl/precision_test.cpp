@@ -1,4 +1,4 @@
-// What single precision costs: errors against a second computation in double, and against what rounding must cost.
+// Compares precision errors of the shaders with a second computation in double and with the expected rounding.
 #include "renderer/reference/precision.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 64;
 
-/// hard_settings() with the scene and all else moved away.
+/// Returns hard_settings() for the scene, with scene and camera moved away.
 Settings settings_at(Scene& scene, double distance, LightType type = LightType::Directional) {
     Settings s = hard_settings();
     s.lights[0].type = type;
@@ -30,8 +30,8 @@ Settings settings_at(Scene& scene, double distance, LightType type = LightType::
     return s;
 }
 
-// Each pixel once more, from the ray that meets the scene to the map by other code than the product's.
-TEST(PrecisionTest, IsThatOfASecondComputation) {
+// The test recomputes each pixel from its ray's hit to the map, without the product's code.
+TEST(PrecisionTest, EqualsASecondComputation) {
     for (const LightType type : kLightTypes)
         for (const double distance : {0.0, 1e5}) {
             Scene scene = floor_and_box();
@@ -56,7 +56,7 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
                     const glm::dvec2 looked_up(coordinates.at(x, y, 0), coordinates.at(x, y, 1));
                     const double texels =
                         glm::distance(glm::dvec2(uvdw(view, hit->position)), looked_up) * frame.map_resolution;
-                    // At its edges a pixel's ray may miss the triangle whose rounded corners cover it.
+                    // At a triangle's edge a pixel's ray may miss the triangle whose rounded corners cover the pixel.
                     if (texels > 50 && told < 50) continue;
                     EXPECT_NEAR(told, texels, 2e-3 * texels + 2e-4) << int(type) << " " << x << "," << y;
                     ++compared;
@@ -65,9 +65,9 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
         }
 }
 
-// From a place nearby errors are the same small ones everywhere; from the world's origin they are what rounding a
-// position of that size to 24 bits is worth in texels.
-TEST(PrecisionTest, FromTheWorldsOriginIsWhatRoundingCosts) {
+// Relative to a near point, errors are small everywhere. Relative to the world origin, they equal the rounding of a
+// position to 24 bits, in texels.
+TEST(PrecisionTest, RelativeToTheWorldOriginEqualsTheRoundingError) {
     for (const double distance : {0.0, 1e3, 1e5, 1e7}) {
         Scene scene = floor_and_box();
         const Settings s = settings_at(scene, distance);
@@ -94,7 +94,7 @@ TEST(PrecisionTest, FromTheWorldsOriginIsWhatRoundingCosts) {
     }
 }
 
-// Scales of powers of ten round differently, and no more.
+// Scales by powers of ten add rounding only.
 TEST(PrecisionTest, IsTheSameAtEveryScale) {
     for (const double scale : {1e-3, 1.0, 1e6}) {
         Scene scene = floor_and_box();
@@ -135,8 +135,8 @@ TEST(PrecisionTest, OverlaysShowTheNumbers) {
     }
 }
 
-// Nothing of it is made unless it is asked for, and it is not made twice.
-TEST(PrecisionTest, CostsNothingUnasked) {
+// The numbers are computed only on request, and once.
+TEST(PrecisionTest, IsComputedOnlyWhenEnabled) {
     Scene scene = floor_and_box();
     const Settings s = hard_settings();
     FrameRequest request{.width = kWidth, .height = kHeight};
@@ -148,8 +148,8 @@ TEST(PrecisionTest, CostsNothingUnasked) {
     EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Cached);
 }
 
-/// Cascades over what the camera sees of a wide floor with a box.
-Settings crawling(bool snap) {
+/// Returns cascades over the visible part of a wide floor with a box.
+Settings shimmer_settings(bool snap) {
     Settings s = hard_settings();
     s.lights[0].fit = LightFit::Stabilised;
     s.lights[0].snap = snap;
@@ -159,11 +159,11 @@ Settings crawling(bool snap) {
     return s;
 }
 
-TEST(ShimmerTest, CountsWhatCrawlsWithoutWholeTexelsAndNothingWithThem) {
+TEST(ShimmerTest, CountsShimmeringPixelsOnlyWithoutTexelSnapping) {
     const Scene scene = floor_and_box(60);
     const ShimmerOptions options{.steps = 6, .step_texels = 0.3};
-    const Shimmer snapped = measure_shimmer(hard_renderer(), scene, crawling(true), kWidth, kHeight, options);
-    const Shimmer free = measure_shimmer(hard_renderer(), scene, crawling(false), kWidth, kHeight, options);
+    const Shimmer snapped = measure_shimmer(hard_renderer(), scene, shimmer_settings(true), kWidth, kHeight, options);
+    const Shimmer free = measure_shimmer(hard_renderer(), scene, shimmer_settings(false), kWidth, kHeight, options);
     EXPECT_EQ(snapped.max_flips, 0u);
     EXPECT_EQ(snapped.flipping_pixels, 0u);
     EXPECT_GT(free.flips_a_step, 1);
@@ -178,7 +178,7 @@ TEST(ShimmerTest, CountsWhatCrawlsWithoutWholeTexelsAndNothingWithThem) {
     EXPECT_GT(free.places, free.flipping_pixels);
 }
 
-TEST(ShimmerTest, MapsThatFollowNoCameraStandStillAndALightThatTurnsDoesNot) {
+TEST(ShimmerTest, IsZeroForFixedMapsAndPositiveForTurningLights) {
     const Scene scene = floor_and_box();
     const Settings s = hard_settings();
     Renderer& renderer = hard_renderer();
@@ -192,7 +192,7 @@ TEST(ShimmerTest, MapsThatFollowNoCameraStandStillAndALightThatTurnsDoesNot) {
     EXPECT_THROW(measure_shimmer(renderer, scene, dark, kWidth, kHeight, {}), Error);
 }
 
-TEST(StretchTest, MakesRangesAsMuchLongerAsItSays) {
+TEST(StretchTest, MultipliesTheDepthRange) {
     const Scene scene = floor_and_box();
     for (const LightType type : kLightTypes) {
         Settings s = hard_settings();

@@ -1,4 +1,4 @@
-// A small scene in place of a large one: it calls for the same programs.
+// Tests the proxy scene, a small scene that needs the same shader programs as a large one.
 #include "renderer/scene/proxy_scene.h"
 
 #include <filesystem>
@@ -11,14 +11,14 @@ namespace {
 
 class ProxySceneTest : public FrameTest {};
 
-/// Which programs a frame is made of, said by who makes them.
-TEST_F(ProxySceneTest, AStandInCallsForTheProgramsOfItsScene) {
+/// The test compares the programs that both scenes need.
+TEST_F(ProxySceneTest, NeedsTheProgramsOfItsScene) {
     std::vector<std::string> names = {"stage", "boxes", "landscape"};
     for (const char* file : {"gen_forest_10k/forest_10k.glb", "gen_leaf_mask_uv1/leaf_mask_uv1.glb"}) {
         const auto path = std::filesystem::path(SI_SOURCE_DIR "/../shared/models") / file;
         if (std::filesystem::exists(path)) names.push_back(path.string());
     }
-    const FrameRequest small_frame = small();
+    const FrameRequest small_frame = small_request();
     for (const std::string& name : names) {
         const Scene scene = load_scene(name);
         const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
@@ -30,7 +30,7 @@ TEST_F(ProxySceneTest, AStandInCallsForTheProgramsOfItsScene) {
     }
 }
 
-TEST_F(ProxySceneTest, AStandInOfALargeSceneIsSmallAndKeepsEachKind) {
+TEST_F(ProxySceneTest, IsSmallAndKeepsEachKindOfObject) {
     Scene scene;
     const int plain = add_material(scene, "plain", {1, 0, 0}), cut = add_material(scene, "cut", {0, 1, 0});
     scene.materials[std::size_t(cut)].alpha = AlphaMode::Mask;
@@ -59,7 +59,7 @@ TEST_F(ProxySceneTest, AStandInOfALargeSceneIsSmallAndKeepsEachKind) {
     EXPECT_NEAR(glm::distance(small.bounds.hi, scene.bounds.hi), 0, 1e-6);
 }
 
-TEST_F(ProxySceneTest, AnEmptySceneHasAStandIn) {
+TEST_F(ProxySceneTest, ExistsForAnEmptyScene) {
     Scene nothing;
     finalise(nothing);
     EXPECT_TRUE(stand_in(nothing, {}).objects.empty());

@@ -1,5 +1,5 @@
-// What is kept between frames never shows: after any steps of camera, casters, lights and what has to be given up, a
-// renderer that has seen them all draws the bytes of one that has seen nothing.
+// Tests caching by random walks: after any steps of camera, casters, lights and evictions, a renderer draws the bytes
+// of a new renderer.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-/// A scene, its settings, and what a step changes of them.
+/// Scene, its settings, and the changes of a step.
 struct Stop {
     Scene scene;
     Settings settings;
@@ -38,7 +38,7 @@ public:
 
     Stop& here() { return stops_[at_]; }
 
-    /// Changes one thing. @returns what
+    /// Changes one thing. @returns its description
     std::string step() {
         if (moving_ >= 0 && below(3) > 0) return move(here().scene.nodes[std::size_t(moving_)]);
         moving_ = -1;
@@ -99,9 +99,9 @@ private:
     std::mt19937 random_;
     std::vector<Stop> stops_;
     std::size_t at_ = 0;
-    int moving_ = -1;  ///< the node that the last step moved, which may go on
+    int moving_ = -1;  ///< node moved by the last step, which may move again
 
-    // Not by the library's distributions, which differ from one to the next.
+    // The standard library's distributions differ between implementations.
     int below(int n) { return int(random_() % unsigned(n)); }
     double between(double lo, double hi) { return lo + (hi - lo) * double(random_() % 65536) / 65536; }
 
@@ -136,7 +136,7 @@ protected:
         std::vector<float> visibility;
         bool operator==(const Drawn&) const = default;
     };
-    int kept_apart = 0;  ///< maps of which only what moved was drawn
+    int kept_apart = 0;  ///< maps in which only moving casters were drawn
 
     Drawn draw(Renderer& by, Stop& stop, FrameRequest request) {
         request.width = stop.width;
@@ -154,9 +154,9 @@ protected:
         return out;
     }
 
-    Renderer other;  ///< that draws all anew
+    Renderer other;  ///< draws everything again
 
-    /// @param checked every so many steps against a renderer that has seen nothing
+    /// @param checked number of steps between comparisons with a new renderer
     void walk(unsigned seed, int steps, int checked) {
         RandomWalk way(seed);
         std::string taken;
@@ -183,8 +183,8 @@ protected:
 
 SI_TESTS_ARE(Repeated, RandomWalkTest);
 SI_TESTS_ARE(DriverIndependent, RandomWalkTest);
-// One step changes one thing; two at once may leave as many maps as before, of other lights.
-TEST_F(RandomWalkTest, MapsThatAnotherLightTookAreDrawnAnew) {
+// One step changes one thing; two at once may keep the number of maps and swap their lights.
+TEST_F(RandomWalkTest, MapsReplacedByAnotherLightAreDrawnAgain) {
     const Scene scene = load_scene("boxes");
     Stop stops[2];
     for (int i = 0; i < 2; ++i) {
@@ -198,12 +198,12 @@ TEST_F(RandomWalkTest, MapsThatAnotherLightTookAreDrawnAnew) {
         EXPECT_EQ(draw(renderer, stops[i], {}) == draw(other, stops[i], {.force = true}), true) << i;
 }
 
-/// SI_LONG_WALK: how many seeds, of 1000 steps each.
+/// SI_LONG_WALK sets the number of seeds, of 1000 steps each.
 TEST_F(RandomWalkTest, CachedFramesEqualColdOnesAfterAnySteps) {
     const char* seeds = std::getenv("SI_LONG_WALK");
     if (!seeds) {
         walk(1, 250, 50);
-        EXPECT_GE(kept_apart, 5) << "what is drawn over casters at rest is no part of the walk";
+        EXPECT_GE(kept_apart, 5) << "the walk lacks maps drawn over static casters";
         return;
     }
     for (int seed = 2; seed < 2 + std::atoi(seeds) && !HasFatalFailure(); ++seed) walk(unsigned(seed), 1000, 20);

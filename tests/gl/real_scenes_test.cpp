@@ -1,4 +1,4 @@
-// What files bring besides triangles, in real frames: movement, normal maps, blended casters.
+// Tests features of files in real frames: animation, normal maps, blended casters.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/session/session.h"
@@ -18,11 +18,11 @@ using test::Json;
 class RealScenes : public FrameTest {
 protected:
     FloatImage visibility(const Scene& scene, const Settings& s) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .visibility = true};
         return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
     }
-    /// Mean column of the pixels in shadow, and how many there are.
+    /// Returns the mean column and the number of pixels in shadow.
     glm::dvec2 shadow(const Scene& scene, const Settings& s) {
         const FloatImage v = visibility(scene, s);
         double sum = 0, count = 0;
@@ -34,10 +34,10 @@ protected:
                 }
         return {count > 0 ? sum / count : -1, count};
     }
-    /// The pixel in the middle of the picture of an overlay.
+    /// Returns the middle pixel of an overlay's picture.
     glm::dvec3 middle(const Scene& scene, Settings s, const char* overlay) {
         set_setting(s, "view.overlay", overlay);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .overlay = true};
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).overlay, 4);
         const int x = v.width / 2, y = v.height / 2;
@@ -45,7 +45,7 @@ protected:
     }
 };
 
-/// A floor and, one metre over it, a triangle bound to a joint that moves along x from -1 to 1 in two seconds.
+/// Makes a floor and, one metre above, a triangle bound to a joint that moves along x from -1 to 1 in two seconds.
 GltfFile skinned_over_floor() {
     GltfFile file;
     const int floor = file.floats({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3}, "VEC3");
@@ -80,7 +80,7 @@ TEST_F(RealScenes, AShadowMovesWithTheSkinThatCastsIt) {
     EXPECT_LT(start.x + 15, half.x);
     EXPECT_LT(half.x + 15, end.x);
     EXPECT_EQ(late, end);
-    EXPECT_EQ(rest, half) << "at rest the joint stands at 0";
+    EXPECT_EQ(rest, half) << "in its rest pose the joint stands at 0";
     EXPECT_THROW(at({"scene.animation=1"}), UsageError);
     const Session still = open_session({.scene = "boxes", .sets = {"scene.time=1"}});
     EXPECT_TRUE(test::mentions(still.notes, "no animation"));
@@ -94,7 +94,7 @@ TEST_F(RealScenes, AShadowMovesInASharedSkinnedModel) {
     EXPECT_NE(visibility(a.scene, a.settings).data, visibility(b.scene, b.settings).data);
 }
 
-/// One texel of a tangent-space normal.
+/// Adds a normal map of one texel to the scene. Returns its index.
 int add_normal_map(Scene& scene, const glm::vec3& n) {
     Texture t;
     t.width = t.height = 1;
@@ -106,7 +106,7 @@ int add_normal_map(Scene& scene, const glm::vec3& n) {
     return int(scene.textures.size()) - 1;
 }
 
-/// A floor of normals +y whose texture lies with u along +x and v along +z.
+/// Makes a floor of normals +y whose texture lies with u along +x and v along +z.
 Scene mapped_floor(const glm::vec3& n, bool tangents, const glm::dmat4& local = glm::dmat4(1)) {
     Scene scene;
     scene.name = "mapped floor";
@@ -157,8 +157,9 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
         }
 }
 
-TEST_F(RealScenes, TangentsOfTheFileSayWhereAMapLeans) {
-    // Not along the texture's own axes, as a tool may have written them; glTF: bitangent = cross(normal, tangent) * w.
+TEST_F(RealScenes, TangentsOfTheFileOrientNormalMaps) {
+    // The tangents differ from the texture's axes, as a tool may write them; glTF: bitangent = cross(normal, tangent)
+    // * w.
     struct Case {
         glm::vec4 tangent;
         glm::vec3 map;
@@ -177,7 +178,7 @@ TEST_F(RealScenes, TangentsOfTheFileSayWhereAMapLeans) {
     }
 }
 
-TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
+TEST_F(RealScenes, PosesShareTexturesAndOtherScenesDoNot) {
     const auto moving = [](const glm::vec3& n) {
         Scene scene = mapped_floor(n, false);
         auto rig = std::make_shared<Rig>();
@@ -194,7 +195,7 @@ TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
                                           {"camera.elevation", "60"},
                                           {"camera.distance", "3"},
                                           {"view.overlay", "normals"}});
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .overlay = true};
         return r.read_float(r.render(scene, s, request).overlay, 4).data;
     };
@@ -213,9 +214,9 @@ TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
     EXPECT_EQ(normal(fresher, other), others);
 }
 
-TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
-    // Light from +x at 45 degrees; the floor's own normal is +y, its vertex normals lean to -x, its map leans them to
-    // +x.
+TEST_F(RealScenes, TheBiasFollowsTheChosenNormal) {
+    // Light comes from +x at 45 degrees. The floor's normal is +y, its vertex normals lean to -x, its normal map leans
+    // them to +x.
     Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);
     const glm::dvec3 light = direction_from_angles(90, 45), vertex(-0.28, 0.96, 0), tangent(0.96, 0.28, 0);
     scene.meshes[0].normals.assign(4, glm::vec3(vertex));
@@ -234,13 +235,14 @@ TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
         set_setting(s, "bias.normal_source", source);
         const double slope = 1 - glm::dot(normal, light);
         EXPECT_NEAR(middle(scene, s, "bias-applied").x, slope, 0.01) << source;
-        // What the offset along a normal is worth along the light.
+        // Equivalent depth bias of the normal offset, along the light.
         set_setting(s, "bias.normal", "2");
         EXPECT_NEAR(middle(scene, s, "bias-applied").x, slope + 2 * glm::dot(normal, light), 0.02) << source;
-        const Probe probe = renderer.probe(scene, s, small(), small().width / 2, small().height / 2);
+        const Probe probe =
+            renderer.probe(scene, s, small_request(), small_request().width / 2, small_request().height / 2);
         ASSERT_EQ(probe.lights.size(), 1u);
         EXPECT_NEAR(probe.lights[0].bias_texels, slope, 0.01) << source;
-        // Without its map the mapped normal is the vertex normal.
+        // Without the normal map the mapped normal is the vertex normal.
         set_setting(s, "shading.textures", "false");
         const glm::dvec3 plain = source == std::string("mapped") ? vertex : normal;
         EXPECT_NEAR(middle(scene, s, "bias-applied").x, 1 + glm::dot(plain, light), 0.02) << source;

@@ -1,4 +1,4 @@
-// Receivers are placed by strips of rows on several threads: each is what its pixel alone says.
+// Tests that receivers placed by several threads, in strips of rows, depend on their own pixel only.
 #include "renderer/reference/receivers.h"
 
 #include "renderer/reference/reference_task.h"
@@ -10,7 +10,7 @@ namespace {
 
 class ReceiversTest : public FrameTest {};
 
-/// As joined() of receivers.cpp says in words.
+/// Returns whether two neighbours are joined, by the definition in receivers.cpp.
 bool on_one_surface(const Receiver& a, const Receiver& b) {
     if (!a.hit() || !b.hit()) return false;
     const glm::dvec3 d = b.position_ws - a.position_ws;
@@ -18,7 +18,7 @@ bool on_one_surface(const Receiver& a, const Receiver& b) {
     return std::abs(glm::dot(d, a.normal_ws)) <= most && std::abs(glm::dot(d, b.normal_ws)) <= most;
 }
 
-TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
+TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStrips) {
     const Scene scene = load_scene("boxes");
     for (const int height : {1, 16, 17, 41}) {
         const ReferenceTask task = reference_task(renderer, scene, settings_for(scene), {.width = 53, .height = height},
@@ -41,10 +41,10 @@ TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
     }
 }
 
-TEST_F(ReceiversTest, WhatShowsNothingIsEmptyWhateverTheMemoryHeld) {
+TEST_F(ReceiversTest, BackgroundPixelsAreEmptyForAnyMemoryContent) {
     const Scene scene = load_scene("boxes");
     ReferenceTask task = reference_task(renderer, scene, settings_for(scene), {.width = 320, .height = 180}, 0, {});
-    for (int round = 0; round < 2; ++round) {  // the second is given what the first left
+    for (int round = 0; round < 2; ++round) {  // the second round reuses the first one's memory
         const Receivers r = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         ASSERT_EQ(r.starts.size(), r.pixels.size());
         for (std::size_t i = 0; i < r.pixels.size(); ++i) {

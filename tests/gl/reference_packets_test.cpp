@@ -1,4 +1,4 @@
-// Rays of neighbours are traced in packets: each must answer as it does alone.
+// Tests that a reference ray in a packet answers as a single ray.
 #include "renderer/reference/reference_rays.h"
 #include "renderer/reference/reference_task.h"
 #include "renderer/render/reference_frames.h"
@@ -10,7 +10,7 @@ namespace {
 
 class ReferencePackets : public FrameTest {};
 
-TEST_F(ReferencePackets, ARayAnswersAsItDoesAloneInEveryBuiltInScene) {
+TEST_F(ReferencePackets, ARayInAPacketEqualsASingleRayInBuiltInScenes) {
     std::size_t rays = 0, occluded = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));

@@ -1,5 +1,5 @@
-// The cross-section of a probed pixel's test: its steps are the map's own texels in metres under every kind of light
-// and map, and on a tilted plane all of it follows from the plane's angle.
+// Tests the cross-section of a probed pixel: its steps are the map's texels in metres under every light and map, and
+// on a tilted plane everything follows from the plane's angle.
 #include "renderer/inspect/section.h"
 
 #include <algorithm>
@@ -38,19 +38,19 @@ protected:
         return cross_section(light(), &diagnosis, cut, n, reference_profile(casters, light(), cut, n));
     }
 
-    /// Floor under a sun that stands so many degrees high over the map's v axis.
+    /// Returns settings with a sun over the map's v axis. @param elevation degrees
     static Settings sun(double elevation, double constant_texels) {
         Settings s = test::texel_settings("hard", 256, constant_texels);
         s.lights[0].azimuth = 0;
         s.lights[0].elevation = elevation;
         return s;
     }
-    /// y of the surface's line.
+    /// Returns y of the surface's line.
     static double surface_y(const Section& s, double x) {
         return s.surface_at.y + (x - s.surface_at.x) * s.surface_along.y / s.surface_along.x;
     }
 
-    /// No depth bias, and an offset of so many texels, by one hard comparison.
+    /// Returns settings with a normal offset in texels as the only bias, and one hard comparison.
     static Settings offset_alone(LightType type, double texels) {
         Settings s = test::texel_settings("hard", 256, 0);
         s.lights[0].type = type;
@@ -59,7 +59,8 @@ protected:
     }
 
     const LightView& view() const { return light().fitted.views.at(std::size_t(light().face)); }
-    /// Both ends are the dossier's, by the projection of places on the surface's ray; and drawn so far before the ring.
+    /// Expects both ends to equal the diagnosis, by projecting places on the surface's ray, and to be drawn at that
+    /// distance before the ring.
     void expect_window_before_surface(const Section& s, const SectionDrawing& d) const {
         const Probe::PerLight& p = light();
         const glm::dmat4 uvd_from_surface =
@@ -87,7 +88,7 @@ protected:
         EXPECT_NEAR(drawn.x - d.zero_x, wanted.x * d.across, 1e-6 * d.across * glm::length(wanted));
         EXPECT_NEAR(d.zero_y - drawn.y, wanted.y * d.along, 1e-6 * d.along * glm::length(wanted));
     }
-    /// The scale's bar is as wide as the texels, and the offset's arrow as long as its label says.
+    /// Expects the scale's bar to be as wide as the texels, and the offset's arrow as long as its label reports.
     void expect_to_scale(const Section& s, const SectionDrawing& d) const {
         const auto scale = std::ranges::find_if(d.marks, [](const Mark& m) {
             return m.kind == Mark::Kind::Text && m.ink == Ink::Muted && m.text.find(" = ") != std::string::npos;
@@ -106,7 +107,7 @@ protected:
         if (glm::length(s.moved * glm::dvec2(d.across, d.along)) < 0.2 * SectionPage().em) return;
         ASSERT_NE(arrow, d.marks.end());
         const glm::dvec2 way = (arrow->points[1] - arrow->points[0]) / glm::dvec2(d.across, d.along);
-        // By vectors in the world: without what leaves the plane of the cut.
+        // The expected value uses world vectors, without the part that leaves the plane of the cut.
         const glm::dvec3 offset = light().offset_position_ws - light().point.position_ws;
         const glm::dvec3 ray = view().curve.perspective ? view().eye - light().offset_position_ws : view().axes[2];
         const glm::dvec3 normal = glm::normalize(glm::cross(view().axes[s.cut.axis], ray));
@@ -120,8 +121,8 @@ protected:
 };
 
 SI_TESTS_ARE(DriverIndependent, SectionTest);
-SI_TEST_IS(Repeated, SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap);
-TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
+SI_TEST_IS(Repeated, SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap);
+TEST_F(SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
     const std::vector<Sets> kinds{{{"light.type", "directional"}},
                                   {{"light.type", "directional"}, {"map.format", "d16"}},
@@ -147,7 +148,8 @@ TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
             const FloatImage map = renderer.read_shadow_map(frame, 0, light().face);
             const LightView& view = light().fitted.views.at(std::size_t(light().face));
             const int n = map.width;
-            // By the inverse of the map's projection, from the surface's point: no part of what is tested.
+            // The expected value uses the inverse of the map's projection at the surface's point, which the tested
+            // code does not use.
             const glm::dmat4 ws_from_uvd =
                 glm::inverse(uvd_from_clip(view.curve.convention) * view.clip_from_relative(probed.position_ws));
             for (const Section::Step& step : cut.steps) {
@@ -155,9 +157,9 @@ TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
                 const glm::ivec2 texel =
                     cut.cut.axis == 0 ? glm::ivec2(step.texel, cut.row) : glm::ivec2(cut.row, step.texel);
                 const double stored = map.at(texel.x, n - 1 - texel.y);
-                // Distances become depths in single precision, here and where the kernel reads them.
+                // Distances become depths in single precision, here and in the kernel.
                 EXPECT_NEAR(step.stored, stored, name.find("linear") == name.npos ? 0 : 3e-6) << name << step.texel;
-                // A warped map's range of depths is that of the texel's own middle: only there it is exact.
+                // A warped map's depth range is that of the texel's centre, the only exact place.
                 glm::dvec2 at = (glm::dvec2(texel) + 0.5) / double(n);
                 if (!view.warped()) at[1 - cut.cut.axis] = light().tap[1 - cut.cut.axis];
                 const glm::dvec4 h = ws_from_uvd * glm::dvec4(at, step.stored, 1);
@@ -204,13 +206,14 @@ TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
                 << "each step crosses the surface in its middle";
             EXPECT_NEAR(step.to.x - step.from.x, texel, 1e-9);
         }
-        // Half a texel of the slope, up to a sixteenth for the sub-pixel grid, and little for format and rounding.
+        // The tolerance is half a texel of the slope, up to a sixteenth for the sub-pixel grid, and little for format
+        // and rounding.
         EXPECT_TRUE(s.window_open());
         EXPECT_GE(s.window_from, 0.5 * texel * std::tan(theta));
         EXPECT_LT(s.window_from, (0.505 + 1.0 / 16) * texel * std::tan(theta) + 0.01 * texel);
         EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-9);
         EXPECT_GT(s.window_from, s.lookup_step()->from.y) << "and clears this step";
-        ASSERT_EQ(s.profile.size(), 1u) << "one surface in truth";
+        ASSERT_EQ(s.profile.size(), 1u) << "one surface in the reference";
         EXPECT_GT(s.profile[0].size(), 8u * s.steps.size());
         for (const glm::dvec2& p : s.profile[0]) EXPECT_NEAR(p.y, surface_y(s, p.x), 1e-4 * texel);
     }
@@ -226,7 +229,7 @@ TEST_F(SectionTest, ANormalOffsetOfHClearsHOverCosine) {
     EXPECT_NEAR(s.moved.y, h * std::cos(theta), 1e-6);
     EXPECT_NEAR(std::abs(s.moved.x), h * std::sin(theta), 1e-6);
     EXPECT_NEAR(s.moved.y - surface_y(s, s.moved.x), h / std::cos(theta), 1e-6);
-    EXPECT_NEAR(s.has.metres, h / std::cos(theta), 1e-6) << "what the dossier says it is worth";
+    EXPECT_NEAR(s.has.metres, h / std::cos(theta), 1e-6) << "the diagnosis' equivalent depth bias";
     EXPECT_TRUE(s.lit && s.artefact.empty());
     EXPECT_GT(s.compared.y, s.window_from);
     EXPECT_TRUE(s.terms.empty()) << "no depth bias";
@@ -238,7 +241,7 @@ TEST_F(SectionTest, TheWindowOfAcneWithAnOffsetCountsFromTheSurface) {
         SCOPED_TRACE(int(type));
         std::optional<Section> found;
         Settings settings = offset_alone(type, 0.1);
-        settings.lights[0].elevation = 25;  // so low that no face of a point light's map lies along the floor
+        settings.lights[0].elevation = 25;  // low, so that no face of a point light's map lies along the floor
         for (int y = 40; y < 80 && !found; ++y) {
             const Section s = section(scene, settings, {80, y});
             if (s.artefact == "acne" && s.has_window) found = s;
@@ -283,7 +286,7 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
     const Settings settings = sun(elevation, 14);
     std::optional<Section> found;
     for (int y = 58; y < 64 && !found; ++y) {
-        // Seen from beside the sheet, through below it.
+        // The camera looks from the side, below the sheet.
         Settings s = settings;
         s.camera.elevation = 5;
         s.camera.target_y = 0.1;
@@ -308,7 +311,7 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
     EXPECT_GE(s.compared.y, s.lookup_step()->from.y);
 }
 
-TEST_F(SectionTest, KeepsItsFormWhereThereIsNothingToCut) {
+TEST_F(SectionTest, KeepsItsFormWithoutGeometryToCut) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = sun(40, 1);
     s.lights[0].cast = false;

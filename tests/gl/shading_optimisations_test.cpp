@@ -1,4 +1,5 @@
-// What the picture's passes spare was really not done, and what they do more cheaply is what it was.
+// Tests optimisations of the picture's passes: skipped work is really skipped, and cheaper computations give the same
+// result.
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -17,9 +18,9 @@ namespace {
 
 class ShadingOptimisationsTest : public FrameTest {
 protected:
-    /// How many fragments of a frame drawn anew passed the depth test, and so were shaded and written.
+    /// Returns the fragments of a freshly drawn frame that passed the depth test and were shaded.
     std::uint64_t written_fragments(const Scene& scene, const Settings& s, const OptimisationSet& forced) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.force = true;
         request.forced = forced;
         renderer.render(scene, s, request);
@@ -33,7 +34,7 @@ protected:
         glDeleteQueries(1, &query);
         return count;
     }
-    /// A lit picture of a plane straight below a parallel camera, whose every pixel has one colour.
+    /// Draws a lit picture of a plane straight below a parallel camera: every pixel has one colour.
     ByteImage plain_colour(double grey, const Sets& extra) {
         Scene scene;
         const int material = add_material(scene, "plain", glm::vec3(float(grey)));
@@ -45,8 +46,7 @@ protected:
     }
 };
 
-/// Plates before one another in a row along the view, each wider than the one before it, in the order `near_first`
-/// says.
+/// Makes a row of plates along the view, each wider than the one before it, in the order of `near_first`.
 Scene row_of_plates(int count, bool near_first) {
     Scene scene;
     const int mesh = add_mesh(scene, "plate", make_plane(1, 1), add_material(scene, "grey", glm::vec3(0.5f)));
@@ -66,21 +66,21 @@ const Sets kFromAbove = {{"camera.source", "manual"},
                          {"shading.sky", "plain"}};
 
 SI_TESTS_ARE(Repeated, ShadingOptimisationsTest);
-TEST_F(ShadingOptimisationsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
+TEST_F(ShadingOptimisationsTest, NearObjectsAreDrawnBeforeHiddenOnes) {
     const Scene far_first = row_of_plates(8, false);
     const Settings s = settings_for(far_first, kFromAbove);
-    const std::uint64_t spared = written_fragments(far_first, s, {}),
+    const std::uint64_t optimised = written_fragments(far_first, s, {}),
                         forced = written_fragments(far_first, s, {Optimisation::DepthOrder}),
                         least = written_fragments(row_of_plates(8, true), s, {Optimisation::DepthOrder});
     EXPECT_GT(least, 2000u);
-    EXPECT_EQ(spared, least) << "each pixel is shaded once";
-    EXPECT_GT(forced, 2 * spared);
+    EXPECT_EQ(optimised, least) << "each pixel is shaded once";
+    EXPECT_GT(forced, 2 * optimised);
 }
 
-TEST_F(ShadingOptimisationsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
+TEST_F(ShadingOptimisationsTest, DrawingLargeMeshesLastShadesFewerHiddenPixels) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     const Settings s = settings_for(scene, {{"light.cast", "false"}, {"shading.sky", "plain"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .surface_ids = true};
     const SurfaceIds ids = renderer.read_surface_ids(renderer.render(scene, s, request).surface_ids);
     const auto shown = std::ranges::count_if(ids.data, [](const glm::uvec2& id) { return id.x != 0; });
@@ -88,26 +88,26 @@ TEST_F(ShadingOptimisationsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
     EXPECT_LT(double(written_fragments(scene, s, {})), 1.05 * double(shown)) << "the ground is drawn last";
 }
 
-TEST_F(ShadingOptimisationsTest, OrderLeavesThePictureAlone) {
+TEST_F(ShadingOptimisationsTest, OrderChangesNoPixel) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
-    FrameRequest forced = small();
+    FrameRequest forced = small_request();
     forced.forced = {Optimisation::DepthOrder};
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
 }
 
-/// A plate, and a small one to its side.
+/// Makes a plate, and a small one at a distance to its side.
 Mesh plates(double aside) {
     Mesh mesh = make_plane(2, 2);
     append(mesh, transformed(make_plane(0.2, 0.2), moved(aside, 0, 0)));
     return mesh;
 }
 
-TEST_F(ShadingOptimisationsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
+TEST_F(ShadingOptimisationsTest, CoincidentPlatesShowTheSameOneFromEverySide) {
     Scene scene;
     const int red = add_material(scene, "red", {0.8f, 0.1f, 0.1f}),
               green = add_material(scene, "green", {0.1f, 0.8f, 0.1f});
-    // From one side the one is the farther, from the other side the other.
+    // Each plate is the farther one from one of the two sides.
     add_object(scene, "a", -1, add_mesh(scene, "a", plates(-3), red));
     add_object(scene, "b", -1, add_mesh(scene, "b", plates(3), green));
     finalise(scene);
@@ -128,7 +128,7 @@ TEST_F(ShadingOptimisationsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
     }
 }
 
-TEST_F(ShadingOptimisationsTest, ObjectsBesideThePictureAreNotDrawn) {
+TEST_F(ShadingOptimisationsTest, ObjectsOutsideThePictureAreNotDrawn) {
     Scene scene;
     const int mesh = add_mesh(scene, "ball", make_sphere(0.5, 16, 8), add_material(scene, "grey", glm::vec3(0.5f)));
     for (int x = -20; x <= 20; ++x) add_object(scene, "ball " + std::to_string(x), -1, mesh, moved(2 * x, 0, 0));
@@ -141,7 +141,7 @@ TEST_F(ShadingOptimisationsTest, ObjectsBesideThePictureAreNotDrawn) {
                                                     {"camera.distance", "12"},
                                                     {"camera.height", "6"},
                                                     {"light.cast", "false"}});
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.force = true;
             const FrameResult saved = renderer.render(scene, s, request);
             const PassInfo shading = *saved.pass("shading (with visibility)");
@@ -163,7 +163,7 @@ TEST_F(ShadingOptimisationsTest, ObjectsBesideThePictureAreNotDrawn) {
 TEST_F(ShadingOptimisationsTest, FusedVisibilityDrawsTheSceneOnce) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.force = true;
     const FrameResult fused = renderer.render(scene, s, request);
     EXPECT_EQ(fused.pass("visibility")->state, PassState::Skipped);
@@ -174,7 +174,7 @@ TEST_F(ShadingOptimisationsTest, FusedVisibilityDrawsTheSceneOnce) {
     EXPECT_GT(forced.pass("visibility")->draws, 0);
 }
 
-/// Samplers that the program in use may fetch from.
+/// Returns the samplers that the current program may fetch from.
 int active_samplers() {
     GLint program = 0, count = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &program);
@@ -191,17 +191,17 @@ int active_samplers() {
     return samplers;
 }
 
-TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
+TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreLeftOutOfTheProgram) {
     const Scene scene = load_scene("boxes");
     const Sets lone[] = {{{"light.intensity", "0"}},
                          {{"light.red", "0"}, {"light.green", "0"}, {"light.blue", "0"}, {"light.type", "point"}},
                          {{"light.type", "point"}, {"light.range", "2"}, {"light.distance", "200"}},
                          {{"light.type", "spot"}, {"light.range", "2"}, {"light.distance", "200"}}};
     for (const Sets& sets : lone) {
-        Sets all = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // the last program is shading's
+        Sets all = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // shading is then the last program
         all.insert(all.end(), sets.begin(), sets.end());
         const Settings s = settings_for(scene, all);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         const FrameResult saved = renderer.render(scene, s, request);
         const int fetched = active_samplers();
         const ByteImage seen = renderer.read_colour(saved.colour);
@@ -219,27 +219,27 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
         EXPECT_EQ(fetched, 0) << sets[0].first;
         EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u) << sets[0].first;
     }
-    // Beside lights that do reach it, and where visibility alone shows.
+    // The frame also has lights that reach the scene, or shows visibility only.
     for (const Sets& sets : {Sets{{"light.count", "3"}, {"light.1.intensity", "0"}, {"light.2.type", "point"}},
                              Sets{{"light.intensity", "0"}, {"shading.composition", "dim-lit"}},
                              Sets{{"light.intensity", "0"}, {"shading.separate_visibility", "true"}}}) {
         const Settings s = settings_for(scene, sets);
-        FrameRequest forced = small();
+        FrameRequest forced = small_request();
         forced.forced = {Optimisation::DeadPasses};
         EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u) << sets.back().first;
     }
 }
 
-TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
+TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(20, 20), grey));
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(0.5), grey), moved(8, 0.5, 8));
     finalise(scene);
     const Sets over_floor = {
-        {"filter.kernel", "pcf5"}, {"light.type", "spot"},   {"light.distance", "4"}, {"light.elevation", "70"},
-        {"light.target_x", "-6"},  {"light.target_z", "-6"}, {"bias.normal", "2"},    {"bias.kind", "constant"},
-        {"shading.sky", "plain"}};  // shading is the last that is drawn
+        {"filter.kernel", "pcf5"}, {"light.type", "spot"},    {"light.distance", "4"},
+        {"light.elevation", "70"}, {"light.target_x", "-6"},  {"light.target_z", "-6"},
+        {"bias.normal", "2"},      {"bias.kind", "constant"}, {"shading.sky", "plain"}};  // shading is then drawn last
     const auto settings = [&](const Sets& more, bool floor_casts) {
         Sets sets = over_floor;
         sets.insert(sets.end(), more.begin(), more.end());
@@ -248,7 +248,7 @@ TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
         return s;
     };
     const auto draw = [&](const Settings& s, OptimisationSet forced) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.forced = forced;
         return renderer.render(scene, s, request);
     };
@@ -270,7 +270,7 @@ TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
         EXPECT_GT(active_samplers(), 0);
         EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u);
     }
-    // A caster in its cone, what lies beyond a map is dark, averages of depths.
+    // Exceptions: a caster in the cone, a dark outside of the map, averages of depths.
     for (const Settings& s : {settings({{"light.target_x", "8"}, {"light.target_z", "8"}}, false),
                               settings({{"map.outside", "unlit"}}, false), settings({{"filter.kernel", "vsm"}}, false),
                               settings({}, true)}) {
@@ -281,8 +281,7 @@ TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
     }
 }
 
-// The encoding is a polynomial: every level that eight bits have, of grey that the light leaves as it is, within one
-// step, and mostly the very one.
+// The encoding is a polynomial. Every 8-bit grey level under white light stays within one step, and mostly equal.
 TEST_F(ShadingOptimisationsTest, ColoursAreEncodedAsSrgb) {
     int other = 0, levels = 0;
     for (int wanted = 0; wanted <= 255; wanted += 3) {
@@ -304,8 +303,8 @@ TEST_F(ShadingOptimisationsTest, ColoursAreEncodedAsSrgb) {
     EXPECT_EQ(bright.data[4 * (8 * 16 + 8)], 255) << "what is brighter than white is white";
 }
 
-// Powers of two are squared, others raised: the highlight grows evenly from one to the next.
-TEST_F(ShadingOptimisationsTest, HighlightsArePowersHoweverTheyAreComputed) {
+// Powers of two are squared, others use pow(): the highlight grows evenly from one exponent to the next.
+TEST_F(ShadingOptimisationsTest, HighlightsEqualPowersInEitherForm) {
     const Scene scene = load_scene("boxes");
     const auto mean = [&](const char* shininess) {
         const ByteImage p = picture(scene, settings_for(scene, {{"shading.specular", "1"},
@@ -323,7 +322,7 @@ TEST_F(ShadingOptimisationsTest, HighlightsArePowersHoweverTheyAreComputed) {
     }
 }
 
-// Grey light reads one channel for three: a hue that is barely there must show as it does beside it.
+// Grey light computes one channel for three: a faint hue must look the same under coloured light.
 TEST_F(ShadingOptimisationsTest, GreyLightIsAsBrightAsColouredLight) {
     const Scene scene = load_scene("boxes");
     const ByteImage grey = picture(scene, settings_for(scene, {}));

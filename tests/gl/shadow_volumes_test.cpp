@@ -1,4 +1,4 @@
-// Shadow volumes are exact: held against rays, pixel by pixel, wherever light, camera and scene stand.
+// Compares shadow volumes with rays, pixel by pixel, for many positions of light, camera and scene.
 #include "renderer/passes/shadow_volumes.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Masks as the volumes take them: solid.
+/// Returns the scene with masked materials made opaque, as volumes treat them.
 Scene solid(Scene scene) {
     for (Material& m : scene.materials)
         if (m.alpha == AlphaMode::Mask) m.alpha = AlphaMode::Opaque;
@@ -31,11 +31,11 @@ Scene moved_by(Scene scene, const glm::dvec3& by) {
 }
 
 struct Compared {
-    std::size_t dark = 0;        ///< by the truth, of what faces the light
-    std::size_t off = 0;         ///< pixels that differ
-    std::size_t off_inside = 0;  ///< of them, those with no edge within a pixel
+    std::size_t dark = 0;        ///< pixels in shadow in the reference, among those that face the light
+    std::size_t off = 0;         ///< differing pixels
+    std::size_t off_inside = 0;  ///< differing pixels without an edge within a pixel
     std::size_t pixels = 0;
-    int x = -1, y = -1;  ///< the last such
+    int x = -1, y = -1;  ///< position of the last differing pixel away from edges
 };
 
 class ShadowVolumesTest : public FrameTest {
@@ -43,8 +43,8 @@ protected:
     ReferenceCache cache;
     FrameRequest request{.width = 480, .height = 270, .outputs = {.colour = false, .visibility = true}};
 
-    /// Edges are those of the truth and of the triangles that are seen: where one begins, a pixel's centre is on
-    /// either.
+    /// Compares drawn visibility with rays. Edges are those of the reference and of visible triangles: at an edge a
+    /// pixel's centre may lie on either side.
     Compared compare(const Scene& scene, Settings s) {
         set_setting(s, "light.source", "volumes-zfail");
         const FrameResult frame = renderer.render(scene, s, request);
@@ -75,8 +75,8 @@ protected:
             }
         return c;
     }
-    /// @param inside pixels that may be off beside any edge
-    void exact(const Scene& scene, const Settings& s, std::size_t least_dark, std::size_t inside = 0) {
+    /// Expects visibility to equal that of rays. @param inside accepted differing pixels away from edges
+    void expect_exact(const Scene& scene, const Settings& s, std::size_t least_dark, std::size_t inside = 0) {
         const Compared c = compare(scene, s);
         EXPECT_LE(double(c.off), 1e-4 * double(c.pixels));
         EXPECT_LE(c.off_inside, inside) << "such as " << c.x << ", " << c.y;
@@ -92,19 +92,18 @@ TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
         for (const char* type : {"directional", "spot", "point"})
             for (const auto& [azimuth, elevation] : {std::pair{"-40", "38"}, {"0", "90"}, {"90", "30"}}) {
                 SCOPED_TRACE(testing::Message() << name << " " << type << " " << azimuth << " " << elevation);
-                exact(scene,
-                      settings_for(scene, {{"light.type", type},
-                                           {"light.azimuth", azimuth},
-                                           {"light.elevation", elevation},
-                                           {"volumes.allow_large", "true"}}),
-                      std::string(name) == "plane" || std::string(name) == "relief" ? 0 : 100);
+                expect_exact(scene,
+                             settings_for(scene, {{"light.type", type},
+                                                  {"light.azimuth", azimuth},
+                                                  {"light.elevation", elevation},
+                                                  {"volumes.allow_large", "true"}}),
+                             std::string(name) == "plane" || std::string(name) == "relief" ? 0 : 100);
             }
     }
 }
 
-// Counting before the surface is the same count wherever the camera stands outside, and another one within a volume:
-// there light and shadow change places.
-TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
+// Z-pass counts are equal for all cameras outside of volumes. Within a volume they swap light and shadow.
+TEST_F(ShadowVolumesTest, ZPassFailsWithTheCameraInside) {
     const auto differing = [&](const Scene& scene, Settings s) {
         FloatImage v[2];
         for (const int which : {0, 1}) {
@@ -122,7 +121,7 @@ TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
         for (const char* type : {"directional", "spot", "point"})
             EXPECT_LT(differing(boxes, settings_for(boxes, {{"light.type", type}})), 1e-4) << type;
     }
-    // Under a sheet, the sun straight above it; and the same camera beside its shadow.
+    // The camera is under a sheet with the sun straight above, then outside the sheet's shadow.
     const Scene sheet = test::floor_under_sheet({});
     Settings s = test::hard_settings();
     s.lights[0].elevation = 90;
@@ -135,15 +134,15 @@ TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
     EXPECT_LT(differing(sheet, s), 1e-4);
 }
 
-TEST_F(ShadowVolumesTest, AreExactTenKilometresOffTheOrigin) {
+TEST_F(ShadowVolumesTest, AreExactTenKilometresFromTheOrigin) {
     const Scene scene = moved_by(solid(load_scene("boxes")), {1e4, -3e3, 1e4});
     for (const char* type : {"directional", "spot", "point"}) {
         SCOPED_TRACE(type);
-        exact(scene, settings_for(scene, {{"light.type", type}}), 500);
+        expect_exact(scene, settings_for(scene, {{"light.type", type}}), 500);
     }
 }
 
-/// A room with a hole in its roof, a table and a lamp's post, on a floor outside of it.
+/// Makes a room with a hole in its roof, a table and a lamp post, on a floor outside the room.
 Scene room(bool inside_out) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -160,7 +159,8 @@ Scene room(bool inside_out) {
     return scene;
 }
 
-// Within the volumes, and within closed surfaces: under a roof all is dark, and a lamp inside of it lights.
+// The camera is within volumes and closed surfaces: under a roof everything is dark, and a lamp inside lights the
+// room.
 TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
     for (const bool inside_out : {false, true}) {
         const Scene scene = room(inside_out);
@@ -177,49 +177,49 @@ TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
             auto all = camera;
             all.insert(all.end(), light.begin(), light.end());
             SCOPED_TRACE(testing::Message() << inside_out << " " << light[0].second << " " << light.back().second);
-            exact(scene, settings_for(scene, all), 1000);
+            expect_exact(scene, settings_for(scene, all), 1000);
         }
     }
-    // In the shadow of a box, near enough for the near plane to cut its volume.
+    // The camera is in the shadow of a box, close enough for the near plane to cut its volume.
     const Scene boxes = load_scene("boxes");
     for (const char* elevation : {"5", "20", "60"}) {
         SCOPED_TRACE(elevation);
-        exact(boxes,
-              settings_for(boxes, {{"light.azimuth", "180"},
-                                   {"light.elevation", elevation},
-                                   {"camera.source", "manual"},
-                                   {"camera.azimuth", "0"},
-                                   {"camera.elevation", "3"},
-                                   {"camera.distance", "4"},
-                                   {"camera.near", "0.4"}}),
-              100);
+        expect_exact(boxes,
+                     settings_for(boxes, {{"light.azimuth", "180"},
+                                          {"light.elevation", elevation},
+                                          {"camera.source", "manual"},
+                                          {"camera.azimuth", "0"},
+                                          {"camera.elevation", "3"},
+                                          {"camera.distance", "4"},
+                                          {"camera.near", "0.4"}}),
+                     100);
     }
 }
 
-// What the far plane cuts off still casts, and so does what is behind the camera; without perspective, too.
-TEST_F(ShadowVolumesTest, AreExactWhereThePlanesCut) {
+// Casters past the far plane and behind the camera still cast, also in orthographic views.
+TEST_F(ShadowVolumesTest, AreExactAtTheNearAndFarPlanes) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "point"})
         for (const char* parallel : {"false", "true"})
             for (const auto& [near, far] : {std::pair{"0", "9"}, {"7", "0"}, {"0", "0"}})
                 for (const char* azimuth : {"-150", "60"}) {
                     SCOPED_TRACE(testing::Message() << type << " " << parallel << " " << near << " " << far);
-                    exact(scene,
-                          settings_for(scene, {{"light.type", type},
-                                               {"light.azimuth", azimuth},
-                                               {"light.elevation", "25"},
-                                               {"camera.source", "manual"},
-                                               {"camera.orthographic", parallel},
-                                               {"camera.distance", "8"},
-                                               {"camera.azimuth", "35"},
-                                               {"camera.elevation", "25"},
-                                               {"camera.near", near},
-                                               {"camera.far", far}}),
-                          50);
+                    expect_exact(scene,
+                                 settings_for(scene, {{"light.type", type},
+                                                      {"light.azimuth", azimuth},
+                                                      {"light.elevation", "25"},
+                                                      {"camera.source", "manual"},
+                                                      {"camera.orthographic", parallel},
+                                                      {"camera.distance", "8"},
+                                                      {"camera.azimuth", "35"},
+                                                      {"camera.elevation", "25"},
+                                                      {"camera.near", near},
+                                                      {"camera.far", far}}),
+                                 50);
                 }
 }
 
-// Light straight along the view: its shadows end in one point of the picture.
+// Light along the view direction: its shadows end in one point of the picture.
 TEST_F(ShadowVolumesTest, AreExactAlongTheView) {
     const Scene scene = load_scene("boxes");
     for (const char* parallel : {"false", "true"})
@@ -230,14 +230,14 @@ TEST_F(ShadowVolumesTest, AreExactAlongTheView) {
                                                                                    {"0", "90", "0", "90"},
                                                                                    {"0", "90", "0", "0"}}) {
             SCOPED_TRACE(testing::Message() << parallel << " " << azimuth << " " << elevation << " " << camera_azimuth);
-            exact(scene,
-                  settings_for(scene, {{"light.azimuth", azimuth},
-                                       {"light.elevation", elevation},
-                                       {"camera.source", "manual"},
-                                       {"camera.orthographic", parallel},
-                                       {"camera.azimuth", camera_azimuth},
-                                       {"camera.elevation", camera_elevation}}),
-                  0, 1);  // a side of a volume is a line in the picture there, on which a pixel may lie
+            expect_exact(scene,
+                         settings_for(scene, {{"light.azimuth", azimuth},
+                                              {"light.elevation", elevation},
+                                              {"camera.source", "manual"},
+                                              {"camera.orthographic", parallel},
+                                              {"camera.azimuth", camera_azimuth},
+                                              {"camera.elevation", camera_elevation}}),
+                         0, 1);  // a volume's side is a line in the picture there, and a pixel may lie on it
         }
 }
 
@@ -258,7 +258,7 @@ TEST_F(ShadowVolumesTest, ObjectsThatDoNotCastOrReceiveAreLeftOut) {
     EXPECT_EQ(compare(scene, s).dark, all) << "culling is of maps";
 }
 
-TEST_F(ShadowVolumesTest, EachLightHasItsOwnBesideMaps) {
+TEST_F(ShadowVolumesTest, LightsMayMixVolumesAndMaps) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.count", "3"},
                                       {"light.0.source", "volumes-zfail"},
@@ -281,11 +281,11 @@ TEST_F(ShadowVolumesTest, EachLightHasItsOwnBesideMaps) {
     EXPECT_NE(layer(s, 0), layer(s, 2));
 }
 
-// The plan tells what runs, why, and whose cost it is; what did not change is reused.
-TEST_F(ShadowVolumesTest, ThePlanCallsThemAndReusesThem) {
+// The plan reports each pass, its reason and its costs; unchanged results are cached.
+TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.source", "volumes-zfail"}});
-    FrameRequest colour = small();
+    FrameRequest colour = small_request();
     FrameResult f = renderer.render(scene, s, colour);
     const auto state = [&](const char* name) { return f.pass(name)->state; };
     EXPECT_EQ(f.passes[0].state, PassState::Skipped);
@@ -307,11 +307,12 @@ TEST_F(ShadowVolumesTest, ThePlanCallsThemAndReusesThem) {
     colour.forced = OptimisationSet::all();
     EXPECT_EQ(kept.data, picture(scene, s, colour).data);
     set_setting(s, "light.source", "map");
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("shadow volumes 0"), nullptr);
+    EXPECT_EQ(renderer.render(scene, s, small_request()).pass("shadow volumes 0"), nullptr);
 }
 
-// More open triangles than are drawn unasked: the light has no shadow, the plan and a note say what it would take.
-TEST_F(ShadowVolumesTest, LargeOnesAreAskedFor) {
+// Scenes with too many open triangles draw no volumes without consent: the light has no shadow, and the plan and a
+// note report the cost.
+TEST_F(ShadowVolumesTest, LargeVolumesNeedConsent) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
@@ -327,7 +328,7 @@ TEST_F(ShadowVolumesTest, LargeOnesAreAskedFor) {
     const FloatImage lit = renderer.read_float(f.visibility, 1);
     EXPECT_EQ(std::count(lit.data.begin(), lit.data.end(), 0.f), 0);
     s.volumes.allow_large = true;
-    exact(scene, s, 500);
+    expect_exact(scene, s, 500);
     s.volumes.allow_large = false;
     s.objects[scene.nodes[1].path].cast = false;
     EXPECT_TRUE(renderer.render(scene, s, request).notes.empty());

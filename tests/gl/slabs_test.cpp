@@ -1,4 +1,4 @@
-// Texel slabs in real frames: they are drawn where the texel's depth lies in the scene.
+// Tests texel slabs in real frames: each lies where the texel's depth lies in the scene.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 class SlabsTest : public FrameTest {
 protected:
-    /// The slabs that a frame draws, from the map read back.
+    /// Returns the slabs of a frame, from the map read back.
     std::vector<TexelSlab> slabs(const FrameResult& f, const Settings& s, Slabs which) {
         const int face = std::clamp(s.view.face, 0, int(f.lights[0].views.size()) - 1), n = f.map_resolution;
         const FloatImage map = renderer.read_shadow_map(f, 0, face);
@@ -24,14 +24,14 @@ protected:
     }
 };
 
-/// How much bluer (x) and redder (y) b is than a at a pixel.
+/// Returns by how much b is bluer (x) and redder (y) than a at a pixel.
 glm::ivec2 tint(const ByteImage& a, const ByteImage& b, int x, int y) {
     const std::size_t i = (std::size_t(y) * std::size_t(a.width) + std::size_t(x)) * 4;
     const auto d = [&](std::size_t c) { return int(b.data[i + c]) - int(a.data[i + c]); };
     return {d(2) - d(0), d(0) - d(2)};
 }
 
-/// Whether a pixel lies at least a pixel and a half within the slab's picture.
+/// Returns whether a pixel lies at least a pixel and a half within the slab's picture.
 bool covers(const TexelSlab& slab, const Camera& camera, int width, int height, glm::dvec2 pixel) {
     double least = 1e9, most = -1e9;
     for (const auto& [a, b] : {std::pair{0, 1}, {1, 3}, {3, 2}, {2, 0}}) {
@@ -45,7 +45,7 @@ bool covers(const TexelSlab& slab, const Camera& camera, int width, int height, 
     return least > 1.5 || most < -1.5;
 }
 
-/// World points spread over each slab.
+/// Returns world points spread over each slab.
 std::vector<std::pair<glm::dvec3, TexelSlab>> points_on(const std::vector<TexelSlab>& slabs) {
     std::vector<std::pair<glm::dvec3, TexelSlab>> out;
     for (const TexelSlab& slab : slabs)
@@ -58,8 +58,8 @@ std::vector<std::pair<glm::dvec3, TexelSlab>> points_on(const std::vector<TexelS
     return out;
 }
 
-SI_TEST_IS(Repeated, SlabsTest, StandWhereTheStoredDepthLies);
-TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
+SI_TEST_IS(Repeated, SlabsTest, LieAtTheStoredDepth);
+TEST_F(SlabsTest, LieAtTheStoredDepth) {
     const Scene scene = load_scene("boxes");
     const FrameRequest size{.width = 640, .height = 360};
     for (const auto& [type, fit] :
@@ -102,7 +102,7 @@ TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
                 const std::string where = std::string(type) + " " + fit + " " + format + " " + reversed;
                 EXPECT_GT(visible, 200) << where;
                 EXPECT_EQ(tinted, visible) << where;
-                // Behind a surface there is a hint of it at most, but for a nearer slab at the same pixel.
+                // A slab behind a surface shows faintly, unless a nearer slab covers the same pixel.
                 EXPECT_LE(strong, hidden / 2) << where;
             }
 }
@@ -112,9 +112,9 @@ TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
     Settings s = settings_for(scene, {{"light.fit", "scene"}, {"map.resolution", "256"}, {"view.slabs_texels", "16"}});
     const ByteImage without = picture(scene, s);
     s.view.slabs = Slabs::Both;
-    const FrameResult f = renderer.render(scene, s, small());
+    const FrameResult f = renderer.render(scene, s, small_request());
     const ByteImage with = renderer.read_colour(f.colour);
-    // Around all slabs: the bounds of their corners on screen.
+    // Bounds of all slabs' corners on screen.
     glm::dvec2 lo(1e9), hi(-1e9);
     for (const TexelSlab& slab : slabs(f, s, Slabs::Both))
         for (const glm::dvec3& c : slab.corners) {
@@ -131,13 +131,13 @@ TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
         }
     EXPECT_GT(inside, 50);
     EXPECT_EQ(outside, 0);
-    // A corner of the map that holds nothing but the far plane.
+    // This corner of the map holds only the far plane.
     s.view.slabs_u = s.view.slabs_v = 0;
     EXPECT_EQ(different_pixels(without, picture(scene, s)), 0u);
 }
 
 TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
-    // Light straight down on the floor: as stored its slabs lie in it and show, with bias they are beneath it.
+    // Light straight down on the floor: as stored, its slabs lie in the floor and show; with bias they lie beneath.
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.elevation", "90"},
                                       {"map.resolution", "128"},
@@ -167,12 +167,13 @@ TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
     EXPECT_EQ(strongly(Slabs::Biased).second, stored.first);
 }
 
-TEST_F(SlabsTest, EveryPaneHasThem) {
+TEST_F(SlabsTest, AreDrawnInEveryPane) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"view.panes", "two"}, {"view.overlay_2", "n-dot-l"}, {"map.resolution", "128"}});
     const auto panes = [&] {
         std::vector<ByteImage> out;
-        for (const Pane& p : renderer.render(scene, s, small()).panes) out.push_back(renderer.read_colour(p.picture));
+        for (const Pane& p : renderer.render(scene, s, small_request()).panes)
+            out.push_back(renderer.read_colour(p.picture));
         return out;
     };
     const auto without = panes();
@@ -180,7 +181,7 @@ TEST_F(SlabsTest, EveryPaneHasThem) {
     const auto with = panes();
     for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(different_pixels(without[i], with[i], 20), 500u) << i;
     set_setting(s, "light.cast", "false");
-    const FrameResult dark = renderer.render(scene, s, small());
+    const FrameResult dark = renderer.render(scene, s, small_request());
     EXPECT_EQ(dark.pass("texel slabs")->reason, "view.light has no shadow map");
 }
 

@@ -1,4 +1,4 @@
-// Sources of visibility: what each gives, what it does without, and that the truth judges all of them.
+// Tests sources of visibility: their outputs, the passes that they skip, and their comparison with the reference.
 #include "renderer/settings/sources.h"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ protected:
     }
 };
 
-SI_TEST_IS(Repeated, SourcesTest, EveryRowHasWhatItClaims);
-TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
+SI_TEST_IS(Repeated, SourcesTest, EveryRowHasTextsAndConsistentNeeds);
+TEST_F(SourcesTest, EveryRowHasTextsAndConsistentNeeds) {
     ASSERT_FALSE(sources().empty());
     EXPECT_EQ(sources()[std::size_t(LightSettings{}.source)].key, "map");
     for (const Source& s : sources()) {
@@ -47,16 +47,16 @@ TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, OnlyAMapIsDrawnAsAMap);
-// Whatever the source, visibility lies in [0,1] at every pixel, no map is drawn unless the source is one, and the plan
-// says why.
-TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
+SI_TEST_IS(Repeated, SourcesTest, OnlyShadowMapsDrawMaps);
+// For each source visibility lies in [0,1] at every pixel. Maps are drawn only for the source "map", and the plan
+// gives the reason.
+TEST_F(SourcesTest, OnlyShadowMapsDrawMaps) {
     const Scene scene = load_scene("boxes");
     for (const Source& source : sources())
         for (const char* type : {"directional", "spot", "point"}) {
             SCOPED_TRACE(testing::Message() << source.key << " " << type);
             const Settings s = settings_for(scene, {{"light.type", type}, {"light.source", std::string(source.key)}});
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs.visibility = request.outputs.shadow_map = true;
             const FrameResult f = render_with_reference(renderer, scene, s, request, cache, workers);
             EXPECT_EQ(f.lights[0].casts, source.needs.map);
@@ -73,8 +73,8 @@ TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
         }
 }
 
-// One box above a floor: the disc's middle lies where the light's ray through the box's middle meets the floor, its rim
-// a radius from there across the light, and between them it fades as asked.
+// One box above a floor: the disc's middle lies where the light's ray through the box's middle meets the floor. The
+// disc's rim is one radius away across the light, and between them visibility fades by the setting.
 TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
     for (const test::Place& place : test::kPlaces)
         for (const LightType type : test::kLightTypes) {
@@ -125,8 +125,8 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
         }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives);
-TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
+SI_TEST_IS(Repeated, SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture);
+TEST_F(SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture) {
     const Scene scene = load_scene("stage");
     for (const Source& source : sources()) {
         if (!source.fused) continue;
@@ -135,19 +135,20 @@ TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
                                           {"light.0.source", std::string(source.key)},
                                           {"light.1.type", "spot"},
                                           {"light.1.elevation", "60"}});
-        const FrameResult fused = renderer.render(scene, s, small());
+        const FrameResult fused = renderer.render(scene, s, small_request());
         EXPECT_NE(fused.pass("shading (with visibility)"), nullptr);
         const ByteImage picture = renderer.read_colour(fused.colour);
         s.shading.separate_visibility = true;
         EXPECT_EQ(different_pixels(picture, this->picture(scene, s), 1), 0u);
-        FrameRequest all = small();
+        FrameRequest all = small_request();
         all.forced = OptimisationSet::all();
         EXPECT_EQ(different_pixels(this->picture(scene, s), this->picture(scene, s, all)), 0u);
     }
 }
 
-// The rays' own answer at every pixel, wherever scene and light stand, hard and with size, in part.
-TEST_F(SourcesTest, TracedIsTheTruthItself) {
+// Visibility equals the rays' answer at every pixel, for all positions of scene and light, with and without light
+// size.
+TEST_F(SourcesTest, TracedEqualsTheReference) {
     Scene scene = load_scene("boxes");
     test::move_scene(scene, {4e3, -2e3, 9e3});
     for (const char* type : {"directional", "spot", "point"})
@@ -175,8 +176,8 @@ TEST_F(SourcesTest, TracedIsTheTruthItself) {
             }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwn);
-TEST_F(SourcesTest, EachLightHasItsOwn) {
+SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwnSource);
+TEST_F(SourcesTest, EachLightHasItsOwnSource) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"light.count", "3"},
                                       {"light.1.type", "spot"},
@@ -194,11 +195,11 @@ TEST_F(SourcesTest, EachLightHasItsOwn) {
     EXPECT_EQ(visibility(scene, s).data, reference(scene, s, 1).visibility.data);
 }
 
-TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
+TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndANoteReportsIt) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"light.source", "traced"}});
     const Settings none = settings_for(scene, {{"light.source", "none"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     const FrameResult untraced = renderer.render(scene, s, request);
     ASSERT_EQ(untraced.traced.size(), 1u);
     EXPECT_NE(untraced.traced[0].key, 0u);
@@ -216,20 +217,20 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
     EXPECT_FALSE(renderer.render(scene, turned, request).traced[0].met) << "another light, other rays";
 }
 
-SI_TEST_IS(Repeated, SourcesTest, TheTruePictureIsThatOfTheTracedSource);
-// What the true picture shows is what the row gives.
-TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
+SI_TEST_IS(Repeated, SourcesTest, TheReferencePictureEqualsTheTracedSource);
+// The reference picture equals the row's result.
+TEST_F(SourcesTest, TheReferencePictureEqualsTheTracedSource) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"light.count", "2"}, {"light.1.type", "spot"}, {"map.resolution", "256"}});
     for (const int light : {0, 1}) {
         s.view.light = light;
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.true_colour = true;
         const ByteImage reference =
             renderer.read_colour(render_with_reference(renderer, scene, s, request, cache, workers).true_colour);
         Settings traced = s;
         set_setting(traced, "light." + std::to_string(light) + ".source", "traced");
-        FrameRequest plain = small();
+        FrameRequest plain = small_request();
         const ByteImage row =
             renderer.read_colour(render_with_reference(renderer, scene, traced, plain, cache, workers).colour);
         EXPECT_EQ(different_pixels(reference, row), 0u) << light;
@@ -237,10 +238,10 @@ TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
     }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap);
-// Judged by the truth: the traced source has no error; without a shadow all that is dark is wrong, and no cause of maps
-// is made up for it.
-TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
+SI_TEST_IS(Repeated, SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap);
+// Compared with the reference, the traced source has no error. Without a shadow all dark pixels are errors, and none
+// has a cause of maps.
+TEST_F(SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap) {
     const Scene scene = load_scene("boxes");
     FrameRequest request{.width = 161, .height = 93, .outputs = {.colour = false, .error = true}};
     for (const char* type : {"directional", "point"})
@@ -279,7 +280,7 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
         }
 }
 
-TEST_F(SourcesTest, AProbedPixelTellsTheSourcesAnswer) {
+TEST_F(SourcesTest, AProbeReportsTheSourcesVisibility) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"light.source", "traced"}});
     FrameRequest request = asks_for_visibility();
@@ -304,7 +305,7 @@ TEST_F(SourcesTest, AProbedPixelTellsTheSourcesAnswer) {
     EXPECT_GT(dark, 2);
 }
 
-TEST_F(SourcesTest, SettingsOfMapsAreIdleWithoutOne) {
+TEST_F(SourcesTest, MapSettingsAreIdleWithoutAMap) {
     Settings s;
     const auto idle = [&](const char* key) { return std::string(idle_reason(s, *find_setting(key))); };
     const char* const of_maps[] = {"map.resolution", "map.wrap",      "bias.constant", "bias.raster_slope",

@@ -1,5 +1,5 @@
-// Where some casters move, those at rest are kept: every texel and picture is that of maps drawn whole, and counts tell
-// what was not drawn.
+// Tests cached depths of static casters: texels and pictures equal those of maps drawn whole, and counts report the
+// skipped casters.
 #include <algorithm>
 #include <bit>
 #include <filesystem>
@@ -15,7 +15,8 @@
 namespace si {
 namespace {
 
-/// Small boxes around, so that what moves within leaves the scene's bounds, and so the views of its maps.
+/// Adds small boxes around the scene, so that moving casters change neither the scene's bounds nor the views of its
+/// maps.
 void fence(Scene& scene) {
     const Bounds b = scene.bounds;
     const glm::dvec3 half = 0.55 * (b.hi - b.lo) + 0.02 * b.radius();
@@ -28,7 +29,7 @@ void fence(Scene& scene) {
     finalise(scene);
 }
 
-/// A floor, many balls that rest on it, and one that moves. Triangles: 2, 40 times a ball's, 8 times a post's.
+/// Makes a floor, many static balls, and a moving one. Triangles: 2, 40 times a ball's, 8 times a post's.
 Scene many_balls() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -52,13 +53,13 @@ void move_by(Scene& scene, Node& node, double x, double y, double z) {
 
 Settings small_maps(const Scene& scene, const Sets& sets) {
     Settings s = settings_for(scene, sets);
-    s.map.resolution = 200;  // which cells do not divide
+    s.map.resolution = 200;  // not divisible by cells
     return s;
 }
 
 class StaticOptimisationsTest : public FrameTest {
 protected:
-    Renderer whole;  ///< that keeps nothing apart
+    Renderer whole;  ///< renderer without the static cache
 
     static FrameRequest asked(OptimisationSet forced = {}) {
         FrameRequest request{.width = 64, .height = 36, .forced = forced};
@@ -86,7 +87,7 @@ protected:
     static ByteImage picture_by(Renderer& by, const Scene& scene, const Settings& s, const FrameRequest& request) {
         return by.read_colour(by.render(scene, s, request).colour);
     }
-    /// Draws both ways. @returns the frame that keeps what rests
+    /// Draws with and without the static cache. @returns the frame with the cache
     FrameResult expect_the_same(const Scene& scene, const Settings& s, const std::string& what) {
         const FrameResult kept = renderer.render(scene, s, asked());
         const std::vector<float> texels_kept = texels(renderer, kept);
@@ -120,7 +121,7 @@ const std::vector<Sets>& kinds() {
 
 SI_TESTS_ARE(DriverIndependent, StaticOptimisationsTest);
 SI_TESTS_ARE(Repeated, StaticOptimisationsTest);
-TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfEveryBuiltInScene) {
+TEST_F(StaticOptimisationsTest, KeepEveryTexelOfBuiltInScenes) {
     std::size_t next = 0;
     int kept = 0, frames = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
@@ -141,7 +142,7 @@ TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfEveryBuiltInScene) {
     EXPECT_GT(kept, frames / 4);
 }
 
-TEST_F(StaticOptimisationsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
+TEST_F(StaticOptimisationsTest, OnlyMovingCastersAreDrawnAfterTwoFrames) {
     Scene scene = many_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3, all = 41 * ball + 2 + 8 * 12;
     for (const Sets& sets : {kinds()[0], kinds()[2]}) {
@@ -158,19 +159,20 @@ TEST_F(StaticOptimisationsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
             }
         }
         EXPECT_EQ(drawn[0], all);
-        EXPECT_EQ(drawn[1], all) << "nothing yet tells what moves";
+        EXPECT_EQ(drawn[1], all) << "movement is not yet known";
         EXPECT_EQ(drawn[3], ball);
         EXPECT_EQ(drawn[4], ball);
         for (const char* name : {"Ball", "Mover"}) {
             move_by(scene, node_named(scene, name), 0, 0.1, 0);
             const FrameResult f = expect_the_same(scene, s, name);
-            // One that rested is in the map of what rests, which has to be drawn anew. The other goes on moving.
+            // A former static caster is in the static map, which has to be drawn again. The other caster continues to
+            // move.
             EXPECT_EQ(map_pass(f).triangles, name == std::string("Ball") ? all : 2 * ball) << name;
         }
     }
 }
 
-TEST_F(StaticOptimisationsTest, FacesThatNothingMovesInAreLeftAlone) {
+TEST_F(StaticOptimisationsTest, FacesWithoutMovingCastersAreNotDrawn) {
     Scene scene = many_balls();
     const Settings s = small_maps(scene, {{"light.type", "point"},
                                           {"light.distance", "3"},
@@ -190,7 +192,7 @@ TEST_F(StaticOptimisationsTest, FacesThatNothingMovesInAreLeftAlone) {
     EXPECT_LE(drawn, 2) << "it lies to the light's side, in one face or on the edge of two";
 }
 
-TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfAnimatedModels) {
+TEST_F(StaticOptimisationsTest, KeepEveryTexelOfAnimatedModels) {
     const std::filesystem::path models = SI_SOURCE_DIR "/../shared/models";
     if (!std::filesystem::exists(models)) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     for (const char* file :
@@ -219,8 +221,8 @@ TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfAnimatedModels) {
     }
 }
 
-// What comes to rest goes on being drawn, until that has cost as much as to draw anew what rests.
-TEST_F(StaticOptimisationsTest, WhatComesToRestIsKeptInTime) {
+// A caster that stops is drawn on, until that has cost as much as drawing the static map again.
+TEST_F(StaticOptimisationsTest, CastersThatStopMovingAreCached) {
     Scene scene = many_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
     const Settings s = small_maps(scene, kinds()[0]);
@@ -240,7 +242,7 @@ TEST_F(StaticOptimisationsTest, WhatComesToRestIsKeptInTime) {
     }
     EXPECT_EQ(drawn[3], 21 * ball);
     EXPECT_EQ(drawn[5], 21 * ball) << "they may move again";
-    EXPECT_EQ(drawn.back(), ball) << "they rest for long";
+    EXPECT_EQ(drawn.back(), ball) << "they are static";
 }
 
 TEST_F(StaticOptimisationsTest, MasksAreDrawnOverMasks) {
@@ -263,7 +265,7 @@ TEST_F(StaticOptimisationsTest, MasksAreDrawnOverMasks) {
     EXPECT_FALSE(is_kept(expect_the_same(scene, s, "other cutoffs")));
 }
 
-TEST_F(StaticOptimisationsTest, ACameraThatMovesTooFindsItAll) {
+TEST_F(StaticOptimisationsTest, AMovingCameraSeesCompleteMaps) {
     Scene scene = many_balls();
     for (const Sets& sets : {kinds()[0], kinds()[4]}) {
         Settings s = small_maps(scene, sets);
@@ -286,18 +288,18 @@ TEST_F(StaticOptimisationsTest, ACameraThatMovesTooFindsItAll) {
     }
 }
 
-/// Where nothing can be kept apart, what the plan must name.
-struct Declined {
+/// Settings under which a light has no static cache, and the reason that the plan must name.
+struct UncachedLight {
     Sets sets;
     const char* mover;
     const char* reason;
 };
 
-TEST_F(StaticOptimisationsTest, WhatCannotBeKeptApartSaysWhy) {
-    const Declined all[] = {{{{"map.format", "colour"}, {"light.fit", "scene"}}, "Mover", "map.format"},
-                            {{{"map.format", "linear16"}, {"light.fit", "scene"}}, "Mover", "map.format"},
-                            {{{"light.fit", "scene"}}, "Post", "views changed"}};
-    for (const Declined& d : all) {
+TEST_F(StaticOptimisationsTest, LightsWithoutStaticCacheReportTheReason) {
+    const UncachedLight all[] = {{{{"map.format", "colour"}, {"light.fit", "scene"}}, "Mover", "map.format"},
+                                 {{{"map.format", "linear16"}, {"light.fit", "scene"}}, "Mover", "map.format"},
+                                 {{{"light.fit", "scene"}}, "Post", "views changed"}};
+    for (const UncachedLight& d : all) {
         Scene scene = many_balls();
         const Settings s = small_maps(scene, d.sets);
         for (int i = 0; i < 4; ++i) {
@@ -311,26 +313,26 @@ TEST_F(StaticOptimisationsTest, WhatCannotBeKeptApartSaysWhy) {
     }
 }
 
-TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
+TEST_F(StaticOptimisationsTest, ReportTheirEffect) {
     Scene scene = many_balls();
     const Settings s = small_maps(scene, kinds()[0]);
-    const auto told = [&] {
+    const auto reported = [&] {
         move_by(scene, node_named(scene, "Mover"), 0.2, 0, 0);
         const FrameResult f = renderer.render(scene, s, asked());
         for (const Effect& e : frame_effects(scene, s, f))
             if (e.name == "static casters in maps of light 0") return e;
         return Effect{};
     };
-    told();
-    told();
-    const Effect drawn = told(), kept = told();
+    reported();
+    reported();
+    const Effect drawn = reported(), kept = reported();
     EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
     EXPECT_EQ(kept.optimisation, Optimisation::StaticCasterCache);
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
 }
 
-/// The ball that moves goes by an animation of a second.
+/// Makes a scene whose ball moves by an animation of a second.
 Scene animated_ball() {
     Scene scene = many_balls();
     auto rig = std::make_shared<Rig>();
@@ -346,10 +348,10 @@ Scene animated_ball() {
     return scene;
 }
 
-TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
+TEST_F(StaticOptimisationsTest, MeasuredFramesMoveAndCacheStaticCasters) {
     const Scene scene = animated_ball();
     Settings s = small_maps(scene, kinds()[0]);
-    s.scene.time = 0.9;  // over the end
+    s.scene.time = 0.9;  // crosses the end of the animation
     CachedFrames frames(scene, s, asked(), Optimisation::StaticCasterCache);
     for (int i = 0; i < 4; ++i) {
         frames.draw({});
@@ -371,21 +373,21 @@ TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
     }
 }
 
-TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
+TEST_F(StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove) {
     const Scene moving = animated_ball(), still = many_balls();
     const auto measured = [&](const Scene& scene, const Settings& s) {
-        Renderer again;  // that has seen nothing move
+        Renderer again;  // a renderer that has seen no movement
         const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
-        const auto told = std::ranges::find_if(
-            effects, [](const Effect& e) { return e.optimisation == Optimisation::StaticCasterCache && !e.part; });
-        EXPECT_NE(told, effects.end());
-        if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
+        const auto reported =
+            std::ranges::find_if(effects, [](const Effect& e) { return e.optimisation == Optimisation::StaticCasterCache && !e.part; });
+        EXPECT_NE(reported, effects.end());
+        if (reported == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
         const std::vector<Optimisation> named = optimisations_of(effects);
         EXPECT_TRUE(std::ranges::count(named, Optimisation::StaticCasterCache) == 1);
         const SavedTimes times = measure_saved_times(again, scene, s, asked(), named, 5);
-        const Spread* ms = times.find(*told);
-        return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
+        const Spread* ms = times.find(*reported);
+        return std::pair(*reported, ms ? std::optional(*ms) : std::nullopt);
     };
     Settings s = small_maps(moving, kinds()[0]);
     const auto [of_moving, ms] = measured(moving, s);

@@ -1,4 +1,4 @@
-// Which triangle each pixel shows, as the GPU draws it, against rays tested with every triangle.
+// Compares the triangle id of each drawn pixel with rays tested against every triangle.
 #include "app/session/session.h"
 #include "renderer/reference/receivers.h"
 #include "renderer/scenes/shapes.h"
@@ -32,7 +32,7 @@ Scene ring_scene() {
     return scene;
 }
 
-TEST_F(SurfaceIdsTest, AreWhatRaysFind) {
+TEST_F(SurfaceIdsTest, EqualTheFirstHitsOfRays) {
     const Scene scene = ring_scene();
     const Settings settings = settings_for(scene);
     const SurfaceIds drawn = draw(scene, settings), traced = test::ids_by_rays(scene, frame.camera, 240, 160);
@@ -51,12 +51,12 @@ TEST_F(SurfaceIdsTest, AreWhatRaysFind) {
     }
     EXPECT_GT(shown, drawn.data.size() / 8);
     EXPECT_EQ(far, 0u);
-    // A rasteriser moves corners to a grid of 1/256 pixel: some pixels at edges show the neighbour.
+    // A rasteriser snaps corners to a grid of 1/256 pixel: some pixels at edges show the neighbour.
     EXPECT_LT(differing, drawn.data.size() / 300);
     for (std::size_t o = 0; o < pixels.size(); ++o) EXPECT_GT(pixels[o], 20u) << "object " << o;
 }
 
-TEST_F(SurfaceIdsTest, AreReusedAndFollowTheCamera) {
+TEST_F(SurfaceIdsTest, AreCachedAndFollowTheCamera) {
     const Scene scene = ring_scene();
     Settings settings = settings_for(scene);
     const SurfaceIds first = draw(scene, settings);
@@ -67,11 +67,11 @@ TEST_F(SurfaceIdsTest, AreReusedAndFollowTheCamera) {
     set_setting(settings, "camera.source", "manual");
     set_setting(settings, "camera.azimuth", "100");
     EXPECT_NE(draw(scene, settings).data, first.data);
-    const FrameResult other = renderer.render(scene, settings, small());
+    const FrameResult other = renderer.render(scene, settings, small_request());
     EXPECT_EQ(other.pass("surface ids")->state, PassState::Skipped);
 }
 
-/// A masked quad alone before the camera.
+/// Makes a masked quad in front of the camera.
 Scene masked_quad(bool nearest, TextureWrap wrap) {
     Scene scene;
     Material leaf;
@@ -84,7 +84,7 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     Texture t;
     t.width = 13;
     t.height = 8;
-    t.mipmaps = false;  // level 0 whatever the distance
+    t.mipmaps = false;  // level 0 at every distance
     t.nearest_mag = t.nearest_min = nearest;
     t.wrap_s = wrap;
     t.wrap_t = TextureWrap::Mirror;
@@ -100,7 +100,7 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     return scene;
 }
 
-TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
+TEST_F(SurfaceIdsTest, MasksAgreeWithTheReferenceAtMipLevelZero) {
     for (const bool nearest : {true, false})
         for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp, TextureWrap::Mirror}) {
             const Scene scene = masked_quad(nearest, wrap);
@@ -110,7 +110,7 @@ TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
                                                            {"camera.distance", "3"},
                                                            {"camera.target_y", "1"}});
             const SurfaceIds drawn = draw(scene, settings, 400, 300);
-            const SurfaceIds behind = test::ids_by_rays(scene, frame.camera, 400, 300);  // knows no masks
+            const SurfaceIds behind = test::ids_by_rays(scene, frame.camera, 400, 300);  // ignores masks
             const ReferenceGeometry geometry(scene, settings);
             const AlphaMask& mask = *geometry.objects[0].mesh->mask;
             std::size_t holes = 0, solid = 0, wrong = 0;
@@ -130,18 +130,18 @@ TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
                 }
             EXPECT_GT(holes, 5000u);
             EXPECT_GT(solid, 5000u);
-            // The quad's outline is snapped, and single precision decides at the cutoff itself.
+            // The quad's outline is snapped, and single precision decides at the alpha cutoff.
             EXPECT_LT(wrong, 60u) << (nearest ? "nearest" : "bilinear") << " wrap " << int(wrap);
         }
 }
 
-TEST_F(SurfaceIdsTest, TruthAndShadowMapHoldTheSameTriangles) {
+TEST_F(SurfaceIdsTest, ReferenceAndShadowMapHoldTheSameTriangles) {
     for (const char* name : {"stage", "boxes", "teapot", "figures"})
         for (const char* time : {"scene.time=0", "scene.time=0.7"}) {
             Session session = open_session({.scene = name, .sets = {time, "light.0.type=directional"}});
             const std::size_t first = std::size_t(session.scene.objects[0].node);
             set_setting(session.settings, "object." + session.scene.nodes[first].path + ".cast", "false");
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs = {.colour = false, .shadow_map = true};
             request.force = true;
             const FrameResult result = renderer.render(session.scene, session.settings, request);
@@ -154,7 +154,7 @@ TEST_F(SurfaceIdsTest, TruthAndShadowMapHoldTheSameTriangles) {
         }
 }
 
-/// Pixels that show a triangle whose plane the camera lies in, as near as single precision has it.
+/// Returns the pixels that show a triangle whose plane contains the camera, within single precision.
 std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, const SurfaceIds& ids, const Camera& c) {
     const ReferenceGeometry geometry(scene, s);
     std::vector<glm::ivec2> out;
@@ -169,10 +169,10 @@ std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, cons
     return out;
 }
 
-SI_TEST_IS(Repeated, SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed);
-// Where rounding alone has a triangle cover a pixel, a rasteriser may find no place for it. What follows is a number
-// all the same, and that of the fused pass the one of visibility drawn apart.
-TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
+SI_TEST_IS(Repeated, SurfaceIdsTest, SurfacesSeenEdgeOnAreShadedAndProbed);
+// A triangle may cover a pixel by rounding alone. Its plane may then give the pixel no position. The results are finite
+// all the same, and equal with fused and separate visibility.
+TEST_F(SurfaceIdsTest, SurfacesSeenEdgeOnAreShadedAndProbed) {
     const Scene scene = load_scene("stage");
     std::size_t met = 0;
     for (const int turn : {0, 4}) {

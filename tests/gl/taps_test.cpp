@@ -1,5 +1,5 @@
-// The taps that kernels make on the GPU: recorded while they run, held against the weights that each kernel's
-// definition gives in closed form, and against what the kernel found.
+// Compares the taps that kernels record on the GPU with the closed-form weights of each kernel's definition, and with
+// the kernel's result.
 #include <algorithm>
 #include <glm/common.hpp>
 #include <optional>
@@ -17,7 +17,7 @@
 namespace si {
 namespace {
 
-/// What of a distribution about 0 lies between two places, of its density by Simpson's rule.
+/// Returns the share of a distribution about 0 between two places, of its density by Simpson's rule.
 template <class Density>
 double area(Density density, double lo, double hi) {
     if (hi <= lo) return 0;
@@ -30,17 +30,17 @@ double area(Density density, double lo, double hi) {
     return sum;
 }
 
-/// Kernels whose definition closed_form() holds. Other rows are tested by their recorded taps alone.
+/// Kernels that closed_form() defines. Other rows are tested by their recorded taps alone.
 constexpr std::string_view kDefinedKernels[] = {"hard", "hw2x2", "pcf", "tent3", "tent", "gauss"};
 
-/// Weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner: the area of
-/// the kernel's shape above the texel, by its definition.
+/// Returns the weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner:
+/// the area of the kernel's shape above the texel, by its definition.
 /// @returns nothing for kernels that are not among kDefinedKernels
 std::optional<double> closed_form(const Settings& s, int texel, double centre) {
     const std::string_view kernel = filter_of(s).key;
     const int n = taps_across(filter_of(s), s);
     const double lo = texel - centre, hi = lo + 1, half = 0.5 * n;
-    const auto nearest = [&](int across, auto weight) {  // of texels that hold taps one texel apart
+    const auto nearest = [&](int across, auto weight) {  // texels with taps one texel apart
         const int at = texel - int(std::floor(centre - 0.5 * (across - 1)));
         return at < 0 || at >= across ? 0.0 : weight(at);
     };
@@ -74,7 +74,7 @@ protected:
     const FrameRequest picture{.width = 160, .height = 120};
 };
 
-/// A square kernel at one size.
+/// Square kernel at one size.
 struct SizedKernel {
     std::string key;
     int size = 3;
@@ -94,7 +94,7 @@ std::vector<SizedKernel> square_kernels() {
     return out;
 }
 
-TEST(ClosedForms, AreOfSquareKernels) {
+TEST(ClosedForms, ExistForSquareKernels) {
     for (const std::string_view key : kDefinedKernels) {
         const auto row = std::ranges::find(filters(), key, &Filter::key);
         ASSERT_NE(row, filters().end()) << key;
@@ -108,7 +108,7 @@ SI_TESTS_ARE(Repeated, TapsTest);
 SI_TESTS_ARE(Repeated, EachSquareKernel);
 class EachSquareKernel : public TapsTest, public testing::WithParamInterface<SizedKernel> {};
 
-TEST_P(EachSquareKernel, WeighsEachTexelOnceAndAsItsDefinitionSays) {
+TEST_P(EachSquareKernel, WeighsEachTexelOnceByItsDefinition) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings(GetParam().key, 128, 0.7);
     s.bias.normal = 0.5;
@@ -163,8 +163,8 @@ INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels
                              return name;
                          });
 
-// A bilinear comparison weighs 2x2 texels by where it lies: as many as the row says make the picture, and no more.
-TEST_F(TapsTest, FewBilinearComparisonsMakeWhatManyTexelsWeigh) {
+// A bilinear comparison weights 2x2 texels by its position: exactly the row's number of comparisons makes the picture.
+TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"tent", "gauss"})
         for (const int size : {5, 6, 7}) {
@@ -185,13 +185,13 @@ TEST_F(TapsTest, FewBilinearComparisonsMakeWhatManyTexelsWeigh) {
                 worst = std::max(worst, double(std::abs(pictures[0].data[i] - pictures[1].data[i])));
                 soft += pictures[0].data[i] > 0.05 && pictures[0].data[i] < 0.95;
             }
-            // Samplers place a comparison to 1/256 of a texel.
+            // Samplers position a comparison to 1/256 of a texel.
             EXPECT_LT(worst, 2.0 / 256) << kernel << " " << size;
             EXPECT_GT(soft, 50);
         }
 }
 
-TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
+TEST_F(TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("pcf5", 64, 1);
     s.lights[0].fit = LightFit::Manual;
@@ -226,7 +226,7 @@ TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
     EXPECT_GT(beyond, 200);
 }
 
-TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
+TEST_F(TapsTest, TexelsReadAreTheTapsOfAllPixels) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     FrameRequest request{.width = 12, .height = 8};
     request.outputs = {.colour = false, .map_coordinates = true, .texels_read = true};

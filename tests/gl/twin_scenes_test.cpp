@@ -1,5 +1,5 @@
-// Two ways to say the same scene draw the same picture: transforms on nodes or in the vertices, metres or micrometres,
-// holes as geometry or as an alpha mask.
+// Tests that two descriptions of one scene draw one picture: transforms on nodes or in vertices, metres or
+// micrometres, holes as geometry or as an alpha mask.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/view/cameras/make_camera.h"
@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// The scene with `m` applied to all of it by its root nodes.
+/// Returns the scene with `m` applied to its root nodes.
 Scene moved_by_nodes(const Scene& scene, const glm::dmat4& m) {
     Scene out = scene;
     for (Node& node : out.nodes)
@@ -18,7 +18,7 @@ Scene moved_by_nodes(const Scene& scene, const glm::dmat4& m) {
     return out;
 }
 
-/// The same with every transform worked into vertices: no node does anything.
+/// Returns the scene with all transforms baked into vertices.
 Scene baked(const Scene& moved) {
     Scene out = moved;
     out.meshes.clear();
@@ -28,7 +28,7 @@ Scene baked(const Scene& moved) {
         const glm::dmat3 linear(world), normals = glm::transpose(glm::inverse(linear));
         for (glm::vec3& p : mesh.positions.edit()) p = glm::vec3(world * glm::dvec4(p, 1));
         for (glm::vec3& n : mesh.normals.edit()) n = glm::vec3(glm::normalize(normals * glm::dvec3(n)));
-        if (glm::determinant(linear) < 0)  // a mirror image winds the other way round
+        if (glm::determinant(linear) < 0)  // a mirror image reverses the winding
             for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3)
                 std::swap(mesh.indices.edit()[t], mesh.indices.edit()[t + 1]);
         out.meshes.push_back(std::move(mesh));
@@ -42,7 +42,7 @@ Scene baked(const Scene& moved) {
 
 class TwinScenes : public FrameTest {
 protected:
-    /// Pixels in which the shaded picture or an overlay tells the twins apart.
+    /// Counts the pixels in which the shaded picture or an overlay differs between the twins.
     std::size_t differences(const Scene& a, const Scene& b, const char* overlay, const Settings& base) {
         Settings s = base;
         set_setting(s, "view.overlay", overlay);
@@ -66,8 +66,9 @@ TEST_F(TwinScenes, MirroredAndShearedNodesLookLikeTheirPlainTwins) {
         const Scene by_nodes = moved_by_nodes(boxes, m), plain = baked(by_nodes);
         for (const char* cull : {"none", "front", "back"}) {
             const Settings s = settings_for(boxes, {{"caster.cull", cull}});
-            // Single precision rounds the two differently: a few pixels on edges.
-            const std::size_t pixels = std::size_t(small().width) * std::size_t(small().height), few = pixels / 200;
+            // Single precision rounds both differently: a few pixels on edges.
+            const std::size_t pixels = std::size_t(small_request().width) * std::size_t(small_request().height),
+                              few = pixels / 200;
             for (const char* overlay : {"none", "visibility", "n-dot-l", "normals"})
                 EXPECT_LE(differences(by_nodes, plain, overlay, s), few)
                     << name << ", " << overlay << ", cull " << cull;
@@ -75,7 +76,7 @@ TEST_F(TwinScenes, MirroredAndShearedNodesLookLikeTheirPlainTwins) {
     }
 }
 
-TEST_F(TwinScenes, ATwinIsToldApartWhenOnlyItsWindingIsTurned) {
+TEST_F(TwinScenes, ATwinWithReversedWindingLooksDifferent) {
     const Scene boxes = moved_by_nodes(load_scene("boxes"), glm::dmat4(1));
     Scene inside_out = boxes;
     for (Mesh& mesh : inside_out.meshes)
@@ -104,7 +105,8 @@ TEST_F(TwinScenes, AScenesSizeDoesNotMatter) {
     }
 }
 
-/// A floor of 10 x 10 m and, one metre over it, a sheet of 4 x 4 m: whole, or with every second of 4 x 4 fields open.
+/// Makes a floor of 10 x 10 m and, one metre above, a sheet of 4 x 4 m: whole, or with every second of 4 x 4 fields
+/// open.
 Scene sheet_over_floor(bool as_mask) {
     Scene scene;
     const auto quad = [](Mesh& mesh, glm::vec3 lo, glm::vec3 hi) {
@@ -146,7 +148,7 @@ TEST_F(TwinScenes, AMaskCutsTheSameHolesAsGeometry) {
     const Scene masked = sheet_over_floor(true), cut = sheet_over_floor(false);
     Settings s;
     s.lights[0].elevation = 70;
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     const auto shadow = [&](const Scene& scene) {
         return renderer.read_float(renderer.render(scene, s, request).visibility, 1);

@@ -1,4 +1,4 @@
-// Which view the GPU looks a point up in, and which one its twin in double says.
+// Compares the view in which the GPU looks a point up with the choice in C++, in double.
 #include <algorithm>
 
 #include "renderer/reference/reference_task.h"
@@ -13,9 +13,9 @@ using Change = std::vector<std::pair<std::string, std::string>>;
 
 class ViewChoiceTest : public FrameTest {
 protected:
-    /// Compares the two at every pixel that reads the map. @return pixels by view
+    /// Compares both choices at every pixel that reads the map. @return pixels by view
     std::vector<std::size_t> compare(const Scene& scene, const Settings& s) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
@@ -29,7 +29,7 @@ protected:
                 if (!r.hit() || at.at(x, y, 3) == 0) continue;
                 const auto view = std::size_t(at.at(x, y, 2));
                 ++pixels.at(view);
-                // Single precision may err on the border between two.
+                // Single precision may differ on the border between two views.
                 const double eps = 1e-5 * (frame.camera.focus + glm::distance(r.position_ws, light.position));
                 bool same = false;
                 for (int i = 0; i < 9 && !same; ++i) {
@@ -43,7 +43,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, ViewChoiceTest);
-TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
+TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameFace) {
     Scene scene = load_scene("boxes");
     for (const char* elevation : {"90", "30"})
         for (const Change& kind : {Change{{"light.type", "point"}}, {{"light.type", "spot"}, {"light.cone", "250"}}}) {
@@ -56,7 +56,7 @@ TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
         }
 }
 
-TEST_F(ViewChoiceTest, CascadesAreThoseOfTheTwin) {
+TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameCascade) {
     const Scene scene = load_scene("stage");
     for (const char* choice : {"interval", "map"})
         for (const char* blend : {"0", "0.4"})
@@ -72,7 +72,7 @@ TEST_F(ViewChoiceTest, CascadesAreThoseOfTheTwin) {
             }
 }
 
-TEST_F(ViewChoiceTest, ClipLevelsAreThoseOfTheTwin) {
+TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameClipLevel) {
     const Scene scene = load_scene("stage");
     for (const Change& camera : {Change{{"light.elevation", "90"}},
                                  {{"camera.source", "manual"}, {"camera.distance", "3"}},

@@ -1,5 +1,4 @@
-// Between which depths maps are made and store: of the picture's own depths, and of near planes that casters are drawn
-// on.
+// Tests the depth ranges of maps: ranges measured from the picture's depths, and pancaking on the near plane.
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +35,7 @@ std::size_t differing(const FloatImage& a, const FloatImage& b, float tolerance 
 // ---- light.depth_bounds sdsm
 
 SI_TESTS_ARE(Repeated, ViewDepthsTest);
-TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
+TEST_F(ViewDepthsTest, MeasuredBoundsEqualThoseOfReadBackDepths) {
     for (const char* name : {"stage", "landscape", "plane"})
         for (const Sets& camera :
              {Sets{},
@@ -52,13 +51,13 @@ TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
                                                  {"map.resolution", "64"},
                                                  {"view.map_source", "camera"}})
                 set_setting(s, key, value);
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs = {.colour = false, .shadow_map = true, .visibility = true};
             const FrameResult frame = renderer.render(scene, s, request);
             const FloatImage depths = renderer.read_map_view_depth(frame);
             double from = 1e300, to = -1e300;
             for (const float d : depths.data) {
-                if (d == 0) continue;  // nothing is there
+                if (d == 0) continue;  // background
                 const double z = frame.camera.curve.distance(d);
                 from = std::min(from, z);
                 to = std::max(to, z);
@@ -70,7 +69,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
             EXPECT_GE(frame.seen_m->to_m, to);
             EXPECT_EQ(frame.lights[0].chooser.spans.back().ends, frame.seen_m->to_m);
             EXPECT_EQ(frame.passes.front().name, "visible depths");
-            // They are kept while nothing changes, and follow the camera when it moves.
+            // The bounds are cached while nothing changes, and follow the camera.
             const FrameResult again = renderer.render(scene, s, request);
             EXPECT_EQ(again.passes.front().state, PassState::Cached);
             EXPECT_EQ(again.seen_m, frame.seen_m);
@@ -78,7 +77,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
         }
 }
 
-TEST_F(ViewDepthsTest, OnLandTheyMissLessThanBoxesDo) {
+TEST_F(ViewDepthsTest, MeasuredBoundsMissLessThanBoxesOnTerrain) {
     const Scene scene = load_scene("landscape");
     Settings s =
         settings_for(scene, {{"map.resolution", "512"}, {"light.cascades", "4"}, {"light.split", "logarithmic"}});
@@ -93,7 +92,7 @@ TEST_F(ViewDepthsTest, OnLandTheyMissLessThanBoxesDo) {
 
 // ---- light.near_far
 
-/// A floor that the camera sees, and a sheet 30 m towards the light, which it does not.
+/// Makes a visible floor, and a sheet outside the picture, 30 m towards the light.
 Scene floor_under_far_sheet(const test::Place& place) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -104,7 +103,7 @@ Scene floor_under_far_sheet(const test::Place& place) {
     return scene;
 }
 
-/// Of a sun under whose maps for what is seen only the floor is.
+/// Returns settings with a sun whose maps for the view frustum hold only the floor.
 Settings far_sheet_settings(const Scene& scene, const test::Place& place, const char* fit, int cascades) {
     Settings s = test::texel_settings("pcf3", 256, 3);
     set_setting(s, "light.fit", fit);
@@ -125,12 +124,12 @@ double range_of(const LightView& view) {
     return view.curve.far - view.curve.near;
 }
 
-/// Along the light from the view's place.
+/// Returns the distance along the light from the view's position.
 double depth_of(const LightView& view, const glm::dvec3& at) {
     return glm::dot(view.eye - at, view.axes[2]);
 }
 
-TEST_F(ViewDepthsTest, PancakesThrowTheSameShadowFromAShorterRange) {
+TEST_F(ViewDepthsTest, PancakingGivesTheSameShadowFromAShorterRange) {
     for (const test::Place& place : test::kPlaces)
         for (const auto& [fit, cascades] : {std::pair{"view", 1}, {"casters", 3}}) {
             SCOPED_TRACE(testing::Message() << fit << " " << cascades << " " << place.elevation);
@@ -167,12 +166,12 @@ TEST_F(ViewDepthsTest, PancakesThrowTheSameShadowFromAShorterRange) {
         }
 }
 
-// How far above the floor the sheet is, the map no longer says.
-TEST_F(ViewDepthsTest, PancakesHaveNarrowPenumbrae) {
+// The map no longer stores the sheet's height above the floor.
+TEST_F(ViewDepthsTest, PancakingNarrowsPenumbrae) {
     const test::Place place = test::kPlaces[0];
     const Scene scene = floor_under_far_sheet(place);
     Settings s = far_sheet_settings(scene, place, "view", 1);
-    s.filter.kernel = test::kernel("pcss");
+    s.filter.kernel = test::kernel_row("pcss");
     s.lights[0].size = 0.4;
     const auto grey = [&] {
         return std::ranges::count_if(visibility(scene, s).data, [](float v) { return v > 0.02f && v < 0.98f; });
@@ -198,12 +197,13 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
             set_setting(s, "light.near_far", choice);
             EXPECT_EQ(differing(fitted, visibility(scene, s, &frame)), 0u) << choice;
         }
-        // From the sheet's own near rim to the floor's far one: half the diagonals of what stands askew to the light.
+        // The range goes from the sheet's near rim to the floor's far rim: half the diagonals of surfaces askew to the
+        // light.
         const double along = std::abs(way.x) + std::abs(way.z);
         const LightView& all = frame.lights[0].views[0];
         EXPECT_NEAR(all.curve.near, depth_of(all, place.at + 30.0 * way) - 1.5 * along, 0.01);
         EXPECT_NEAR(all.curve.far, depth_of(all, place.at) + 5 * along, 0.01);
-        // By hand whatever the fit, for cascades too; a near plane behind the sheet loses it.
+        // Manual ranges hold for every fit and for cascades; a near plane behind the sheet loses the sheet.
         for (const int cascades : {1, 3}) {
             set_setting(s, "light.near_far", "manual");
             s.lights[0].cascades = cascades;
@@ -217,7 +217,7 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
     }
 }
 
-TEST_F(ViewDepthsTest, LampsPancakeToo) {
+TEST_F(ViewDepthsTest, PancakingWorksForSpotAndPointLights) {
     Scene scene = test::floor_under_sheet({});
     for (const char* type : {"spot", "point"})
         for (const char* reversed : {"false", "true"}) {
@@ -254,7 +254,7 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
                                               {"map.resolution", "256"},
                                               {"light.depth_bounds", bounds}});
             for (const auto& [key, value] : fit) set_setting(s, key, value);
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs = {.colour = false, .visibility = true};
             const FrameResult own = renderer.render(scene, s, request);
             s.camera.azimuth += 120;
@@ -274,9 +274,9 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
         }
 }
 
-// Through a fixed camera, maps that are made for another one, which moves by parts of a texel and turns: what is drawn
-// stays, but at borders of the texels and of the cascades.
-TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
+// Maps are made for a camera that turns and moves by fractions of a texel, and a fixed camera draws with them. The
+// picture stays equal except at borders of texels and cascades.
+TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
     const Scene scene = load_scene("boxes");
     const auto flips = [&](const char* fit) {
         Settings s = settings_for(scene, {{"light.cascades", "2"},
@@ -310,7 +310,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
                         frame.camera.pixel_ray(x, y, 160, 90, origin, direction);
                         hits.push_back(rays.first_hit(origin, direction));
                     }
-            // Nothing is said of what lies on a texel's border, or of the background.
+            // Points on a texel's border and the background are left out.
             std::vector<std::size_t> chosen;
             for (const auto& hit : hits) {
                 chosen.push_back(99 + chosen.size());
@@ -330,7 +330,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
     const std::size_t steady = flips("stabilised"), tight = flips("view");
     RecordProperty("flips", std::to_string(steady) + " " + std::to_string(tight));
     EXPECT_GT(tight, 1500u);
-    // Rasterisers place vertices in steps of parts of a texel: an edge through a texel's very middle may yet flip it.
+    // Rasterisers snap vertices to fractions of a texel: an edge through a texel's centre may still flip it.
     EXPECT_LE(steady, tight / 50) << "of " << 119 * 160 * 90;
 }
 

@@ -1,5 +1,5 @@
-// What the camera does not see costs nothing: maps and casters that no look-up reads are not drawn, the picture is the
-// same, and whoever reads a whole map has it whole.
+// Tests that maps and casters read by no look-up are skipped, that the picture stays equal, and that readers of whole
+// maps get them.
 #include <algorithm>
 
 #include "renderer/base/error.h"
@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-/// A floor, and balls in a row along x.
+/// Makes a floor, and a row of balls along x.
 Scene row_of_balls() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -24,7 +24,7 @@ Scene row_of_balls() {
     return scene;
 }
 
-/// Looks down at a place on the floor.
+/// Returns settings of a camera that looks down at a place on the floor.
 Sets camera_over(const char* x) {
     return {{"camera.source", "manual"}, {"camera.target_x", x},   {"camera.target_y", "0.5"},
             {"camera.target_z", "0"},    {"camera.distance", "5"}, {"camera.elevation", "40"},
@@ -55,7 +55,7 @@ protected:
     static FrameRequest cold(OptimisationSet forced = {}) {
         return {.width = 96, .height = 54, .force = true, .forced = forced};
     }
-    /// Draws both ways. @returns the triangles drawn into maps, saved and forced
+    /// Draws with and without the optimisation. @returns the triangles drawn into maps by each
     std::pair<std::uint64_t, std::uint64_t> expect_one_picture(const Scene& scene, const Settings& s,
                                                                const std::string& what,
                                                                const std::optional<MapCamera>& map_camera = {}) {
@@ -71,7 +71,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, ViewOptimisationsTest);
-TEST_F(ViewOptimisationsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, CastersWithoutVisibleShadowAreNotDrawn) {
     const Scene scene = row_of_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
     for (const Sets& light : {Sets{}, Sets{{"light.type", "spot"}, {"light.distance", "30"}}}) {
@@ -88,7 +88,7 @@ TEST_F(ViewOptimisationsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
     }
 }
 
-TEST_F(ViewOptimisationsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, RunsOfLargeCastersThatShadowNothingVisibleAreNotDrawn) {
     const Scene scene = load_scene("landscape");
     Settings s =
         settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"map.resolution", "512"}});
@@ -101,7 +101,7 @@ TEST_F(ViewOptimisationsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDra
     EXPECT_LT(double(saved), 0.3 * double(forced)) << "its triangles go row by row along z";
 }
 
-TEST_F(ViewOptimisationsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, FacesReadByNoVisiblePointAreNotDrawn) {
     const Scene scene = row_of_balls();
     const Settings s = settings_for(
         scene,
@@ -111,7 +111,7 @@ TEST_F(ViewOptimisationsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
     const FrameResult f = frame(scene, s, cold());
     const PassInfo& pass = map_pass(f);
     ASSERT_GE(pass.parts.size(), 6u);
-    EXPECT_EQ(pass.parts[0].state, PassState::Drawn) << "face +x holds what is seen";
+    EXPECT_EQ(pass.parts[0].state, PassState::Drawn) << "face +x holds the visible part";
     EXPECT_EQ(pass.parts[1].state, PassState::Skipped) << "face -x looks the other way";
     EXPECT_EQ(pass.parts[1].draws, 0u);
     EXPECT_EQ(pass.parts[1].by, Optimisation::UnreadViews);
@@ -123,8 +123,8 @@ TEST_F(ViewOptimisationsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
         }
 }
 
-TEST_F(ViewOptimisationsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
-    // A ball near the camera and a wall far behind it; between them, beside the picture, balls that only cast.
+TEST_F(ViewOptimisationsTest, CascadesReadByNoVisiblePointAreNotDrawn) {
+    // A ball is near the camera and a wall far behind it; between them, outside the picture, balls only cast.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     const int ball = add_mesh(scene, "Ball", make_sphere(0.5), grey);
@@ -158,8 +158,8 @@ TEST_F(ViewOptimisationsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
     EXPECT_EQ(cascades[3]->state, PassState::Drawn) << "it holds the wall";
 }
 
-TEST_F(ViewOptimisationsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
-    // A large ball that fills the picture, and beside the picture many small ones between it and the light.
+TEST_F(ViewOptimisationsTest, ReceiversThatFaceAwayNeedNoCasters) {
+    // A large ball fills the picture; outside the picture many small ones lie between it and the light.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Large", -1, add_mesh(scene, "Large", make_sphere(2, 160, 80), grey));
@@ -181,15 +181,15 @@ TEST_F(ViewOptimisationsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
                                                     {"light.azimuth", "180"},
                                                     {"light.distance", "40"}});
             const auto [few, all] = expect_one_picture(scene, s, type);
-            if (type != std::string("directional")) continue;  // cells of the others hold more
+            if (type != std::string("directional")) continue;  // cells of other light types hold more
             if (against)
                 EXPECT_LT(few, all / 2) << "the small ones cover only what faces away from the camera";
             else
-                EXPECT_GT(few, all / 2) << "their shadows are seen";
+                EXPECT_GT(few, all / 2) << "their shadows are visible";
         }
 }
 
-TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
+TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayNeedNoMap) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(40, 40), grey), moved(7, 3, -2) * turned(20));
@@ -209,15 +209,15 @@ TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
             const auto [saved, forced] = expect_one_picture(scene, s, type);
             EXPECT_GT(forced, 0u);
             if (below)
-                EXPECT_EQ(saved, 0u) << type << ": nothing is seen of the side that it shines on";
+                EXPECT_EQ(saved, 0u) << type << ": no lit side is visible";
             else
                 EXPECT_GT(saved, 0u) << type;
         }
 }
 
-// A face is chosen by the surface's place, whatever the kernel: also where those of moments, or maps that repeat, read
-// all of it.
-TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromAnywhere) {
+// A face is chosen by the surface's position for every kernel: also where kernels of moments, or repeating maps, read
+// the whole face.
+TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromEveryCamera) {
     const Scene scene = row_of_balls();
     const Sets lights[] = {{},
                            {{"light.elevation", "12"}, {"map.wrap", "clamp"}, {"light.fit", "manual"}},
@@ -255,7 +255,7 @@ TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromAnywhere) {
     EXPECT_LT(double(saved), 0.85 * double(forced));
 }
 
-TEST_F(ViewOptimisationsTest, WhatNothingReadsIsNotBlurred) {
+TEST_F(ViewOptimisationsTest, UnreadTexelsAreNotBlurred) {
     const Scene scene = row_of_balls();
     const auto unread = [](const FrameResult& f, std::string_view name) {
         std::uint64_t count = 0;
@@ -284,10 +284,10 @@ TEST_F(ViewOptimisationsTest, WhatNothingReadsIsNotBlurred) {
     }
 }
 
-TEST_F(ViewOptimisationsTest, ACameraThatMovesPaysForEachMapOnce) {
+TEST_F(ViewOptimisationsTest, AMovingCameraDrawsEachMapOnce) {
     const Scene scene = row_of_balls();
     const Sets point = {{"light.type", "point"}, {"light.distance", "2"}, {"map.resolution", "128"}};
-    // The last two prepare the whole of maps for their look-ups.
+    // The last two kernels preprocess whole maps.
     for (const Sets& light : {Sets{}, point, joined(point, {{"filter.kernel", "vsm"}}),
                               Sets{{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}}}) {
         Settings s = settings_for(scene, joined(camera_over("-16"), light));
@@ -310,13 +310,13 @@ TEST_F(ViewOptimisationsTest, ACameraThatMovesPaysForEachMapOnce) {
             EXPECT_EQ(different_pixels(kept, other.read_colour(other.render(scene, s, cold()).colour)), 0u) << i;
         }
         const std::size_t views = frame(scene, s).lights[0].views.size();
-        EXPECT_LE(redrawn, int(views)) << "of no map is more than the rest drawn, once";
+        EXPECT_LE(redrawn, int(views)) << "each map draws its missing part once";
         const std::uint64_t all = drawn_triangles(frame(scene, s, cold({Optimisation::UnreadViews})));
         EXPECT_LE(first + orbit, 2 * all);
     }
 }
 
-TEST_F(ViewOptimisationsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
+TEST_F(ViewOptimisationsTest, AnOrbitOverCompleteMapsDrawsNone) {
     const Scene scene = row_of_balls();
     for (const Sets& light : {Sets{}, Sets{{"light.type", "point"}}, Sets{{"filter.kernel", "vsm"}}}) {
         Settings s = settings_for(scene, joined(camera_over("-16"), light));
@@ -335,7 +335,7 @@ TEST_F(ViewOptimisationsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
     }
 }
 
-TEST_F(ViewOptimisationsTest, WhoeverReadsWholeMapsHasThemWhole) {
+TEST_F(ViewOptimisationsTest, ReadersOfWholeMapsGetThemWhole) {
     const Scene scene = row_of_balls();
     for (const Sets& light : {Sets{}, Sets{{"light.type", "point"}, {"light.distance", "2"}}}) {
         const Settings s = settings_for(scene, joined(camera_over("-16"), joined({{"map.resolution", "128"}}, light)));
@@ -375,19 +375,19 @@ TEST_F(ViewOptimisationsTest, WhoeverReadsWholeMapsHasThemWhole) {
         frame(scene, s, cold());
         const Probe probe = renderer.probe(scene, s, {.width = 96, .height = 54}, 48, 27);
         EXPECT_TRUE(probe.hit);
-        EXPECT_TRUE(frame(scene, s).maps_are_whole) << "a probe reads the map, and it is kept";
+        EXPECT_TRUE(frame(scene, s).maps_are_whole) << "a probe reads the map, and the map is cached";
     }
 }
 
-/// Why nothing of a light's maps is called for.
-struct Uncalled {
+/// Settings under which a light's maps are not needed, and the reason.
+struct UnneededMaps {
     Sets sets;
     const char* reason;
 };
 
-TEST_F(ViewOptimisationsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
+TEST_F(ViewOptimisationsTest, AnUnusedLightHasNoMapAndReportsTheReason) {
     const Scene scene = row_of_balls();
-    const Uncalled all[] = {
+    const UnneededMaps all[] = {
         {{{"light.intensity", "0"}}, "intensity"},
         {{{"light.red", "0"}, {"light.green", "0"}, {"light.blue", "0"}}, "colour"},
         {{{"camera.target_y", "500"}}, "camera sees nothing"},
@@ -399,7 +399,7 @@ TEST_F(ViewOptimisationsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
           {"light.range", "10"}},
          "range and cone"},
     };
-    for (const Uncalled& u : all) {
+    for (const UnneededMaps& u : all) {
         const Settings s = settings_for(scene, joined(camera_over("-16"), u.sets));
         const auto [saved, forced] = expect_one_picture(scene, s, u.reason);
         EXPECT_EQ(saved, 0u) << u.reason;
@@ -410,7 +410,7 @@ TEST_F(ViewOptimisationsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
             EXPECT_EQ(map_pass(f).draws, 0u);
             EXPECT_NE(map_pass(f).reason.find(u.reason), std::string::npos) << map_pass(f).reason;
         }
-        // Its visibility is another matter: asked for, it has a map, unless nothing is seen.
+        // Visibility differs: on request it has a map, unless nothing is visible.
         FrameRequest asked{.width = 96, .height = 54};
         asked.outputs.visibility = true;
         const FrameResult f = frame(scene, s, asked);

@@ -1,4 +1,4 @@
-// Maps that are warped towards the camera (light.fit lispsm), as they are drawn and read.
+// Tests maps warped towards the camera (light.fit lispsm), as drawn and read.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -19,13 +19,13 @@ protected:
     ReferenceCache cache;
     inline static const FrameRequest kPicture{.width = 160, .height = 90};
 
-    /// A ground of 60 m with boxes on it, of which one is mirrored, seen along the ground.
+    /// Makes a ground of 60 m with boxes, one of them mirrored, seen along the ground.
     static Scene long_ground(const glm::dvec3& at) {
         Scene scene;
         const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
         add_object(scene, "ground", -1, add_mesh(scene, "ground", make_plane(60, 60), grey));
         const int box = add_mesh(scene, "box", make_box({1, 2, 1}), grey);
-        // Casters all over it: else a map of where shadows fall is small, and compares nothing.
+        // Casters cover the whole ground: otherwise the map of the caster region is small, and compares nothing.
         for (int i = 0; i < 36; ++i)
             add_object(scene, "box" + std::to_string(i), -1, box,
                        moved(9 * (i % 6) - 22, 1.2, 27 - 9 * (i / 6)) *
@@ -34,7 +34,7 @@ protected:
         return scene;
     }
 
-    /// The ground with tilted sheets over it: planes alone, without corners where one surface meets another.
+    /// Makes the ground with tilted sheets above: planes alone, without corners where surfaces meet.
     static Scene sheets(const glm::dvec3& at) {
         Scene scene;
         const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -72,7 +72,7 @@ protected:
         return renderer.read_float(renderer.render(scene, s, request).overlay, 4);
     }
 
-    /// The middle of the numbers in rows of the picture, from the top.
+    /// Returns the median of the numbers in rows of the picture, from the top.
     static double median(const FloatImage& image, int from, int to) {
         std::vector<float> v;
         for (int y = from; y < to; ++y)
@@ -91,9 +91,9 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, WarpedMapsTest);
-// On land that reaches from the camera's feet to hills far away: where the texels of an even map are large in the
-// picture near the camera and small far away, those of a warped map are as large everywhere, and near ones are finer.
-TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndEvenOverThePicture) {
+// Terrain reaches from the camera's feet to distant hills. A uniform map's texels are large in the picture near the
+// camera and small far away. A warped map's texels have one size everywhere, and near ones are finer.
+TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndUniformInThePicture) {
     const Scene scene = load_scene("landscape");
     double near[2], far[2];
     const char* fits[] = {"view", "lispsm"};
@@ -111,7 +111,7 @@ TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndEvenOverThePicture) {
     EXPECT_GT(far[1], 1.5 * far[0]) << "which is what it costs";
 }
 
-TEST_F(WarpedMapsTest, ErrsLessThanAnEvenMapAndComesToTheTruth) {
+TEST_F(WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference) {
     const auto error = [&](const Scene& scene, Settings s) {
         set_setting(s, "filter.kernel", "hard");
         set_setting(s, "bias.kind", "receiver-plane");
@@ -163,8 +163,8 @@ TEST_F(WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes) {
     }
 }
 
-// Each texel's distance, as the viewer and its files have it, is that of the first surface on its ray, whatever the
-// depth's convention: of the rays that meet the ground or a box's top, away from edges.
+// Each texel's distance in the viewer and its files equals that of the first surface on its ray, for both depth
+// directions. The test compares rays that meet the ground or a box's top, away from edges.
 TEST_F(WarpedMapsTest, LinearDepthsAreDistances) {
     const Scene scene = long_ground({0, 0, 0});
     const test::RayReference rays(scene);
@@ -195,7 +195,7 @@ TEST_F(WarpedMapsTest, LinearDepthsAreDistances) {
                         const double d = depth.at(x, y);
                         if (!hit || hit->normal.y < 0.9 || d == view.curve.convention.far_depth()) continue;
                         const double metres = row.distance(d), step = (row.far - row.near) / 65535;
-                        if (std::abs(metres - (before + hit->distance)) > 0.5) continue;  // an edge runs through it
+                        if (std::abs(metres - (before + hit->distance)) > 0.5) continue;  // an edge crosses the texel
                         EXPECT_NEAR(metres, before + hit->distance, 2e-3 + (format == std::string("d16") ? step : 0));
                         const double share = (metres - view.curve.near) / (view.curve.far - view.curve.near);
                         EXPECT_NEAR(shown.data[4 * std::size_t(y * 256 + x)], 255 * std::clamp(share, 0.0, 1.0), 1.5);
@@ -205,10 +205,11 @@ TEST_F(WarpedMapsTest, LinearDepthsAreDistances) {
             }
 }
 
-// Radii in metres and penumbrae are those of an even map: against the area truth they err no more.
-TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAnEvenMap) {
+// Radii in metres and penumbrae equal those of a uniform map: compared with the area reference they have no more
+// error.
+TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAUniformMap) {
     const Scene scene = long_ground({0, 0, 0});
-    // Without dpcf, whose contrast goes by the depth of the map, which is another under each fit.
+    // The contrast of dpcf depends on the map's depth range, which differs between fits.
     for (const char* kernel : {"pcss", "smrt", "vogel", "poisson"}) {
         SCOPED_TRACE(kernel);
         const auto drawn = [&](const char* fit) {
@@ -241,8 +242,8 @@ TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAnEvenMap) {
     }
 }
 
-// Windings stay, mirrored objects' too: what culling leaves out of an even map it leaves out of a warped one.
-TEST_F(WarpedMapsTest, CullingMeansTheSameFaces) {
+// The warp keeps windings, also of mirrored objects: culling drops the same faces as in a uniform map.
+TEST_F(WarpedMapsTest, CullingSelectsTheSameFaces) {
     const Scene scene = long_ground({0, 0, 0});
     for (const char* cull : {"none", "back", "front"}) {
         const auto shadow = [&](const char* fit) {
@@ -259,7 +260,7 @@ TEST_F(WarpedMapsTest, CullingMeansTheSameFaces) {
     }
 }
 
-// Pages of a warped map hold what the whole map does.
+// Pages of a warped map hold the texels of the whole map.
 TEST_F(WarpedMapsTest, PagesHoldTheSameTexels) {
     const Scene scene = long_ground({0, 0, 0});
     Settings s = along_the_ground({0, 0, 0}, "lispsm", 1024);

@@ -1,4 +1,4 @@
-// What is simulated changes the picture somewhere, else it is waste: each map, face and cascade is left out in turn.
+// Tests the search for waste: each map, face and cascade is left out in turn, and is waste if no pixel changes.
 #include "renderer/advise/waste.h"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@
 namespace si {
 namespace {
 
-/// Of all triangles that are drawn into maps, and of the time that they take.
-constexpr double kMostWaste = 0.05;
+/// Accepted share of waste, in triangles drawn into maps and in their time.
+constexpr double kMaxWasteShare = 0.05;
 
 class WasteTest : public FrameTest {
 protected:
@@ -37,14 +37,14 @@ const WasteTrial& tried_named(const Waste& waste, std::string_view name) {
 
 SI_TESTS_ARE(DriverIndependent, WasteTest);
 SI_TESTS_ARE(Repeated, WasteTest);
-TEST_F(WasteTest, ALightThatShadowsIsNeededAndOneThatNobodySeesIsNot) {
+TEST_F(WasteTest, VisibleLightsAreNeededAndInvisibleOnesAreNot) {
     const Scene scene = load_scene("boxes");
     const Waste needed = waste_of(scene, {});
     EXPECT_TRUE(tried_named(needed, "map of light 0").changes);
     EXPECT_GT(tried_named(needed, "map of light 0").read, 0);
     EXPECT_GT(needed.triangles(), 0u);
     EXPECT_EQ(needed.share(), 0);
-    // The camera looks away from all that there is: nothing is read of the map.
+    // The camera looks away from the scene: nothing reads the map.
     const Waste unseen = waste_of(scene, {{"camera.source", "manual"}, {"camera.target_x", "500"}});
     EXPECT_EQ(tried_named(unseen, "map of light 0").read, 0);
     EXPECT_FALSE(tried_named(unseen, "map of light 0").changes);
@@ -53,7 +53,7 @@ TEST_F(WasteTest, ALightThatShadowsIsNeededAndOneThatNobodySeesIsNot) {
     }
 }
 
-TEST_F(WasteTest, WhatIsNotReadChangesNothing) {
+TEST_F(WasteTest, UnreadMapsChangeNothing) {
     for (const Sets& sets : {Sets{{"light.type", "point"}}, Sets{{"light.cascades", "4"}}}) {
         const Waste waste = waste_of(load_scene("stage"), sets);
         EXPECT_GE(waste.tried.size(), 4u);
@@ -64,10 +64,10 @@ TEST_F(WasteTest, WhatIsNotReadChangesNothing) {
     }
 }
 
-TEST_F(WasteTest, LeavingAMapEmptyLeavesNothingBehind) {
+TEST_F(WasteTest, TryingAnEmptyMapRestoresTheMap) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene);
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     const ByteImage before = picture(scene, s, request);
     request.emptied = MapOfLight{0, 0};
     EXPECT_GT(different_pixels(before, picture(scene, s, request)), 100u) << "the shadows are still there";
@@ -75,7 +75,7 @@ TEST_F(WasteTest, LeavingAMapEmptyLeavesNothingBehind) {
     EXPECT_EQ(different_pixels(before, picture(scene, s, request)), 0u);
 }
 
-TEST_F(WasteTest, EffectsThatSettingsPutOnAreTriedToo) {
+TEST_F(WasteTest, EffectsEnabledBySettingsAreTried) {
     const Scene scene = load_scene("stage");
     const Waste waste = waste_of(scene, {{"light.contact", "0.5"}, {"map.blur_texels", "2"}});
     EXPECT_TRUE(tried_named(waste, "contact shadows of light 0").changes);
@@ -88,7 +88,7 @@ bool was_tried(const Waste& waste, std::string_view name) {
     return std::ranges::any_of(waste.tried, [&](const WasteTrial& t) { return t.name == name; });
 }
 
-TEST_F(WasteTest, WhatMakesThePictureOfLightIsTriedWhereItIsOn) {
+TEST_F(WasteTest, LookEffectsAreTriedWhereTheyAreEnabled) {
     const Scene scene = load_scene("boxes");
     const Waste waste = waste_of(scene, {});
     EXPECT_TRUE(tried_named(waste, "sky and its ambient light").changes);
@@ -96,11 +96,11 @@ TEST_F(WasteTest, WhatMakesThePictureOfLightIsTriedWhereItIsOn) {
     const Waste plain = waste_of(scene, {{"shading.sky", "plain"}, {"shading.curve", "plain"}});
     for (const char* name :
          {"sky and its ambient light", "tone curve", "ground", "alpha test in maps", "stored-depth quads"})
-        EXPECT_FALSE(was_tried(plain, name)) << name << " is not simulated";
+        EXPECT_FALSE(was_tried(plain, name)) << name << " is not drawn";
     EXPECT_TRUE(was_tried(waste_of(scene, {{"shading.curve", "plain"}, {"shading.exposure", "1"}}), "tone curve"));
 }
 
-TEST_F(WasteTest, TheGroundIsTriedWhereOneWasPutUnderTheScene) {
+TEST_F(WasteTest, TheGroundIsTriedWhereItWasAdded) {
     Scene scene = make_scene(make_box({1, 2, 1.5}));
     add_ground(scene);
     ASSERT_FALSE(scene.ground_bounds.empty());
@@ -117,7 +117,7 @@ TEST_F(WasteTest, PagesAreTriedLightByLight) {
     EXPECT_GT(tried_named(waste, "pages of light 0").triangles, 0u);
     EXPECT_TRUE(was_tried(waste, "contact shadows of light 0")) << "by itself";
     EXPECT_EQ(waste.share(), 0);
-    // Seen from where nothing is looked up.
+    // The camera sees only points without look-ups.
     Sets away = paged;
     away.emplace_back("camera.source", "manual");
     away.emplace_back("camera.target_x", "500");
@@ -129,11 +129,11 @@ TEST_F(WasteTest, TheLightsSizeIsTriedUnderKernelsThatReadIt) {
     const Sets soft = {{"filter.kernel", "pcss"}, {"light.size", "3"}};
     EXPECT_TRUE(tried_named(waste_of(scene, soft), "size of light 0").changes);
     EXPECT_FALSE(was_tried(waste_of(scene, {{"light.size", "3"}}), "size of light 0"));
-    // Its truth reads it, the picture does not.
+    // The reference reads it, the picture does not.
     EXPECT_FALSE(was_tried(waste_of(scene, {{"light.size", "3"}, {"truth.area", "true"}}), "size of light 0"));
 }
 
-/// A fence that stands on a floor, or on nothing.
+/// Makes a fence that stands on a floor, or on nothing.
 Scene fence(bool cut_out, bool floor = true) {
     Scene scene;
     Texture holes;
@@ -153,11 +153,11 @@ Scene fence(bool cut_out, bool floor = true) {
     return scene;
 }
 
-TEST_F(WasteTest, TheAlphaTestInMapsIsTriedByTheShadowsOfWhatItCuts) {
+TEST_F(WasteTest, TheAlphaTestInMapsIsTriedByShadowsOfMaskedCasters) {
     EXPECT_TRUE(tried_named(waste_of(fence(true), {}), "alpha test in maps").changes);
     EXPECT_FALSE(tried_named(waste_of(fence(false), {}), "alpha test in maps").changes) << "it cuts nothing";
     EXPECT_FALSE(was_tried(waste_of(fence(true), {{"light.cast", "false"}}), "alpha test in maps"));
-    // Holes that the camera sees through are not the map's.
+    // Holes visible to the camera do not belong to the map.
     EXPECT_FALSE(tried_named(waste_of(fence(true, false), {}), "alpha test in maps").changes);
 }
 
@@ -169,7 +169,7 @@ TEST_F(WasteTest, BlendedCastersAreTriedWhereTheyCast) {
     EXPECT_FALSE(was_tried(waste_of(scene, {{"caster.blend", "none"}}), "shadows of blended casters"));
 }
 
-TEST_F(WasteTest, WhatIsShownOverThePictureIsTriedPaneByPane) {
+TEST_F(WasteTest, OverlaysAreTriedPaneByPane) {
     const Scene scene = load_scene("boxes");
     const Waste waste = waste_of(
         scene,
@@ -179,11 +179,11 @@ TEST_F(WasteTest, WhatIsShownOverThePictureIsTriedPaneByPane) {
     EXPECT_TRUE(tried_named(waste, "stored-depth quads").changes);
     const Waste see_through = waste_of(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}});
     EXPECT_FALSE(tried_named(see_through, "overlay n-dot-l").changes) << "drawn, and nobody sees it";
-    EXPECT_FALSE(was_tried(waste_of(scene, {{"view.overlay", "truth"}}), "overlay truth")) << "there is no truth";
-    EXPECT_TRUE(tried_named(see_through, "map of light 0").changes) << "the picture is judged without it";
+    EXPECT_FALSE(was_tried(waste_of(scene, {{"view.overlay", "truth"}}), "overlay truth")) << "there is no reference";
+    EXPECT_TRUE(tried_named(see_through, "map of light 0").changes) << "the overlay is left out of the comparison";
 }
 
-TEST_F(WasteTest, TimesAreTakenOfWasteWhereTheyAreAskedFor) {
+TEST_F(WasteTest, WasteIsTimedOnRequest) {
     const Scene scene = load_scene("boxes");
     const Waste untimed = waste_of(scene, {});
     EXPECT_FALSE(untimed.maps_ms);
@@ -193,12 +193,12 @@ TEST_F(WasteTest, TimesAreTakenOfWasteWhereTheyAreAskedFor) {
     EXPECT_GT(*needed.maps_ms, 0);
     EXPECT_EQ(needed.wasted_ms(), 0);
     EXPECT_EQ(needed.share_of_time(), 0);
-    // What cuts nothing into a map that is itself waste takes no time of its own.
+    // The alpha test has no time of its own in a map that is itself waste.
     const Waste twice = waste_of(fence(false), {{"light.intensity", "1e-10"}}, true);
     EXPECT_GT(tried_named(twice, "map of light 0").maps_ms, 0);
     EXPECT_FALSE(tried_named(twice, "alpha test in maps").changes);
     EXPECT_EQ(tried_named(twice, "alpha test in maps").maps_ms, 0);
-    // A light so dim that no byte shows whether it is shadowed: its map is drawn all the same.
+    // The light is so dim that no byte shows its shadow: its map is drawn all the same.
     const Waste dim = waste_of(scene, {{"light.intensity", "1e-10"}}, true);
     const WasteTrial& unseen = tried_named(dim, "map of light 0");
     EXPECT_FALSE(unseen.changes);
@@ -256,7 +256,7 @@ struct Named {
     bool is_always_drawn = true;
 };
 
-/// Built-in scenes, and models: a few, under SI_LONG all, the few first.
+/// Returns the built-in scenes and some models; all models under SI_LONG.
 std::vector<Named> scene_names() {
     std::vector<Named> names;
     for (const BuiltinScene& row : builtin_scenes()) names.push_back({std::string(row.key)});
@@ -275,11 +275,11 @@ std::vector<Named> scene_names() {
     return names;
 }
 
-/// Nothing: a model that may be refused was.
+/// Loads a scene or a model. Returns nothing if the model was refused, which its list allows.
 std::optional<Scene> loaded(const Named& named) {
     try {
         Scene scene = load_scene(named.name);
-        if (named.is_model) add_ground(scene);  // as it opens: where it has no floor
+        if (named.is_model) add_ground(scene);  // as the editor opens it: only without a floor
         return scene;
     } catch (const std::exception& e) {
         EXPECT_TRUE(named.may_be_refused) << named.name << ": " << e.what();
@@ -287,23 +287,22 @@ std::optional<Scene> loaded(const Named& named) {
     }
 }
 
-// Over all models, and by time too: SI_LONG=1, or ctest -L long.
-TEST_F(WasteTest, OfMapsOverScenesAndModelsAsTheyAreIsSmall) {
+// SI_LONG=1, or ctest -L long, measures all models, and their times.
+TEST_F(WasteTest, OfMapsIsSmallOverScenesAndModels) {
     Sum sum;
     for (const Named& named : scene_names())
         if (const std::optional<Scene> scene = loaded(named))
             sum.add(std::filesystem::path(named.name).stem().string(), waste_of(*scene, {}, takes_long()));
     sum.print();
     EXPECT_GT(sum.drawn, 0u);
-    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
+    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMaxWasteShare);
     if (takes_long()) {
         EXPECT_GT(sum.maps_ms, 0) << "its share is printed: times are no test's";
     }
 }
 
-// Lights of several maps: of these there are some that nobody reads.
-// Label `long`: SI_LONG=1, or ctest -L long.
-TEST_F(WasteTest, OfFacesAndCascadesOverScenesAndModelsIsSmall) {
+// Lights have several maps, and some of these are read by nobody. SI_LONG=1, or ctest -L long, measures all models.
+TEST_F(WasteTest, OfFacesAndCascadesIsSmallOverScenesAndModels) {
     if (!takes_long()) GTEST_SKIP() << "every scene and model under six faces and four cascades: SI_LONG=1";
     Sum sum, others;
     for (const Named& named : scene_names()) {
@@ -315,10 +314,10 @@ TEST_F(WasteTest, OfFacesAndCascadesOverScenesAndModelsIsSmall) {
                          waste_of(*scene, sets, true));
     }
     sum.print();
-    others.print();  // more of these is waste: flat ones, which nothing tells to be safe from themselves
+    others.print();  // further maps are waste: flat casters, which nothing proves free of self-shadowing
     EXPECT_GT(sum.drawn, 0u);
-    EXPECT_LE(sum.share(sum.changes_nothing), kMostWaste);
-    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
+    EXPECT_LE(sum.share(sum.changes_nothing), kMaxWasteShare);
+    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMaxWasteShare);
     EXPECT_GT(sum.maps_ms, 0) << "its share is printed: times are no test's";
 }
 

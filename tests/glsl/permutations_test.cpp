@@ -1,14 +1,13 @@
-// Every shader text that the program can make is GLSL 4.50 by the reference compiler, not only by the driver at hand.
+// Compiles every shader text that the program can make with the reference compiler, as GLSL 4.50.
 //
-// Frames are drawn without drawing: what they hand to glShaderSource is kept, the driver gets an empty shader instead,
-// and draw calls do nothing. Texts differ by defines, so frames go through
+// Frames run without drawing: texts passed to glShaderSource are kept, the driver gets an empty shader instead, and
+// draw calls do nothing. Texts differ by defines, so frames go through
 //   - every choice of every setting (and of light, overlay, ...) with every kind of material,
-//   - every two choices that programs of any technique can meet (with SI_LONG, label `long`, every three that one of
-//   the
-//     files mentions which all techniques share), as many of them in a frame as there are,
+//   - every two choices that programs of any technique can meet (with SI_LONG, label `long`, every three that a file
+// shared by all techniques mentions), as many of them in a frame as possible,
 //   - each technique with all combinations of the choices that its own files mention,
-//   - the rows of the tables of techniques with each other by turns.
-// A row more costs as many frames as its own files have ways. Each text is checked once.
+//   - alternating rows of the tables of techniques.
+// A new row costs as many frames as its own files have combinations. Each text is compiled once.
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
@@ -49,7 +48,7 @@ struct ShaderText {
     std::string text;
 };
 
-/// What glslangValidator says of these texts; empty: nothing. Files with errors stay in the folder.
+/// Returns glslangValidator's messages on these texts; empty: none. Files with errors stay in the folder.
 std::string validate(const fs::path& folder, const std::vector<ShaderText>& texts) {
     fs::create_directories(folder);
     std::string command = "cd '" + folder.string() + "' && glslangValidator";
@@ -65,17 +64,18 @@ std::string validate(const fs::path& folder, const std::vector<ShaderText>& text
     }
     std::istringstream log(file_bytes(folder / "log.txt"));
     std::string out, file;
-    std::set<std::string> told;
+    std::set<std::string> seen_errors;
     for (std::string line; std::getline(log, line);) {
         if (line.ends_with(".frag") || line.ends_with(".vert"))
             file = line;
-        else if (line.starts_with("ERROR: ") && !line.ends_with("No code generated.") && told.insert(line).second)
+        else if (line.starts_with("ERROR: ") && !line.ends_with("No code generated.") &&
+                 seen_errors.insert(line).second)
             out += fmt::format("{}: {}\n", (folder / file).string(), line);
     }
     return out.empty() ? file_bytes(folder / "log.txt") : out;
 }
 
-/// Takes the place of the functions through which shaders and draws reach the driver, while it lives.
+/// Replaces the functions by which shaders and draws reach the driver, during its lifetime.
 class Recorder {
 public:
     explicit Recorder(fs::path folder) : folder_(std::move(folder)) {
@@ -85,8 +85,8 @@ public:
         instanced_ = epoxy_glDrawArraysInstanced;
         elements_ = epoxy_glDrawElementsInstancedBaseVertexBaseInstance;
         read_ = epoxy_glGetTextureImage;
-        // Where nothing is drawn a probe finds nothing and stops: its block of 2x2 pixels is full of ones instead, and
-        // the picture shows the triangle that they name.
+        // Without drawing a probe finds nothing and stops: its block of 2x2 pixels is full of ones instead, and the
+        // picture shows the triangle that they name.
         epoxy_glGetTextureImage = [](GLuint texture, GLint level, GLenum format, GLenum type, GLsizei size, void* out) {
             if (current->probes_hit && format == GL_RGBA && type == GL_FLOAT && size == GLsizei(4 * sizeof(glm::vec4)))
                 std::fill_n(static_cast<float*>(out), 16, 1.f);
@@ -127,14 +127,14 @@ public:
     bool probes_hit = false;
 
     std::size_t texts() const { return seen_.size(); }
-    /// Checks what is left. @returns the errors of all.
+    /// Compiles the remaining texts. @returns all errors
     std::string finish() {
         check();
         while (!running_.empty()) collect();
         return errors_;
     }
-    /// Whether some text contains this line of a shader file.
-    bool saw(const std::string& line) const { return lines_.contains(Key().add(line).value()); }
+    /// Returns whether some text contains this line of a shader file.
+    bool has_line(const std::string& line) const { return lines_.contains(Key().add(line).value()); }
 
 private:
     void add(ShaderText text) {
@@ -153,7 +153,7 @@ private:
     }
     void collect() {
         const std::string errors = running_.front().get();
-        if (errors_.size() < 4000) errors_ += errors;  // more of the same
+        if (errors_.size() < 4000) errors_ += errors;  // further errors repeat these
         running_.erase(running_.begin());
     }
 
@@ -171,16 +171,16 @@ private:
     decltype(epoxy_glGetTextureImage) read_;
 };
 
-/// Settings that make one choice.
+/// Choices with the settings that make each of them.
 using Change = std::vector<std::pair<std::string, std::string>>;
 
 struct Axis {
-    std::set<std::string> names;  ///< that shaders know it by
+    std::set<std::string> names;  ///< names in shaders
     std::vector<Change> choices;
-    std::vector<std::string> files = {};  ///< of a table of techniques: each row's own; what a choice brings in
-    bool number = false;                  ///< of which no code asks more than how much it is
-    bool owned = false;                   ///< without effect but under the techniques whose files mention it
-    bool hides = false;                   ///< all but the first choice take the map away from the programs
+    std::vector<std::string> files = {};  ///< files of each row of a table of techniques; included by the choice
+    bool number = false;                  ///< plain number, on which no code branches
+    bool owned = false;                   ///< no effect except under techniques whose files mention it
+    bool hides = false;                   ///< no map in the programs under all but the first choice
 };
 
 std::string identifier(std::string_view key) {
@@ -264,7 +264,7 @@ std::vector<Axis> axes() {
     return out;
 }
 
-/// One small quad for each kind of material that shaders tell apart, or a plain one and one that is everything.
+/// Makes one small quad per kind of material that shaders distinguish, or a plain one and one with all features.
 Scene scene_of(bool every_kind) {
     Scene scene;
     scene.textures.push_back({.name = "white", .width = 2, .height = 2, .rgba = std::vector<std::uint8_t>(16, 255)});
@@ -303,7 +303,7 @@ std::vector<const Change*> pointers(const std::vector<Change>& choices) {
     return out;
 }
 
-/// Of a table of techniques one row of each kind that shared code tells apart; an overlay is none of its business.
+/// Returns one row per kind that shared code distinguishes; overlays do not matter to it.
 std::vector<const Change*> kinds_of(const Axis& table) {
     std::vector<const Change*> out;
     std::set<std::string> seen;
@@ -326,7 +326,7 @@ bool mentions_any(const std::string& text, const std::set<std::string>& names) {
     return std::ranges::any_of(names, [&](const std::string& name) { return gl::mentions(text, name); });
 }
 
-/// The shader files as they include each other.
+/// Include graph of the shader files.
 class ShaderFiles {
 public:
     ShaderFiles() {
@@ -338,9 +338,9 @@ public:
             if (file.starts_with("passes/")) add_included(file, shared_);
     }
     const std::string& text(const std::string& file) const { return texts_.at(file); }
-    /// What the passes include, whichever techniques are chosen.
+    /// Returns the files that passes include under every technique.
     const std::set<std::string>& shared() const { return shared_; }
-    /// Of a technique's file and what only it and its like include.
+    /// Returns a technique's file and the files that only techniques include.
     std::string own_text(const std::string& file) const {
         std::set<std::string> included;
         if (!file.empty()) add_included(file, included);
@@ -365,9 +365,9 @@ private:
 
 class Permutations : public testing::Test {
 protected:
-    /// Makes the texts of everything that these choices draw.
+    /// Makes the texts of all passes that these choices draw.
     void draw(const Scene& scene, const std::vector<const Change*>& chosen) {
-        if (++frames_ % 400 == 0) {  // thousands of programs are not needed at once
+        if (++frames_ % 400 == 0) {  // limits the programs in memory
             renderer_.reset();
             renderer_ = std::make_unique<Renderer>();
         }
@@ -382,10 +382,10 @@ protected:
             request.outputs.map_coordinates = request.outputs.texels_read = request.outputs.error =
                 request.outputs.true_colour = true;
             if (chosen.size() == 1) {
-                // What a probe draws where it hits, and what runs while there is no truth.
+                // Draws a probe's passes after a hit, and the passes that run without a reference.
                 FrameRequest untold = request;
                 untold.outputs.evidence = true;
-                untold.force = true;  // passes, too, whose results are there
+                untold.force = true;  // also passes with cached results
                 renderer_->render(scene, s, untold);
                 request.outputs.evidence = request.outputs.health = true;
             }
@@ -398,14 +398,14 @@ protected:
         }
     }
 
-    /// Every two choices in one frame, for long every three that one of the shared files mentions: each frame takes as
-    /// many of them that have not been as it can. Choices that hide the map from programs meet the others one at a
+    /// Draws every two choices in one frame, in long runs every three that one of the shared files mentions. Each
+    /// frame takes as many new ones as possible. Choices that remove the map from programs meet the others one at a
     /// time.
     void draw_combined(const Scene& scene, const std::vector<Axis>& all, const ShaderFiles& files) {
         struct Plain {
             const Axis* axis;
             std::vector<const Change*> choices;
-            std::vector<int> numbers = {};  ///< of the choices among those of all: addresses would order them by chance
+            std::vector<int> numbers = {};  ///< indices among all choices; addresses would order them by chance
         };
         std::vector<Plain> plain;
         std::vector<const Change*> hiding;
@@ -473,8 +473,8 @@ protected:
         }
     }
 
-    /// Each row of each table of techniques with all combinations of what its own files mention; then the rows by
-    /// turns.
+    /// Draws each row of each table of techniques with all combinations of the choices in its own files, then
+    /// alternating rows.
     void draw_techniques(const Scene& scene, const std::vector<Axis>& all, const ShaderFiles& files) {
         std::size_t most = 0;
         for (const Axis& table : all) {
@@ -500,7 +500,7 @@ protected:
         }
     }
 
-    /// All combinations of choices, one of each list; of `numbers` one each by turns.
+    /// Draws all combinations of one choice of each list, with alternating values of `numbers`.
     void draw_product(const Scene& scene, const std::vector<std::vector<const Change*>>& lists,
                       const std::vector<std::vector<const Change*>>& numbers) {
         std::vector<std::size_t> at(lists.size(), 0);
@@ -525,7 +525,7 @@ protected:
     int frames_ = 0;
 };
 
-TEST_F(Permutations, AreValidByTheReferenceCompiler) {
+TEST_F(Permutations, CompileWithTheReferenceCompiler) {
     ASSERT_EQ(std::system("command -v glslangValidator > /dev/null"), 0) << "install the package glslang-tools";
     const auto start = std::chrono::steady_clock::now();
     const fs::path folder = fresh_test_folder();
@@ -548,7 +548,7 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
     const std::vector<Axis> all = axes();
     for (const Axis& axis : all)
         for (const Change& choice : axis.choices) draw(every_kind, {&choice});
-    // What a kernel stores is shown by code of its own, which some third choice may leave out of the frame.
+    // A kernel's stored values are shown by code of its own, which some third choice may leave out of the frame.
     const Change moment = {{"view.map_channel", "moment-1"}};
     for (const Axis& axis : all)
         if (axis.names.contains("FILTER_FILE"))
@@ -565,8 +565,8 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
         std::istringstream in(file_bytes(entry.path()));
         std::string last;
         for (std::string line; std::getline(in, line);)
-            if (line.size() > last.size() && !line.starts_with("#")) last = line;  // the longest says which file it is
-        EXPECT_TRUE(recorder.saw(last)) << entry.path() << " is in no program: " << last;
+            if (line.size() > last.size() && !line.starts_with("#")) last = line;  // the longest line names the file
+        EXPECT_TRUE(recorder.has_line(last)) << entry.path() << " is in no program: " << last;
     }
     EXPECT_GT(recorder.texts(), 1000u);
     std::printf(
@@ -575,8 +575,8 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-// What is wrong is found, and named.
-TEST(ReferenceCompiler, FindsWhatIsWrong) {
+// Faults are found and named.
+TEST(ReferenceCompiler, RejectsWrongShaders) {
     const std::string head = "#version 450 core\nlayout(location = 0) out vec4 c;\n";
     const std::vector<ShaderText> texts = {{false, head + "void main() { c = vec4(1.0); }\n"},
                                            {false, head + "void main() { c = 1; }\n"}};

@@ -1,4 +1,4 @@
-// Hard cases 1 to 3: the least bias of planes, from the theory, on the renderer's own maps.
+// Tests hard cases 1 to 3: the theory's least bias of planes, on the renderer's own maps.
 #include <cmath>
 
 #include "renderer/bias/account.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr MapFormat kFormats[] = {MapFormat::D16, MapFormat::D24, MapFormat::D32F, MapFormat::Colour};
 
-/// A plane that nothing shades, and a camera that sees most of it.
+/// Makes an unshadowed plane with a camera that sees most of it.
 Scene plane_scene() {
     return make_scene(make_plane(10, 10));
 }
@@ -28,7 +28,7 @@ Settings plane_settings(MapFormat format, std::string_view filter) {
     return s;
 }
 
-/// The bias that the theory asks for at the worst point of the plane's map.
+/// Returns the bias that the theory needs at the worst point of the plane's map.
 LeastBias predicted(const Shot& shot, const Settings& s) {
     const LightView& view = shot.view();
     LeastBias worst;
@@ -43,7 +43,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
     return worst;
 }
 
-/// Share of lit pixels that are not fully lit.
+/// Returns the share of lit pixels that are not fully lit.
 double acne_share(const Shot& shot) {
     std::size_t acne = 0, seen = 0;
     const RayReference rays(plane_scene());
@@ -66,7 +66,7 @@ struct GrazingCase {
 
 class HardCase1 : public testing::TestWithParam<GrazingCase> {};
 
-TEST_P(HardCase1, GrazingSweep) {
+TEST_P(HardCase1, NoAcneUnderGrazingLight) {
     const Scene scene = plane_scene();
     Settings s = plane_settings(GetParam().format, GetParam().filter);
     for (double theta : {0.0, 20.0, 45.0, 60.0, 75.0, 85.0, 89.0, 89.5}) {
@@ -76,8 +76,8 @@ TEST_P(HardCase1, GrazingSweep) {
         const Shot bare = draw_shot(scene, s);
         const LeastBias b = predicted(bare, s);
         s.bias.constant = b.total();
-        judge(1, acne_share(draw_shot(scene, s)));
-        // Elsewhere quantisation decides (at 0 degrees it is all or nothing), so only tilted planes can be judged.
+        expect_within_limit(1, acne_share(draw_shot(scene, s)));
+        // Elsewhere quantisation decides (at 0 degrees it is all or nothing), so only tilted planes are compared.
         const double steps = b.kernel / (b.quantum + b.rounding);
         if (theta == 0 || steps < 20) continue;
         expect_fault(1, acne_share(bare));
@@ -98,9 +98,9 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase1,
 
 class HardCase5Offset : public testing::TestWithParam<MapFormat> {};
 
-// What glPolygonOffset is worth was measured on this driver: no acne with as much of it as the plane needs, acne with
-// less.
-TEST_P(HardCase5Offset, ClearsAPlaneByItsWorthAndNotByATenthLess) {
+// The test uses the measured effect of glPolygonOffset on this driver: the plane's need gives no acne, and less gives
+// acne.
+TEST_P(HardCase5Offset, ClearsAPlaneByTheEquivalentDepthBiasAndNotByATenthLess) {
     const Scene scene = plane_scene();
     const RasterTraits& driver = hard_renderer().driver();
     for (double theta : {45.0, 75.0})
@@ -122,8 +122,8 @@ TEST_P(HardCase5Offset, ClearsAPlaneByItsWorthAndNotByATenthLess) {
                 }
             expect_fault(5, acne_share(bare));
             s.bias.*offset = needed;
-            judge(5, acne_share(draw_shot(scene, s)));
-            // The unit of a float format goes by the farthest depth of the whole triangle.
+            expect_within_limit(5, acne_share(draw_shot(scene, s)));
+            // The unit of a float format depends on the farthest depth of the whole triangle.
             if (driver.offset[std::size_t(GetParam())].unit_steps > 0 && offset == &BiasSettings::raster_units)
                 continue;
             s.bias.*offset = 0.9 * needed;
@@ -134,8 +134,8 @@ TEST_P(HardCase5Offset, ClearsAPlaneByItsWorthAndNotByATenthLess) {
 INSTANTIATE_TEST_SUITE_P(All, HardCase5Offset, testing::ValuesIn(kFormats),
                          [](const auto& named) { return format_name(named.param); });
 
-// Away from home: the picture's shaders count from a grid point up to eight focus lengths away, the map's from the
-// middle of the scene. At the bias that each point of the account asks for, nothing may shadow itself.
+// The picture's shaders count from a grid point up to eight focus lengths away, the map's from the middle of the
+// scene. At the bias that each point of the account needs, nothing may shadow itself, wherever the scene stands.
 TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
     struct Place {
         glm::dvec3 at;
@@ -198,9 +198,9 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
             }
 }
 
-// The share of acne without bias is one half for the nearest kernel, as a texel's plane lies behind its centre's depth
-// on one side of it and before it on the other.
-TEST(HardCase1Share, HalfOfThePlaneAtNoBias) {
+// The nearest kernel has acne on one half of a plane without bias: a texel's plane lies behind its centre's depth on
+// one side and before it on the other.
+TEST(HardCase1Share, HalfOfThePlaneHasAcneWithoutBias) {
     Settings s = plane_settings(MapFormat::D32F, "hard");
     s.lights[0].elevation = 40;
     s.bias.constant = 0;
@@ -208,7 +208,7 @@ TEST(HardCase1Share, HalfOfThePlaneAtNoBias) {
 }
 
 // Case 2: where N.L goes to 0 the bias has no bound; the faces there hardly receive light.
-TEST(HardCase2, SphereTerminator) {
+TEST(HardCase2, TheTerminatorOfASphereHasLittleError) {
     const Scene scene = make_scene(make_sphere(1, 128, 64));
     Settings s = hard_settings();
     s.camera.target_y = 0;
@@ -216,7 +216,7 @@ TEST(HardCase2, SphereTerminator) {
     s.camera.azimuth = 80;  // across the terminator
     s.camera.elevation = 10;
     const auto energy = [&](const Shot& shot) {
-        // A convex body: truth is lit wherever the facet faces the light.
+        // A convex body is lit wherever the facet faces the light.
         const RayReference rays(scene);
         double error = 0;
         int domain = 0;
@@ -233,7 +233,7 @@ TEST(HardCase2, SphereTerminator) {
         EXPECT_GT(domain, 1000);
         return error / domain;
     };
-    judge(2, energy(draw_shot(scene, s, 80, 60)));
+    expect_within_limit(2, energy(draw_shot(scene, s, 80, 60)));
     s.bias = no_bias();
     expect_fault(2, energy(draw_shot(scene, s, 80, 60)));
     // A bias without bound would reach infinity here.
@@ -242,7 +242,7 @@ TEST(HardCase2, SphereTerminator) {
     draw_shot(scene, s, 80, 60);
 }
 
-// Case 3: depth steps of the formats over wide ranges, seen as acne of a plane that a spot light looks at.
+// Case 3: depth steps of the formats over wide ranges, visible as acne on a plane under a spot light.
 struct RangeCase {
     MapFormat format;
     double ratio;
@@ -270,8 +270,8 @@ TEST_P(HardCase3, NoAcneWithTheFormatsStep) {
     EXPECT_NEAR(bare.view().curve.far / bare.view().curve.near, c.ratio, 1e-9 * c.ratio);
     const LeastBias b = predicted(bare, s);
     s.bias.constant = b.total();
-    judge(3, acne_share(draw_shot(scene, s)));
-    // Where a step swallows the tilt of the plane over a texel, all depths may round to one and nothing shows.
+    expect_within_limit(3, acne_share(draw_shot(scene, s)));
+    // A step larger than the plane's tilt over a texel may round all depths to one and show nothing.
     if (b.kernel > 2 * (b.quantum + b.rounding)) {
         expect_fault(3, acne_share(bare));
     } else {

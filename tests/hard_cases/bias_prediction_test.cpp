@@ -1,5 +1,5 @@
-// The predicted least bias against what the renderer shows, over formats, kernels, lights and angles; and the table of
-// it in docs/lab/bias-prediction.md. To measure the table anew:
+// Compares the predicted least bias with the drawn one over formats, kernels, lights and angles, and with the table in
+// docs/lab/bias-prediction.md. To measure the table again:
 //   SI_UPDATE_ASSETS=1 test_hard_cases --gtest_filter='*BiasPrediction*'
 #include <fmt/format.h>
 
@@ -51,15 +51,15 @@ Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
     return s;
 }
 
-/// Points of the plane that pixels show inside the map, and where.
-struct Seen {
+/// Points of the plane that pixels show inside the map, with their pixels.
+struct PlanePixels {
     std::vector<std::size_t> pixels;
     std::vector<glm::dvec3> points;
 };
 
-Seen seen_points(const Scene& scene, const FrameResult& frame) {
+PlanePixels seen_points(const Scene& scene, const FrameResult& frame) {
     static const RayReference rays(scene);
-    Seen seen;
+    PlanePixels seen;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
             glm::dvec3 origin, dir;
@@ -75,9 +75,9 @@ Seen seen_points(const Scene& scene, const FrameResult& frame) {
 }
 
 struct Row {
-    std::string config;  ///< "| hard | 45 | 0.71 |": with the prediction in texels
-    double texels = 0;   ///< at the point that needs most of them
-    double steps = 0;    ///< of the format and of single precision that the kernel's part there is worth
+    std::string config;                    ///< "| hard | 45 | 0.71 |": with the prediction in texels
+    double texels = 0;                     ///< prediction at the point with the largest need
+    double steps = 0;                      ///< steps of the format and of single precision in that point's kernel part
     double acne[std::size(kShares)] = {};  ///< percent of the pixels darker than lit
     std::string text() const {
         std::string out = config;
@@ -89,18 +89,18 @@ struct Row {
     }
 };
 
-/// @param driver that the bias is predicted for; it is measured on the one at hand
+/// Measures one row of the table. @param driver driver of the prediction; the current one is measured
 Row measured(const Scene& scene, const Case& c, const char* filter, double theta, const RasterTraits& driver) {
     Settings s = plane_settings(c, filter, theta);
     const FrameRequest request{.width = kWidth, .height = kHeight, .outputs = {.colour = false, .visibility = true}};
     FrameResult frame = hard_renderer().render(scene, s, request);
-    const Seen seen = seen_points(scene, frame);
+    const PlanePixels seen = seen_points(scene, frame);
     EXPECT_GT(seen.pixels.size(), 4000u);
     Row row;
     for (const glm::dvec3& point : seen.points) {
         const BiasBreakdown a = bias_breakdown(frame.lights[0], s, frame.map_resolution,
                                                {point, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, driver);
-        // In texels, as they are set: where depth is no multiple of metres another point may need more of depth.
+        // The maximum counts in texels, the unit of the setting: another point may need more in units of depth.
         const double texels = a.amount(a.least.total()).texels;
         if (texels <= row.texels) continue;
         row.texels = texels;
@@ -127,7 +127,7 @@ std::vector<std::string> lines_of(const std::string& path) {
 
 constexpr const char* kBits = "Sub-pixel bits of the driver: ";
 
-/// What the table's predictions depend on of the driver that they were made for.
+/// Returns the properties of the driver that the table's predictions depend on.
 RasterTraits table_driver(const std::vector<std::string>& lines) {
     for (const std::string& line : lines)
         if (line.rfind(kBits, 0) == 0) return {.subpixel_bits = std::stoi(line.substr(std::string(kBits).size()))};
@@ -135,7 +135,7 @@ RasterTraits table_driver(const std::vector<std::string>& lines) {
     return {};
 }
 
-/// The lines of a section's rows: from after its table's head to the next empty line.
+/// Returns the row lines of a section: from after its table's head to the next empty line.
 std::pair<std::size_t, std::size_t> section(const std::vector<std::string>& lines, const std::string& heading) {
     const auto at = std::find(lines.begin(), lines.end(), heading);
     if (at == lines.end()) return {0, 0};
@@ -165,7 +165,7 @@ void write_section(const Case& c, const std::vector<Row>& rows) {
     for (const std::string& line : lines) out << line << '\n';
 }
 
-/// Numbers after the configuration.
+/// Returns the numbers after the configuration.
 std::vector<double> shares_of(const std::string& line, std::size_t from) {
     std::string rest = line.substr(from);
     std::replace(rest.begin(), rest.end(), '|', ' ');
@@ -177,7 +177,7 @@ std::vector<double> shares_of(const std::string& line, std::size_t from) {
 
 class BiasPrediction : public testing::TestWithParam<Case> {};
 
-TEST_P(BiasPrediction, IsWhatIsMeasured) {
+TEST_P(BiasPrediction, AgreesWithTheMeasuredBias) {
     const Case& c = GetParam();
     const Scene scene = make_scene(make_plane(10, 10));
     const std::vector<std::string> lines = lines_of(kTable);
@@ -193,7 +193,7 @@ TEST_P(BiasPrediction, IsWhatIsMeasured) {
             if (theta > 0 && row.steps >= 20) {
                 ++classified;
                 EXPECT_GE(row.acne[0], 45) << "without bias half of the plane must shadow itself";
-                // Under a spot light only the point that needs most is short of a tenth, and it may be one of no texel.
+                // Under a spot light only the point with the largest need lacks a tenth, and it may lie in no texel.
                 if (c.light == LightType::Spot)
                     EXPECT_GT(row.acne[1], 5) << "half of the bias must show acne";
                 else
@@ -205,13 +205,13 @@ TEST_P(BiasPrediction, IsWhatIsMeasured) {
     EXPECT_GE(classified, 12) << "too few cases in which quantisation does not decide";
     if (std::getenv("SI_UPDATE_ASSETS")) return write_section(c, rows);
     const auto [first, end] = section(lines, c.heading());
-    ASSERT_EQ(end - first, rows.size()) << kTable << " lacks rows of \"" << c.heading() << "\"; measure it anew";
+    ASSERT_EQ(end - first, rows.size()) << kTable << " lacks rows of \"" << c.heading() << "\"; measure it again";
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::string& line = lines[first + i];
         EXPECT_EQ(line.rfind(rows[i].config, 0), 0u) << kTable << ": " << line << "\npredicted now: " << rows[i].config;
         const auto shares = shares_of(line, std::min(rows[i].config.size(), line.size()));
         ASSERT_EQ(shares.size(), std::size(kShares)) << line;
-        // The same biases as in the table; other drivers place vertices and round depths a little differently.
+        // The biases equal the table's; other drivers snap vertices and round depths a little differently.
         for (std::size_t k = 0; k < shares.size(); ++k)
             EXPECT_NEAR(shares[k], rows[i].acne[k], 2) << line << "\nnow " << rows[i].text();
     }

@@ -12,11 +12,13 @@
 #include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si::test {
 namespace {
 
-/// Beyond the map's side by a little, out of reach of rounding and of the normal offset.
+/// Returns whether a point lies outside the map's side, out of reach of rounding and of the normal offset.
 bool is_outside(const glm::dvec4& p) {
     constexpr double kPad = 0.01;
     return p.x < -kPad || p.x > 1 + kPad || p.y < -kPad || p.y > 1 + kPad;
@@ -26,7 +28,7 @@ bool is_inside(const glm::dvec4& p) {
     return p.x > kPad && p.x < 1 - kPad && p.y > kPad && p.y < 1 - kPad;
 }
 
-/// Share of the pixels of a picture that `chosen(r, g, b)` holds for.
+/// Returns the share of a picture's pixels that `chosen(r, g, b)` accepts.
 double share_of(const ByteImage& image, const std::function<bool(int r, int g, int b)>& chosen) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < image.data.size(); i += 4)
@@ -34,16 +36,16 @@ double share_of(const ByteImage& image, const std::function<bool(int r, int g, i
     return image.data.empty() ? -1 : double(count) / (double(image.data.size()) / 4);
 }
 
-/// Mean grey of the scene in the map viewer, 0 to 1.
-double mean_map_grey(const Guided& g) {
+/// Returns the mean grey of the scene in the map viewer, 0 to 1.
+double mean_map_grey(const GuidedDrawing& g) {
     EXPECT_EQ(g.map_view.width, g.shot.maps.at(0).width);
     return g.mean_of_drawn([&](int x, int y) {
         return g.map_view.data[(std::size_t(y) * std::size_t(g.map_view.width) + std::size_t(x)) * 4] / 255.0;
     });
 }
 
-/// Sum of the changes of visibility from pixel to pixel of a row.
-double roughness(const Guided& g) {
+/// Returns the sum of the changes of visibility along rows of pixels.
+double roughness(const GuidedDrawing& g) {
     double sum = 0;
     const FloatImage& v = g.shot.visibility;
     for (int y = 0; y < v.height; ++y)
@@ -51,9 +53,9 @@ double roughness(const Guided& g) {
     return sum;
 }
 
-/// Largest movement of the maps' texels over the ground as the camera turns, in texels from the nearest whole number.
-/// It is at most 0.5, and 0.5 where a map changes its width.
-double texel_slide(const Guided& g) {
+/// Returns the largest movement of the maps' texels over the ground as the camera turns, in texels from the nearest
+/// whole number. The result is at most 0.5, and 0.5 where a map changes its width.
+double texel_slide(const GuidedDrawing& g) {
     Settings s = g.settings;
     s.camera = manual_camera(g.scene, s);
     std::vector<LightView> before;
@@ -74,7 +76,7 @@ double texel_slide(const Guided& g) {
     return most;
 }
 
-/// Least of `value(i)` for the views 0 to `count` - 1.
+/// Returns the least of `value(i)` for the views 0 to `count` - 1.
 double least_of(std::size_t count, const std::function<double(std::size_t i)>& value) {
     EXPECT_GT(count, 0u);
     double least = 1e300;
@@ -85,27 +87,27 @@ double most_of(std::size_t count, const std::function<double(std::size_t i)>& va
     return -least_of(count, [&](std::size_t i) { return -value(i); });
 }
 
-double texel_size_m(const Guided& g) {
+double texel_size_m(const GuidedDrawing& g) {
     return g.shot.view().texel_size(1, g.shot.frame.map_resolution);
 }
-TexelSize texel_size_range(const Guided& g) {
+TexelSize texel_size_range(const GuidedDrawing& g) {
     return g.shot.view().texel_size_range(g.shot.frame.map_resolution);
 }
-const auto& spans_of(const Guided& g) {
+const auto& spans_of(const GuidedDrawing& g) {
     return g.shot.light().chooser.spans;
 }
 
-/// Length of the i-th split over that of the one before it.
-double split_ratio(const Guided& g, std::size_t i) {
+/// Returns the length of the i-th split divided by that of the one before it.
+double split_ratio(const GuidedDrawing& g, std::size_t i) {
     return spans_of(g).at(i + 1).ends / spans_of(g).at(i).ends;
 }
-double width_per_distance(const Guided& g, std::size_t i) {
+double width_per_distance(const GuidedDrawing& g, std::size_t i) {
     return g.shot.view(i).half_width / spans_of(g).at(i).ends;
 }
 
-/// Second of two frames of a renderer of their own, so that nothing is cached but by the first.
-/// @param changes of the second, made to the first's settings with its camera as a manual one
-FrameResult frame_after(Renderer& renderer, const Guided& first, const std::vector<std::string>& changes) {
+/// Draws two frames with a new renderer, so that only the first fills the caches. Returns the second. @param changes
+/// changes of the second frame to the first's settings, with its camera as a manual one
+FrameResult frame_after(Renderer& renderer, const GuidedDrawing& first, const std::vector<std::string>& changes) {
     const FrameRequest request{.width = first.shot.width, .height = first.shot.height};
     renderer.render(first.scene, first.settings, request);
     Settings s = first.settings;
@@ -114,20 +116,20 @@ FrameResult frame_after(Renderer& renderer, const Guided& first, const std::vect
     return renderer.render(first.scene, s, request);
 }
 
-double changes_but_light_direction(const Guided& g) {
+double changes_but_light_direction(const GuidedDrawing& g) {
     Settings s = g.settings;
     s.lights[0].azimuth = Settings().lights[0].azimuth;
     s.lights[0].elevation = Settings().lights[0].elevation;
     return double(changed_settings(s).size());
 }
 
-double colour_levels(const Guided& g) {
+double colour_levels(const GuidedDrawing& g) {
     std::set<int> levels;
     for (std::size_t i = 0; i < g.shot.colour.data.size(); i += 4) levels.insert(g.shot.colour.data[i]);
     return double(levels.size());
 }
 
-double red_marks(const Guided& g) {
+double red_marks(const GuidedDrawing& g) {
     const FrameResult frame =
         hard_renderer().render(g.scene, g.settings, {.width = g.shot.width, .height = g.shot.height});
     const ByteImage marked = hard_renderer().read_colour(frame.panes.at(1).picture);
@@ -136,7 +138,7 @@ double red_marks(const Guided& g) {
 }
 
 using S = const ClaimSubject&;
-using G = const Guided&;
+using G = const GuidedDrawing&;
 
 const std::map<std::string, double (*)(S, G)> kOfOne = {
     // Pixels against rays that are traced here, not by the program
@@ -237,7 +239,7 @@ const std::map<std::string, double (*)(S, G)> kOfOne = {
     {"changes_but_light_direction", [](S, G g) { return changes_but_light_direction(g); }},
 };
 
-/// Metrics of two drawings: the claim's and the one that it names as "than".
+/// Metrics of two drawings: the claim's and the one named as "than".
 const std::map<std::string, double (*)(S, G, G)> kOfTwo = {
     {"differing_share", [](S, G g, G than) { return differing_share(g.shot, than.shot); }},
     {"differing_pixels",
@@ -259,8 +261,8 @@ const std::map<std::string, double (*)(S, G, G)> kOfTwo = {
      }},
 };
 
-/// Value of a metric of the program, or share of the counted pixels that a cause has ("cause.acne").
-std::optional<double> error_metric(const std::string& name, const Guided& g) {
+/// Returns a metric of the program, or the share of the counted pixels with a cause ("cause.acne").
+std::optional<double> error_metric(const std::string& name, const GuidedDrawing& g) {
     if (const Metric* metric = find_metric(name)) return metric->value(g.error());
     for (const ArtefactStyle& style : artefact_styles())
         if (name == fmt::format("cause.{}", style.key))
@@ -274,7 +276,7 @@ bool compares_drawings(const std::string& metric) {
     return kOfTwo.contains(metric);
 }
 
-double claim_metric(const ClaimSubject& subject, const Guided& drawing, const Guided* than) {
+double claim_metric(const ClaimSubject& subject, const GuidedDrawing& drawing, const GuidedDrawing* than) {
     constexpr std::string_view kPlus = " + ";
     if (const std::size_t plus = subject.metric.find(kPlus); plus != std::string::npos) {
         ClaimSubject first = subject;

@@ -1,4 +1,4 @@
-// The shadow of a box on a plane, whose outline is known exactly.
+// Compares the shadow of a box on a plane with its known outline.
 #include <cmath>
 
 #include "renderer/settings/filters.h"
@@ -7,7 +7,7 @@
 namespace si::test {
 namespace {
 
-/// Whether the segment or ray from `p` along `d` (to the parameter `most`) meets the box; the slab test.
+/// Returns whether the segment or ray from `p` along `d` (to the parameter `most`) meets the box; the slab test.
 bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi) {
     double from = 0, to = most;
     for (int axis = 0; axis < 3; ++axis) {
@@ -32,7 +32,7 @@ struct OutlineCase {
 
 class BoxShadow : public testing::TestWithParam<OutlineCase> {};
 
-TEST_P(BoxShadow, EdgeWithinATexel) {
+TEST_P(BoxShadow, EdgesLieWithinATexel) {
     const OutlineCase& c = GetParam();
     const glm::dvec3 box(1.5, 1, 2);
     const double gap = 0.4;
@@ -44,7 +44,7 @@ TEST_P(BoxShadow, EdgeWithinATexel) {
     s.lights[0].cone = 80;
     s.map.resolution = c.resolution;
     set_setting(s, "filter.kernel", c.filter);
-    // Along the light only, so that the outline does not move; what the kernel needs on the floor.
+    // The kernel's need on the floor is added along the light only, so that the outline does not move.
     s.bias = no_bias();
     s.bias.unit = BiasUnit::Texels;
     s.bias.constant = 4 * reach_of(s).bias;
@@ -64,7 +64,7 @@ TEST_P(BoxShadow, EdgeWithinATexel) {
             if (!hit || hit->normal.y < 0.5 || hit->position.y > 1e-6) continue;
             const LightView& view = view_of(light, hit->position);
             const glm::dvec4 p = uvdw(view, hit->position);
-            // Beyond a map that holds all shadows the floor is lit.
+            // Outside a map that holds all shadows the floor is lit.
             if (!light.closed && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1)) continue;
             // One texel to each side on the floor, along the map's axes.
             const double z = glm::dot(view.eye - hit->position, view.axes[2]);
@@ -88,7 +88,7 @@ TEST_P(BoxShadow, EdgeWithinATexel) {
     EXPECT_GT(inside, 500) << "the box must cast";
     EXPECT_GT(outside, 5000);
     EXPECT_GT(edge, 20);
-    EXPECT_LT(edge, inside + outside) << "most pixels must be judged";
+    EXPECT_LT(edge, inside + outside) << "most pixels must be compared";
     EXPECT_EQ(wrong, 0);
 }
 
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(All, BoxShadow,
                                          OutlineCase{"point_hard", LightType::Point, "hard", 512}),
                          [](const auto& named) { return std::string(named.param.name); });
 
-// The seams between a point light's faces: no error beside them.
+// The seams between a point light's faces show no errors.
 TEST(PointLight, SeamsShowNoError) {
     const Scene scene = floor_and_box(10, {4.4, 0.2, 4.4}, 1.2);
     for (const char* filter : {"hard", "pcf5"}) {
@@ -113,9 +113,9 @@ TEST(PointLight, SeamsShowNoError) {
         set_setting(s, "filter.kernel", filter);
         s.bias = no_bias();
         s.bias.unit = BiasUnit::Texels;
-        // Near a face's rim the floor is tilted by 45 to 60 degrees against its axis.
+        // Near a face's rim the floor is tilted by 45 to 60 degrees against the face's axis.
         s.bias.constant = 4 * reach_of(s).bias;
-        const ReferenceErrors e = compare(draw_shot(scene, s), scene, reach_of(s).edge + 1);
+        const ReferenceErrors e = compare_with_reference(draw_shot(scene, s), scene, reach_of(s).edge + 1);
         EXPECT_GT(e.shadow, 200) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.any_acne, 0) << filter;

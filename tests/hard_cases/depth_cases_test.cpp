@@ -1,4 +1,4 @@
-// Hard cases 3 to 5: what the maps store, against distances computed in double.
+// Tests hard cases 3 to 5: stored depths of maps against distances computed in double.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -85,7 +85,7 @@ TEST_P(StoredDepth, IsTheMetricDistanceWithinAStep) {
                 const glm::dvec3 dir = p ? aside - view.axes[2] : -view.axes[2];
                 const double z = -glm::dot(origin, n) / glm::dot(dir, n);
                 const glm::dvec3 at = origin + z * dir;
-                // Texels that the plane covers wholly.
+                // Texels that the plane fully covers.
                 if (!(z > view.curve.near && z < view.curve.far && std::abs(at.x) < 4.7 && std::abs(at.z) < 4.7))
                     continue;
                 const double own = view.curve.depth(z);
@@ -97,7 +97,7 @@ TEST_P(StoredDepth, IsTheMetricDistanceWithinAStep) {
                 worst = std::max(worst, error / parts.total());
                 mean_steps += error / step;
                 ++seen;
-                // In metres, as a person reads it: the step over the curve's slope, bent a little at coarse steps.
+                // The tolerance in metres is the step over the curve's slope, bent a little at coarse steps.
                 const double metres = std::abs(view.curve.distance(stored) - z);
                 ASSERT_LE(metres, 1.5 * parts.total() / view.curve.slope(z) + 1e-9) << x << ", " << y;
             }
@@ -114,7 +114,7 @@ TEST_P(StoredDepth, IsTheMetricDistanceWithinAStep) {
 INSTANTIATE_TEST_SUITE_P(All, StoredDepth, testing::ValuesIn(stored_cases()),
                          [](const auto& named) { return case_name(named.param); });
 
-// Case 4: reversed depth in a float map keeps 2^-22 of the distance, over whatever range; standard depth does not.
+// Case 4: reversed depth in a float map keeps 2^-22 of the distance over any range; standard depth does not.
 TEST(HardCase4, ReversedFloatResolvesEveryDistance) {
     for (double ratio : {1e2, 1e4, 1e6})
         for (bool reversed : {true, false}) {
@@ -127,7 +127,7 @@ TEST(HardCase4, ReversedFloatResolvesEveryDistance) {
             if (reversed) {
                 EXPECT_LE(worst, 0x1p-22);
             } else {
-                EXPECT_GT(worst, 0x1p-22) << "standard depth must lose more, or the case says nothing";
+                EXPECT_GT(worst, 0x1p-22) << "standard depth must lose more, or the case proves nothing";
             }
         }
 }
@@ -144,8 +144,8 @@ TEST(HardCase4, ReversedMapsGiveTheSameShadows) {
             const Shot reversed = draw_shot(scene, s);
             expect_fault(4, shadow_share(standard));
             // Two roundings of one depth may fall to either side on a few boundary pixels.
-            judge(4, differing_share(standard, reversed));
-            // The reversed map holds the mirrored depths: the setting does act.
+            expect_within_limit(4, differing_share(standard, reversed));
+            // The reversed map holds the mirrored depths: the setting acts.
             double worst = 0, largest = 0;
             for (std::size_t face = 0; face < standard.maps.size(); ++face) {
                 const FloatImage &a = standard.maps[face], &b = reversed.maps[face];
@@ -161,7 +161,7 @@ TEST(HardCase4, ReversedMapsGiveTheSameShadows) {
         }
 }
 
-// Where depths crowd near the light, equal steps of distance keep what lies far from it apart.
+// Depths crowd near the light. Equal steps of distance still separate distant points.
 TEST(HardCase4, SixteenBitsOfDistanceAreFinerFarAway) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = hard_settings();
@@ -179,7 +179,8 @@ TEST(HardCase4, SixteenBitsOfDistanceAreFinerFarAway) {
         s.bias.constant = texels;
         return shadow_share(draw_shot(scene, s));
     };
-    // Far beyond what sampling calls for; steps of depth at 20 m are 0.2 m there, those of distance half a millimetre.
+    // The bias is far above the need of sampling. Steps of depth at 20 m are 0.2 m there, those of distance half a
+    // millimetre.
     EXPECT_GT(acne(MapFormat::D16, 2), 0.02);
     EXPECT_EQ(acne(MapFormat::Linear16, 2), 0);
     EXPECT_EQ(acne(MapFormat::Linear, 2), 0);
@@ -201,7 +202,7 @@ TEST(HardCase4, PolygonOffsetMovesNoDistances) {
     }
 }
 
-/// Largest change of stored depth between two maps, over texels that both drew.
+/// Returns the largest change of stored depth between two maps, over texels that both drew.
 double largest_change(const FloatImage& a, const FloatImage& b) {
     double most = 0;
     for (std::size_t i = 0; i < a.data.size(); ++i)
@@ -209,8 +210,8 @@ double largest_change(const FloatImage& a, const FloatImage& b) {
     return most;
 }
 
-// Case 5: units of the polygon offset differ by format and driver. What was measured on its own is what maps show.
-TEST(HardCase5, PolygonOffset) {
+// Case 5: units of the polygon offset differ by format and driver. Maps must show the measured unit.
+TEST(HardCase5, PolygonOffsetActsAsMeasured) {
     const Scene scene = make_scene(make_plane(10, 10));
     for (MapFormat format : {MapFormat::D16, MapFormat::D24, MapFormat::D32F, MapFormat::Colour}) {
         const PolygonOffset& offset = hard_renderer().driver().offset[std::size_t(format)];
@@ -231,7 +232,7 @@ TEST(HardCase5, PolygonOffset) {
         s.bias.raster_units = format == MapFormat::D16 ? 100 : 1000;
         const double r = largest_change(flat.maps[0], draw_shot(scene, s, 64, 48).maps[0]) / s.bias.raster_units;
         EXPECT_GE(r, 0.49 * step);
-        EXPECT_LE(offset.unit(step), 1.002 * r) << "bias must not be thought worth more than it is";
+        EXPECT_LE(offset.unit(step), 1.002 * r) << "bias must not be overestimated";
         if (offset.unit_depth > 0 || format == MapFormat::D32F) {
             EXPECT_NEAR(offset.unit(step) / r, 1, 0.01);
         }

@@ -1,4 +1,5 @@
-// Every guided preset loads without a fault and shows what its sentence says, counted against ray-traced truth.
+// Tests that every guided preset loads without a fault and that its claims hold, measured against the ray-traced
+// reference.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -45,21 +46,22 @@ class Drawings {
 public:
     explicit Drawings(std::string key) : key_(std::move(key)) {}
 
-    const Guided& of(const ClaimSubject& subject) {
+    const GuidedDrawing& drawing_of(const ClaimSubject& subject) {
         auto& drawing = drawings_[{subject.preset, subject.set, subject.size}];
-        if (!drawing) drawing = std::make_unique<Guided>(key_, subject);
+        if (!drawing) drawing = std::make_unique<GuidedDrawing>(key_, subject);
         return *drawing;
     }
 
 private:
     std::string key_;
-    std::map<std::tuple<std::string, std::vector<std::string>, std::vector<int>>, std::unique_ptr<Guided>> drawings_;
+    std::map<std::tuple<std::string, std::vector<std::string>, std::vector<int>>, std::unique_ptr<GuidedDrawing>>
+        drawings_;
 };
 
 void expect_claim(const PresetClaim& claim, Drawings& drawings) {
     SCOPED_TRACE(claim.text);
-    const Guided& drawing = drawings.of(claim.subject);
-    const Guided* than = claim.than ? &drawings.of(*claim.than) : nullptr;
+    const GuidedDrawing& drawing = drawings.drawing_of(claim.subject);
+    const GuidedDrawing* than = claim.than ? &drawings.drawing_of(*claim.than) : nullptr;
     const double left = claim_metric(claim.subject, drawing, than);
     double right = claim.value;
     if (than && !compares_drawings(claim.subject.metric))
@@ -78,11 +80,11 @@ TEST_P(GuidedPresets, ShowsWhatItsSentenceClaims) {
 
 INSTANTIATE_TEST_SUITE_P(Each, GuidedPresets, testing::ValuesIn(preset_keys()), identifier);
 
-TEST(Claims, OfAnUnknownMetricFail) {
+TEST(Claims, WithAnUnknownMetricFail) {
     Drawings drawings("hard-edges");
     for (const std::string metric : {"gray", "grey + gray", "cause.acme", "differing_share"}) {
         const ClaimSubject subject{.metric = metric};
-        EXPECT_THROW(claim_metric(subject, drawings.of(subject), nullptr), Error) << metric;
+        EXPECT_THROW(claim_metric(subject, drawings.drawing_of(subject), nullptr), Error) << metric;
     }
     EXPECT_FALSE(holds(1, "<", 1) || holds(1, ">", 1) || holds(1, "==", 2) || holds(2, "<=", 1) || holds(1, ">=", 2));
     EXPECT_TRUE(holds(1, "<=", 1) && holds(1, ">=", 1) && holds(1, "==", 1) && holds(1, "<", 2) && holds(2, ">", 1));
@@ -109,7 +111,7 @@ TEST(GuidedPresetFiles, EachHasATextATopicAndAScene) {
     EXPECT_GE(titles.size(), 30u);
 }
 
-TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
+TEST(GuidedPresetFiles, OpenWithoutRemarksExceptForLostCasters) {
     for (const BuiltinPreset& p : builtin_presets()) {
         SCOPED_TRACE(p.key);
         const Session session = open_session({.scene = {}, .preset = p.key, .sets = {}});
@@ -118,7 +120,7 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
         request.width = 64;
         request.height = 36;
         request.outputs.health = true;
-        ReferenceCache references;  // what is baked or traced for a picture is there when it is shown
+        ReferenceCache references;  // baked or traced results exist when the preset is shown
         trace_sources(hard_renderer(), session.scene, session.settings, request, references);
         const FrameResult frame = hard_renderer().render(session.scene, session.settings, request);
         const auto health = hard_renderer().numeric_health(frame);
@@ -132,7 +134,7 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
     }
 }
 
-TEST(GuidedPresetFiles, AreWrittenAsTheProgramWritesThem) {
+TEST(GuidedPresetFiles, EqualTheProgramsOutput) {
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(SI_SOURCE_DIR) / "assets/presets")) {
         const std::string text = read_text_file(entry.path());

@@ -1,5 +1,5 @@
-// The table of hard cases itself: every row has words, a scene and settings that open without a fault, a test that
-// judges it, and its line in docs/lab/stability.md; and where a setting brings the fault back, it does.
+// Tests the table of hard cases: every row has a text, a scene, settings that open without a fault, a test, and its
+// line in docs/lab/stability.md. The setting that brings the fault back does so.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -22,7 +22,7 @@ std::string view_identifier(const testing::TestParamInfo<HardCaseView>& info) {
     return name;
 }
 
-TEST(HardCaseTable, EveryRowHasWordsASceneAndALimit) {
+TEST(HardCaseTable, EveryRowHasATextASceneAndALimit) {
     const auto rows = hard_cases();
     ASSERT_GE(rows.size(), 36u);
     std::set<std::string_view> keys, titles;
@@ -44,7 +44,7 @@ TEST(HardCaseTable, EveryRowHasWordsASceneAndALimit) {
     }
 }
 
-// By number: the parametrised and the plain tests of a row carry it in their suite's name.
+// Suites carry the row's number in their name, plain and parameterised ones.
 TEST(HardCaseTable, EveryRowHasTestsOfItsNumber) {
     const testing::UnitTest& all = *testing::UnitTest::GetInstance();
     for (const HardCase& row : hard_cases()) {
@@ -61,7 +61,7 @@ TEST(HardCaseTable, EveryRowHasTestsOfItsNumber) {
     }
 }
 
-TEST(HardCaseTable, StandsInTheDocumentOfBothDrivers) {
+TEST(HardCaseTable, IsInTheDocumentForBothDrivers) {
     for (const char* driver : kStabilityDrivers) {
         const auto lines = stability_rows(driver);
         for (const HardCase& row : hard_cases()) {
@@ -71,7 +71,7 @@ TEST(HardCaseTable, StandsInTheDocumentOfBothDrivers) {
             const auto wanted = stability_cells(row);
             ASSERT_GE(it->cells.size(), wanted.size() + 5);
             for (std::size_t i = 0; i < wanted.size(); ++i)
-                EXPECT_EQ(it->cells[i], wanted[i]) << driver << ": write it anew by scripts/stability.sh";
+                EXPECT_EQ(it->cells[i], wanted[i]) << driver << ": write it again by scripts/stability.sh";
             EXPECT_EQ(it->verdict(), "holds") << row.key << " on " << driver;
         }
     }
@@ -79,7 +79,7 @@ TEST(HardCaseTable, StandsInTheDocumentOfBothDrivers) {
 
 class HardCasePresets : public testing::TestWithParam<HardCaseView> {};
 
-TEST_P(HardCasePresets, OpensAsPresetAndAsSceneWithoutAFault) {
+TEST_P(HardCasePresets, OpensAsPresetAndAsScene) {
     const HardCaseView& view = GetParam();
     const std::string name = view.name();
     ASSERT_TRUE(is_builtin_scene(name));
@@ -89,7 +89,7 @@ TEST_P(HardCasePresets, OpensAsPresetAndAsSceneWithoutAFault) {
     EXPECT_EQ(preset.scene_name, name);
     EXPECT_EQ(load_preset(name).settings, view.settings());
     EXPECT_LT(view.about().size(), 420u);
-    // What the case is about may be told of; all else is a fault of the preset.
+    // Notes about the case's own subject are allowed; all others are faults of the preset.
     static const std::set<std::string_view> remarks = {"spot-angle", "bad-numbers", "degenerate",    "not-finite",
                                                        "exponents",  "map-size",    "flattened",     "light-inside",
                                                        "no-depth",   "split-ends",  "reversed-depth"};
@@ -104,12 +104,12 @@ TEST_P(HardCasePresets, OpensAsPresetAndAsSceneWithoutAFault) {
 INSTANTIATE_TEST_SUITE_P(Each, HardCasePresets, testing::ValuesIn(hard_case_views().begin(), hard_case_views().end()),
                          view_identifier);
 
-SI_TEST_IS(DriverIndependent, HardCaseTable, PresetsOfFaultsShowThem);
-// The picture of the fault is worse than that of the remedy, by the truth.
-TEST(HardCaseTable, PresetsOfFaultsShowThem) {
+SI_TEST_IS(DriverIndependent, HardCaseTable, PresetsOfFaultsShowTheFault);
+// The picture of the fault has more errors than that of the fix, compared with the reference.
+TEST(HardCaseTable, PresetsOfFaultsShowTheFault) {
     for (const HardCase& row : hard_cases()) {
         if (row.broken.empty()) continue;
-        // What only shows as the camera moves, and what the truth follows, too.
+        // Left out are faults that show only as the camera moves, and faults that the reference shares.
         if (row.key == "snapping" || row.key == "alpha") continue;
         double wrong[2] = {}, mae[2] = {};
         for (const bool fixed : {false, true}) {

@@ -1,4 +1,4 @@
-// Hard cases 6 to 9: lights in awkward places.
+// Tests hard cases 6 to 9: lights in awkward places.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace si::test {
 namespace {
 
 // Case 6: with the light parallel to "up", a basis from a cross product is 0/0 at exactly 0 degrees.
-TEST(HardCase6, LightStraightAbove) {
+TEST(HardCase6, ALightStraightAboveCastsCorrectShadows) {
     // A thin plate: its sides, where N.L changes sign under any tilt, fill no pixel.
     const Scene scene = floor_and_box(10, {3, 1e-3, 3}, 1.0);
     for (LightType type : {LightType::Directional, LightType::Spot}) {
@@ -24,14 +24,14 @@ TEST(HardCase6, LightStraightAbove) {
         const Shot exact = draw_shot(scene, s);
         expect_fault(6, shadow_share(exact));
         s.lights[0].elevation = 90 - 1e-4 * 180 / M_PI;
-        // 1e-4 rad move the shadow by 0.1 mm: only pixels on its edge may change.
-        judge(6, differing_share(exact, draw_shot(scene, s), 0.5));
+        // 1e-4 rad move the shadow by 0.1 mm: only edge pixels may change.
+        expect_within_limit(6, differing_share(exact, draw_shot(scene, s), 0.5));
         s.lights[0].elevation = -90;
         draw_shot(scene, s);
     }
 }
 
-// Faces exactly parallel to the light face away from it: in the picture, in the truth, in the probe.
+// Faces exactly parallel to the light face away from it: in the picture, in the reference, in the probe.
 TEST(HardCase6, FacesParallelToTheLightAreDark) {
     Scene scene;
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
@@ -66,7 +66,7 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
             }
             EXPECT_LE(lit, parallel / 20) << "only where the ray and the rasteriser choose another face";
         }
-    // What the truth counts: none of them, so that none is false.
+    // The reference counts none of these pixels, so none is false.
     for (const double azimuth : {0.0, 90.0, -90.0, 180.0}) {
         Settings s = hard_settings();
         s.lights[0].azimuth = azimuth;
@@ -85,8 +85,8 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
     }
 }
 
-// A degree before and at the right angle there is about the same error.
-TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
+// The error at the right angle is about that at a degree less.
+TEST(HardCase6, TheStageHasNoMoreErrorUnderALightStraightAbove) {
     const Scene scene = load_scene("stage");
     const auto iou = [&](double elevation) {
         Settings s;
@@ -99,7 +99,7 @@ TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
 }
 
 // Case 7: a light inside the geometry would need near <= 0.
-TEST(HardCase7, LightInsideTheBox) {
+TEST(HardCase7, ALightInsideABoxKeepsItsNearPlanePositive) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.25);
     for (LightType type : {LightType::Spot, LightType::Point})
         for (double distance : {1e-9, 0.05, 0.2, 0.5}) {
@@ -108,11 +108,12 @@ TEST(HardCase7, LightInsideTheBox) {
             s.lights[0].distance = distance;
             s.lights[0].elevation = 90;
             const Shot shot = draw_shot(scene, s);
-            judge(7, double(std::ranges::count_if(shot.light().views,
-                                                  [](const LightView& view) { return !(view.curve.near > 0); })));
+            expect_within_limit(7, double(std::ranges::count_if(shot.light().views, [](const LightView& view) {
+                                    return !(view.curve.near > 0);
+                                })));
             expect_fault(7, shot.light().clipped_casters);
         }
-    // From outside nothing is clipped, so the count says something.
+    // From outside nothing is clipped, so the count is meaningful.
     Settings s = hard_settings();
     s.lights[0].type = LightType::Spot;
     s.lights[0].distance = 20;
@@ -133,7 +134,8 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
     s.lights[0].elevation = 2;
     s.lights[0].cone = 100;
     s.lights[0].distance = 1.5;
-    // Far guard on, depths behind the light also count as beyond its far plane; off, only the guard on w is left.
+    // With the far guard on, depths behind the light also count as past its far plane. With it off, only the guard on
+    // w remains.
     for (bool far_guard : {true, false})
         for (bool reversed : {false, true}) {
             s.map.far_guard = far_guard;
@@ -155,21 +157,21 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
                     ++behind;
                     affected += shot.visibility.at(x, y) != 1;
                     if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
-                    // What a test without the guard would compare: rows of the map are read back from the top.
+                    // An unguarded test would compare these depths: rows of the map are read back from the top.
                     const int u = std::min(int(p.x * map.width), map.width - 1);
                     const int v = std::min(int((1 - p.y) * map.height), map.height - 1);
                     mirrored += reversed ? p.z < map.at(u, v) : p.z > map.at(u, v);
                 }
             EXPECT_GT(behind, 500) << "the case must show the floor behind the light";
             expect_fault(8, mirrored);
-            judge(8, affected);
+            expect_within_limit(8, affected);
         }
 }
 
 // Case 9: tan() of half the cone is 0 or enormous at the ends.
 class HardCase9 : public testing::TestWithParam<double> {};
 
-TEST_P(HardCase9, SpotAngle) {
+TEST_P(HardCase9, EverySpotAngleGivesFiniteMaps) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.5);
     Settings s = hard_settings();
     s.lights[0].type = LightType::Spot;
@@ -177,12 +179,12 @@ TEST_P(HardCase9, SpotAngle) {
     s.lights[0].distance = 6;
     const Shot shot = draw_shot(scene, s);
     EXPECT_TRUE(shot.light().casts);
-    for (const LightView& view : shot.light().views) judge(9, view.half_width / std::tan(1.5));
+    for (const LightView& view : shot.light().views) expect_within_limit(9, view.half_width / std::tan(1.5));
     const bool meaningful = GetParam() >= 60 && GetParam() <= 171;
     if (meaningful) {
         EXPECT_GT(shadow_share(shot), 0.01) << "the box must still cast";
     } else {
-        EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped cone must be said";
+        EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped cone must be reported";
     }
 }
 
@@ -197,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase9,
                          });
 
 TEST(HardCase9Vacuity, FloatTangentOfARightAngleIsNegative) {
-    EXPECT_LT(std::tan(float(M_PI) / 2), 0);  // what an unclamped fit would use
+    EXPECT_LT(std::tan(float(M_PI) / 2), 0);  // the value of an unclamped fit
     expect_fault(9, std::abs(std::tan(float(M_PI) / 2)));
 }
 

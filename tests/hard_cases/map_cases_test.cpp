@@ -1,4 +1,4 @@
-// Hard cases 19, 20 and 29: bad settings, extreme resolutions, the map's border.
+// Tests hard cases 19, 20 and 29: bad settings, extreme resolutions, the map's border.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace si::test {
 namespace {
 
 // Case 19: sliders that hold NaN, infinities or near >= far.
-TEST(HardCase19, BadSettings) {
+TEST(HardCase19, BadSettingsAreRepairedAndReported) {
     const Scene scene = floor_and_box();
     int tried = 0;
     for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
@@ -23,7 +23,7 @@ TEST(HardCase19, BadSettings) {
             s.lights[0].near = near;
             s.lights[0].far = far;
             const Shot shot = draw_shot(scene, s);
-            judge(19, shot.frame.notes.empty());
+            expect_within_limit(19, shot.frame.notes.empty());
             ++tried;
         }
         for (double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
@@ -36,7 +36,7 @@ TEST(HardCase19, BadSettings) {
             s.camera.azimuth = s.camera.distance = s.camera.fov = s.camera.near = s.camera.far = bad;
             s.shading.ambient = s.shading.shininess = s.view.map_black = s.view.overlay_opacity = bad;
             const Shot shot = draw_shot(scene, s);
-            judge(19, shot.frame.notes.empty());
+            expect_within_limit(19, shot.frame.notes.empty());
             ++tried;
         }
         Settings s = hard_settings();
@@ -48,14 +48,14 @@ TEST(HardCase19, BadSettings) {
         s.filter.kernel = s.view.overlay = -3;
         s.map.resolution = -5;
         s.light_count = 99;
-        judge(19, draw_shot(scene, s).frame.notes.empty());
+        expect_within_limit(19, draw_shot(scene, s).frame.notes.empty());
         ++tried;
     }
     expect_fault(19, tried);
     EXPECT_TRUE(draw_shot(scene, hard_settings()).frame.notes.empty()) << "good settings need no repair";
 }
 
-// Case 20: maps of one texel, and beyond what the driver can do.
+// Case 20: maps of one texel, and maps above the driver's limit.
 TEST(HardCase20, ErrorsFallWithResolution) {
     const Scene scene = floor_and_box(10, {2, 1.5, 2}, 0.3);
     double before = 2;
@@ -67,9 +67,9 @@ TEST(HardCase20, ErrorsFallWithResolution) {
         const Shot shot = draw_shot(scene, s);
         EXPECT_EQ(shot.frame.map_resolution, n);
         EXPECT_EQ(shot.maps.at(0).width, n);
-        const ReferenceErrors e = compare(shot, scene, 0);
+        const ReferenceErrors e = compare_with_reference(shot, scene, 0);
         const double wrong = double(e.false_light + e.false_shadow) / e.domain;
-        judge(20, std::max(0.0, wrong - before));
+        expect_within_limit(20, std::max(0.0, wrong - before));
         before = wrong;
         shares.push_back(wrong);
     }
@@ -77,7 +77,7 @@ TEST(HardCase20, ErrorsFallWithResolution) {
     EXPECT_LT(shares.back(), 0.01);
 }
 
-TEST(HardCase20, KernelsWiderThanTheMap) {
+TEST(HardCase20, KernelsWiderThanTheMapGiveFinitePictures) {
     const Scene scene = floor_and_box();
     for (int n : {1, 2, 3})
         for (std::size_t row = 0; row < filters().size(); ++row)
@@ -90,7 +90,7 @@ TEST(HardCase20, KernelsWiderThanTheMap) {
             }
 }
 
-TEST(HardCase20, BeyondTheDriversLimit) {
+TEST(HardCase20, ResolutionsAboveTheDriversLimitAreReduced) {
     Settings s = hard_settings();
     s.map.resolution = 1 << 30;
     s.map.format = MapFormat::D16;
@@ -105,8 +105,8 @@ TEST(HardCase20, BeyondTheDriversLimit) {
     EXPECT_TRUE(renderer.take_gl_messages().empty());
 }
 
-// Case 29: outside of the map, and at its border.
-TEST(HardCase29, OutsideOfTheMapIsLit) {
+// Case 29: points outside the map, and at its border.
+TEST(HardCase29, PointsOutsideTheMapAreLit) {
     const Scene scene = floor_and_box(10, {6, 1, 0.5}, 0.2);
     for (const char* filter : {"hard", "hw2x2", "pcf5"}) {
         Settings s = hard_settings();
@@ -114,7 +114,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
         s.camera.distance = 14;
         s.map.resolution = 128;
         set_setting(s, "filter.kernel", filter);
-        // A map of 4 x 4 m amid 10 x 10 m of floor: the bar's shadow crosses its border.
+        // A map of 4 x 4 m in the middle of 10 x 10 m of floor: the bar's shadow crosses its border.
         s.lights[0].fit = LightFit::Manual;
         s.lights[0].extent = 2;
         const auto wrong_outside = [&](const Shot& shot) {
@@ -127,7 +127,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
                     const auto hit = rays.first_hit(origin, dir);
                     if (!hit || glm::dot(hit->normal, shot.light().to_light) <= 1e-3) continue;
                     const glm::dvec4 p = uvdw(shot.view(), hit->position);
-                    // Beyond the reach of kernel and normal offset.
+                    // Outside the reach of kernel and normal offset.
                     const double pad = (reach_of(s).read + 4) / s.map.resolution;
                     if (p.x > -pad && p.x < 1 + pad && p.y > -pad && p.y < 1 + pad) continue;
                     ++outside;
@@ -138,7 +138,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
         };
         for (MapWrap wrap : {MapWrap::Border, MapWrap::Range}) {
             s.map.wrap = wrap;
-            judge(29, wrong_outside(draw_shot(scene, s)));
+            expect_within_limit(29, wrong_outside(draw_shot(scene, s)));
         }
         s.map.wrap = MapWrap::Clamp;
         expect_fault(29, wrong_outside(draw_shot(scene, s)));
@@ -147,8 +147,8 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
     }
 }
 
-// Inside, along the border, the fitted map's margin keeps every kernel right.
-TEST(HardCase29, NoErrorAlongTheBorder) {
+// Inside the map, along the border, the fitted map's margin keeps every kernel correct.
+TEST(HardCase29, NoErrorsLieAlongTheBorder) {
     // The bar touches the edge of the scene, and so of the map.
     Scene scene;
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
@@ -164,7 +164,7 @@ TEST(HardCase29, NoErrorAlongTheBorder) {
         s.bias.unit = BiasUnit::Texels;
         s.bias.constant = 2.5 * reach_of(s).bias;
         const double reach = reach_of(s).edge + 1;
-        const ReferenceErrors e = compare(draw_shot(scene, s), scene, reach);
+        const ReferenceErrors e = compare_with_reference(draw_shot(scene, s), scene, reach);
         EXPECT_GT(e.shadow, 100) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.false_light, 0) << filter;

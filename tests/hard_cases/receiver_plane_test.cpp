@@ -1,5 +1,5 @@
-// bias.kind receiver-plane: every texel compared with the plane of the triangle at its centre. What that promises, on
-// planes in all positions and beside casters that touch them.
+// Tests bias.kind receiver-plane, which compares every texel with the plane of the triangle at its centre, on planes
+// in all positions and at casters that touch them.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -43,7 +43,7 @@ Settings over(const Plane& plane, LightType type, double theta_deg) {
     return s;
 }
 
-/// Pixels of the plane that look into the map: their places.
+/// Returns the plane's pixels inside the map, with their world positions.
 std::vector<std::pair<std::size_t, glm::dvec3>> seen(const Shot& shot, const Plane& plane) {
     std::vector<std::pair<std::size_t, glm::dvec3>> out;
     for (int y = 0; y < shot.height; ++y)
@@ -72,7 +72,8 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
     const PlaneCase& c = GetParam();
     std::size_t acne_without = 0, classified = 0;
     double most_texels = 0;
-    // Each plane under each angle, and each kernel with each of both; SI_LONG=1: each kernel for every pair of these.
+    // Each plane meets each angle, and each kernel meets each plane and each angle. SI_LONG=1: each kernel for every
+    // pair of these.
     const bool all = std::getenv("SI_LONG") != nullptr;
     int turn = int(c.type) + int(c.format) + int(c.reversed);
     for (const Plane& plane : {Plane{"at home", {0, 0, 0}, 10, 30}, Plane{"light from +x", {0, 0, 0}, 10, 90},
@@ -107,7 +108,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 }
                 EXPECT_EQ(acne, 0u) << "of " << pixels.size();
                 if (!against_one) continue;
-                // As much bias of one depth for all texels does not do.
+                // One constant bias of that size for all texels is not enough.
                 const BiasBreakdown middle = bias_breakdown(
                     shot.light(), s, shot.frame.map_resolution,
                     {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
@@ -120,7 +121,8 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
         }
     EXPECT_GT(double(acne_without), 0.7 * double(classified));
     if (c.format == MapFormat::D32F) {
-        // Corners snap by half a step of the driver's grid, which both axes' slopes of 85 degrees make depth of.
+        // Corners snap by half a step of the driver's grid, which slopes of 85 degrees along both axes turn into
+        // depth.
         const double snapping = 17 * std::exp2(-(hard_renderer().driver().subpixel_bits + 1));
         EXPECT_LT(most_texels, 0.1 + snapping) << "35 texels is what pcf5 needs at 85 degrees";
     }
@@ -143,8 +145,8 @@ std::string plane_case_name(const testing::TestParamInfo<PlaneCase>& named) {
 INSTANTIATE_TEST_SUITE_P(All, ReceiverPlaneBias, testing::ValuesIn(plane_cases()), plane_case_name);
 
 // A wall without thickness stands on a floor, turned against the map's axes so that its foot meets texels in every
-// place: between it and its shadow light comes through along b sin(theta).
-TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
+// position. Between the wall and its shadow light leaks along b sin(theta).
+TEST(ReceiverPlane, LightsAStripAtAWallOfTheClosedFormsWidth) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
@@ -172,7 +174,8 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
             double lit = 0, expected = 0;
             int columns = 0;
             const double pixel_m = 9 * 2 * std::tan(glm::radians(0.5 * s.camera.fov)) / 360;
-            // Across the floor behind the wall, away from the shadow's ends, on lines along the light's.
+            // The lines run along the light's direction, across the floor behind the wall, away from the shadow's
+            // ends.
             const FittedLight& light = shot.light();
             for (double x = -1; x <= 1; x += 0.01) {
                 const glm::dvec3 foot(x, 0, 0);
@@ -195,7 +198,7 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
             }
             lit /= columns;
             expected /= columns;
-            // Pixels at the foot show the wall, not the floor before it: less than one of them is missing.
+            // Pixels at the foot show the wall, not the floor before it: less than one pixel is missing.
             EXPECT_LE(lit, 1.02 * expected);
             EXPECT_GE(lit, expected - pixel_m);
             if (texels == 2) {
@@ -207,12 +210,12 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
     }
 }
 
-// Before casters well away from the floor both kinds decide alike: no edge moves or widens.
-TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
+// For casters well above the floor both kinds agree: no edge moves or widens.
+TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.6);
     for (const Filter& row : filters())
         for (const LightType type : kLightTypes) {
-            // Those that make penumbrae find their width by the depth that is compared.
+            // Penumbra kernels find their width from the compared depth.
             if (row.samples != Samples::Depth || row.searches_blockers || row.reads_light_size) continue;
             SCOPED_TRACE(testing::Message() << row.key << ", light " << int(type));
             Settings s = texel_settings(row.key, 512, 0);
@@ -247,7 +250,7 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
         }
 }
 
-TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
+TEST(ReceiverPlane, ClampBoundsTheDepthGradient) {
     const Plane plane{"", {0, 0, 0}, 10, 30};
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = over(plane, LightType::Directional, 80);
@@ -283,7 +286,7 @@ TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
     EXPECT_EQ(acne(), 0) << "and with that much bias it is";
 }
 
-TEST(ReceiverPlane, ComparesByHandWhatSamplersCannot) {
+TEST(ReceiverPlane, ComparesInTheShaderWhereSamplersCannot) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.3);
     for (const char* filter : {"hard", "pcf3_nearest", "hw2x2", "pcf5"})
         for (const char* format : {"d16", "d32f"}) {

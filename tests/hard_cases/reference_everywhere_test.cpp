@@ -1,5 +1,5 @@
-// The ray-traced truth wherever a scene stands, against closed forms in double: a plane, a box and a ball. And scenes
-// whose vertices themselves are far away, against the same numbers placed by a node.
+// Compares the ray-traced reference with closed forms in double (a plane, a box and a ball) wherever a scene stands.
+// Also compares scenes with distant vertices with the same numbers placed by a node.
 #include <cmath>
 
 #include "renderer/measure/measured_error.h"
@@ -10,7 +10,7 @@
 namespace si::test {
 namespace {
 
-/// As large as they are drawn at home, and what of that the drawn ones' facets and rounding may be off.
+/// Sizes of the unmoved bodies, and the tolerance for facets and rounding.
 struct Solids {
     double floor = 5;  ///< half its side, at y = 0
     glm::dvec3 box_lo{-0.75, 0.5, -1}, box_hi{0.75, 1.5, 1};
@@ -35,7 +35,7 @@ Scene solid_scene() {
 
 enum class Body { None, Floor, Box, Ball };
 
-/// Where a ray enters; infinite where it meets nothing.
+/// Returns the distance at which a ray enters; infinite for a miss.
 double meets_floor(const Solids& s, const glm::dvec3& p, const glm::dvec3& d) {
     if (d.y == 0) return INFINITY;
     const double t = -p.y / d.y;
@@ -66,17 +66,17 @@ double enters_ball(const Solids& s, const glm::dvec3& p, const glm::dvec3& d) {
     return far <= 0 ? INFINITY : std::max(0.0, (-b - std::sqrt(under)) / glm::dot(d, d));
 }
 
-struct Seen {
+struct CameraHit {
     Body body = Body::None;
     bool lit = false;
-    bool operator==(const Seen&) const = default;
+    bool operator==(const CameraHit&) const = default;
 };
 
-/// What a camera ray meets, and whether something stands before the light there.
-/// @param light direction towards it, or (by_place) its place
-/// @param facing cosine towards the light of the surface
-Seen seen_by(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const glm::dvec3& light, bool by_place,
-             double* facing) {
+/// Returns the hit of a camera ray, and whether a body blocks the light there.
+/// @param light direction towards it, or (by_place) its position
+/// @param facing cosine between the surface's normal and the light
+CameraHit first_hit(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const glm::dvec3& light, bool by_place,
+                    double* facing) {
     const double floor = meets_floor(s, p, d), box = enters_box(s, p, d), ball = enters_ball(s, p, d);
     const double t = std::min({floor, box, ball});
     if (!std::isfinite(t)) return {};
@@ -97,7 +97,7 @@ Seen seen_by(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const gl
             }
     }
     *facing = glm::dot(n, glm::normalize(to_light));
-    // The body itself is convex: it does not stand before its own faces that are turned to the light.
+    // The body is convex: it does not block its own faces that are turned to the light.
     const double most = by_place ? 1 : INFINITY;
     const bool covered = (body != Body::Box && enters_box(s, at, to_light) < most) ||
                          (body != Body::Ball && enters_ball(s, at, to_light) < most) ||
@@ -105,7 +105,7 @@ Seen seen_by(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const gl
     return {body, !covered};
 }
 
-/// All sizes that rounding and facets may stand for: whoever answers alike for each is sure.
+/// Returns all sizes within the tolerance: a pixel with equal answers for all of them is certain.
 std::vector<Solids> variants() {
     std::vector<Solids> out(3);
     const double rounding = 2e-4, facets = 1.5e-3;
@@ -122,7 +122,7 @@ std::vector<Solids> variants() {
 
 class HardCase36Everywhere : public testing::TestWithParam<LightType> {};
 
-TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
+TEST_P(HardCase36Everywhere, TheReferenceEqualsTheClosedForm) {
     const LightType type = GetParam();
     std::vector<Placement> placements = single_factor_placements();
     placements.push_back({});
@@ -147,7 +147,7 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
             measure_error(hard_renderer(), scene, s, {.width = width, .height = height}, 0, {}, cache);
         const glm::dvec3 origin = distances()[placement.distance].offset;
         const double factor = scales()[placement.scale].factor;
-        const auto home = [&](glm::dvec3 v) {  // of directions: without the shift
+        const auto home = [&](glm::dvec3 v) {  // directions, without the shift
             if (placement.mirrored) v.x = -v.x;
             return v / factor;
         };
@@ -159,19 +159,19 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
                 const auto i = std::size_t(y * width + x);
                 glm::dvec3 from, along;
                 e.camera.pixel_ray(x, y, width, height, from, along);
-                std::vector<Seen> answers;
+                std::vector<CameraHit> answers;
                 double facing = 0;
                 for (const Solids& solids : variants())
                     answers.push_back(
-                        seen_by(solids, home(from - origin), factor * home(along), light, by_place, &facing));
-                const Seen& seen = answers[0];
+                        first_hit(solids, home(from - origin), factor * home(along), light, by_place, &facing));
+                const CameraHit& seen = answers[0];
                 if (answers[1] != seen || answers[2] != seen || seen.body == Body::None) continue;
                 const PixelState state = e.traced.reference->state[i];
                 if (std::abs(facing) < 1e-12) {
                     ++parallel;
                     otherwise += state != PixelState::FacesAway;
                 }
-                // Facets lean: near its terminator nothing is said of the ball.
+                // Facets lean: the ball's pixels near its terminator are left out.
                 if (std::abs(facing) < (seen.body == Body::Ball ? 0.1 : 1e-6)) continue;
                 ++classified;
                 if (facing < 0) {
@@ -195,9 +195,9 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase36Everywhere, testing::Values(LightType::D
                              return std::string(named.param == LightType::Point ? "point" : "directional");
                          });
 
-// Vertices that are themselves far away are rounded as they are baked. Less the shift, the very numbers that are left
-// stand below a node that brings them back: that scene and the baked one are the same geometry.
-TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
+// Baking rounds distant vertices. The same rounded numbers without the shift, below a node that adds the shift, are
+// the same geometry as the baked scene.
+TEST(HardCase10Baked, DistantVerticesAreComparedAsRounded) {
     for (const glm::dvec3& at : {glm::dvec3(70.3, -13.7, 70.1),
                                  {-7071.3, 130.7, 7071.1},
                                  {70710.3, -1300.7, -70710.1},

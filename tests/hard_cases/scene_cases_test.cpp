@@ -1,4 +1,4 @@
-// Hard cases 13, 17, 18 and 34: degenerate triangles, nothing to do, flat bounds, large indices.
+// Tests hard cases 13, 17, 18 and 34: degenerate triangles, empty scenes, flat bounds, large indices.
 #include <algorithm>
 #include <cmath>
 
@@ -17,9 +17,9 @@ const PassInfo* shadow_pass(const FrameResult& frame) {
 }
 
 // Case 13: triangles without area rasterise to depths out of range on some drivers.
-TEST(HardCase13, DegenerateTriangles) {
+TEST(HardCase13, DegenerateTrianglesChangeNothing) {
     Scene clean, dirty;
-    int without_normal = 0;  // whose plane, and slope, would be 0/0
+    int without_normal = 0;  // triangles whose plane and slope would be 0/0
     for (Scene* scene : {&clean, &dirty}) {
         Mesh box = make_box({1.5, 1, 2});
         if (scene == &dirty) {
@@ -52,13 +52,13 @@ TEST(HardCase13, DegenerateTriangles) {
         Settings s = hard_settings();
         s.lights[0].type = type;
         const Shot a = draw_shot(clean, s), b = draw_shot(dirty, s);
-        judge(13, differing_share(a, b, 0) * double(a.visibility.data.size()));
+        expect_within_limit(13, differing_share(a, b, 0) * double(a.visibility.data.size()));
         EXPECT_EQ(a.maps.at(0).data, b.maps.at(0).data);
     }
 }
 
-// Slivers that keep some area stay, and must not harm anything.
-TEST(HardCase13, Slivers) {
+// Slivers with an area stay in the scene and must do no harm.
+TEST(HardCase13, SliversGiveFinitePictures) {
     Scene scene = floor_and_box();
     Mesh slivers;
     for (int i = 0; i < 50; ++i) {
@@ -76,7 +76,7 @@ TEST(HardCase13, Slivers) {
     }
 }
 
-// Case 17: when nothing casts or receives, or nothing is there, no shadow pass runs and all is lit.
+// Case 17: without casters, receivers or objects no shadow pass runs and everything is lit.
 void expect_no_shadow(const Scene& scene, const Settings& s, const char* what) {
     SCOPED_TRACE(what);
     const Shot shot = draw_shot(scene, s);
@@ -84,11 +84,11 @@ void expect_no_shadow(const Scene& scene, const Settings& s, const char* what) {
     const PassInfo* pass = shadow_pass(shot.frame);
     ASSERT_NE(pass, nullptr) << "the plan must say why there is no shadow pass";
     EXPECT_EQ(pass->state, PassState::Skipped);
-    judge(17, double(pass->draws));
+    expect_within_limit(17, double(pass->draws));
     EXPECT_FALSE(pass->reason.empty());
 }
 
-TEST(HardCase17, NothingToDo) {
+TEST(HardCase17, EmptyScenesAreDrawn) {
     const Scene scene = floor_and_box();
     Settings s = hard_settings();
     const Shot with = draw_shot(scene, s);
@@ -117,9 +117,9 @@ TEST(HardCase17, NothingToDo) {
 }
 
 // Case 18: a plane straight under the light has a depth range of zero.
-TEST(HardCase18, ZeroThicknessBounds) {
+TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
     const Scene scene = make_scene(make_plane(10, 10));
-    const double bare_range = scene.bounds.hi.y - scene.bounds.lo.y;  // of a fit without a least one
+    const double bare_range = scene.bounds.hi.y - scene.bounds.lo.y;  // range of a fit without a minimum
     expect_fault(18, std::isinf(1 / bare_range));
     for (LightType type : kLightTypes)
         for (bool reversed : {false, true}) {
@@ -131,12 +131,12 @@ TEST(HardCase18, ZeroThicknessBounds) {
             const LightView& view = shot.view();
             // Two texels at the plane; at the far end of the range they are a little larger.
             EXPECT_GE(view.curve.far - view.curve.near, 2 * view.texel_size(view.curve.near, 512));
-            judge(18, compare(shot, scene, 0).any_acne);
+            expect_within_limit(18, compare_with_reference(shot, scene, 0).any_acne);
             // Edge-on: the plane is a line in the map.
             s.lights[0].elevation = 0;
             draw_shot(scene, s);
         }
-    // It still casts and receives.
+    // The flat scene still casts and receives.
     Scene two;
     add_object(two, "floor", -1, add_mesh(two, "floor", make_plane(10, 10), -1));
     add_object(two, "plate", -1, add_mesh(two, "plate", make_plane(2, 2), -1), moved(0, 1e-2, 0));
@@ -146,13 +146,13 @@ TEST(HardCase18, ZeroThicknessBounds) {
     s.bias = no_bias();
     s.bias.constant = 1e-3;
     set_setting(s, "filter.kernel", "hard");
-    const ReferenceErrors e = compare(draw_shot(two, s), two, 1);
+    const ReferenceErrors e = compare_with_reference(draw_shot(two, s), two, 1);
     EXPECT_EQ(e.false_light, 0);
     EXPECT_EQ(e.false_shadow, 0);
 }
 
 // Case 34: more than 65535 vertices, and index 65535, which 16-bit indices read as "restart".
-TEST(HardCase34, LargeIndices) {
+TEST(HardCase34, LargeIndicesAreDrawn) {
     const auto scene_with = [](const Mesh& plate) {
         Scene scene;
         add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
@@ -170,7 +170,7 @@ TEST(HardCase34, LargeIndices) {
     Settings s = hard_settings();
     const Shot a = draw_shot(fine, s), b = draw_shot(coarse, s);
     EXPECT_GT(shadow_share(a), 0.01);
-    judge(34, differing_share(a, b));
+    expect_within_limit(34, differing_share(a, b));
     expect_fault(34, differing_share(draw_shot(scene_with(wrapped), s), b));
 }
 

@@ -1,4 +1,5 @@
-// Hard case 12: maps that keep still. No probe changes its texel as the camera turns, or moves by parts of a texel.
+// Tests hard case 12, stabilised maps: no probe changes its texel as the camera turns or moves by fractions of a
+// texel.
 #include <random>
 
 #include "renderer/settings/splits.h"
@@ -14,8 +15,8 @@ namespace {
 
 constexpr int kResolution = 512;
 
-/// The texel that a probe falls into: its view, the place of its middle across the light, metres, and how far the probe
-/// is from its border, texels.
+/// Texel of a probe: its view, its centre across the light in metres, and the probe's distance from its border in
+/// texels.
 struct Texel {
     std::size_t view = 0;
     glm::dvec2 middle_m{0};
@@ -38,8 +39,8 @@ struct Walk {
     int widths = 0;  ///< changes of a map's width
 };
 
-/// 1000 steps, and a full turn in 500, of which each moves what is seen by less than a texel or turns it by less than a
-/// degree.
+/// Makes 1000 steps, with a full turn in 500. Each step moves the view frustum by less than a texel or turns it by
+/// less than a degree.
 Walk walk(const glm::dvec3& at, const char* fit, int cascades, double azimuth, double elevation) {
     const Scene scene = test::blocks_on_ground(at, 1);
     Settings s;
@@ -93,7 +94,7 @@ TEST(HardCase12, NoProbeChangesItsTexel) {
     for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(115, 0, 3), glm::dvec3(-1e5, 40, 2e4)})
         for (const int cascades : {1, 4}) {
             const Walk steady = walk(at, "stabilised", cascades, cascades == 1 ? -40 : 90, cascades == 1 ? 45 : 60);
-            test::judge(12, double(steady.flips));
+            test::expect_within_limit(12, double(steady.flips));
             EXPECT_EQ(steady.widths, 0);
             EXPECT_GT(steady.compared, 80000u);
         }

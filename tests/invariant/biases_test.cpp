@@ -1,5 +1,5 @@
-// What every bias has to keep to, whichever it is: a loop over the rows of the bias table and over what each has to be
-// turned, under every light, with kernels, formats, fits and places by turns.
+// Tests invariants of every bias: a loop over the rows of the bias table and their settings, under every light, with
+// alternating kernels, formats, fits and positions.
 #include "renderer/settings/biases.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace si::test {
 namespace {
 
-/// A bias, spent by one of its settings, and what it is tried under.
+/// Bias with the setting that raises it, and the conditions of its test.
 struct BiasCase {
     std::string bias, key;
     LightType light;
@@ -27,7 +27,7 @@ struct BiasCase {
     Place place;
 };
 
-/// Without any bias but of this kind.
+/// Returns settings with only this kind of bias.
 Settings unbiased(const Bias& row) {
     Settings s = hard_settings();
     s.bias = no_bias();
@@ -37,7 +37,7 @@ Settings unbiased(const Bias& row) {
     return s;
 }
 
-/// The settings by which a row gives more when they are turned up: its own, and bias.constant of those that compare.
+/// Returns the settings that raise a row's bias: its own, and bias.constant for rows that compare.
 std::vector<std::string> amounts_of(const Bias& row) {
     std::vector<std::string> keys(row.settings.begin(), row.settings.end());
     if (row.stage == BiasStage::Compare) keys.emplace_back("bias.constant");
@@ -53,8 +53,8 @@ std::vector<std::string> amounts_of(const Bias& row) {
     return keys;
 }
 
-/// What a row is turned by; of one without numbers only that it is chosen.
-std::vector<std::string> turned(const Bias& row) {
+/// Returns the settings of a row; for a row without numbers only its choice.
+std::vector<std::string> amounts_to_raise(const Bias& row) {
     std::vector<std::string> keys = amounts_of(row);
     return keys.empty() ? std::vector<std::string>{"bias.kind"} : keys;
 }
@@ -63,7 +63,7 @@ std::vector<BiasCase> bias_cases() {
     std::vector<BiasCase> out;
     std::size_t turn = 0, format = 0;
     for (const Bias& row : biases())
-        for (const std::string& key : turned(row))
+        for (const std::string& key : amounts_to_raise(row))
             for (const LightType light : kLightTypes) {
                 const std::size_t k = turn++ * 5 % filters().size();
                 for (const Place& place : kPlaces) {
@@ -90,9 +90,9 @@ protected:
     const BiasCase& c = GetParam();
     const Bias& row = *std::ranges::find(biases(), c.bias, &Bias::key);
 
-    /// The setting at `value`, and whatever else the row gives by at a tenth of it: a slope alone is nothing where the
-    /// light is straight above.
-    void give(Settings& s, double value) const {
+    /// Sets the setting to `value`, and the row's other settings to a tenth of it: a slope alone is zero under a
+    /// vertical light.
+    void set_amount(Settings& s, double value) const {
         for (const std::string& key : amounts_of(row)) {
             const SettingRef ref = *find_setting(key);
             set_value(s, ref, std::min(key == c.key ? value : 0.1 * value, ref.param->max));
@@ -114,7 +114,7 @@ protected:
         set_setting(s, "light.fit", c.fit);
         s.camera.elevation = 35;  // sees below the cover
         move_camera(s, c.place.at);
-        give(s, value);
+        set_amount(s, value);
         return s;
     }
 
@@ -122,17 +122,18 @@ protected:
         return bias_breakdown(frame.lights[0], s, frame.map_resolution,
                               {hit.position, hit.normal, hit.normal, frame.camera.origin()}, hard_renderer().driver());
     }
-    /// Of the lit pixels that show a plane turned upwards: those that the settings clear by their account, and how many
-    /// rise across the map by much more than roundings.
-    struct Told {
+    /// Counts of lit pixels of planes turned upwards: those that the settings clear by their account, and those that
+    /// rise across the map by much more than rounding.
+    struct ClearedPixels {
         std::vector<std::size_t> cleared;
         std::size_t lit = 0, sloped = 0;
     };
-    Told told(const ReferenceImage& reference, const FrameResult& frame, const Settings& s, int step) const {
-        Told out;
-        for (std::size_t i = 0; i < reference.lit.size(); i += std::size_t(step)) {
-            if (reference.lit[i] != Lit::Lit || reference.hits[i]->normal.y < 0.5) continue;
-            // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
+    ClearedPixels cleared_pixels(const ReferenceImage& reference, const FrameResult& frame, const Settings& s,
+                                 int step) const {
+        ClearedPixels out;
+        for (std::size_t i = 0; i < reference.states.size(); i += std::size_t(step)) {
+            if (reference.states[i] != ReferenceState::Lit || reference.hits[i]->normal.y < 0.5) continue;
+            // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
             const glm::dvec3 on_floor = reference.hits[i]->position - c.place.at;
             if (filter_of(s).samples == Samples::Moments && on_floor.y < 1 &&
                 std::max(std::abs(on_floor.x), std::abs(on_floor.z)) > 4.4)
@@ -146,10 +147,10 @@ protected:
     }
 };
 
-/// The least value that clears three of four lit pixels: what its theory says.
+/// Returns the least value that clears three of four lit pixels, by the theory.
 template <class Share>
 double least_value(Share share_cleared) {
-    constexpr double kEnough = 0.75, most = 1e8;  // a tenth of it: as much as bias.raster_units may be
+    constexpr double kEnough = 0.75, most = 1e8;  // a tenth of the maximum of bias.raster_units
     double lo = 0, hi = 1e-3;
     if (share_cleared(0) >= kEnough) return 0;
     while (hi < most && share_cleared(hi) < kEnough) {
@@ -164,7 +165,7 @@ double least_value(Share share_cleared) {
     return hi;
 }
 
-TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
+TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     const Scene scene = floor_under_sheet(c.place);
     Settings s = settings(0);
     Settings bare = s;
@@ -177,14 +178,14 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     };
     ReferenceImage reference = reference_within(reach);
     const double value = least_value([&](double v) {
-        give(s, v);
-        const Told t = told(reference, none.frame, s, 13);
+        set_amount(s, v);
+        const ClearedPixels t = cleared_pixels(reference, none.frame, s, 13);
         return double(t.cleared.size()) / double(std::max<std::size_t>(t.lit, 1));
     });
     if (row.stage == BiasStage::LookUp) reference = reference_within(reach + value);  // edges move by as much
-    give(s, value * 1.001);
+    set_amount(s, value * 1.001);
     const Shot least = draw_shot(scene, s);
-    const Told t = told(reference, least.frame, s, 1);
+    const ClearedPixels t = cleared_pixels(reference, least.frame, s, 1);
     const Tolerance& tolerance = filter_of(s).tolerance;
     ASSERT_GT(t.lit, 2000u);
     EXPECT_GT(double(t.cleared.size()), 0.7 * double(t.lit)) << "at " << value;
@@ -195,8 +196,8 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
         acne += least.visibility.data[i] < 1 - tolerance.lit;
         without += none.visibility.data[i] < 1 - tolerance.lit;
     }
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        if (reference.lit[i] != Lit::Shadow || reference.hits[i]->normal.y < 0.5) continue;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        if (reference.states[i] != ReferenceState::Shadow || reference.hits[i]->normal.y < 0.5) continue;
         const BiasBreakdown a = account(*reference.hits[i], least.frame, s);
         if (a.amount(a.depth_shift).metres > 2) continue;  // the cover is 2.25 m above
         ++dark, leaks += least.visibility.data[i] > tolerance.dark;
@@ -204,7 +205,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     EXPECT_EQ(acne, 0u) << "of " << t.cleared.size() << " at " << value << ", down to " << darkest;
     EXPECT_EQ(leaks, 0u) << "of " << dark << " at " << value;
     EXPECT_GT(dark, 100u);
-    // Where nothing else clears a plane that rises, it shadows itself without: else all this says little.
+    // A rising plane that nothing else clears shadows itself without bias; otherwise the test would prove little.
     if (filter_of(s).samples == Samples::Depth && t.sloped > t.lit / 2) {
         EXPECT_GT(without, 20u) << value;
     }
@@ -217,15 +218,17 @@ TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
         Settings s = settings(value);
         s.objects["floor"] = s.objects["box"] = {.cast = false};
         for (const float v : draw_shot(scene, s, 64, 48).visibility.data) ASSERT_TRUE(v == 1 || v == 0) << v;
-        // The floor alone does not cast: whatever lies away from the box's shadow reads an empty map.
+        // The floor does not cast: points away from the box's shadow read an empty map.
         s.objects["box"].cast = true;
         const Shot shot = draw_shot(scene, s, 64, 48);
         const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 5;
         const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(),
                                                          shot.width, shot.height, shot.frame.map_resolution, reach);
         int lit = 0;
-        for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-            if (reference.lit[i] != Lit::Lit || std::abs(reference.hits[i]->position.y - c.place.at.y) > 1e-3) continue;
+        for (std::size_t i = 0; i < reference.states.size(); ++i) {
+            if (reference.states[i] != ReferenceState::Lit ||
+                std::abs(reference.hits[i]->position.y - c.place.at.y) > 1e-3)
+                continue;
             ++lit;
             ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit) << value;
         }

@@ -1,5 +1,5 @@
-// What every fit has to keep to, whichever it is: a loop over the rows of the fit table under every light, with kernels
-// and places by turns.
+// Tests invariants of every fit: a loop over the rows of the fit table under every light, with alternating kernels and
+// positions.
 #include "renderer/settings/fits.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct FitCase {
     LightType light;
     std::string kernel;
     Place place;
-    bool seen_in_part;  ///< the camera is near, and sees a part of the scene
+    bool seen_in_part;  ///< near camera that sees part of the scene
 };
 
 std::vector<FitCase> fit_cases() {
@@ -27,7 +27,7 @@ std::vector<FitCase> fit_cases() {
     std::size_t turn = 0;
     for (const FitRow& row : fits())
         for (const LightType light : kLightTypes) {
-            // Kernels that count in metres or go by depths meet texels and ranges that change over a warped map.
+            // Kernels with radii in metres or by depth meet varying texels and ranges over a warped map.
             const bool all = row.warps && light == LightType::Directional;
             const std::size_t first = turn++ * 5 % filters().size(), count = all ? filters().size() : 1;
             for (std::size_t i = 0; i < count; ++i)
@@ -65,13 +65,13 @@ protected:
             s.camera.target_x = 1;
         }
         move_camera(s, c.place.at);
-        // Enough for any of these maps: in metres, so that it is the same for all fits.
+        // The bias is enough for any of these maps, in metres and so equal for all fits.
         s.bias.unit = BiasUnit::Metres, s.bias.constant = 0.6;
         return s;
     }
 };
 
-/// A floor, half of it covered 2 m above, and a box that floats over the rest.
+/// Makes a floor, half of it covered at 2 m, and a floating box over the other half.
 Scene covered_in_part(const glm::dvec3& at) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -83,8 +83,9 @@ Scene covered_in_part(const glm::dvec3& at) {
 }
 
 SI_TESTS_ARE(DriverIndependent, EachFit);
-// Away from edges visibility is that of rays, whatever the map leaves out: so it is that of any other fit, too.
-TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
+// Away from edges visibility equals that of rays, for any part of the scene that the map leaves out; so all fits
+// agree.
+TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     const Scene scene = covered_in_part(c.place.at);
     Settings s = settings();
     set_setting(s, "light.fit", "scene");
@@ -92,33 +93,33 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     set_setting(s, "light.fit", c.fit);
     const Shot shot = draw_shot(scene, s);
     const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
-    // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
+    // The widest texels of both maps bound the distance to an edge; compared depths may lie to its side.
     const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
     const double reach = kernel_reach_in_light(s, wider, whole.frame.map_resolution).edge + 1.5;
     const ReferenceImage reference = trace_reference(RayReference(scene), whole.frame.camera, wider, whole.width,
                                                      whole.height, whole.frame.map_resolution, reach);
-    // Of a warped map some texels are wider, and some are not.
+    // A warped map has wider and narrower texels.
     const ReferenceImage own = !shot.light().is_warped()
                                    ? reference
                                    : trace_reference(RayReference(scene), whole.frame.camera, shot.light(), whole.width,
                                                      whole.height, whole.frame.map_resolution, reach);
     const Tolerance& tolerance = filter_of(s).tolerance;
     int lit = 0, dark = 0, beyond = 0;
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        const Lit is = reference.lit[i];
-        if (is != Lit::Lit && is != Lit::Shadow && is != Lit::Boundary) continue;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        const ReferenceState is = reference.states[i];
+        if (is != ReferenceState::Lit && is != ReferenceState::Shadow && is != ReferenceState::Boundary) continue;
         if (reference.hits[i]->normal.y < 0.5) continue;  // sides of the box lie within the bias of its top
         const double v = shot.visibility.data[i];
         const glm::dvec4 at = uvdw(view_of(shot.light(), reference.hits[i]->position), reference.hits[i]->position);
         const bool outside = std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0;
         if (outside && shot.light().closed) {
             ++beyond;
-            EXPECT_NE(is, Lit::Shadow) << "pixel " << i;
+            EXPECT_NE(is, ReferenceState::Shadow) << "pixel " << i;
             EXPECT_EQ(v, 1) << "pixel " << i;
         }
-        if (is == Lit::Boundary || own.lit[i] == Lit::Boundary) continue;
-        (is == Lit::Lit ? lit : dark) += 1;
-        ASSERT_TRUE(is == Lit::Lit ? v >= 1 - tolerance.lit : v <= tolerance.dark)
+        if (is == ReferenceState::Boundary || own.states[i] == ReferenceState::Boundary) continue;
+        (is == ReferenceState::Lit ? lit : dark) += 1;
+        ASSERT_TRUE(is == ReferenceState::Lit ? v >= 1 - tolerance.lit : v <= tolerance.dark)
             << v << " at pixel " << i << " of " << c.fit;
         ASSERT_NEAR(v, whole.visibility.data[i], std::max(tolerance.lit, tolerance.dark)) << "pixel " << i;
     }
@@ -134,7 +135,7 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     }
 }
 
-// Where nothing is in shadow, there is nothing to narrow down to: all is lit, inside the map and outside.
+// Without shadows a fit has no region to narrow to: everything is lit, inside the map and outside.
 TEST_P(EachFit, LightsALonePlane) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -146,17 +147,18 @@ TEST_P(EachFit, LightsALonePlane) {
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
     int lit = 0;
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        if (reference.lit[i] != Lit::Lit) continue;
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        if (reference.states[i] != ReferenceState::Lit) continue;
         ++lit;
         ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit);
     }
     EXPECT_GT(lit, 1000);
 }
 
-// A spot light may have a map of parallel rays, and a sun one in perspective. Neither has the light's own rays, but the
-// map's own are kept whatever the fit: of the sun that a spot's stand for, and of the point that a sun's come from.
-TEST(EachFitInOtherProjection, KeepsTheTruthOfItsMapsRays) {
+// A spot light may have an orthographic map, and a sun a perspective one. Neither map has the light's own rays. The
+// picture follows the map's own rays for every fit: of the sun that replaces the spot, and of the point that replaces
+// the sun.
+TEST(EachFitInOtherProjection, AgreesWithTheReferenceAlongItsMapsRays) {
     const Scene scene = covered_in_part({0, 0, 0});
     for (const FitRow& row : fits())
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
@@ -185,13 +187,14 @@ TEST(EachFitInOtherProjection, KeepsTheTruthOfItsMapsRays) {
                 trace_reference(RayReference(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
                                 shot.frame.map_resolution, kernel_reach_in_light(s, shot.light(), 512).edge + 1.5);
             int lit = 0, dark = 0;
-            for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-                const Lit is = reference.lit[i];
-                if ((is != Lit::Lit && is != Lit::Shadow) || reference.hits[i]->normal.y < 0.5) continue;
+            for (std::size_t i = 0; i < reference.states.size(); ++i) {
+                const ReferenceState is = reference.states[i];
+                if ((is != ReferenceState::Lit && is != ReferenceState::Shadow) || reference.hits[i]->normal.y < 0.5)
+                    continue;
                 const glm::dvec3 at = uvdw(shot.view(), reference.hits[i]->position);
                 if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0.02) continue;
-                (is == Lit::Lit ? lit : dark) += 1;
-                ASSERT_NEAR(shot.visibility.data[i], is == Lit::Lit, 1e-6) << "pixel " << i;
+                (is == ReferenceState::Lit ? lit : dark) += 1;
+                ASSERT_NEAR(shot.visibility.data[i], is == ReferenceState::Lit, 1e-6) << "pixel " << i;
             }
             EXPECT_GT(lit, 1000);
             EXPECT_GT(dark, 150);

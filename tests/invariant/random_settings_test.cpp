@@ -1,5 +1,5 @@
-// Whatever settings are put together, all numbers are numbers, the driver has nothing to complain of, visibility lies
-// within 0 to 1, and shadow makes nothing brighter. docs/lab/property-runs.md says how to run more of them.
+// Tests random settings: all numbers are finite, the driver reports no message, visibility lies within 0 to 1, and
+// shadows make nothing brighter. docs/lab/property-runs.md describes longer runs.
 #include "tests/support/random_settings.h"
 
 #include <fmt/format.h>
@@ -23,14 +23,14 @@
 namespace si::test {
 namespace {
 
-constexpr unsigned kParts = 12;  ///< of the run, as shards take tests
+constexpr unsigned kParts = 12;  ///< parts of the run, one test each
 constexpr unsigned kUsualSeeds = 300, kUsualSeedsAProgram = 12;
-constexpr unsigned kSeedsARenderer = 150;  ///< that keep each other's programs in memory
-constexpr int kPixels = 64;                ///< of the picture along a side
-constexpr int kRounding = 1;               ///< steps of 255 that two programs may round a colour apart by
-constexpr int kMostTold = 3;               ///< failures of a part that are made small
+constexpr unsigned kSeedsPerRenderer = 150;  ///< limit of programs in memory
+constexpr int kPixels = 64;                  ///< side of the picture
+constexpr int kRounding = 1;                 ///< steps of 255 between two programs' roundings of a colour
+constexpr int kMaxReducedFailures = 3;       ///< reduced failures per part
 
-/// What is wrong with a case; empty: nothing.
+/// Fault of a case; empty: none.
 struct Verdict {
     std::string kind, text;
     bool good() const { return kind.empty(); }
@@ -52,13 +52,13 @@ protected:
         return renderer->render(scene, s, request);
     }
 
-    Verdict judge(const RandomCase& of) {
+    Verdict check(const RandomCase& of) {
         const Scene& scene = small_scene(of.scene);
         try {
             const FrameResult frame = draw(scene, of.settings, true);
             const auto health = renderer->numeric_health(frame);
             if (!health->sound()) return {"number", health_text(*health)};
-            // Of the picture alone, which other overlays and panes hide.
+            // The picture alone is compared; other overlays and panes would hide it.
             Settings plain = of.settings;
             plain.view.overlay = 0;
             plain.view.panes = Panes::One;
@@ -71,11 +71,11 @@ protected:
             }
             const FrameResult lit = draw(scene, plain, true);
             const ByteImage b = renderer->read_colour(lit.colour);
-            // A camera that looks through a light follows the light's fit, of which there may be none.
+            // A camera that looks through a light follows the light's fit, which may not exist.
             if (lit.camera == shadowed.camera)
                 if (Verdict v = compare(a, b); !v.good()) return v;
         } catch (const Error& e) {
-            // A sentence that names the row that it cannot be drawn with.
+            // An error must be a sentence that names the setting.
             const bool refused = std::string_view(e.what()).find("light_map.resolution") != std::string_view::npos;
             if (!refused) return {"error", e.what()};
         } catch (const std::exception& e) {
@@ -93,18 +93,18 @@ protected:
         return {};
     }
 
-    /// Resets what does not matter, row by row.
+    /// Resets settings that do not matter, row by row.
     RandomCase shrunk(RandomCase of, const std::string& kind) {
         for (int round = 0; round < 2; ++round)
             for (const SettingRef& ref : changed_settings(of.settings)) {
                 RandomCase less = of;
                 set_value(less.settings, ref, default_value(ref));
-                if (judge(less).kind == kind) of = std::move(less);
+                if (check(less).kind == kind) of = std::move(less);
             }
         return of;
     }
 
-    /// Writes the preset that shows it. @returns how to see it
+    /// Writes the preset that shows the fault. @returns how to open it
     static std::string keep(const RandomCase& of, unsigned seed, const Verdict& verdict) {
         const auto folder = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "random-settings";
         std::filesystem::create_directories(folder);
@@ -120,14 +120,14 @@ protected:
     }
 };
 
-/// What such runs found once, by the settings that were left of it.
-TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
+/// Reduced settings of faults that earlier runs found.
+TEST_F(RandomSettings, EarlierFaultsStayFixed) {
     struct Found {
         const char* scene;
         std::vector<std::pair<const char*, const char*>> sets;
     };
     const Found all[] = {
-        // Triangles seen edge-on wrote depths of far beyond them.
+        // Triangles seen edge-on wrote depths far outside their range.
         {"figures", {{"map.format", "colour"}, {"light.azimuth", "270"}, {"light.elevation", "14.899059362498523"}}},
         {"figures",
          {{"map.format", "colour"},
@@ -135,10 +135,10 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
           {"light.elevation", "5.392082575150003"},
           {"light.fit", "scene"},
           {"map.resolution", "512"}}},
-        // So far off that near and far were one number to shaders.
+        // At this distance near and far were one number to shaders.
         {"teapot", {{"light.target_z", "62172591.68624878"}, {"map.resolution", "64"}}},
         {"teapot", {{"light.target_x", "84523618.22128296"}, {"light.fit", "lispsm"}, {"map.resolution", "64"}}},
-        // Shares of what a blur averages were flushed to zero.
+        // Shares of a blur's averages were flushed to zero.
         {"figures", {{"filter.kernel", "evsm4"}, {"filter.exponent", "76"}, {"map.resolution", "512"}}},
         {"figures",
          {{"filter.kernel", "esm"},
@@ -146,7 +146,7 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
           {"filter.blur", "8"},
           {"filter.blur_shape", "gaussian"},
           {"map.resolution", "256"}}},
-        // At the far plane rounding took depths out of their range, where near is a small share of far.
+        // With near a small share of far, rounding at the far plane moved depths out of their range.
         {"figures",
          {{"filter.kernel", "evsm2"},
           {"light.projection", "perspective"},
@@ -156,7 +156,7 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
     for (const Found& found : all) {
         RandomCase of{.scene = found.scene, .settings = {}};
         for (const auto& [key, value] : found.sets) set_setting(of.settings, key, value);
-        const Verdict verdict = judge(of);
+        const Verdict verdict = check(of);
         EXPECT_TRUE(verdict.good()) << found.scene << " " << found.sets[0].first << ": " << verdict.text;
     }
     // In a depth buffer they were at the near plane.
@@ -171,10 +171,11 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
 
 class RandomSeeds : public RandomSettings, public testing::WithParamInterface<unsigned> {};
 
-TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
+TEST_P(RandomSeeds, GiveFinitePicturesAndNoBrighterShadows) {
     const unsigned first = environment_number("SI_RANDOM_FIRST", 0),
                    seeds = environment_number("SI_RANDOM_SEEDS", kUsualSeeds);
-    // By whole groups that share programs; of each a part only where nobody says how many, so that there are more.
+    // Parts are whole groups that share programs. Without a requested number of seeds each group is drawn in part, for
+    // more variety.
     const unsigned each = std::getenv("SI_RANDOM_SEEDS") ? kSeedsPerProgram : kUsualSeedsAProgram;
     const unsigned groups = (seeds + each - 1) / each;
     int failures = 0;
@@ -182,15 +183,15 @@ TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
     const unsigned to = std::min(groups * (GetParam() + 1) / kParts * each, seeds);
     for (unsigned i = from; i < to; ++i) {
         const unsigned seed = first + i / each * kSeedsPerProgram + i % each;
-        if (i > from && seed % kSeedsARenderer == 0) {
+        if (i > from && seed % kSeedsPerRenderer == 0) {
             renderer.reset();
             renderer = std::make_unique<Renderer>();
         }
         const RandomCase of = random_case(seed);
-        const Verdict verdict = judge(of);
+        const Verdict verdict = check(of);
         if (verdict.good()) continue;
         renderer->take_gl_messages();
-        if (++failures > kMostTold) {
+        if (++failures > kMaxReducedFailures) {
             ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << verdict.text;
             continue;
         }
@@ -199,7 +200,7 @@ TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
         for (const SettingRef& ref : changed_settings(least.settings))
             settings +=
                 fmt::format(" --set {}={}", setting_key(ref), value_text(*ref.param, get_value(least.settings, ref)));
-        ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << judge(least).text << "\nscene "
+        ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << check(least).text << "\nscene "
                       << least.scene << settings << "\n"
                       << keep(least, seed, verdict);
         renderer->take_gl_messages();

@@ -1,5 +1,5 @@
-// What every kernel has to keep to, whichever it is, under the rows of the other tables by turns: a loop over the rows
-// of the filter table, a row that only this binary knows among them. Tolerances are the rows' own.
+// Tests invariants of every kernel under alternating rows of the other tables: a loop over the rows of the filter
+// table, with a row that only this binary has. Tolerances are the rows' own.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -18,7 +18,7 @@
 namespace si::test {
 namespace {
 
-/// A kernel that is not built in: weights 1 2 1 across the map alone, by the interface that every kernel uses.
+/// Adds a kernel to the built-in table: weights 1 2 1 across the map, by the interface that every kernel uses.
 const bool row_added = [] {
     gl::add_shader_text("filters/added_here.glsl", R"(
 float filter_visibility(Receiver r) {
@@ -48,7 +48,7 @@ struct Case {
     LightType light;
     MapFormat format;
     bool reversed;
-    std::string bias, fit;  ///< rows of their tables
+    std::string bias, fit;  ///< keys of their tables
     Place place;
 };
 
@@ -60,13 +60,15 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
     return name;
 }
 
-/// Each kernel under each light; formats, directions of depth, kinds of bias, fits and places by turns.
+/// Returns each kernel under each light, with alternating formats, depth directions, kinds of bias, fits and
+/// positions.
 std::vector<Case> all_cases() {
     std::vector<Case> out;
     std::size_t turn = 0;
     for (const Filter& row : filters()) {
         for (const LightType light : kLightTypes) {
-            const std::size_t shifted = turn + turn / std::size(kLightTypes);  // so that no light keeps to one row
+            // prevents a light from meeting one row only
+            const std::size_t shifted = turn + turn / std::size(kLightTypes);
             out.push_back({std::string(row.key), light, turn % 2 ? MapFormat::D16 : MapFormat::D32F, turn % 4 >= 2,
                            std::string(bias_choices()[shifted % bias_choices().size()].key),
                            std::string(fits()[shifted % fits().size()].key), kPlaces[shifted % std::size(kPlaces)]});
@@ -76,8 +78,8 @@ std::vector<Case> all_cases() {
     return out;
 }
 
-/// Bias along the light alone, as much as the row says that a plane needs at any angle up to the steepest: a texel's
-/// height on the plane is its width times the angle's tangent.
+/// Sets the bias along the light that the row states for a plane at any angle up to the steepest: a texel's height on
+/// the plane is its width times the angle's tangent.
 void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
     const int kind = s.bias.kind;
     s.bias = no_bias();
@@ -118,19 +120,19 @@ FittedLight fitted(const Scene& scene, const Settings& s) {
 class EachKernel : public testing::TestWithParam<Case> {
 protected:
     const Case& c = GetParam();
-    const Filter& row = filters()[std::size_t(kernel(c.kernel))];
+    const Filter& row = filters()[std::size_t(kernel_row(c.kernel))];
 };
 
-/// Each pixel's truth and visibility; boundary pixels are those with an edge within so many texels.
+/// Visits each pixel's reference and visibility. Boundary pixels have an edge within the given number of texels.
 template <class Visit>
 void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit visit) {
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, reach_texels);
     for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) visit(reference.at(x, y), double(shot.visibility.at(x, y)));
+        for (int x = 0; x < shot.width; ++x) visit(reference.state_at(x, y), double(shot.visibility.at(x, y)));
 }
 
-TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
+TEST_P(EachKernel, PlanesAreLitAndCoveredFloorsAreDark) {
     const Scene scene = floor_under_sheet(c.place);
     Settings s = settings_of(c, 256);
     s.lights[0].elevation = 60;
@@ -139,25 +141,25 @@ TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
     const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 1;
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
-    for_pixels(shot, scene, reach, [&](Lit reference, double v) {
-        if (reference == Lit::Lit) {
+    for_pixels(shot, scene, reach, [&](ReferenceState reference, double v) {
+        if (reference == ReferenceState::Lit) {
             ++lit;
             darkened += v < 1 - row.tolerance.lit;
         }
-        if (reference == Lit::Shadow) {
+        if (reference == ReferenceState::Shadow) {
             ++dark;
             most = std::max(most, v);
         }
     });
     EXPECT_GT(lit, 2000);
     EXPECT_GT(dark, 100);
-    // Four moments round by themselves, which a bias that gives a plane just what its depths need leaves no room for.
+    // Four moments round by themselves, which a bias of exactly the depths' need leaves no room for.
     const bool rounds = row.samples == Samples::Moments && c.bias == "adaptive";
     EXPECT_LE(darkened, rounds ? lit / 2000 : 0) << row.tolerance.why;
     EXPECT_LE(most, row.tolerance.dark) << row.tolerance.why;
 }
 
-/// Not under point lights, whose faces meet a plane at every angle.
+/// Point lights are left out: their faces meet a plane at every angle.
 class EachKernelOfOneMap : public EachKernel {};
 
 std::vector<Case> cases_of_one_map() {
@@ -180,9 +182,9 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     const Shot shot = draw_shot(scene, s);
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
-    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-        if (reference.lit[i] != Lit::Lit) continue;
-        // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
+    for (std::size_t i = 0; i < reference.states.size(); ++i) {
+        if (reference.states[i] != ReferenceState::Lit) continue;
+        // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
         const glm::dvec3 at = reference.hits[i]->position - c.place.at;
         if (row.samples == Samples::Moments && std::max(std::abs(at.x), std::abs(at.z)) > 2.2) continue;
         ++lit;
@@ -192,15 +194,16 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     EXPECT_GE(least, 1 - row.tolerance.lit) << row.tolerance.why;
 }
 
-TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
+TEST_P(EachKernel, FinerMapsAreCloserToTheReference) {
     const Scene scene = there(c, floor_and_box(8, {1.5, 1, 2}, 0.4));
     const auto error = [&](int resolution) {
         Settings s = settings_of(c, resolution);
-        s.lights[0].size *= 0.1;  // a penumbra stays as wide as it is
+        s.lights[0].size *= 0.1;  // keeps the penumbra's width
         give_bias(s, fitted(scene, s), 1.5);
         double sum = 0;
-        for_pixels(draw_shot(scene, s), scene, 0, [&](Lit reference, double v) {
-            if (reference == Lit::Lit || reference == Lit::Shadow) sum += std::abs(v - (reference == Lit::Lit ? 1 : 0));
+        for_pixels(draw_shot(scene, s), scene, 0, [&](ReferenceState reference, double v) {
+            if (reference == ReferenceState::Lit || reference == ReferenceState::Shadow)
+                sum += std::abs(v - (reference == ReferenceState::Lit ? 1 : 0));
         });
         return sum;
     };
@@ -209,7 +212,7 @@ TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
     EXPECT_LT(fine, 0.6 * coarse);
 }
 
-TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
+TEST_P(EachKernel, WeightedTapsEqualTheVisibilityOnTheGpu) {
     const Scene scene = there(c, floor_and_box(8, {1.5, 1, 2}, 0.4));
     Settings s = settings_of(c, 64);
     give_bias(s, fitted(scene, s), 1);
@@ -244,14 +247,14 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
         }
     EXPECT_GT(told, 0);
     if (kernel_reach_in_light(s, fitted(scene, s), s.map.resolution).read > 0.5) {
-        EXPECT_GT(partly, 0) << "no pixel at an edge, so this says little";
+        EXPECT_GT(partly, 0) << "no pixel at an edge, so this proves little";
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EachKernel, testing::ValuesIn(all_cases()), name_of);
 INSTANTIATE_TEST_SUITE_P(All, EachKernelOfOneMap, testing::ValuesIn(cases_of_one_map()), name_of);
 
-/// A floor, and 1 m above it a cover over the half where x is below 0.
+/// Makes a floor, and 1 m above it a cover over the half where x is below 0.
 Scene half_covered_floor() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -271,15 +274,15 @@ Settings overhead(std::string_view kernel) {
     return s;
 }
 
-/// A floor pixel near the shadow's edge. Columns of the map are counted so that the lit side is where they grow.
+/// Floor pixel near the shadow's edge. Columns of the map are counted towards the lit side.
 struct EdgePixel {
-    int x = 0, y = 0;       ///< in the picture
-    int axis = 0;           ///< of the map, across the edge
-    bool grows = true;      ///< columns are counted as the map counts them; else from its other side
-    int resolution = 0;     ///< of the map
+    int x = 0, y = 0;       ///< position in the picture
+    int axis = 0;           ///< axis of the map across the edge
+    bool grows = true;      ///< direction: columns count as the map counts them; otherwise from its other side
+    int resolution = 0;     ///< texels per side of the map
     double place = 0;       ///< centre of the kernel, in columns
     double first = 0;       ///< the first lit column, from the geometry
-    double visibility = 0;  ///< that the picture shows
+    double visibility = 0;  ///< visibility in the picture
 
     /// Returns the column of a texel of the map.
     int column(const glm::ivec2& texel) const { return grows ? texel[axis] : resolution - 1 - texel[axis]; }
@@ -323,7 +326,7 @@ double box_profile(const EdgePixel& p, int across) {
     return std::clamp(0.5 - off / across, 0.0, 1.0);
 }
 
-/// A square kernel at one size.
+/// Square kernel at one size.
 struct SizedKernel {
     std::string key;
     int size = 3;
@@ -344,8 +347,8 @@ std::vector<SizedKernel> square_kernels() {
 
 class EachSquareKernel : public testing::TestWithParam<SizedKernel> {};
 
-// The weights are those that the GPU recorded, column by column. Which columns are lit follows from the geometry.
-TEST_P(EachSquareKernel, BlursAnEdgeAsItsTapsWeigh) {
+// The weights are those that the GPU recorded, column by column. The lit columns follow from the geometry.
+TEST_P(EachSquareKernel, BlursAnEdgeByItsTapWeights) {
     const SizedKernel& k = GetParam();
     const Scene scene = half_covered_floor();
     Settings s = overhead(k.key);
@@ -399,9 +402,9 @@ INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels
                              return name;
                          });
 
-// Where only two depths meet, the bound of Chebyshev's inequality is met exactly: the share of lit texels, as
-// percentage- closer filtering has it over the same texels.
-TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
+// With two depths Chebyshev's inequality is exact: the share of lit texels, equal to percentage-closer filtering over
+// the same texels.
+TEST(Vsm, OfTwoPlanesEqualsTheLitShare) {
     const Scene scene = half_covered_floor();
     for (const int blur : {0, 1, 2}) {
         Settings s = overhead("vsm");
@@ -421,7 +424,7 @@ TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
     }
 }
 
-TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
+TEST(Vsm, LightBleedReductionCutsAShareAndRescalesTheRest) {
     const Scene scene = half_covered_floor();
     Settings s = overhead("vsm");
     s.bias.constant = 0.01;
@@ -437,12 +440,12 @@ TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
     EXPECT_LT(worst, 1e-2);
 }
 
-TEST(Vsm, MomentsAreMapsWorkAndAloneWhenAskedFor) {
+TEST(Vsm, MomentsAreDrawnWithTheMapAndOnlyWhenNeeded) {
     const Scene scene = half_covered_floor();
     Settings s = overhead("pcf3");
     Renderer& renderer = hard_renderer();
     FrameRequest request{.width = 64, .height = 48};
-    request.outputs.shadow_map = true;  // whole, as kernels that reach farther call for more of it
+    request.outputs.shadow_map = true;  // whole map: kernels that reach farther need more of it
     const FrameResult off = renderer.render(scene, s, request);
     ASSERT_NE(off.pass("moments"), nullptr);
     EXPECT_EQ(off.pass("moments")->state, PassState::Skipped);
@@ -450,12 +453,12 @@ TEST(Vsm, MomentsAreMapsWorkAndAloneWhenAskedFor) {
     const FrameResult on = renderer.render(scene, s, request);
     EXPECT_EQ(on.pass("moments")->state, PassState::Drawn);
     EXPECT_EQ(on.pass("moments")->category, PassCategory::Maps);
-    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Cached) << "a kernel is no reason to draw anew";
+    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Cached) << "a kernel is no reason to draw again";
     s.filter.bleed = 0.4;
     EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Cached);
     s.filter.blur = 4;
     EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Drawn);
-    s.filter.radius = 7;  // of another kernel: nothing depends on it
+    s.filter.radius = 7;  // setting of another kernel: no effect here
     const FrameResult idle = renderer.render(scene, s, request);
     for (const PassInfo& pass : idle.passes) EXPECT_NE(pass.state, PassState::Drawn) << pass.name;
 }
@@ -467,8 +470,9 @@ struct SizedLight {
 
 class PenumbraKernels : public testing::TestWithParam<const char*> {};
 
-// What kernels that find the occluder say of an edge 1 m above a floor that faces the light: by the intercept theorem.
-TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
+// Kernels with a blocker search report the distance of an edge 1 m above a floor that faces the light, by the
+// intercept theorem.
+TEST_P(PenumbraKernels, PenumbraWidthsFollowSimilarTriangles) {
     const Scene scene = half_covered_floor();
     const double place_m = 5;
     // The light's target is the centre of the scene's bounds, half a metre above the floor.
@@ -503,17 +507,17 @@ TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
                 glm::dvec3 origin, dir;
                 frame.camera.pixel_ray(x, y, request.width, request.height, origin, dir);
                 const auto hit = rays.first_hit(origin, dir);
-                // Amid the penumbra, where the search meets the cover whatever places it looks at.
+                // In the middle of the penumbra the search meets the cover with all its samples.
                 if (!hit || hit->position.y > 1e-6 || std::abs(hit->position.x) > 0.1 * light.penumbra_m ||
                     std::abs(hit->position.z) > 1)
                     continue;
                 const float gap_m = gap.at(x, y, 0), texels = width.at(x, y, 0);
                 if (std::isnan(gap_m)) continue;
                 ++found;
-                // A ray that is stopped takes no more of its steps.
+                // A stopped ray takes no more of its steps.
                 const int most = cost_of(s).texels;
                 ASSERT_LE(taps.at(x, y, 0), most);
-                ASSERT_GE(taps.at(x, y, 0), s.filter.kernel == kernel("smrt") ? most / 4 : most);
+                ASSERT_GE(taps.at(x, y, 0), s.filter.kernel == kernel_row("smrt") ? most / 4 : most);
                 const LightView& view = view_of(frame.lights[0], hit->position);
                 const double texel_m =
                     view.texel_size(glm::dot(view.eye - hit->position, view.axes[2]), frame.map_resolution);

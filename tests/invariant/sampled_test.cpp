@@ -1,5 +1,5 @@
-// What kernels that sample come to: penumbrae as wide as the light makes them, and noise that falls towards each
-// kernel's own limit as its row says.
+// Tests kernels that sample: penumbra widths match the light, and noise falls towards each kernel's limit as its row
+// states.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,8 +15,8 @@ namespace {
 
 const glm::dvec3 kThere = {40, 3, -70};
 
-/// A floor and, 1 m above it, a cover over the half where x is below 0; far from both a brick as high as 3 m, so that
-/// more may stand before a receiver than does. All of it off the origin.
+/// Makes a floor and, 1 m above it, a cover over the half where x is below 0. Far from both a brick of 3 m allows
+/// higher casters. The scene stands off the origin.
 Scene covered_floor_and_a_brick() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -27,7 +27,7 @@ Scene covered_floor_and_a_brick() {
     return scene;
 }
 
-/// Light from straight above.
+/// Returns settings with a light straight above.
 Settings soft_settings(std::string_view kernel, LightType type) {
     Settings s = texel_settings(kernel, 1024, 1);
     s.lights[0].type = type;
@@ -57,7 +57,7 @@ void across_the_edge(const Shot& shot, Visit visit) {
         }
 }
 
-/// Where mean visibility over so narrow stripes along the edge first is above a share.
+/// Returns the place where mean visibility, over narrow stripes along the edge, first exceeds a share.
 double crossing(const std::map<int, std::pair<double, int>>& stripes, double stripe_m, double share) {
     double before = 0, place = 0;
     for (const auto& [i, sum] : stripes) {
@@ -70,7 +70,7 @@ double crossing(const std::map<int, std::pair<double, int>>& stripes, double str
     return 0;
 }
 
-TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
+TEST(SoftKernels, PenumbraWidthsMatchTheLightsSize) {
     const Scene scene = covered_floor_and_a_brick();
     using Changes = std::vector<std::pair<const char*, const char*>>;
     const std::pair<const char*, Changes> kernels[] = {
@@ -100,16 +100,16 @@ TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
                     ++count;
                 });
                 ASSERT_GT(stripes.size(), 40u);
-                // An edge before a disk of light: a tenth of it shows at 0.687 of the way from the middle.
+                // A tenth of a disk of light is visible at 0.687 of the way from the middle.
                 const double found_m = (crossing(stripes, stripe_m, 0.9) - crossing(stripes, stripe_m, 0.1)) / 0.687;
                 EXPECT_NEAR(found_m, width_m, 0.2 * width_m);
                 EXPECT_NEAR(crossing(stripes, stripe_m, 0.5), 0, 0.1 * width_m);
             }
 }
 
-// A radius in metres is as wide on the ground whatever the map's resolution, and wherever a perspective map's texels
-// have what width; and the reach says so.
-TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
+// A radius in metres has one width on the ground for every resolution and every texel size of a perspective map; the
+// reach reports it.
+TEST(SampledKernels, ARadiusInMetresHoldsUnderEveryLight) {
     const Scene scene = covered_floor_and_a_brick();
     for (const LightType type : kLightTypes)
         for (const int resolution : {512, 1024}) {
@@ -141,7 +141,7 @@ TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
         }
 }
 
-TEST(SampledKernels, SayWhereTheirTableEnds) {
+TEST(SampledKernels, ReportWhereTheirTableEnds) {
     const Scene scene = covered_floor_and_a_brick();
     const auto notes = [&](std::string_view kernel, const char* disk) {
         Settings s = soft_settings(kernel, LightType::Directional);
@@ -159,8 +159,8 @@ TEST(SampledKernels, SayWhereTheirTableEnds) {
     EXPECT_EQ(notes("hard", "table").find("Poisson"), std::string::npos);
 }
 
-// Each kernel against its own limit, 4096 places.
-TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
+// Each kernel is compared with its own limit, 4096 samples.
+TEST(SampledKernels, NoiseFallsWithTheSlopeOfTheirRows) {
     const Scene scene = covered_floor_and_a_brick();
     int rows = 0;
     for (const Filter& row : filters()) {
@@ -178,7 +178,7 @@ TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
             s.camera.distance = 0.45;
             return draw_shot(scene, s, 64, 36).visibility.data;
         };
-        // A table that ends early tends to what the endless spiral over the same disk does.
+        // A table that ends early approaches the endless spiral over the same disk.
         const bool ends = row.uses_disk_table && std::ranges::find(row.settings, "filter.disk") == row.settings.end();
         const std::vector<float> limit = picture(ends ? "vogel" : row.key, 4096);
         const std::vector<float> unturned = picture(ends ? "vogel" : row.key, 4096, false);

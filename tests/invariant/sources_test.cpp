@@ -1,5 +1,5 @@
-// What every source of visibility has to keep to, whichever it is: a loop over the rows of the source table under every
-// light, against the closed form of a plane below half a cover.
+// Tests invariants of every source of visibility: a loop over the rows of the source table under every light, against
+// the closed form of a plane below half a cover.
 #include "renderer/settings/sources.h"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ protected:
         move_camera(s, c.place.at);
         return s;
     }
-    /// A floor of 12 m, and a cover of 3 x 3 m in the half where x is below 0.
+    /// Makes a floor of 12 m, and a cover of 3 x 3 m in the half where x is below 0.
     Scene scene(bool covered) const {
         Scene scene;
         const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -73,7 +73,8 @@ protected:
         move_scene(scene, c.place.at);
         return scene;
     }
-    /// How far the light ray of a point on the floor passes within the cover's edges, in metres; below 0: beside it.
+    /// Returns the distance by which the light ray of a floor point passes within the cover's edges, metres; negative
+    /// outside them.
     double within_cover_m(const FittedLight& light, const glm::dvec3& point_ws) const {
         const glm::dvec3 ray = light.type == LightType::Directional ? light.to_light : light.position - point_ws;
         const glm::dvec3 at = point_ws + ray * (kCoverY / ray.y) - c.place.at;
@@ -93,13 +94,13 @@ protected:
     }
 };
 
-TEST_P(EachSource, LightsAPlaneAndDarkensWhatIsCovered) {
-    if (!row.approximation.empty()) return;  // it has a closed form of its own
+TEST_P(EachSource, LightsAPlaneAndDarkensCoveredFloors) {
+    if (!row.approximation.empty()) return;  // tested by a closed form of its own
     const Scene half = scene(true);
     const Shot shot = draw_shot(half, settings());
-    // A texel of the map by which a source that is one may miss an edge; else what single precision leaves of a place.
+    // Sources with a map may miss an edge by a texel; others by the rounding of a position.
     double slack_m = 2e-3;
-    // Where four texels differ, a look-up mixes them: it is off by their diagonal, larger across a near light's rays.
+    // Four different texels are mixed by a look-up: the error is their diagonal, larger across a near light's rays.
     for (const LightMapNeed& map : shot.frame.light_maps) slack_m += std::numbers::sqrt2 / map.texels_per_metre;
     if (row.needs.map) {
         const FittedLight& light = shot.light();
@@ -126,11 +127,11 @@ TEST_P(EachSource, LightsALonePlane) {
                      [&](const glm::dvec3&, double v) { ASSERT_NEAR(v, 1, 1e-6); });
 }
 
-// What a map alone has does nothing to sources that are none.
+// Settings of maps have no effect on sources without a map.
 class EachSourceWithoutAMap : public EachSource {};
 
 SI_TESTS_ARE(DriverIndependent, EachSourceWithoutAMap);
-TEST_P(EachSourceWithoutAMap, KnowsNoKernelBiasOrFit) {
+TEST_P(EachSourceWithoutAMap, IsIndependentOfKernelBiasAndFit) {
     const Scene half = scene(true);
     const FloatImage plain = draw_shot(half, settings(), 80, 60).visibility;
     const auto expect_same = [&](std::string_view key, std::string_view value) {

@@ -1,5 +1,5 @@
-// Follows docs/recipes/filter-kernel.md word by word in a copy of the source tree: the page's two blocks are the files
-// (follow.cmake), its commands run, only the files that it names change, and the tests over all kernels pass.
+// Follows docs/recipes/filter-kernel.md in a copy of the source tree: the page's two blocks are the files
+// (follow.cmake), its commands run, only the files that the page names change, and the tests over all kernels pass.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ std::vector<std::string> commands(const std::string& page) {
     return out;
 }
 
-/// Returns the files that the sections on files to write, to touch and of the commands name as the work's own.
+/// Returns the files that the page names in its sections on files to write, files to touch and commands.
 std::set<std::string> files_named(const std::string& page) {
     std::set<std::string> out;
     static const std::regex first("(^|\n)(- )?`([A-Za-z0-9_/.-]+\\.(glsl|cpp|png|md))`");
@@ -54,8 +54,9 @@ std::set<std::string> files_named(const std::string& page) {
     return out;
 }
 
-/// Runs tests of a suite with the row, in the copy of the tree, and demands that they pass. $SI_WHOLE_SUITES: all
+/// Runs tests of a suite with the new row, in the copy of the tree, and expects them to pass. $SI_WHOLE_SUITES runs all
 /// tests.
+/// @param least smallest accepted number of run tests
 void expect_green(const fs::path& tree, const std::string& suite, const std::string& filter, int least) {
     const std::string all = std::getenv("SI_WHOLE_SUITES") ? std::string("*") : filter;
     const ProcessResult r =
@@ -79,18 +80,18 @@ std::vector<std::string> added_lines(const std::string& before, const std::strin
             more = bool(std::getline(old, expected));
         else
             out.push_back(line);
-    EXPECT_FALSE(more) << "a line is gone: " << expected;
+    EXPECT_FALSE(more) << "a line is missing: " << expected;
     return out;
 }
 
-TEST(FilterKernelRecipe, NeedsNothingMoreThanItSays) {
+TEST(FilterKernelRecipe, ItsFilesAndCommandsSuffice) {
     const std::string page = file_bytes(kSource / kPage);
     const fs::path tree = fresh_test_folder() / "tree";
     for (const char* folder : kFolders) {
         fs::create_directories(tree / folder);
         fs::copy(kSource / folder, tree / folder, fs::copy_options::recursive);
     }
-    // The files of the recipe, of which the programs were built.
+    // These files of the recipe are compiled into the programs.
     std::smatch key, file;
     ASSERT_TRUE(std::regex_search(page, key, std::regex("\\.key = \"([^\"]+)\"")));
     ASSERT_TRUE(std::regex_search(page, file, std::regex("\\.file = \"([^\"]+)\"")));
@@ -108,7 +109,7 @@ TEST(FilterKernelRecipe, NeedsNothingMoreThanItSays) {
     const ProcessResult r = run_shell(script);
     ASSERT_EQ(r.code, 0) << r.out << r.err;
 
-    // What changed is what the page names.
+    // Changed files are exactly those that the page names.
     const auto before = files_of(kSource), after = files_of(tree);
     std::set<std::string> changed;
     for (const auto& [path, bytes] : after)
@@ -131,14 +132,14 @@ TEST(FilterKernelRecipe, NeedsNothingMoreThanItSays) {
                               (tree / "docs/settings.md").string()));
     EXPECT_EQ(check.code, 0) << check.err;
 
-    // Drawn again, the row gives the same bytes.
+    // Drawing the row again gives the same bytes.
     const ProcessResult again =
         run_shell(fmt::format("LIBGL_ALWAYS_SOFTWARE=1 '{}' docs techniques -o '{}' --only "
                               "filter.kernel={} --check",
                               (kPrograms / "shadow-inspector").string(), (tree / "docs/techniques.md").string(), name));
     EXPECT_EQ(again.code, 0) << again.err;
 
-    // Without the command the tests are red.
+    // Without the command the tests fail.
     fs::copy_file(kSource / "docs/techniques.md", tree / "docs/techniques.md", fs::copy_options::overwrite_existing);
     const ProcessResult undocumented =
         run_shell(fmt::format("SI_SOURCE_TREE='{}' '{}' --gtest_brief=1 --gtest_filter='TechniquesPage.*'",

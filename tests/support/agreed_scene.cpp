@@ -21,13 +21,13 @@ constexpr std::array<glm::vec3, kColours + 1> kColour = {{{0.55f, 0.55f, 0.55f},
                                                           {0.85f, 0.85f, 0.8f},
                                                           {0.9f, 0.5f, 0.2f}}};
 
-/// How finely the shapes are cut.
+/// Subdivision of the shapes.
 struct Cut {
     int ground, box, sphere_segments, sphere_rings, torus_segments, torus_sides;
 };
 constexpr Cut kCuts[] = {{118, 1, 24, 21, 48, 24}, {285, 10, 100, 52, 144, 72}};
 
-/// Numerical Recipes' quick generator: uniform and alike everywhere, unlike the standard library's distributions.
+/// Numerical Recipes' quick generator: uniform and equal everywhere, unlike the standard library's distributions.
 class Dice {
 public:
     double between(double lo, double hi) {
@@ -39,7 +39,7 @@ private:
     std::uint32_t state_ = 7;
 };
 
-/// A box one metre a side on y = 0, its faces cut into n by n cells.
+/// Makes a box one metre a side on y = 0, its faces cut into n by n cells.
 Mesh unit_box(int n) {
     const Mesh face = transformed(make_plane(1, 1, n, n), moved(0, 0.5, 0));  // the top of a box about the origin
     Mesh box;
@@ -61,7 +61,7 @@ Scene agreed_scene(AgreedSize size) {
                add_mesh(scene, "ground", make_plane(kSide, kSide, cut.ground, cut.ground), material[0]));
     Dice dice;
     const double reach = 0.5 * kSide - kRim;
-    /// Places `count` of one shape in all colours, each where place(x, z) says.
+    /// Places `count` copies of a shape in all colours, at the places that place(x, z) returns.
     const auto scatter = [&](const char* name, const Mesh& shape, int count, auto&& place) {
         std::array<int, kColours> mesh{};
         for (int c = 0; c < kColours; ++c)

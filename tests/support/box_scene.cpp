@@ -8,7 +8,7 @@ Scene box_scene(const std::vector<BoxExtent>& boxes, const glm::dvec3& offset) {
     Scene scene;
     for (const BoxExtent& box : boxes) {
         Mesh mesh;
-        // Around the box's own centre, so that float positions lose nothing.
+        // Positions are relative to the box's centre, so that floats lose nothing.
         const glm::dvec3 centre = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
         for (int i = 0; i < 8; ++i)
             mesh.positions.push_back(glm::vec3(half * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));

@@ -12,7 +12,7 @@
 namespace si::test {
 namespace {
 
-// The first version's; moving files between folders is refused by it whole.
+// Rules of Landlock's first version, which refuses moving files between folders.
 constexpr std::uint64_t kChanging = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
                                     LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
                                     LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
@@ -32,7 +32,7 @@ bool allow(int rules, const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::optional<Confinement> Confinement::to(const std::filesystem::path& folder) {
+std::optional<Confinement> Confinement::for_folder(const std::filesystem::path& folder) {
     landlock_ruleset_attr handled{};
     handled.handled_access_fs = kChanging;
     const int rules = int(syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0));

@@ -1,4 +1,4 @@
-// Keeps a child process from changing anything but what is below one folder.
+// Restricts the file access of a child process to one folder.
 #pragma once
 
 #include <filesystem>
@@ -6,23 +6,26 @@
 
 namespace si::test {
 
-/// Rules of the kernel (Landlock, Linux 5.13 and later), made before a fork and put in force after it.
+/// Set of kernel rules (Landlock, Linux 5.13 and later) that forbid writing outside one folder. A parent creates the
+/// rules before fork(), and the child applies them.
 class Confinement {
 public:
-    /// What is not below `folder` stays as it is, but for devices. Nothing where the kernel has no such rules.
-    static std::optional<Confinement> to(const std::filesystem::path& folder);
+    /// Creates rules that forbid changes to files outside `folder`, except devices.
+    /// @returns nothing where the kernel lacks Landlock
+    static std::optional<Confinement> for_folder(const std::filesystem::path& folder);
     ~Confinement();
     Confinement(Confinement&& other) noexcept;
     Confinement(const Confinement&) = delete;
     Confinement& operator=(const Confinement&) = delete;
     Confinement& operator=(Confinement&& other) noexcept;
 
-    /// In a child, before it becomes another program. Returns whether it is so from now on.
+    /// Applies the rules to the calling process and its children. A forked child calls it before exec().
+    /// @returns false if the kernel refused
     bool apply_to_this_process() const;
 
 private:
     explicit Confinement(int rules) : rules_(rules) {}
-    int rules_ = -1;
+    int rules_ = -1;  ///< file descriptor of the rules; -1: none
 };
 
 }  // namespace si::test

@@ -21,11 +21,11 @@
 namespace si::test {
 namespace {
 
-using Sets = std::vector<std::pair<std::string, std::string>>;  // keys and values
+using Sets = std::vector<std::pair<std::string, std::string>>;  // keys with values
 
 constexpr int kWidth = 128, kHeight = 72;
 
-/// A box and a post on a floor, and a sheet above it: shadows that touch what casts them and such that do not.
+/// Makes a box and a post on a floor, and a sheet above: shadows that touch their casters and shadows that do not.
 Scene still_life() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f}),
@@ -39,10 +39,10 @@ Scene still_life() {
     return scene;
 }
 
-/// What a table's pictures have in common, and what single rows have besides.
+/// Common settings of a table's pictures, and further settings of single rows.
 struct GoldenTable {
     std::string name;
-    std::string key;  ///< of the setting whose choices are the rows
+    std::string key;  ///< key of the setting with these rows as choices
     Sets sets;
     std::map<std::string, Sets, std::less<>> rows = {};
 };
@@ -143,7 +143,7 @@ std::vector<GoldenPicture> golden_pictures(const std::string& table) {
         const std::string row(choice.key);
         if (row != "none" || table == "sources") out.push_back(picture_of(*found, row, {{found->key, row}}));
     }
-    if (table == "biases")  // beside bias.kind
+    if (table == "biases")  // in addition to bias.kind
         for (const Bias& bias : biases()) {
             const std::string row(bias.key);
             if (bias.stage == BiasStage::LookUp) out.push_back(picture_of(*found, row, {{"bias.normal", "1.5"}}));

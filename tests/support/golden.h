@@ -1,5 +1,5 @@
-// Golden pictures: a small picture of each row of each table of techniques, drawn once and looked at by a person.
-// tests/golden holds them, tests/tools/draw_golden.cpp draws them again.
+// Draws and reads golden pictures: one reviewed picture per row of each table of techniques. tests/golden holds the
+// files and tests/tools/draw_golden.cpp draws them.
 #pragma once
 
 #include <filesystem>
@@ -10,34 +10,40 @@
 
 namespace si::test {
 
-/// A row of a table, with the scene and the settings that show it.
+/// Scene and settings that show one row of a table of techniques.
 struct GoldenPicture {
-    std::string table, row;
-    std::string setting;  ///< key of the setting whose choices are the table's rows: "filter.kernel"
+    std::string table;    ///< name of the table: "filters"
+    std::string row;      ///< key of the row: "tent3"
+    std::string setting;  ///< key of the setting with these rows as choices: "filter.kernel"
     Scene scene;
     Settings settings;
-    std::string name() const { return table + "-" + row; }      ///< "filters-tent3", the file's name
-    std::string choice() const { return setting + "=" + row; }  ///< "filter.kernel=tent3"
+    /// Returns the picture's file name without its ending: "filters-tent3".
+    std::string name() const { return table + "-" + row; }
+    /// Returns the setting with its value: "filter.kernel=tent3".
+    std::string choice() const { return setting + "=" + row; }
 };
 
-/// Returns the names of the tables: "filters", "biases", ...
+/// Returns the names of all tables that have golden pictures: "filters", "biases", ...
 std::vector<std::string> golden_tables();
 
-/// Returns one picture for each row of a table. @throws Error where there is no such table
+/// Returns the golden pictures of a table, one per row, with their scenes and settings.
+/// @throws Error if there is no such table
 std::vector<GoldenPicture> golden_pictures(const std::string& table);
 
-/// Draws the picture: 128 x 72 pixels of the visibility, or of the view that shows the row best.
+/// Draws a golden picture: 128 x 72 pixels of the visibility, or of the view that shows the row best.
 ByteImage draw_golden(Renderer& renderer, const GoldenPicture& picture);
 
-/// Returns tests/golden of source_tree().
+/// Returns the folder of the golden pictures: tests/golden in source_tree().
 std::filesystem::path golden_folder();
-/// Returns the file of a picture in a folder.
+/// Returns the path of a golden picture's file in a folder.
 std::filesystem::path golden_file(const std::filesystem::path& folder, const GoldenPicture& picture);
 
-/// @returns an empty image where there is no such file. @throws Error where it is no picture
+/// Reads the file of a golden picture.
+/// @returns an empty image if there is no such file
+/// @throws Error if the file is not a picture
 ByteImage read_golden(const std::filesystem::path& file);
 
-/// Grey, and brighter where two pictures of one size differ more.
+/// Draws a grey picture of the differences between two pictures of equal size. Larger differences are brighter.
 ByteImage golden_difference(const ByteImage& a, const ByteImage& b);
 
 }  // namespace si::test

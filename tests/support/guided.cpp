@@ -11,21 +11,21 @@
 namespace si::test {
 namespace {
 
-bool named(const Guided::Nodes& nodes, const std::string& path) {
+bool named(const GuidedDrawing::Nodes& nodes, const std::string& path) {
     return std::any_of(nodes.begin(), nodes.end(), [&](const std::string& node) {
         return node.ends_with('*') ? path.starts_with(std::string_view(node).substr(0, node.size() - 1)) : path == node;
     });
 }
 
-/// The scene with these nodes' objects alone.
-Scene only(Scene scene, const Guided::Nodes& nodes) {
+/// Returns the scene with the objects of these nodes only.
+Scene only_nodes(Scene scene, const GuidedDrawing::Nodes& nodes) {
     std::erase_if(scene.objects, [&](const Object& o) { return !named(nodes, scene.nodes[std::size_t(o.node)].path); });
     return scene;
 }
 
 }  // namespace
 
-Guided::Guided(const std::string& key, const ClaimSubject& subject) {
+GuidedDrawing::GuidedDrawing(const std::string& key, const ClaimSubject& subject) {
     const Preset preset = load_preset(subject.preset.empty() ? key : subject.preset);
     scene = load_scene(preset.scene);
     settings = preset.settings;
@@ -34,12 +34,12 @@ Guided::Guided(const std::string& key, const ClaimSubject& subject) {
     if (shot.frame.map_view.texture) map_view = hard_renderer().read_colour(shot.frame.map_view);
 }
 
-const RayReference& Guided::rays() const {
+const RayReference& GuidedDrawing::rays() const {
     if (!rays_) rays_.emplace(scene);
     return *rays_;
 }
 
-const std::vector<std::optional<Hit>>& Guided::hits() const {
+const std::vector<std::optional<Hit>>& GuidedDrawing::hits() const {
     if (hits_.empty())
         for (int y = 0; y < shot.height; ++y)
             for (int x = 0; x < shot.width; ++x) {
@@ -50,7 +50,7 @@ const std::vector<std::optional<Hit>>& Guided::hits() const {
     return hits_;
 }
 
-const ErrorMetrics& Guided::error() const {
+const ErrorMetrics& GuidedDrawing::error() const {
     if (error_) return *error_;
     ReferenceCache cache;
     const FrameRequest request{.width = shot.width, .height = shot.height};
@@ -60,13 +60,12 @@ const ErrorMetrics& Guided::error() const {
     return *error_;
 }
 
-const Classification& Guided::classification() const {
-    if (!classification_)
-        classification_ = Measurer(hard_renderer(), shot.width, shot.height).classify(scene, settings);
+const Classification& GuidedDrawing::classification() const {
+    if (!classification_) classification_ = Measurer(hard_renderer(), shot.width, shot.height).classify(scene, settings);
     return *classification_;
 }
 
-Guided::MeanErrors Guided::mean_errors() const {
+GuidedDrawing::MeanErrors GuidedDrawing::mean_errors() const {
     const ReferenceImage reference =
         trace_reference(rays(), shot.frame.camera, shot.light(), shot.width, shot.height, shot.frame.map_resolution, 6);
     MeanErrors sum;
@@ -75,11 +74,11 @@ Guided::MeanErrors Guided::mean_errors() const {
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
             const double v = shot.visibility.at(x, y);
-            if (reference.at(x, y) == Lit::Shadow) {
+            if (reference.state_at(x, y) == ReferenceState::Shadow) {
                 ++dark;
                 sum.bled += v;
             }
-            if (reference.at(x, y) == Lit::Lit) {
+            if (reference.state_at(x, y) == ReferenceState::Lit) {
                 ++lit;
                 sum.darkened += 1 - v;
             }
@@ -89,24 +88,24 @@ Guided::MeanErrors Guided::mean_errors() const {
     return {sum.bled / dark, sum.darkened / lit};
 }
 
-bool Guided::counts(std::size_t pixel, const Nodes& receivers) const {
+bool GuidedDrawing::counts(std::size_t pixel, const Nodes& receivers) const {
     if (!hits()[pixel]) return false;
     const Hit& hit = *hits()[pixel];
-    // Edge-on to the light, where rounding decides the side, is left out.
+    // Surfaces edge-on to the light are left out: rounding decides their side.
     if (glm::dot(hit.normal, direction_to(shot.light(), hit.position)) <= 0.02) return false;
     const int object = rays().triangle(hit.triangle).object;
     return receivers.empty() ||
            named(receivers, scene.nodes[std::size_t(scene.objects[std::size_t(object)].node)].path);
 }
 
-/// Calls `use(hit, visibility)` for the pixels that count.
+/// Calls `use(hit, visibility)` for the counted pixels.
 template <class Use>
-void Guided::each_pixel(const Nodes& receivers, Use use) const {
+void GuidedDrawing::each_pixel(const Nodes& receivers, Use use) const {
     for (std::size_t i = 0; i < hits().size(); ++i)
         if (counts(i, receivers)) use(*hits()[i], shot.visibility.data[i]);
 }
 
-int Guided::edges(const Nodes& receivers) const {
+int GuidedDrawing::edges(const Nodes& receivers) const {
     int count = 0;
     for (std::size_t i = 0; i + 1 < hits().size(); ++i)
         if ((i + 1) % std::size_t(shot.width) != 0 && counts(i, receivers) && counts(i + 1, receivers))
@@ -114,7 +113,7 @@ int Guided::edges(const Nodes& receivers) const {
     return count;
 }
 
-double Guided::mean_of_drawn(const std::function<double(int x, int y)>& value) const {
+double GuidedDrawing::mean_of_drawn(const std::function<double(int x, int y)>& value) const {
     const FloatImage& map = shot.maps.at(0);
     const double empty = shot.view().curve.convention.far_depth();
     double sum = 0;
@@ -129,11 +128,11 @@ double Guided::mean_of_drawn(const std::function<double(int x, int y)>& value) c
     return sum / std::max(count, 1);
 }
 
-bool Guided::shadowed(const RayReference& rays, const Hit& hit) const {
+bool GuidedDrawing::shadowed(const RayReference& rays, const Hit& hit) const {
     return rays.occluded(hit.position + 1e-5 * hit.normal, shot.light(), -1);
 }
 
-double Guided::wrongly_dark(const Nodes& receivers) const {
+double GuidedDrawing::wrongly_dark(const Nodes& receivers) const {
     int lit = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {
         if (!shadowed(rays(), hit)) {
@@ -145,9 +144,9 @@ double Guided::wrongly_dark(const Nodes& receivers) const {
     return double(wrong) / std::max(lit, 1);
 }
 
-double Guided::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
+double GuidedDrawing::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
     std::optional<RayReference> some;
-    if (!casters.empty()) some.emplace(only(scene, casters));
+    if (!casters.empty()) some.emplace(only_nodes(scene, casters));
     int shadow = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {
         if (shadowed(some ? *some : rays(), hit)) {
@@ -159,7 +158,7 @@ double Guided::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
     return double(wrong) / std::max(shadow, 1);
 }
 
-double Guided::lit_where(const std::function<bool(const glm::dvec4&, bool)>& chosen) const {
+double GuidedDrawing::lit_where(const std::function<bool(const glm::dvec4&, bool)>& chosen) const {
     int count = 0, lit = 0;
     each_pixel({}, [&](const Hit& hit, float v) {
         if (!chosen(uvdw(view_of(shot.light(), hit.position), hit.position), shadowed(rays(), hit))) return;
@@ -170,7 +169,7 @@ double Guided::lit_where(const std::function<bool(const glm::dvec4&, bool)>& cho
     return count > 0 ? double(lit) / count : -1;
 }
 
-double Guided::grey() const {
+double GuidedDrawing::grey() const {
     int count = 0, seen = 0;
     each_pixel({}, [&](const Hit&, float v) {
         ++seen;
@@ -179,7 +178,7 @@ double Guided::grey() const {
     return double(count) / std::max(seen, 1);
 }
 
-int Guided::grey_levels() const {
+int GuidedDrawing::grey_levels() const {
     std::set<long> levels;
     each_pixel({}, [&](const Hit&, float v) {
         if (v > 0.005f && v < 0.995f) levels.insert(std::lround(v * 1000));
@@ -187,7 +186,7 @@ int Guided::grey_levels() const {
     return int(levels.size());
 }
 
-double Guided::dark() const {
+double GuidedDrawing::dark() const {
     int count = 0, seen = 0;
     each_pixel({}, [&](const Hit&, float v) {
         ++seen;

@@ -1,4 +1,4 @@
-// A guided preset as drawn, with what its claims measure.
+// Draws guided presets and measures the drawings for claims.
 #pragma once
 
 #include <functional>
@@ -14,57 +14,66 @@
 
 namespace si::test {
 
-/// One drawing of a claim. Rays are traced when a metric first needs them: each is tried against every triangle.
-class Guided {
+/// Drawing of a guided preset with the metrics that its claims use. Reference rays test every triangle, so a metric
+/// traces them on first use.
+class GuidedDrawing {
 public:
-    /// @param key preset of subjects that name none
-    Guided(const std::string& key, const ClaimSubject& subject);
+    /// Draws the preset that the subject names, with the subject's changes of settings.
+    /// @param key preset to draw if the subject names none
+    GuidedDrawing(const std::string& key, const ClaimSubject& subject);
 
+    /// Paths of scene nodes; a path includes all objects below the node.
     using Nodes = std::vector<std::string>;
 
-    /// Share of drawn-dark pixels among those of the receivers that are lit in the reference.
+    /// Returns the share of false shadow: drawn-dark pixels among the receivers' pixels that are lit in the reference.
     double wrongly_dark(const Nodes& receivers) const;
-    /// Share of drawn-lit pixels among those of the receivers that one of the casters shadows in the reference.
+    /// Returns the share of false light: drawn-lit pixels among the receivers' pixels that one of the casters shadows
+    /// in the reference.
     double wrongly_lit(const Nodes& receivers, const Nodes& casters) const;
-    /// Number of changes between lit and dark from pixel to pixel of a row, on the receivers.
+    /// Counts shadow edges on the receivers: changes between lit and dark along rows of pixels.
     int edges(const Nodes& receivers) const;
-    /// Share of pixels with geometry whose visibility lies between shadow and light.
+    /// Returns the share of partly lit pixels (visibility between 0 and 1) among pixels with geometry.
     double grey() const;
-    /// Number of grey levels between shadow and light, in steps of 1/1000.
+    /// Counts the distinct visibilities between 0 and 1, in steps of 1/1000.
     int grey_levels() const;
-    /// Share of drawn-dark pixels among those with geometry.
+    /// Returns the share of drawn-dark pixels among pixels with geometry.
     double dark() const;
-    /// Share of drawn-lit pixels among those that `chosen` holds for; -1 if there are none.
+    /// Returns the share of drawn-lit pixels among the pixels that `chosen` accepts; -1 if `chosen` accepts none.
+    /// @param chosen filter by map coordinates (u, v), depth and w, and by the reference
     double lit_where(const std::function<bool(const glm::dvec4& uvdw, bool shadow_in_reference)>& chosen) const;
-    /// Mean of `value(x, y)` over the texels of the first map that something was drawn into.
+    /// Returns the mean of `value(x, y)` over those texels of the first map that hold a caster.
     double mean_of_drawn(const std::function<double(int x, int y)>& value) const;
 
-    /// Means over pixels that no edge of a shadow is near: visibility in shadow, and 1 - visibility in light.
+    /// Mean errors over pixels away from shadow edges.
     struct MeanErrors {
-        double bled = 0;
-        double darkened = 0;
+        double bled = 0;      ///< mean visibility in shadow
+        double darkened = 0;  ///< mean of 1 - visibility in light
     };
+    /// Returns the mean errors in shadow and in light, away from shadow edges.
     MeanErrors mean_errors() const;
 
-    /// Errors of the whole picture, by cause.
+    /// Returns the error metrics of the whole picture, by cause.
     const ErrorMetrics& error() const;
-    /// The same drawing without anything cached.
+    /// Returns the classification of all pixels, measured on a second drawing without caches.
     const Classification& classification() const;
 
     Scene scene;
     Settings settings;
     Shot shot;
-    ByteImage map_view;  ///< picture of the map viewer
+    ByteImage map_view;  ///< picture shown by the map viewer
 
 private:
-    /// Returns whether the pixel's surface faces the light and belongs to the receivers.
+    /// Returns whether a pixel belongs to the receivers and faces the light.
     bool counts(std::size_t pixel, const Nodes& receivers) const;
+    /// Calls `use(hit, visibility)` for each pixel that counts() accepts.
     template <class Use>
     void each_pixel(const Nodes& receivers, Use use) const;
+    /// Returns whether the light's rays to a hit are blocked in the reference.
     bool shadowed(const RayReference& rays, const Hit& hit) const;
 
+    /// Returns the reference rays of the scene, prepared on first use.
     const RayReference& rays() const;
-    /// First hit of each pixel's ray.
+    /// Returns the first hit of each pixel's ray, row by row from the top.
     const std::vector<std::optional<Hit>>& hits() const;
 
     mutable std::vector<std::optional<Hit>> hits_;

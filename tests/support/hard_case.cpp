@@ -14,7 +14,7 @@
 namespace si::test {
 namespace {
 
-/// Values outside of [0, most] or NaN, and the first of them.
+/// Fails for values outside [0, most] or NaN, and names the first.
 testing::AssertionResult all_within(const FloatImage& image, float most, const char* what) {
     std::size_t bad = 0, first = 0;
     for (std::size_t i = 0; i < image.data.size(); ++i)
@@ -25,8 +25,8 @@ testing::AssertionResult all_within(const FloatImage& image, float most, const c
                                        << first % std::size_t(image.width) << ", " << first / std::size_t(image.width);
 }
 
-// The mean of up to a hundred weighted comparisons rounds: a few steps of a float above 1 are no fault.
-constexpr float kMostVisibility = 1 + 0x1p-21f;
+// The mean of up to a hundred weighted comparisons rounds: a few float steps above 1 are accepted.
+constexpr float kMaxVisibility = 1 + 0x1p-21f;
 
 int overlay_row(std::string_view key) {
     for (std::size_t i = 0; i < overlays().size(); ++i)
@@ -53,7 +53,7 @@ void expect_finite(const FrameResult& frame) {
 }  // namespace
 
 Renderer& hard_renderer() {
-    // Neither static objects nor exit handlers: parts of the driver may be gone before those, while its threads still
+    // Static objects and exit handlers would end too late: parts of the driver may be gone, while its threads still
     // draw.
     struct Shared : testing::EmptyTestEventListener {
         std::optional<HeadlessContext> context{std::in_place};
@@ -65,7 +65,8 @@ Renderer& hard_renderer() {
         }
     };
     static Shared* shared = nullptr;
-    if (!shared) testing::UnitTest::GetInstance()->listeners().Append(shared = new Shared);  // which owns it
+    // the test framework owns it
+    if (!shared) testing::UnitTest::GetInstance()->listeners().Append(shared = new Shared);
     shared->context->make_current();
     expect_requested_driver();
     return *shared->renderer;
@@ -88,7 +89,7 @@ Shot draw_shot(const Scene& scene, const Settings& settings, int width, int heig
     expect_finite(shot.frame);
     if (shot.frame.visibility.texture) shot.visibility = renderer.read_float(shot.frame.visibility, 1);
     EXPECT_EQ(shot.visibility.data.size(), std::size_t(width) * std::size_t(height));
-    EXPECT_TRUE(all_within(shot.visibility, kMostVisibility, "visibility"));
+    EXPECT_TRUE(all_within(shot.visibility, kMaxVisibility, "visibility"));
     shot.colour = renderer.read_colour(shot.frame.colour);
     const std::size_t light = std::size_t(std::max(s.view.light, 0));
     if (light < shot.frame.lights.size() && shot.frame.lights[light].casts)
@@ -121,33 +122,33 @@ double shadow_share(const Shot& shot) {
     return shot.visibility.data.empty() ? 0 : double(dark) / double(shot.visibility.data.size());
 }
 
-ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
+ReferenceErrors compare_with_reference(const Shot& shot, const Scene& scene, double reach_texels) {
     const RayReference rays(scene);
-    EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "truth and picture see different scenes";
+    EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "reference and picture have different scenes";
     const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
                                                      shot.frame.map_resolution, reach_texels);
     ReferenceErrors e;
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
-            const Lit lit = reference.at(x, y);
-            if (lit == Lit::Nothing || lit == Lit::Away) continue;
+            const ReferenceState lit = reference.state_at(x, y);
+            if (lit == ReferenceState::Nothing || lit == ReferenceState::Away) continue;
             ++e.domain;
             const float v = shot.visibility.at(x, y);
-            if (lit == Lit::Shadow) {
+            if (lit == ReferenceState::Shadow) {
                 ++e.shadow;
                 e.false_light += v >= 0.5f;
                 e.any_leak += v > 1e-3f;
             }
-            if (lit == Lit::Lit) {
+            if (lit == ReferenceState::Lit) {
                 e.false_shadow += v < 0.5f;
                 e.any_acne += v < 1 - 1e-3f;
             }
-            if (lit == Lit::Boundary) ++e.boundary;
+            if (lit == ReferenceState::Boundary) ++e.boundary;
         }
     return e;
 }
 
-int kernel(std::string_view key) {
+int kernel_row(std::string_view key) {
     for (std::size_t i = 0; i < filters().size(); ++i)
         if (filters()[i].key == key) return int(i);
     ADD_FAILURE() << "no kernel " << key;

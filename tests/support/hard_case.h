@@ -1,4 +1,4 @@
-// What the hard cases share: one renderer, shots whose every number is checked to be finite, and ways to compare them.
+// Draws and compares pictures for the tests of the hard cases, on one shared renderer.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,80 +11,105 @@
 
 namespace si::test {
 
-/// The renderer of this process, on a headless context; made on first use.
+/// Returns the renderer that all hard cases of the process share. The first call creates the renderer and its headless
+/// context.
 Renderer& hard_renderer();
 
-/// Everything of a frame that may hold a bad number.
+/// Read-back results of one drawn frame: visibility, colours and shadow maps of view.light.
 struct Shot {
     FrameResult frame;
-    FloatImage visibility;  ///< of view.light; NaN-free (checked)
-    ByteImage colour;
-    std::vector<FloatImage> maps;  ///< of view.light, one a face; empty when it casts nothing
-    int width = 0, height = 0;
+    FloatImage visibility;         ///< visibility of view.light, 0 to 1, without NaN (checked)
+    ByteImage colour;              ///< shaded picture
+    std::vector<FloatImage> maps;  ///< depths of view.light, one map per face; empty for lights without shadow
+    int width = 0;                 ///< pixels
+    int height = 0;                ///< pixels
+    /// Returns a light as fitted for the frame. @throws std::out_of_range
     const FittedLight& light(std::size_t i = 0) const { return frame.lights.at(i); }
+    /// Returns a view (face or cascade) of the first light. @throws std::out_of_range
     const LightView& view(std::size_t i = 0) const { return frame.lights.at(0).views.at(i); }
 };
 
-/// Draws and demands what holds for every case (C0): no NaN or infinity in matrices, maps and visibility, visibility
-/// and depth within [0,1], no fragment under the NaN overlay, no message of the driver.
+/// Draws a scene and fails the test where a result is not sound. Checked are: finite matrices, maps and visibility;
+/// visibility and depth within [0,1]; an empty NaN overlay; no message of the driver.
+/// @param width, height pixels
 Shot draw_shot(const Scene& scene, const Settings& settings, int width = 160, int height = 120);
 
-/// Pixels whose visibility differs by more than `tolerance`, as a share of those that show geometry in `a`.
+/// Returns the share of pixels whose visibility differs by more than `tolerance`, among the pixels with geometry in
+/// `a`.
 double differing_share(const Shot& a, const Shot& b, double tolerance = 0.02);
 
-/// Share of the pixels with visibility below one half.
+/// Returns the share of pixels with visibility below one half.
 double shadow_share(const Shot& shot);
 
-/// Errors against the truth, as shares of the pixels that face the light (and lie in its map).
+/// Pixel counts of a comparison with the ray-traced reference, over pixels whose surface faces the light.
 struct ReferenceErrors {
-    int domain = 0, shadow = 0, boundary = 0;
-    int false_shadow = 0, false_light = 0;  ///< inside, boundary pixels left out
-    int any_acne = 0;                       ///< fully lit in truth, visibility below 1 - 1e-3
-    int any_leak = 0;                       ///< fully shadowed in truth, visibility above 1e-3
+    int domain = 0;        ///< compared pixels
+    int shadow = 0;        ///< pixels in shadow in the reference
+    int boundary = 0;      ///< pixels near a shadow edge of the reference
+    int false_shadow = 0;  ///< drawn-dark pixels, lit in the reference, away from edges
+    int false_light = 0;   ///< drawn-lit pixels, in shadow in the reference, away from edges
+    int any_acne = 0;      ///< pixels fully lit in the reference, with visibility below 1 - 1e-3
+    int any_leak = 0;      ///< pixels fully in shadow in the reference, with visibility above 1e-3
 };
-ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texels);
+/// Compares a drawn frame's visibility with reference rays of its first light.
+/// @param reach_texels distance from a shadow edge within which a pixel counts as boundary, map texels
+ReferenceErrors compare_with_reference(const Shot& shot, const Scene& scene, double reach_texels);
 
-/// Row of the filter table by key.
-int kernel(std::string_view key);
+/// Returns the index of a filter kernel in filters(). Fails the test if there is no such key.
+int kernel_row(std::string_view key);
 
-/// A floor of `size` metres at y = 0 with a box of `box` metres that floats `gap` metres above its middle.
+/// Makes a scene of a square floor at y = 0 with a box above its middle.
+/// @param size side of the floor, metres
+/// @param box sides of the box, metres
+/// @param gap height of the box's bottom above the floor, metres
 Scene floor_and_box(double size = 10, const glm::dvec3& box = {1.5, 1, 2}, double gap = 0);
 
-/// A floor of 10 m with a sheet of 3 m so far above it.
+/// Makes a scene of a floor of 10 x 10 m with a parallel sheet of 3 x 3 m above its middle.
 Scene sheet_over_floor(double height_m);
 
+/// All types of light, for loops over them.
 inline constexpr LightType kLightTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
 
-/// As map.format has it.
+/// Returns the name of a map format as in the setting map.format: "d16".
 std::string format_name(MapFormat format);
 
-/// A directional light of 30 degrees azimuth and 40 degrees elevation, a map of 512, hand-set camera above the floor.
+/// Returns settings with a directional light (azimuth 30, elevation 40 degrees), a map of 512 x 512 texels and a manual
+/// camera above the floor.
 Settings hard_settings();
 
-/// The same with a map over the whole scene and a bias of so many texels and no other.
+/// Returns hard_settings() with a map over the whole scene and a constant bias in texels as the only bias.
+/// @param filter key of the filter kernel
+/// @param resolution texels per side of the map
+/// @param constant_texels constant bias, texel sizes
 Settings texel_settings(std::string_view filter, int resolution, double constant_texels);
 
-/// A wall 2 m high on a plane of 20 m, and the settings of texel_settings() under a sun 15 degrees high behind it.
+/// Makes a scene of a wall 2 m high on a plane of 20 x 20 m.
 Scene wall_on_plane();
+
+/// Returns texel_settings() with a sun 15 degrees high behind the wall of wall_on_plane().
 Settings low_sun_settings(std::string_view filter, int resolution, double constant_texels);
 
-/// Moves all of a scene, its cameras too, and what a hand-set camera looks at.
+/// Moves all root nodes and cameras of a scene by a distance in world metres.
 void move_scene(Scene& scene, const glm::dvec3& by);
+
+/// Moves the target of a manual camera by a distance in world metres.
 void move_camera(Settings& settings, const glm::dvec3& by);
 
-/// Where a scene stands and where its light comes from: at home, far away under a light at an exact right angle, and
-/// beside the origin under one straight above. Tests take them by turns.
+/// Position of a scene and direction of its light.
 struct Place {
-    glm::dvec3 at{0};
-    double azimuth = 30, elevation = 60;
+    glm::dvec3 at{0};       ///< offset of the scene, world metres
+    double azimuth = 30;    ///< azimuth of the light, degrees
+    double elevation = 60;  ///< elevation of the light, degrees
 };
+/// Places that tests of biases and kernels alternate between: the origin, a distant place with a light at an exact
+/// right angle, and a place near the origin with a light straight above.
 inline constexpr Place kPlaces[] = {{}, {{4e3, -120, 9e3}, 90, 60}, {{-70, 5, 8}, 180, 90}};
 
-/// A floor of 10 m there, and a sheet of 4 m 2.25 m above its middle. No box: its walls would lie along the rays of a
-/// light at a right angle, where a driver may draw a sliver of no width with any depth.
+/// Makes a scene of a floor of 10 x 10 m at a place, with a sheet of 4 x 4 m at 2.25 m above its middle. A box would
+/// have walls along the rays of lights at right angles, where drivers may draw slivers of any depth.
 Scene floor_under_sheet(const Place& place);
 
-/// No bias of any kind, in units of depth.
+/// Returns bias settings with all amounts 0, in units of depth.
 BiasSettings no_bias();
 
 }  // namespace si::test

@@ -1,4 +1,4 @@
-// The scenes and settings of the table of hard cases, as tests draw them.
+// Draws rows of the table of hard cases with the settings of their presets.
 #pragma once
 
 #include <string>
@@ -11,14 +11,19 @@
 
 namespace si::test {
 
+/// Changes of settings: keys with values.
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
+/// Scene and settings of one hard case, ready to draw.
 struct DrawnCase {
     Scene scene;
     Settings settings;
 };
 
-/// A row's scene with the settings of its preset, and changes to them.
+/// Returns a hard case's scene with the settings of its preset and further changes. Fails the test if there is no such
+/// case.
+/// @param key key of the row in the table of hard cases
+/// @param fixed chooses the preset with the fix; otherwise the preset that shows the fault
 inline DrawnCase hard_view(std::string_view key, bool fixed, const Changes& changes = {}) {
     for (const HardCaseView& view : hard_case_views())
         if (view.row->key == key && (view.fixed == fixed || view.row->broken.empty())) {
@@ -30,6 +35,7 @@ inline DrawnCase hard_view(std::string_view key, bool fixed, const Changes& chan
     return {};
 }
 
+/// Draws a hard case and checks the results as draw_shot() of its scene and settings does. Sizes are pixels.
 inline Shot draw_shot(const DrawnCase& c, int width = 160, int height = 120) {
     return draw_shot(c.scene, c.settings, width, height);
 }

@@ -1,5 +1,5 @@
-// Runs the tests of a folder. SI_LEAVE_OUT names traits, separated by commas, whose tests do not run, by default
-// "long"; SI_ONLY names the traits whose tests alone run.
+// Runs the tests of a folder. SI_LEAVE_OUT names traits, separated by commas, whose tests are left out, by default
+// "long". SI_ONLY names the traits whose tests alone run.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -31,7 +31,7 @@ constexpr struct {
     Trait trait;
 } kTraits[] = {{"driver-independent", Trait::DriverIndependent}, {"repeated", Trait::Repeated}, {"long", Trait::Long}};
 
-/// The patterns of googletest for a suite by itself and as an instance of a parameter.
+/// Returns googletest's patterns for a suite by itself and as an instance of a parameter.
 std::vector<std::string> patterns(const Stated& s) {
     const std::string name = s.name.empty() ? "*" : s.name;
     std::vector<std::string> out = {s.suite + "." + name, "*/" + s.suite + "." + name};
@@ -56,7 +56,7 @@ bool means_a_test(const Stated& s) {
     return false;
 }
 
-/// Joins the patterns of all tests that have one of the traits that a variable names. @returns false for no such trait
+/// Joins the patterns of all tests with one of the traits that a variable names. @returns false for an unknown trait
 bool add_patterns(const char* variable, std::string& to) {
     const char* value = std::getenv(variable);
     std::istringstream keys(value ? value : "");
@@ -77,8 +77,8 @@ bool add_patterns(const char* variable, std::string& to) {
     return true;
 }
 
-/// Lists skipped tests that lack something, for the summary of test.sh. At the end of a test, since googletest holds
-/// its lock while it reports a part of one.
+/// Writes down tests that were skipped because something is missing, for the summary of test.sh. The listing happens at
+/// the end of a test, because googletest holds its lock while it reports a part of one.
 class LackingTests : public testing::EmptyTestEventListener {
     void OnTestEnd(const testing::TestInfo& test) override {
         for (int i = 0; i < test.result()->total_part_count(); ++i) {
@@ -110,12 +110,12 @@ int main(int argc, char** argv) {
         }
     std::string filter = testing::GTEST_FLAG(filter), only, without;
     if (!std::getenv("SI_ONLY")) setenv("SI_LEAVE_OUT", "long", 0);
-    // The driver keeps compiled shaders here, also for commands and windows: half of the time is compiling them.
+    // The driver keeps compiled shaders here, also for commands and windows, because compiling takes half of the time.
     setenv("MESA_SHADER_CACHE_DIR", SI_TEST_OUTPUT_DIR "/shader-cache", 0);
     if (!add_patterns("SI_ONLY", only) || !add_patterns("SI_LEAVE_OUT", without)) return 1;
     if (filter == "*" && !only.empty()) filter = only;
     if (!without.empty()) filter += (filter.find('-') == std::string::npos ? "-" : ":") + without;
     testing::GTEST_FLAG(filter) = filter;
-    testing::UnitTest::GetInstance()->listeners().Append(new LackingTests);  // which owns it
+    testing::UnitTest::GetInstance()->listeners().Append(new LackingTests);  // the test framework owns it
     return RUN_ALL_TESTS();
 }

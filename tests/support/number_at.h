@@ -1,4 +1,4 @@
-// Numbers of a sweep's rows, as results.json has them.
+// Reads numbers from the rows of a sweep's results.json.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// The number under a column's key ("error.mae") in a row of results.json; NaN when there is none.
+/// Returns the number of a column in a row of results.json; NaN if the row lacks the column.
+/// @param key key of the column, with dots between nested fields: "error.mae"
 inline double number_at(const nlohmann::ordered_json& row, std::string_view key) {
     const auto dot = key.find('.');
     if (!row.is_object()) return std::numeric_limits<double>::quiet_NaN();

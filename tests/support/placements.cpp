@@ -12,7 +12,7 @@
 namespace si::test {
 namespace {
 
-// Off any grid: no sum of few powers of two.
+// Offsets off any grid: no sums of few powers of two.
 constexpr Distance kDistances[] = {{"home"},
                                    {"100 m", {70.3, -13.7, 70.1}},
                                    {"10 km", {-7071.3, 130.7, 7071.1}},
@@ -150,7 +150,7 @@ std::vector<PlacedCase> pairwise_placements(std::size_t cases, std::uint32_t see
         for (int trial = 0; trial < 60; ++trial) {
             Row row;
             for (std::size_t i = 0; i < row.size(); ++i) row[i] = random.next() % sizes[i];
-            // Always one that is still wanted, so that every row brings something.
+            // Each row takes a missing pair, so that it adds at least one.
             auto it = wanted.begin();
             std::advance(it, std::ptrdiff_t(random.next() % wanted.size()));
             row[(*it)[0]] = (*it)[1];

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::array<const char*, 5> kScenes = {"boxes", "plane", "teapot", "relief", "figures"};
 
-constexpr int kMostTexels = 512;      ///< of a map along a side
-constexpr double kMostBlurred = 1e7;  ///< texels of all maps, times the texels that each is blurred over
-constexpr int kMostTaps = 512;        ///< of all lights, for a pixel
+constexpr int kMaxMapTexels = 512;         ///< texels per side of a map
+constexpr double kMaxBlurredTexels = 1e7;  ///< texels of all maps times the texels of their blur
+constexpr int kMaxTaps = 512;              ///< taps of all lights per pixel
 
-/// Not by the library's distributions, which differ from one to the next.
+/// Generator that is equal everywhere, unlike the standard library's distributions.
 class Chance {
 public:
     explicit Chance(unsigned seed) : random_(seed) {
@@ -35,9 +35,9 @@ private:
     std::mt19937 random_;
 };
 
-/// Rows that are of a scene's file, or would only make a case slow.
-double greatest(const Param& p) {
-    static const std::map<std::string_view, double> most = {{"map.resolution", kMostTexels},
+/// Returns the largest random value of a setting. Some limits are low, because high values only make a case slow.
+double max_random(const Param& p) {
+    static const std::map<std::string_view, double> most = {{"map.resolution", kMaxMapTexels},
                                                             {"light_map.resolution", 64},
                                                             {"light_map.samples", 4},
                                                             {"truth.samples", 16},
@@ -46,14 +46,15 @@ double greatest(const Param& p) {
     return found == most.end() ? p.max : std::min(p.max, found->second);
 }
 
+/// Returns whether a setting stays unchanged: texts, and settings that depend on the scene's file.
 bool is_left_alone(const Param& p) {
     return is_text(p) || p.key == "scene.index" || p.key == "scene.animation" || p.key == "scene.time" ||
            p.key == "camera.index";
 }
 
-/// @param kind 0 to 9: one end of the range, zero, or a value by chance; some zeros spare programs work
+/// @param kind 0 to 9: one end of the range, zero, or a random value; some zeros save programs work
 double random_number(int kind, Chance& chance, const Param& p, double standard) {
-    const double least = p.min, most = greatest(p);
+    const double least = p.min, most = max_random(p);
     if (p.unit == "deg" && kind < 3)
         return std::clamp(90.0 * std::round(chance.between(least, most) / 90), least, most);
     switch (kind) {
@@ -65,7 +66,7 @@ double random_number(int kind, Chance& chance, const Param& p, double standard) 
             return std::clamp(0.0, least, most);
         case 6:
             return chance.between(least, most);
-        case 7:  // over all magnitudes
+        case 7:  // over all orders of magnitude
             return std::clamp((chance.is(0.5) && least < 0 ? -1 : 1) * std::pow(10.0, chance.between(-6, 8)), least,
                               most);
         default: {
@@ -81,21 +82,21 @@ Value random_value(int kind, Chance& chance, const SettingRef& ref) {
     if (std::holds_alternative<bool>(standard)) return chance.is(0.5);
     if (p.choices) return chance.below(int(p.choices().size()));
     if (const int* whole = std::get_if<int>(&standard))
-        return int(std::lround(std::clamp(random_number(kind, chance, p, *whole), p.min, greatest(p))));
+        return int(std::lround(std::clamp(random_number(kind, chance, p, *whole), p.min, max_random(p))));
     return random_number(kind, chance, p, std::get<double>(standard));
 }
 
-/// Whether programs depend on it, or how many images there are.
+/// Returns whether a setting selects programs or the number of images.
 bool is_of_programs(const SettingRef& ref) {
     return !std::holds_alternative<double>(default_value(ref)) && ref.param->key != "map.resolution";
 }
 
-/// Sets some of the rows. @param share of them that is changed
+/// Sets some of the rows. @param share probability that a row changes
 void set_rows(Settings& s, Chance& of_programs, Chance& of_numbers, double share, double view_share) {
     for (const SettingRef& ref : all_settings(s)) {
         if (is_left_alone(*ref.param) || ref.param->key == "light.count") continue;
         const double own = ref.param->key.starts_with("view.") ? view_share : share;
-        // All is drawn, so that one more row changes no other's value.
+        // Every row draws a random number, so that a new row changes no other's value.
         const bool taken = of_programs.is(own);
         const int kind = of_programs.below(10);
         const Value value = random_value(kind, is_of_programs(ref) ? of_programs : of_numbers, ref);
@@ -103,7 +104,7 @@ void set_rows(Settings& s, Chance& of_programs, Chance& of_numbers, double share
     }
 }
 
-/// In sight of the scene, mostly: of a camera that sees nothing little can be told.
+/// Aims the camera at the scene in most cases: an empty view tests little.
 void aim(Settings& s, Chance& of_programs, Chance& chance, const Scene& scene) {
     const double radius = scene.bounds.radius();
     const glm::dvec3 centre = scene.bounds.centre();
@@ -131,18 +132,18 @@ void aim(Settings& s, Chance& of_programs, Chance& chance, const Scene& scene) {
     }
 }
 
-/// Within what a case may cost.
+/// Reduces the settings to the cost that a case may have.
 void make_cheap(Settings& s) {
     const int lights = std::max(s.light_count, 1);
     for (int* taps : {&s.filter.taps, &s.filter.blocker_taps, &s.filter.rays})
-        *taps = std::min(*taps, std::max(kMostTaps / lights, 1));
+        *taps = std::min(*taps, std::max(kMaxTaps / lights, 1));
     double views = 0;
     for (int i = 0; i < s.light_count; ++i) {
         const LightSettings& l = s.lights[std::size_t(i)];
         views += l.type == LightType::Point ? 6 : l.type == LightType::Directional ? l.cascades : 1;
     }
     const double blurred = 1 + 2 * s.map.blur_texels + 2 * s.filter.blur + s.map.samples;
-    while (s.map.resolution > 16 && views * blurred * s.map.resolution * s.map.resolution > kMostBlurred)
+    while (s.map.resolution > 16 && views * blurred * s.map.resolution * s.map.resolution > kMaxBlurredTexels)
         s.map.resolution /= 2;
 }
 
@@ -172,12 +173,13 @@ RandomCase random_case(unsigned seed) {
     Settings& s = out.settings;
     constexpr int kLights[] = {1, 1, 1, 1, 1, 2, 2, 3, 0, 5};
     s.light_count = of_programs.is(0.02) ? kMaxLights : kLights[of_programs.below(int(std::size(kLights)))];
-    // Few settings together, some, nearly all.
+    // The share is small, medium or large.
     constexpr double kShares[] = {0.06, 0.25, 0.8};
     const double view_share = of_programs.is(0.3) ? 0.5 : 0;
     set_rows(s, of_programs, of_numbers, kShares[of_programs.below(3)], view_share);
     set_objects(s, of_programs, scene);
-    if (of_programs.is(0.7)) s.filter.kernel = of_programs.below(int(filters().size()));  // on which most depends
+    // most behaviour depends on the kernel
+    if (of_programs.is(0.7)) s.filter.kernel = of_programs.below(int(filters().size()));
     aim(s, of_programs, of_numbers, scene);
     if (s.map.resolution == Settings().map.resolution) s.map.resolution = 32 << of_numbers.below(4);
     make_cheap(s);

@@ -1,4 +1,4 @@
-// Settings by chance, over the whole range of every row, degenerate values included.
+// Draws random settings over the whole range of every setting, degenerate values included.
 #pragma once
 
 #include <string>
@@ -8,17 +8,19 @@
 
 namespace si::test {
 
+/// Scene and random settings of one test case.
 struct RandomCase {
-    std::string scene;  ///< a built-in one
+    std::string scene;  ///< key of a built-in scene
     Settings settings;
 };
 
-/// The same number gives the same case everywhere. What programs are made of is shared by as many neighbours as
-/// kSeedsPerProgram: a CPU rasteriser takes far longer to make one than to draw with it.
+/// Returns the random case of a seed, which is the same on every machine. kSeedsPerProgram consecutive seeds share the
+/// settings that select shader programs, because compiling takes longer than drawing.
 RandomCase random_case(unsigned seed);
+/// Number of consecutive seeds that share their shader programs.
 inline constexpr unsigned kSeedsPerProgram = 25;
 
-/// A small scene that cases are of, read once.
+/// Returns a small built-in scene by its key. The first call for a key loads the scene.
 const Scene& small_scene(const std::string& key);
 
 }  // namespace si::test

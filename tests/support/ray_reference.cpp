@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kFar = 1e300;
 
-/// Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997; two-sided. Infinite when missed.
+/// Returns the distance of a two-sided hit; infinite for a miss. Möller and Trumbore, Fast, Minimum Storage
+/// Ray/Triangle Intersection, 1997.
 double intersect(const Triangle& t, const glm::dvec3& origin, const glm::dvec3& dir) {
     const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, p = glm::cross(dir, e2);
     const double det = glm::dot(e1, p);
@@ -54,7 +55,7 @@ RayReference::RayReference(const Scene& scene)
 }
 
 template <class Visit>
-bool RayReference::along(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const {
+bool RayReference::visit_near_line(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const {
     const double length2 = glm::dot(direction, direction);
     for (const Group& g : groups_) {
         const glm::dvec3 aside = glm::cross(g.centre - origin, direction);
@@ -69,7 +70,7 @@ std::optional<Hit> RayReference::first_hit(const glm::dvec3& origin_ws, const gl
     const glm::dvec3 origin = origin_ws - centre_;
     Hit hit;
     hit.distance = kFar;
-    along(origin, direction, [&](std::size_t i) {
+    visit_near_line(origin, direction, [&](std::size_t i) {
         const double t = intersect(triangles_[i], origin, direction);
         if (t > 0 && t < hit.distance) {
             hit.distance = t;
@@ -87,9 +88,9 @@ std::optional<Hit> RayReference::first_hit(const glm::dvec3& origin_ws, const gl
 bool RayReference::occluded(const glm::dvec3& point_ws, const FittedLight& light, int own, double least) const {
     const glm::dvec3 dir = direction_to(light, point_ws), origin = point_ws - centre_;
     const double reach = light.type == LightType::Directional ? kFar : glm::distance(light.position, point_ws);
-    // Neighbours in the receiver's own plane are met at distance 0.
+    // Neighbours in the receiver's own plane have hits at distance 0.
     const double from = std::max(least, 1e-9 * radius_);
-    return along(origin, dir, [&](std::size_t i) {
+    return visit_near_line(origin, dir, [&](std::size_t i) {
         if (int(i) == own) return false;
         const double t = intersect(triangles_[i], origin, dir);
         return t > from && t < reach;
@@ -118,8 +119,8 @@ ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, 
     ReferenceImage image;
     image.width = width;
     image.height = height;
-    image.lit.assign(std::size_t(width) * std::size_t(height), Lit::Nothing);
-    image.hits.resize(image.lit.size());
+    image.states.assign(std::size_t(width) * std::size_t(height), ReferenceState::Nothing);
+    image.hits.resize(image.states.size());
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const std::size_t at = std::size_t(y) * std::size_t(width) + std::size_t(x);
@@ -128,11 +129,11 @@ ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, 
             const std::optional<Hit> hit = image.hits[at] = scene.first_hit(origin, dir);
             if (!hit) continue;
             if (!faces_light(glm::dot(hit->normal, direction_to(light, hit->position)))) {
-                image.lit[at] = Lit::Away;
+                image.states[at] = ReferenceState::Away;
                 continue;
             }
             const bool shadow = scene.occluded(hit->position, light, hit->triangle);
-            image.lit[at] = shadow ? Lit::Shadow : Lit::Lit;
+            image.states[at] = shadow ? ReferenceState::Shadow : ReferenceState::Lit;
             if (!(reach_texels > 0)) continue;
             // The receiver's plane under map places around the point, along the light's rays.
             const LightView& view = view_of(light, hit->position);
@@ -145,7 +146,8 @@ ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, 
                     const glm::dvec3 ray = view.curve.perspective ? at_depth - view.eye : -view.axes[2];
                     const double slope = glm::dot(ray, hit->normal);
                     const glm::dvec3 moved = at_depth - ray * (glm::dot(aside, hit->normal) / slope);
-                    if (scene.occluded(moved, light, hit->triangle) != shadow) image.lit[at] = Lit::Boundary;
+                    if (scene.occluded(moved, light, hit->triangle) != shadow)
+                        image.states[at] = ReferenceState::Boundary;
                 }
         }
     return image;

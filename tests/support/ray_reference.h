@@ -1,4 +1,4 @@
-// The truth about shadows of small scenes: every ray against every triangle, in double.
+// Traces reference rays of small scenes in double precision, independently of renderer/reference.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,39 +11,51 @@
 
 namespace si::test {
 
+/// Triangle of a scene, relative to the scene's centre.
 struct Triangle {
-    glm::dvec3 a, b, c;  ///< relative to the scene's centre
-    glm::dvec3 normal;   ///< unit, by winding (mirrored objects: as drawn)
-    int object = 0;
+    glm::dvec3 a, b, c;  ///< corners, metres from the scene's centre
+    glm::dvec3 normal;   ///< unit normal by winding (mirrored objects: as drawn)
+    int object = 0;      ///< index into the scene's objects
 };
 
+/// Intersection of a ray with a triangle.
 struct Hit {
-    glm::dvec3 position;  ///< world
-    glm::dvec3 normal;    ///< unit, towards the ray's origin
-    int triangle = -1;
-    double distance = 0;
+    glm::dvec3 position;  ///< world metres
+    glm::dvec3 normal;    ///< unit normal, towards the ray's origin
+    int triangle = -1;    ///< index for RayReference::triangle()
+    double distance = 0;  ///< distance from the ray's origin, metres
 };
 
+/// Ray tracer that tests rays against the triangles of a small scene, two-sided, in double. Tests compare drawn shadows
+/// with its answers.
 class RayReference {
 public:
+    /// Copies the triangles of a scene.
     explicit RayReference(const Scene& scene);
+    /// Returns the nearest hit of a ray; nothing if the ray misses the scene.
+    /// @param origin_ws world metres
+    /// @param direction unit direction, world
     std::optional<Hit> first_hit(const glm::dvec3& origin_ws, const glm::dvec3& direction) const;
-    /// Whether a triangle other than `own` lies between the point and the light, two-sided. Hits nearer than
-    /// `least` metres do not count.
+    /// Returns whether a triangle lies between a point and the light.
+    /// @param own index of the point's own triangle, which is ignored
+    /// @param least smallest distance of an occluder that counts, metres
     bool occluded(const glm::dvec3& point_ws, const FittedLight& light, int own, double least = 0) const;
+    /// Returns the number of triangles of all objects.
     std::size_t triangle_count() const { return triangles_.size(); }
+    /// Returns a triangle by its index (Hit::triangle).
     const Triangle& triangle(int i) const { return triangles_[std::size_t(i)]; }
 
 private:
-    /// The triangles of one object, and a ball that holds them.
+    /// Range of one object's triangles with a sphere around them.
     struct Group {
-        std::size_t begin = 0, end = 0;
+        std::size_t begin = 0;
+        std::size_t end = 0;
         glm::dvec3 centre{0};
         double radius = 0;
     };
-    /// Calls `visit` with the number of each triangle whose group's ball the line meets, until it returns true.
+    /// Calls `visit` with the index of each triangle whose group's sphere the line meets, until `visit` returns true.
     template <class Visit>
-    bool along(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const;
+    bool visit_near_line(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const;
 
     std::vector<Triangle> triangles_;
     std::vector<Group> groups_;
@@ -51,27 +63,35 @@ private:
     double radius_ = 1;
 };
 
-enum class Lit { Nothing, Away, Lit, Shadow, Boundary };
+/// State of a pixel in the reference. Nothing: no geometry. Away: the surface faces away from the light. Boundary: a
+/// shadow edge lies within the reach of the comparison.
+enum class ReferenceState { Nothing, Away, Lit, Shadow, Boundary };
 
-/// What each pixel should be, row by row from the top. Nothing: no geometry. Away: the surface is turned from the
-/// light. Boundary: within `reach_texels` (per map axis, on the receiver's plane) the truth changes.
+/// Picture of reference states and first hits, row by row from the top.
 struct ReferenceImage {
-    int width = 0, height = 0;
-    std::vector<Lit> lit;
-    std::vector<std::optional<Hit>> hits;
-    Lit at(int x, int y) const { return lit[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
+    int width = 0;   ///< pixels
+    int height = 0;  ///< pixels
+    std::vector<ReferenceState> states;
+    std::vector<std::optional<Hit>> hits;  ///< first hit of each pixel's ray
+    /// Returns the state of a pixel; y counts from the top.
+    ReferenceState state_at(int x, int y) const { return states[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
+/// Traces the reference state of every pixel of a camera's picture.
+/// @param width, height size of the picture, pixels
+/// @param map_resolution texels per side of the light's map, for the size of a texel
+/// @param reach_texels distance of Boundary pixels from a shadow edge, in texels along each map axis on the receiver's
+///     plane
 ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, const FittedLight& light, int width,
                                int height, int map_resolution, double reach_texels);
 
-/// Direction from a point towards the light, unit.
+/// Returns the unit direction from a world point towards the light.
 glm::dvec3 direction_to(const FittedLight& light, const glm::dvec3& point_ws);
 
-/// The view of the light that a world point falls into (by its largest coordinate for six faces).
+/// Returns the light's view that covers a world point. A point light's face follows from the largest coordinate.
 const LightView& view_of(const FittedLight& light, const glm::dvec3& point_ws);
 
-/// Map coordinates and depth of a world point, and w, in double.
+/// Returns map coordinates (u, v), depth and w of a world point in double precision.
 glm::dvec4 uvdw(const LightView& view, const glm::dvec3& point_ws);
 
 }  // namespace si::test

@@ -7,10 +7,10 @@
 namespace si::test {
 namespace {
 
-// Neither a static object nor an exit handler: parts of the driver may be gone before those, while its threads draw.
+// Static objects and exit handlers would end too late: parts of the driver may be gone, while its threads still draw.
 struct Shared : testing::EmptyTestEventListener {
     std::optional<HeadlessContext> context{std::in_place};
-    // Enough for all tests of a shard, at some 4 MB each on llvmpipe.
+    // The limit is enough for all tests of a shard, at some 4 MB each on llvmpipe.
     std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>(gl::ShaderSource(), 200);
     void OnTestProgramEnd(const testing::UnitTest&) override {
         context->make_current();
@@ -21,7 +21,7 @@ struct Shared : testing::EmptyTestEventListener {
 
 Shared& shared() {
     static Shared* made = nullptr;
-    if (!made) testing::UnitTest::GetInstance()->listeners().Append(made = new Shared);  // which owns it
+    if (!made) testing::UnitTest::GetInstance()->listeners().Append(made = new Shared);  // the test framework owns it
     return *made;
 }
 

@@ -1,5 +1,5 @@
-// One OpenGL context for the drawing tests of a process, and the programs that they compile in it: making these for
-// each test takes as long as what the tests draw.
+// Shares one OpenGL context and its compiled programs among the drawing tests of a process, because making them for
+// each test takes as long as drawing.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace si::test {
 
-/// Makes the shared context current on this thread; the first call creates it.
+/// Makes the shared headless context current on this thread and returns it. The first call creates the context.
 HeadlessContext& shared_context();
 
-/// Returns the program cache of the shared context, for renderers made in it.
+/// Returns the program cache of shared_context(), for renderers made in that context.
 std::shared_ptr<gl::ProgramCache> shared_programs();
 
 }  // namespace si::test

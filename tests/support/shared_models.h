@@ -1,4 +1,4 @@
-// Real models beside the project, where they are there.
+// Lists real models in ../shared/models for tests, if that folder exists.
 #pragma once
 
 #include <filesystem>
@@ -6,12 +6,14 @@
 
 namespace si::test {
 
+/// Model file outside the repository.
 struct SharedModel {
     std::filesystem::path file;
-    bool may_be_refused = false;  ///< by name: it needs what the program does not read
+    bool may_be_refused = false;  ///< permission to fail: the file needs an unsupported extension
 };
 
-/// Those of ../shared/models that are to be read, in the order of its list; empty where there are none.
+/// Returns the existing models that ../shared/models/EXPECT.tsv marks as loadable, in that file's order. Empty if there
+/// are none.
 std::vector<SharedModel> shared_models();
 
 }  // namespace si::test

@@ -18,7 +18,7 @@ namespace si::test {
 namespace {
 
 constexpr const char* kPage = SI_SOURCE_DIR "/docs/lab/stability.md";
-constexpr const char* kRemedy = "; scripts/stability.sh writes it anew";
+constexpr const char* kHowToUpdate = "; scripts/stability.sh writes it again";
 constexpr std::string_view kIntro =
     "# Stability\n\n"
     "Results of the tests of the [hard cases](../hard-cases.md), by driver. `scripts/stability.sh` writes this page "
@@ -58,7 +58,7 @@ std::string joined(const std::vector<std::string>& cells) {
     return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-/// Section titles with the lines below them, in the document's order.
+/// Returns section titles with the lines below them, in the page's order.
 std::vector<std::pair<std::string, std::vector<std::string>>> sections() {
     std::vector<std::pair<std::string, std::vector<std::string>>> out;
     std::ifstream in(kPage);
@@ -76,7 +76,7 @@ public:
     static Results& get() {
         static Results* results = [] {
             auto* made = new Results;
-            testing::UnitTest::GetInstance()->listeners().Append(made);  // which owns it
+            testing::UnitTest::GetInstance()->listeners().Append(made);  // the test framework owns it
             return made;
         }();
         return *results;
@@ -136,22 +136,22 @@ void expect_document(const HardCase& row, bool holds) {
     if (driver.empty()) return;
     const auto it = std::ranges::find(rows, row.number, &StabilityRow::number);
     if (it == rows.end()) {
-        ADD_FAILURE() << kPage << " has no row of hard case " << row.number << " on " << driver << kRemedy;
+        ADD_FAILURE() << kPage << " has no row of hard case " << row.number << " on " << driver << kHowToUpdate;
         return;
     }
     EXPECT_EQ(it->verdict(), holds ? "holds" : "FAILS")
-        << kPage << ", hard case " << row.number << " on " << driver << kRemedy;
+        << kPage << ", hard case " << row.number << " on " << driver << kHowToUpdate;
 }
 
 }  // namespace
 
-void judge(int number, double value) {
-    hard_renderer();  // a context
+void expect_within_limit(int number, double value) {
+    hard_renderer();  // makes a context
     const HardCase& row = row_of(number);
     Results& results = Results::get();
     results.know_driver();
     std::optional<double>& worst = results.found[number].worst;
-    if (!worst || !(value <= *worst)) worst = value;  // NaN is the worst
+    if (!worst || !(value <= *worst)) worst = value;  // NaN counts as the worst
     EXPECT_LE(value, row.limit) << "hard case " << number << ", " << row.title << ": " << row.measure << ", in "
                                 << row.unit;
     expect_document(row, value <= row.limit);
@@ -165,12 +165,12 @@ void expect_fault(int number, double value) {
     std::optional<double>& least = results.found[number].least_fault;
     if (!least || !(value >= *least)) least = value;
     EXPECT_GE(value, row.min_fault) << "hard case " << number << ", " << row.title
-                                    << ", says nothing: " << row.fault_measure;
+                                    << ", proves nothing: " << row.fault_measure;
 }
 
 std::string stability_driver() {
     const std::string renderer = current_driver();
-    for (const char* driver : {"zink", "llvmpipe"})  // zink's name holds the other's
+    for (const char* driver : {"zink", "llvmpipe"})  // zink's name contains llvmpipe
         if (renderer.find(driver) != std::string::npos) return driver;
     return {};
 }

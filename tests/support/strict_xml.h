@@ -1,4 +1,4 @@
-// Whether a text is XML, for what the program writes: elements, attributes, words. No declarations, comments or CDATA.
+// Checks that a text is well-formed XML of elements, attributes and words.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace si::test {
 
-/// What is wrong and where; empty when it is well formed.
+/// Checks that a text is well-formed XML. Declarations, comments and CDATA are errors, since the program writes none.
+/// @returns the first fault and its place; empty for well-formed text
 std::string xml_fault(std::string_view text);
 
 }  // namespace si::test

@@ -6,13 +6,13 @@ namespace si::test {
 namespace {
 
 constexpr char32_t kBroken = 0xfffd;
-// What the bytes 80 to 9f are in code page 1252: the second half of letters that were read by it.
+// Characters of the bytes 80 to 9f in code page 1252: the second half of letters misread by that page.
 constexpr std::u32string_view kCp1252 =
     U"\u20ac\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\u017d\u2018\u2019\u201c\u201d\u2022"
     U"\u2013"
     U"\u2014\u02dc\u2122\u0161\u203a\u0153\u017e\u0178";
 
-/// Whether the byte of UTF-8 that continues a letter, read as Latin-1 or code page 1252, is this.
+/// Returns whether a character is a continuation byte of UTF-8, read as Latin-1 or code page 1252.
 bool continues(char32_t c) {
     return (c >= 0x80 && c <= 0xbf) || kCp1252.find(c) != std::u32string_view::npos;
 }
@@ -43,7 +43,7 @@ std::u32string code_points(std::string_view text) {
             whole = (b & 0xc0) == 0x80;
             c = c << 6 | (b & 0x3f);
         }
-        // Written longer than needed, halves of a pair, or beyond the last.
+        // Rejected: overlong forms, halves of a pair, and values above the last code point.
         whole = whole && utf8(c).size() == more + 1 && !(c >= 0xd800 && c < 0xe000) && c < 0x110000;
         out += whole ? c : kBroken;
         i += whole ? more + 1 : 1;

@@ -1,4 +1,4 @@
-// What is wrong with text that people read: bytes that are no UTF-8, and UTF-8 that was encoded twice.
+// Finds encoding faults in texts: bytes that are not UTF-8 and text that was encoded twice.
 #pragma once
 
 #include <string>
@@ -6,13 +6,16 @@
 
 namespace si::test {
 
-/// UTF-8 of a code point.
+/// Returns the UTF-8 bytes of a code point.
 std::string utf8(char32_t c);
-/// The code points of well-formed UTF-8; U+FFFD for what is not.
+/// Decodes UTF-8 to code points. Malformed bytes become U+FFFD.
 std::u32string code_points(std::string_view text);
 
-/// What is wrong with the text, with what stands around it; empty when nothing is.
+/// Finds the first encoding fault of a UTF-8 text.
+/// @returns the kind of fault with the surrounding text; empty if the text has no fault
 std::string text_fault(std::string_view text);
+/// Finds the first encoding fault of decoded text, where U+FFFD stands for malformed bytes.
+/// @returns the kind of fault with the surrounding text; empty if the text has no fault
 std::string text_fault(const std::u32string& text);
 
 }  // namespace si::test

@@ -1,17 +1,20 @@
-// States traits of tests, which runs select by.
+// Declares traits of tests, by which runs of the tests select.
 #pragma once
 
 namespace si::test {
 
+/// Property of a test that decides which runs include the test.
 enum class Trait {
-    DriverIndependent,  ///< decided by the program's own code: left out of the run on a second driver
-    Repeated,           ///< computes or draws one thing over and over: left out under the sanitizers
-    Long,               ///< minutes: run by hand
+    DriverIndependent,  ///< same result on every driver: left out of the run on a second driver
+    Repeated,           ///< repetition of one computation or drawing: left out under the sanitizers
+    Long,               ///< duration of minutes: run by hand
 };
 
-/// Remembers a trait of all tests whose suite and name contain these; `name` is null for all of a suite.
-/// The main program of the tests fails when no test is meant.
+/// Registration of a trait for the tests of a suite. The macros below define static objects of this type. The main
+/// program of the tests fails if a registration matches no test.
 struct TraitOf {
+    /// Registers a trait.
+    /// @param name name of the test; null: all tests of the suite
     TraitOf(Trait trait, const char* suite, const char* name);
 };
 
@@ -19,17 +22,17 @@ struct TraitOf {
 
 #define SI_TRAIT_JOIN_(a, b) a##b
 #define SI_TRAIT_NAME_(line) SI_TRAIT_JOIN_(si_trait_, line)
-/// SI_TESTS_ARE(Repeated, Suite): all tests of a suite, in each of its instances.
+/// Registers a trait for all tests of a suite, in each instance: SI_TESTS_ARE(Repeated, Suite).
 #define SI_TESTS_ARE(trait, suite)                                  \
     static const ::si::test::TraitOf SI_TRAIT_NAME_(suite##trait) { \
         ::si::test::Trait::trait, #suite, nullptr                   \
     }
-/// SI_INSTANCE_IS(Long, Instance, Suite): one instance of a suite.
+/// Registers a trait for one instance of a parameterised suite: SI_INSTANCE_IS(Long, Instance, Suite).
 #define SI_INSTANCE_IS(trait, instance, suite)                                \
     static const ::si::test::TraitOf SI_TRAIT_NAME_(instance##suite##trait) { \
         ::si::test::Trait::trait, #instance "/" #suite, nullptr               \
     }
-/// SI_TEST_IS(Repeated, Suite, Name): one test, in each of its instances.
+/// Registers a trait for one test, in each instance: SI_TEST_IS(Repeated, Suite, Name).
 #define SI_TEST_IS(trait, suite, name)                                    \
     static const ::si::test::TraitOf SI_TRAIT_NAME_(suite##name##trait) { \
         ::si::test::Trait::trait, #suite, #name                           \

@@ -51,7 +51,7 @@ protected:
         files_ = monkey_files(work_ / "files");
         if (const char* more = std::getenv("SI_MONKEY_FILES"))
             for (const auto& entry : fs::recursive_directory_iterator(more)) files_.push_back(entry.path());
-        confinement_ = Confinement::to(folder_);
+        confinement_ = Confinement::for_folder(folder_);
     }
 
     /// Nothing outside the test's folder can be changed by what it starts.

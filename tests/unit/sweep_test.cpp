@@ -222,7 +222,7 @@ TEST(Sweep, AnEmptyPictureIsNone) {
 TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
-    meter.most_resolution = 512;
+    meter.max_resolution = 512;
     f.run(meter, 10'000, {.on = false});
     const SweepResults results = f.measured();
     std::size_t smaller = 0;
