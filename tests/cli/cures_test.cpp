@@ -30,7 +30,7 @@ long long wrong(const Json& measured) {
     return n;
 }
 
-TEST(FixesPanel_, AreNullUnlessAskedForAndKeepTheirWord) {
+TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
     EXPECT_TRUE(run("measure", {"--no-time"})["cures"].is_null());
     const Json all = run("measure", {"--no-time", "--cures"});
     ASSERT_TRUE(all["cures"].is_array());
@@ -46,7 +46,7 @@ TEST(FixesPanel_, AreNullUnlessAskedForAndKeepTheirWord) {
               wrong(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
 }
 
-TEST(FixesPanel_, OfAProbedPixelPutItRight) {
+TEST(FixesInJson, CureTheProbedPixel) {
     for (int x = 60; x < 260; x += 7) {
         const Json probe = run("probe", {"--pixel", std::to_string(x) + ",120"});
         ASSERT_TRUE(probe["hit"].is_boolean());

@@ -47,7 +47,7 @@ std::pair<std::string, std::vector<double>> parts_of(const std::string& line) {
     return {m[1], {std::stod(m[2]), std::stod(m[3]), std::stod(m[4]), std::stod(m[5])}};
 }
 
-TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
+TEST(DocsTechniques, RedrawnRowEqualsTheRowOfThePage) {
     if (run_program({"info"}).out.find("llvmpipe") == std::string::npos)
         GTEST_SKIP() << "the page's pictures are llvmpipe's";
     const fs::path folder = copied_page();
@@ -93,7 +93,7 @@ TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
 }
 
 // Without drawing: the page's words are those of the tables.
-TEST(DocsTechniques, HasTheTextsOfTheTables) {
+TEST(DocsTechniques, ShowsTheTextsOfTheTables) {
     const std::string page = file_bytes(test::source_tree() / "docs/techniques.md");
     const auto expect_text = [&](std::string_view key, std::string_view help, std::string_view paper) {
         const std::string text =

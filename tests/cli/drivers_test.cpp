@@ -34,7 +34,7 @@ std::vector<float> floats(const fs::path& file) {
     return out;
 }
 
-TEST(Drivers, PresetsLookAlikeOnTwo) {
+TEST(Drivers, PresetsLookAlikeOnTwoDrivers) {
     const fs::path folder = fresh_test_folder();
     const std::string one = draw_presets("env -u MESA_LOADER_DRIVER_OVERRIDE", folder / "one");
     const std::string other = draw_presets("'" SI_SOURCE_DIR "/scripts/on_zink.sh'", folder / "other");

@@ -18,7 +18,7 @@ bool is_png(const fs::path& file) {
     return bytes.starts_with("\x89PNG") && bytes.substr(bytes.size() - 8, 4) == "IEND";
 }
 
-TEST(Streams, AClosedStderrTakesNoFilesNumber) {
+TEST(Streams, ClosedStderrTakesNoNumberOfAFile) {
     const fs::path folder = fresh_test_folder();
     const ProcessResult r = run_shell(kSweep + "2>&-", folder);
     EXPECT_EQ(r.code, 0) << r.out;
@@ -28,7 +28,7 @@ TEST(Streams, AClosedStderrTakesNoFilesNumber) {
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile).find("error and cost"), std::string::npos);
 }
 
-TEST(Streams, WithAllOfThemClosedThePictureIsWhole) {
+TEST(Streams, PictureIsWholeWithAllStreamsClosed) {
     const fs::path folder = fresh_test_folder();
     EXPECT_EQ(run_shell("\"$SI\" render boxes -o a.png --size 32x32 <&- >&- 2>&-", folder).code, 0);
     EXPECT_TRUE(is_png(folder / "a.png"));
@@ -45,7 +45,7 @@ TEST(Streams, NoMessageEndsTheProgram) {
     EXPECT_TRUE(is_png(folder / "a.png"));
 }
 
-TEST(FullDisk, LeavesTheOldFileAndNothingElse) {
+TEST(FullDisk, LeavesOnlyTheOldFile) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "a.png") << "old";
     // No file may grow beyond a block: as on a full disk, the first bytes are taken and the rest is not.
@@ -59,7 +59,7 @@ TEST(FullDisk, LeavesTheOldFileAndNothingElse) {
     EXPECT_NE(full.err.find("/dev/full: cannot be written: No space left on device"), std::string::npos) << full.err;
 }
 
-TEST(HostileWords, AnUnknownOneIsToldBeforeWhatItLeavesOut) {
+TEST(HostileWords, UnknownWordIsReportedBeforeMissingArguments) {
     const auto told = [](const std::vector<std::string>& words) {
         const ProcessResult r = run_program(words);
         EXPECT_EQ(r.code, 2);
@@ -73,7 +73,7 @@ TEST(HostileWords, AnUnknownOneIsToldBeforeWhatItLeavesOut) {
               std::string::npos);
 }
 
-TEST(HostilePresets, OfAnotherSceneOrOfNoneAreTold) {
+TEST(HostilePresets, ForAnotherOrNoSceneAreReported) {
     const fs::path folder = fresh_test_folder();
     const auto write = [&](const char* scene, const char* settings) {
         std::ofstream(folder / "p.json") << R"({"format":"shadow-inspector-preset","version":2,"scene":")" << scene
@@ -100,7 +100,7 @@ TEST(HostilePresets, OfAnotherSceneOrOfNoneAreTold) {
     EXPECT_EQ(named.out.find('\x1b'), std::string::npos) << named.out;
 }
 
-TEST(HostilePresets, EscapesAreShownNotObeyed) {
+TEST(HostilePresets, EscapesArePrintedNotObeyed) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":2,"title":"\u001b[31mred",)"
                                      << R"("topic":"\u009b2J","about":"a\u202eb","scene":"\u0007",)"
@@ -115,7 +115,7 @@ TEST(HostilePresets, EscapesAreShownNotObeyed) {
     EXPECT_NE(run_program({"preset", "show", "e.json"}, folder).out.find("\\x1b[31mred"), std::string::npos);
 }
 
-TEST(HostilePresets, DeepJsonIsRefusedInAMoment) {
+TEST(HostilePresets, DeepJsonIsRefusedQuickly) {
     const fs::path folder = fresh_test_folder();
     const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
     std::ofstream(folder / "deep.json")

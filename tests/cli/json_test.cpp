@@ -44,7 +44,7 @@ TEST(Lists, RowsHaveKeyLabelAndHelp) {
     EXPECT_EQ(json_of({"list", "scenes", "--json"})[0]["key"], "stage");
 }
 
-TEST(Lists, TechniquesSayWhereTheyComeFromAndWhatIsTheirs) {
+TEST(Lists, TechniquesNameTheirSourceAndTheirSettings) {
     const Json settings = json_of({"list", "settings", "--json"});
     for (const char* kind : {"filters", "biases", "overlays"}) {
         std::size_t papers = 0;
@@ -73,7 +73,7 @@ TEST(Lists, TechniquesSayWhereTheyComeFromAndWhatIsTheirs) {
     EXPECT_NE(run_program({"list", "biases"}).out.find("Isidoro"), std::string::npos);
 }
 
-TEST(Lists, SettingsSayWhatTheyTake) {
+TEST(Lists, SettingsNameTheirValues) {
     const Json list = json_of({"list", "settings", "--json"});
     ASSERT_EQ(list.size(), params().size());
     for (const char* key :
@@ -102,7 +102,7 @@ TEST(Lists, SettingsSayWhatTheyTake) {
     EXPECT_EQ(name["default"], "");
 }
 
-TEST(Lists, PrefixNarrows) {
+TEST(Lists, PrefixNarrowsTheList) {
     const Json list = json_of({"list", "settings", "bias.", "--json"});
     EXPECT_EQ(list.size(), 10u);
     // Keys as --set takes them, too: rows speak of all lights and all objects.
@@ -116,7 +116,7 @@ TEST(Lists, PrefixNarrows) {
     EXPECT_NE(beyond.err.find("no key starts with 'light.16.fit'"), std::string::npos) << beyond.err;
 }
 
-TEST(Lists, SettingsAreFoundByWordsWhereNoKeyStartsSo) {
+TEST(Lists, SettingsAreFoundByWordsIfNoKeyHasThePrefix) {
     for (const auto& [words, key] : {std::pair{"normal bias", "bias.normal"},
                                      {"softness", "filter.radius"},
                                      {"cascade", "light.split"},
@@ -137,7 +137,7 @@ TEST(Lists, SettingsAreFoundByWordsWhereNoKeyStartsSo) {
     EXPECT_EQ(run_program({"list", "filters", "normal bias"}).code, 2) << "of settings alone";
 }
 
-TEST(Help, IsEverywhereAndComesFromTheTable) {
+TEST(Help, IsPrintedByEveryCommandFromTheTable) {
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{},
                                                                                          {"edit"},
                                                                                          {"render"},
@@ -167,7 +167,7 @@ TEST(Help, IsEverywhereAndComesFromTheTable) {
     }
 }
 
-TEST(Report, TellsSceneSettingsFitAndPasses) {
+TEST(Report, HoldsSceneSettingsFitAndPasses) {
     const auto folder = fresh_test_folder();
     const ProcessResult r =
         run_program({"render", "boxes", "-o", "a.png", "--size", "64x48", "--report", "r.json", "--set",
@@ -229,7 +229,7 @@ TEST(Report, MatricesAreRowsAndAgreeWithTheProbe) {
 }
 
 // The light sees the tower's side edge-on: amounts without end are null in JSON and have a word in text.
-TEST(Probe, SaysInWordsWhatHasNoNumber) {
+TEST(Probe, PrintsWordsForMissingNumbers) {
     const std::vector<std::string> probe = {"probe",   "boxes",
                                             "--pixel", "32,24",
                                             "--size",  "64x48",
@@ -255,7 +255,7 @@ TEST(Probe, SaysInWordsWhatHasNoNumber) {
     EXPECT_EQ(text.out.find("inf "), std::string::npos) << text.out;
 }
 
-TEST(Probe, WritesTheTestOut) {
+TEST(Probe, PrintsTheDepthTestInFull) {
     const Json probe = json_of({"probe", "boxes", "--pixel", "32,40", "--size", "64x48", "--json"});
     ASSERT_TRUE(probe["hit"]);
     EXPECT_FALSE(probe["object"].get<std::string>().empty());
@@ -277,7 +277,7 @@ TEST(Probe, WritesTheTestOut) {
     EXPECT_NE(text.out.find(light["verdict"].get<std::string>()), std::string::npos);
 }
 
-TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
+TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     const std::vector<std::string> scene = {"probe",  "boxes",           "--pixel", "160,130",
                                             "--size", "320x180",         "--set",   "bias.normal=0",
                                             "--set",  "bias.constant=0", "--set",   "filter.kernel=pcf5"};
@@ -318,7 +318,7 @@ TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
         EXPECT_NE(text.out.find(part), std::string::npos) << part;
 }
 
-TEST(Info, LargeArraysGetLargePagesWhereTheSystemHasThem) {
+TEST(Info, LargeArraysUseLargePagesIfTheSystemHasThem) {
     const std::string mode = file_bytes("/sys/kernel/mm/transparent_hugepage/enabled");
     const bool has = mode.find("[always]") != mode.npos || mode.find("[madvise]") != mode.npos;
     EXPECT_EQ(json_of({"info", "--json"})["memory_pages"], has ? "large" : "small") << mode;
@@ -337,7 +337,7 @@ TEST(Info, NamesTheDriver) {
     }
 }
 
-TEST(List, PresetsStandInColumns) {
+TEST(List, PrintsPresetsInColumns) {
     const auto presets = builtin_presets();
     std::istringstream lines(run_program({"list", "presets"}).out);
     std::size_t column = 0, found = 0;

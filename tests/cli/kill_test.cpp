@@ -105,13 +105,13 @@ protected:
     }
 };
 
-TEST_F(Killed, SavingAPresetLeavesAWholeOne) {
+TEST_F(Killed, SavingAPresetLeavesAWholeFile) {
     expect_old_or_new("a.json", kills(), [](int i) {
         return Words{"preset", "save", "boxes", "-o", "a.json", "--set", "map.resolution=" + std::to_string(512 + i)};
     });
 }
 
-TEST_F(Killed, DrawingAPictureLeavesAWholeOne) {
+TEST_F(Killed, DrawingAPictureLeavesAWholeFile) {
     expect_old_or_new("a.png", (kills() + 3) / 4, [](int i) {
         return Words{"render", "boxes",
                      "-o",     "a.png",
@@ -121,7 +121,7 @@ TEST_F(Killed, DrawingAPictureLeavesAWholeOne) {
     });
 }
 
-TEST_F(Killed, AReportIsWhole) {
+TEST_F(Killed, ReportIsWhole) {
     const Words words{"render", "boxes",    "-o",     "a.png", "--size",
                       "64x48",  "--report", "r.json", "--set", "map.resolution=64"};
     time(words, words);
@@ -134,7 +134,7 @@ TEST_F(Killed, AReportIsWhole) {
     }
 }
 
-TEST_F(Killed, ABakedMapIsWholeOrNotThere) {
+TEST_F(Killed, BakedMapIsWholeOrMissing) {
     const auto words = [](int i) {
         return Words{"render", "boxes",
                      "-o",     "v.png",
@@ -152,7 +152,7 @@ TEST_F(Killed, ABakedMapIsWholeOrNotThere) {
     }
 }
 
-TEST_F(Killed, ASweepGoesOnToTheSameNumbers) {
+TEST_F(Killed, ContinuedSweepReachesTheSameNumbers) {
     const auto words = [](const char* folder) {
         return Words{"sweep", "boxes", "--vary", "map.resolution=64,128", "--size", "24x16", "--no-time", "-o", folder};
     };

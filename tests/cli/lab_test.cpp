@@ -17,7 +17,7 @@ Json told_by(std::vector<std::string> words) {
     return Json::parse(r.out);
 }
 
-TEST(LabCommands, PrecisionIsToldOverDistance) {
+TEST(LabCommands, PrecisionIsPrintedOverDistance) {
     const Json now = told_by({"precision", "boxes", "--size", "64x36"});
     ASSERT_EQ(now["pipelines"].size(), 4u);
     EXPECT_EQ(now["pipelines"][0]["map.origin"], "near");
@@ -29,7 +29,7 @@ TEST(LabCommands, PrecisionIsToldOverDistance) {
     EXPECT_EQ(last["pipelines"][2]["map.origin"], "world");
 }
 
-TEST(LabCommands, ShimmerIsToldByWholeTexelsAndWithout) {
+TEST(LabCommands, ShimmerIsPrintedWithAndWithoutSnapping) {
     const auto folder = fresh_test_folder();
     const Json told = told_by({"shimmer", "stage", "--preset", "cascades", "--size", "96x54", "--steps", "4", "-o",
                                (folder / "flips.png").string()});

@@ -78,7 +78,7 @@ TEST_F(LightMapCommand, BakesOnceAndKeepsItOnDisk) {
     fs::remove(*added.begin());
 }
 
-TEST_F(LightMapCommand, RefusesWhatDoesNotFit) {
+TEST_F(LightMapCommand, RefusesMapsThatDoNotFit) {
     const ProcessResult r = run_program({"render", "stage", "-o", "x.png", "--no-cache", "--set",
                                          "light.source=light-map", "--set", "light_map.resolution=32"},
                                         folder_);

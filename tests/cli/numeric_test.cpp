@@ -22,7 +22,7 @@ std::vector<std::string> with_small(std::vector<std::string> arguments) {
     return arguments;
 }
 
-TEST(CheckNumeric, SaysThatAllNumbersAreSound) {
+TEST(CheckNumeric, ReportsFiniteNumbers) {
     const ProcessResult r = run_program(with_small({"measure", "boxes", "--no-time", "--json"}));
     ASSERT_EQ(r.code, 0) << r.err;
     const Json health = Json::parse(r.out)["numeric_health"];
@@ -57,7 +57,7 @@ int run_here(std::vector<std::string> arguments, std::string& out, std::string& 
     return code;
 }
 
-TEST(CheckNumeric, NamesThePlaceAndFailsWhereverAPictureIsDrawn) {
+TEST(CheckNumeric, NamesThePlaceAndFailsForEveryPicture) {
     const auto folder = fresh_test_folder();
     const std::string place = "NaN in 1 texel of the shadow map of light 0: first at texel 12, 40";
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
@@ -80,7 +80,7 @@ TEST(CheckNumeric, NamesThePlaceAndFailsWhereverAPictureIsDrawn) {
     EXPECT_TRUE(finding["value"].is_null());
 }
 
-TEST(CheckNumeric, NamesTheFirstCaseOfManyThatHasAFault) {
+TEST(CheckNumeric, NamesTheFirstFaultyCaseOfMany) {
     const auto folder = fresh_test_folder();
     const std::string sweep = (folder / "sweep").string(), place = "NaN in 1 texel of the shadow map of light 0";
     std::string out, err;
@@ -107,7 +107,7 @@ TEST(CheckNumeric, NamesTheFirstCaseOfManyThatHasAFault) {
     EXPECT_NE(err.find("--check-numeric: the settings as given: " + place), std::string::npos) << err;
 }
 
-TEST(CheckNumeric, TheEditorDrawsAndSaysItAtItsEnd) {
+TEST(CheckNumeric, EditorDrawsAndReportsAtItsEnd) {
     const auto folder = fresh_test_folder();
     const std::string screenshot = (folder / "e.png").string(), report = (folder / "r.json").string();
     const std::vector<std::string> line = {

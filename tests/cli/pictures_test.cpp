@@ -73,7 +73,7 @@ Arguments with(Arguments base, const Arguments& more) {
     return base;
 }
 
-TEST_F(Pictures, EveryViewIsAPictureOfTheAskedSize) {
+TEST_F(Pictures, EveryViewHasTheRequestedSize) {
     const Json views = Json::parse(run_program({"list", "views", "--json"}).out);
     ASSERT_GE(views.size(), 10u);
     for (const Json& view : views) {
@@ -94,7 +94,7 @@ TEST_F(Pictures, EveryViewIsAPictureOfTheAskedSize) {
     }
 }
 
-TEST_F(Pictures, TheViewsDiffer) {
+TEST_F(Pictures, ViewsDiffer) {
     const std::string shaded = render(kSmall, "shaded.png");
     EXPECT_NE(shaded, render(with(kSmall, {"--view", "visibility"}), "visibility.png"));
     EXPECT_NE(shaded, render(with(kSmall, {"--view", "depth-difference"}), "difference.png"));
@@ -114,7 +114,7 @@ TEST_F(Pictures, VisibilityLiesBetweenShadowAndLight) {
     EXPECT_GT(lit, 500);
 }
 
-TEST_F(Pictures, TheLinearShadowMapIsInMetres) {
+TEST_F(Pictures, LinearShadowMapIsInMetres) {
     const Arguments spot = with(kSmall, {"--view", "shadow-map", "--set", "light.type=spot"});
     const Floats raw = read_pfm(render(with(spot, {"--set", "view.map=raw", "--report", "r.json"}), "raw.pfm"));
     const Floats metres = read_pfm(render(with(spot, {"--set", "view.map=linear"}), "metres.pfm"));
@@ -131,7 +131,7 @@ TEST_F(Pictures, TheLinearShadowMapIsInMetres) {
     EXPECT_GT(filled, 100u);
 }
 
-TEST_F(Pictures, TheCamerasDepthIsReversedOrInMetres) {
+TEST_F(Pictures, CameraDepthIsReversedOrInMetres) {
     const Arguments depth = with(kSmall, {"--view", "camera-depth", "--set", "camera.source=manual", "--set",
                                           "camera.near=1", "--set", "camera.far=8"});
     const Floats raw = read_pfm(render(with(depth, {"--set", "view.map=raw"}), "raw.pfm"));
@@ -145,7 +145,7 @@ TEST_F(Pictures, TheCamerasDepthIsReversedOrInMetres) {
     EXPECT_LT(drawn, raw.values.size()) << "beyond 8 m nothing is drawn";
 }
 
-TEST_F(Pictures, AProbeMeansAPixelOfThePictureWithItsPanes) {
+TEST_F(Pictures, ProbeNamesAPixelOfThePictureWithPanes) {
     const Arguments panes = {"boxes", "--size", "322x182", "--set", "view.panes=four", "--set", "view.overlay=n-dot-l"};
     const auto probe = [&](const char* pixel, Arguments of) {
         return run_program(with({"probe", "--pixel", pixel, "--json"}, of), folder_);
@@ -159,7 +159,7 @@ TEST_F(Pictures, AProbeMeansAPixelOfThePictureWithItsPanes) {
     EXPECT_NE(between.err.find("between two panes"), std::string::npos) << between.err;
 }
 
-TEST_F(Pictures, TheReportTellsWhatTheMapHoldsAndHowMuchIsRead) {
+TEST_F(Pictures, ReportHoldsContentsAndReadShareOfTheMap) {
     const auto report = [&](const Arguments& more) {
         render(with(with(kSmall, {"--report", "r.json"}), more), "a.png");
         return Json::parse(file_bytes(folder_ / "r.json"))["shadow_map"];
@@ -186,7 +186,7 @@ TEST_F(Pictures, TheReportTellsWhatTheMapHoldsAndHowMuchIsRead) {
     EXPECT_TRUE(report({"--set", "light.cast=false"}).is_null());
 }
 
-TEST_F(Pictures, SamePresetSameBytes) {
+TEST_F(Pictures, SamePresetGivesTheSameBytes) {
     ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", "filter.kernel=pcf5", "--set",
                            "bias.slope=2", "--about", "wide kernel"},
                           folder_)
@@ -202,7 +202,7 @@ TEST_F(Pictures, SamePresetSameBytes) {
     EXPECT_NE(preset, render(with(small, {"--preset", "p.json", "--set", "light.azimuth=0"}), "e.png"));
 }
 
-TEST_F(Pictures, APresetIsNotMixedWithTheScenesSuggestions) {
+TEST_F(Pictures, PresetIsNotMixedWithSuggestionsOfTheScene) {
     // The stage suggests another azimuth; back at the program's default the preset does not mention it.
     const std::string azimuth = "light.azimuth=" + Json(Settings{}.lights[0].azimuth).dump();
     ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", azimuth}, folder_).code, 0);
@@ -213,7 +213,7 @@ TEST_F(Pictures, APresetIsNotMixedWithTheScenesSuggestions) {
     EXPECT_NE(picture, render(small, "c.png"));
 }
 
-TEST_F(Pictures, AnExportedSceneIsTheSameScene) {
+TEST_F(Pictures, ExportedSceneIsTheSameScene) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", "boxes.glb"}, folder_).code, 0);
     render({"boxes", "--size", "32x32", "--report", "a.json"}, "a.png");
     render({"boxes.glb", "--size", "32x32", "--report", "b.json"}, "b.png");
@@ -227,7 +227,7 @@ TEST_F(Pictures, AnExportedSceneIsTheSameScene) {
     }
 }
 
-TEST_F(Pictures, TheEditorIsDrawnWithoutADisplay) {
+TEST_F(Pictures, EditorIsDrawnWithoutADisplay) {
     const ProcessResult r =
         run_program({"edit", "boxes", "--headless", "--screenshot", "e.png", "--size", "1280x720"}, folder_);
     ASSERT_EQ(r.code, 0) << r.err;
@@ -257,7 +257,7 @@ TEST_F(Pictures, WithoutACommandOrDisplayEverythingIsDrawn) {
     EXPECT_NE(r.out.find("the picture reads"), std::string::npos);
 }
 
-TEST_F(Pictures, NothingIsRepairedSilently) {
+TEST_F(Pictures, EveryRepairIsReported) {
     const ProcessResult r = run_program({"render", "boxes", "-o", "a.png", "--size", "32x32", "--set",
                                          "light.fit=manual", "--set", "light.near=50", "--set", "light.far=2"},
                                         folder_);

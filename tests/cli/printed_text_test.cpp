@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-TEST(PrintedText, OfEveryCommandIsEncodedOnce) {
+TEST(PrintedText, IsEncodedOnceForEveryCommand) {
     const auto folder = fresh_test_folder();
     std::vector<std::vector<std::string>> commands = {
         {"--help"},

@@ -145,7 +145,7 @@ TEST(ReportPage, StringsStayStrings) {
     EXPECT_EQ(dom.find("<b id="), std::string::npos);
 }
 
-TEST(ReportPage, PicturesStayWithinTheirRoom) {
+TEST(ReportPage, PicturesStayWithinTheirLimit) {
     FakeSweep sweep(fresh_test_folder());
     FakeMeter meter;
     sweep.run(meter, 8);
@@ -157,7 +157,7 @@ TEST(ReportPage, PicturesStayWithinTheirRoom) {
     EXPECT_EQ(report_html(sweep.results(), sweep.folder), none) << "without its pictures the page is whole";
 }
 
-TEST(ReportPage, Base64OfTheRfc) {
+TEST(ReportPage, Base64MatchesTheRfc) {
     EXPECT_EQ(base64(""), "");
     EXPECT_EQ(base64("f"), "Zg==");
     EXPECT_EQ(base64("fo"), "Zm8=");

@@ -106,7 +106,7 @@ protected:
     }
 };
 
-TEST_F(RunScript, TellsInPercentHowFarTheBuildIsAndThenRunsTheProgram) {
+TEST_F(RunScript, PrintsBuildProgressInPercentAndRunsTheProgram) {
     const ProcessResult built = run("./run.sh list 'two words'");
     EXPECT_EQ(built.code, 7) << "the program's" << built.err;
     EXPECT_EQ(built.out, "told: list two words\n");
@@ -118,7 +118,7 @@ TEST_F(RunScript, TellsInPercentHowFarTheBuildIsAndThenRunsTheProgram) {
     EXPECT_EQ(again.err, "") << "there is nothing to build";
 }
 
-TEST_F(RunScript, TellsItInPlaceOnATerminal) {
+TEST_F(RunScript, UpdatesProgressInPlaceOnATerminal) {
     const ProcessResult built = run_on_terminal("./run.sh");
     EXPECT_EQ(built.code, 7) << built.out;
     expect_rising_to_100(percents(built.out));
@@ -126,7 +126,7 @@ TEST_F(RunScript, TellsItInPlaceOnATerminal) {
     EXPECT_NE(built.out.find("\rBuilding: 100 %\r\ntold: "), std::string::npos) << built.out;
 }
 
-TEST_F(RunScript, ShowsWhatTheCompilerSaysWhereItFails) {
+TEST_F(RunScript, PrintsCompilerErrorsOnFailure) {
     const ProcessResult built = run("./run.sh", "compile");
     EXPECT_EQ(built.code, 1);
     EXPECT_EQ(built.out, "");

@@ -46,7 +46,7 @@ void write(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
 }
 
-TEST(SceneCommand, SaysWhatIsInAFileAndWhatWasDropped) {
+TEST(SceneCommand, ListsContentsAndDroppedPartsOfAFile) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
     const ProcessResult json = run_program({"scene", "model.glb", "--json"}, folder);
@@ -70,7 +70,7 @@ TEST(SceneCommand, SaysWhatIsInAFileAndWhatWasDropped) {
     EXPECT_EQ(run_program({"scene", "nothing.glb"}, folder).code, 1);
 }
 
-TEST(SceneCommand, TheLightsOfAFileAreSettingsThatASetReplaces) {
+TEST(SceneCommand, LightsOfAFileAreSettingsThatSetReplaces) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
     const auto report = [&](const std::vector<std::string>& more) {
@@ -123,7 +123,7 @@ TEST(SceneCommand, ListsTheScenesAndCamerasOfAFileByNumber) {
     EXPECT_EQ(run_program({"scene", "two.glb", "--index", "2"}, folder).code, 1);
 }
 
-TEST(SceneCommand, SettingsChooseSceneAndCamera) {
+TEST(SceneCommand, SettingsSelectSceneAndCamera) {
     const auto folder = fresh_test_folder();
     write(folder / "two.glb", two_scenes());
     const auto run = [&](const std::vector<std::string>& sets) {
@@ -152,7 +152,7 @@ TEST(SceneCommand, SettingsChooseSceneAndCamera) {
               std::string::npos);
 }
 
-TEST(SceneCommand, AnExportHoldsTheMomentAndTheSettings) {
+TEST(SceneCommand, ExportHoldsTheTimeAndTheSettings) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
     const auto exported = [&](const std::vector<std::string>& more) {
@@ -240,7 +240,7 @@ std::string repeated(int times, const std::string& letter) {
     return out;
 }
 
-TEST(ContactSheet, WritesNamesInTheirOwnLetters) {
+TEST(ContactSheet, WritesNamesInTheirOwnScript) {
     const auto name = label_below("Größe_Ω_Ж");
     for (const char* other : {"Grüße_Ω_Ж", "Größe_Σ_Ж", "Größe_Ω_Д", "Gr??e_?_?"})
         EXPECT_NE(label_below(other), name) << other;
@@ -249,11 +249,11 @@ TEST(ContactSheet, WritesNamesInTheirOwnLetters) {
     for (const char* other : {"?", "Ж", "\u00a0"}) EXPECT_NE(label_below(other), lacking) << other;
 }
 
-TEST(ContactSheet, WritesNamesThatAreNoTextAsEscapes) {
+TEST(ContactSheet, WritesInvalidUtf8NamesAsEscapes) {
     EXPECT_EQ(label_below("a\xff\n\u200f"), label_below("a\\xff; \\u200f"));
 }
 
-TEST(ContactSheet, CutsLongNamesBetweenLetters) {
+TEST(ContactSheet, CutsLongNamesBetweenCharacters) {
     constexpr int kNarrow = 64;
     const auto cut = label_below(repeated(40, "Ж"), kNarrow);
     const auto is_cut = [&](int letters) { return label_below(repeated(letters, "Ж") + "…", kNarrow) == cut; };

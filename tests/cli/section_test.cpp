@@ -44,7 +44,7 @@ void expect_same_drawing(const std::string& a, const std::string& b, const std::
     for (; x != end && y != end; ++x, ++y) EXPECT_NEAR(std::stod(x->str()), std::stod(y->str()), 0.6) << name;
 }
 
-TEST(SectionCommand, ThePagesDrawingsAreTheirCommands) {
+TEST(SectionCommand, DrawingsOfThePageMatchTheirCommands) {
     const auto commands = documented();
     ASSERT_GE(commands.size(), 5u);
     for (std::vector<std::string> command : commands) {
@@ -70,7 +70,7 @@ TEST(SectionCommand, ThePagesDrawingsAreTheirCommands) {
     }
 }
 
-TEST(SectionCommand, GoesWithJsonAndRefusesWhatItCannotDraw) {
+TEST(SectionCommand, WorksWithJsonAndRefusesWrongPixels) {
     const fs::path folder = fresh_test_folder(), file = folder / "one.svg";
     const std::vector<std::string> scene{"probe", "plane", "--size", "160x90", "--set", "map.resolution=256"};
     const auto probe = [&](std::vector<std::string> more) {

@@ -107,7 +107,7 @@ TEST(SweepCommand, WritesResultsAndReport) {
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
 }
 
-TEST(SweepCommand, ASweepOverTheLightsSizeMeasuresEachSize) {
+TEST(SweepCommand, LightSizeAxisMeasuresEachSize) {
     const fs::path folder = fresh_test_folder();
     const Words words = {"sweep",     "boxes", "--vary", "light.size=0.1,2,8", "--size", "96x64",
                          "--no-time", "-o",    "area"};
@@ -195,7 +195,7 @@ TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     EXPECT_EQ(run_program(sweep_of("out", {"--no-time"}), folder).code, 1) << "results of who knows what";
 }
 
-TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
+TEST(SweepCommand, ErrorsOfAnotherDefinitionAreNeitherContinuedNorMerged) {
     const fs::path folder = fresh_test_folder();
     for (const char* part : {"1", "2"})
         ASSERT_EQ(run_program(sweep_of(part, {"--no-time", "--shard", std::string(part) + "/2"}), folder).code, 0);
@@ -228,7 +228,7 @@ TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
     EXPECT_EQ(results_of(folder / "merged")["finished"], 4);
 }
 
-TEST(SweepCommand, InterruptedItGoesOn) {
+TEST(SweepCommand, InterruptedSweepContinues) {
     const fs::path folder = fresh_test_folder();
     for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
         const std::string out = std::to_string(signal);
@@ -277,7 +277,7 @@ TEST(SweepCommand, InterruptedItGoesOn) {
     }
 }
 
-TEST(SweepCommand, AFailingCaseIsARow) {
+TEST(SweepCommand, FailingCaseIsARow) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "leaf.glb", std::ios::binary) << test::falling_leaf(1, {1, -2, 0}, {1, -2, 0});
     const ProcessResult r =
@@ -292,7 +292,7 @@ TEST(SweepCommand, AFailingCaseIsARow) {
     EXPECT_NE(r.out.find("2 of 4 cases failed"), std::string::npos);
 }
 
-TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
+TEST(SweepCommand, ParallelShardsMergeIntoTheWhole) {
     if (!has("parallel")) GTEST_SKIP() << test::kLacks << "GNU parallel";
     const fs::path folder = fresh_test_folder();
     ASSERT_EQ(run_program(sweep_of("whole", {"--no-time"}), folder).code, 0);
@@ -328,7 +328,7 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     EXPECT_FALSE(fs::exists(folder / "wrong"));
 }
 
-TEST(SweepCommand, AnArrayOfSlurmIsShards) {
+TEST(SweepCommand, SlurmArrayRunsShards) {
     const fs::path folder = fresh_test_folder();
     const std::string script = std::string("'") + SI_SOURCE_DIR + "/scripts/sweep_slurm.sh'";
     const std::string arguments = " boxes --vary filter.kernel=hard,pcf3,pcf5 --size 48x32 -o 'a folder'";

@@ -18,7 +18,7 @@ bool prints(const UiHarness& ui, const std::u32string& text) {
     return ui.printed().find(text) != std::u32string::npos;
 }
 
-TEST(CascadeMarks, TheMapViewerNamesTheShownOne) {
+TEST(CascadeMarks, MapViewerNamesTheShownCascade) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     EXPECT_FALSE(prints(ui, U"cascade"));
@@ -32,7 +32,7 @@ TEST(CascadeMarks, TheMapViewerNamesTheShownOne) {
 }
 
 // The choice is among the maps that the shown light has, wherever it is made.
-TEST(CascadeMarks, ViewsAreChosenByNameAmongThoseThatThereAre) {
+TEST(CascadeMarks, OnlyExistingViewsAreListedByName) {
     UiHarness ui(kWidth, kHeight);
     Settings& s = ui.state.settings;
     const Camera camera = make_camera(ui.scene, s, 1.5);
@@ -69,7 +69,7 @@ TEST(CascadeMarks, ViewsAreChosenByNameAmongThoseThatThereAre) {
     EXPECT_EQ(printed(), in_map_viewer + 1);
 }
 
-TEST(CascadeMarks, OfALightThatIsFittedToTheCameraOnlyTheDirectionIsMoved) {
+TEST(CascadeMarks, OnlyTheDirectionOfACameraFittedLightMoves) {
     UiHarness ui(kWidth, kHeight);
     Settings& s = ui.state.settings;
     const auto pose = [&] {

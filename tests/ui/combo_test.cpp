@@ -30,7 +30,7 @@ bool none_open() {
     return ImGui::GetCurrentContext()->OpenPopupStack.Size == 0;
 }
 
-TEST(Combo, ThePressThatClosesOneOpensTheNext) {
+TEST(Combo, PressThatClosesOneOpensTheNext) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     const ImGuiID source = combo_in_map("view.map_source"), shown = combo_in_map("view.map");
@@ -64,7 +64,7 @@ TEST(Combo, ThePressThatClosesOneOpensTheNext) {
     EXPECT_TRUE(none_open());
 }
 
-TEST(Combo, OtherPlacesOnlyCloseAList) {
+TEST(Combo, PressElsewhereOnlyClosesTheList) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     const auto at = ui.find("editor/map", "view.map_source", "##value");
@@ -75,7 +75,7 @@ TEST(Combo, OtherPlacesOnlyCloseAList) {
     EXPECT_FALSE(ui.state.probe_pixel) << "the press is not the scene's";
 }
 
-TEST(Combo, ATextWithoutRoomEndsInAnEllipsis) {
+TEST(Combo, LongTextEndsInAnEllipsis) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings.lights[0].cascades = 3;
     ui.frames(3);

@@ -44,7 +44,7 @@ std::string printed(const UiHarness& ui) {
     return packed(out);
 }
 
-TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
+TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     const FixTable table = made_up_fixes();
     UiHarness ui(1600, 900);
     ui.state.window.open_tab = BottomTab::Error;
@@ -98,7 +98,7 @@ TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     EXPECT_EQ(printed(ui).find("<noise"), std::string::npos) << "a pixel's table is not the picture's";
 }
 
-TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
+TEST(TunedFamilies, AreShownSideBySideAndAClickAppliesOne) {
     UiHarness ui(1600, 900);
     TunedFamily normal{.name = "normal offset",
                        .bias_text = "bias.normal 3 texels",
@@ -131,7 +131,7 @@ TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
     EXPECT_NE(printed(ui).find(packed("of other settings")), std::string::npos);
 }
 
-TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
+TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     EditorOptions o;
     o.session.scene = "boxes";
     o.session.sets = {"bias.constant=0", "bias.normal=0", "map.resolution=512"};

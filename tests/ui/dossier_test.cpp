@@ -24,7 +24,7 @@ PixelDiagnosis acne_diagnosis() {
     return d;
 }
 
-TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
+TEST(DiagnosisPanel, FixIsOneUndoStep) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
@@ -42,7 +42,7 @@ TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
-TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
+TEST(DiagnosisPanel, FixShowsItsEquivalentBiasIfItFits) {
     const PixelDiagnosis d = acne_diagnosis();
     SuggestedFix worth = *d.fix;
     worth.worth_texels = 1.804;
@@ -61,7 +61,7 @@ TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
 }
 
-TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
+TEST(DiagnosisPanel, DrawsDuringReferenceTracingAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -76,7 +76,7 @@ TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
     }
 }
 
-TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
+TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     UiHarness ui(1280, 720);
     ui.frames(4);
     const auto button = ui.find("/rows_", "bias", "Auto bias");
@@ -106,7 +106,7 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     EXPECT_TRUE(ui.last_requests.cancel_tune);
 }
 
-TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
+TEST(TuneControls, SearchIsDisabledWithoutAMap) {
     UiHarness ui(1280, 720);
     ui.state.settings.lights[0].source = 1;
     ASSERT_FALSE(source_of(ui.state.settings, 0).needs.map);
@@ -120,7 +120,7 @@ TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
     }
 }
 
-TEST(KernelMarks, TapsAreColouredByWhatTheyMeet) {
+TEST(KernelMarks, TapsAreColouredByTheirResult) {
     KernelTap lit{.weight = 1, .lit = true}, own{.weight = 1, .lit = false, .meets = KernelTap::Meets::Own},
         dark{.weight = 1, .lit = false, .meets = KernelTap::Meets::Nearer}, light{.weight = 0.1, .lit = true};
     EXPECT_NE(tap_colour(lit, 1), tap_colour(dark, 1));
@@ -138,7 +138,7 @@ EditorOptions boxes() {
     return o;
 }
 
-TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
+TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorState& state = editor.model().state;
@@ -168,7 +168,7 @@ TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
     EXPECT_TRUE(after.diagnoses[0].right) << after.diagnoses[0].verdict;
 }
 
-TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
+TEST(EditorTuning, FindsTheMinimumBiasInTheBackgroundAsOneUndoStep) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorModel& model = editor.model();
@@ -208,7 +208,7 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     EXPECT_FALSE(model.facts().tuned_current);
 }
 
-TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
+TEST(EditorTuning, IsNotAppliedToOtherSettings) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorModel& model = editor.model();

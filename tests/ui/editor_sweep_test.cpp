@@ -47,7 +47,7 @@ struct Swept {
     }
 };
 
-TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
+TEST(EditorSweep, MeasuresInTheBackground) {
     Swept s(boxes());
     s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
     EXPECT_TRUE(s.editor.model().measuring());
@@ -65,7 +65,7 @@ TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
     EXPECT_NE(s.state().settings.bias.constant, 0.7);
 }
 
-TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
+TEST(EditorSweep, CurrentSettingsAreAMovingDot) {
     Swept s(boxes());
     s.state().sweep.width = 64;
     s.state().sweep.height = 48;
@@ -84,7 +84,7 @@ TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
     EXPECT_EQ(s.facts().view.present->cost, 2048 * 2048);
 }
 
-TEST(EditorSweep, OtherSettingsOfThePictureAreComparedWithThoseBefore) {
+TEST(EditorSweep, ChangedPictureSettingsAreComparedWithThePrevious) {
     Swept s(boxes());
     EditorState& state = s.state();
     state.sweep.width = 64;
@@ -117,7 +117,7 @@ TEST(EditorSweep, OtherSettingsOfThePictureAreComparedWithThoseBefore) {
     EXPECT_FALSE(s.facts().view.before) << "of another picture";
 }
 
-TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
+TEST(EditorSweep, CancelledSweepContinues) {
     const fs::path state = fresh_test_folder();
     std::size_t kept = 0;
     {
@@ -152,7 +152,7 @@ TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
     EXPECT_FALSE(fs::exists(state / "sweep-2"));
 }
 
-TEST(EditorSweep, CancelledBeforeItFoundAnythingItLeavesNothing) {
+TEST(EditorSweep, CancelledBeforeItsFirstResultLeavesNothing) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_left";
     fs::remove_all(state);
     fs::create_directories(state / "sweep-1");  // somebody else's
@@ -172,7 +172,7 @@ TEST(EditorSweep, CancelledBeforeItFoundAnythingItLeavesNothing) {
     EXPECT_FALSE(fs::exists(state / "sweep-1"));
 }
 
-TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
+TEST(EditorSweep, CasesWithoutTimesArePlottedOverAnotherCost) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_without_times";
     fs::remove_all(state);
     Swept s(boxes(state));
@@ -200,7 +200,7 @@ TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
     EXPECT_TRUE(fs::exists(state / "sweep-1")) << "what was found is worth keeping";
 }
 
-TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
+TEST(EditorSweep, SavedAndOpenedSweepIsTheSame) {
     const fs::path folder = fresh_test_folder();
     {
         Swept s(boxes());
@@ -222,7 +222,7 @@ TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
     EXPECT_EQ(s.state().sweep.axes[1].values, "64,256");
 }
 
-TEST(EditorSweep, ErrorsOfAnotherMeaningAreNotOpened) {
+TEST(EditorSweep, ErrorsOfAnotherDefinitionAreNotOpened) {
     const FakeSweep old(fresh_test_folder());
     FakeMeter meter;
     old.run(meter, 2);
@@ -237,7 +237,7 @@ TEST(EditorSweep, ErrorsOfAnotherMeaningAreNotOpened) {
     EXPECT_THROW(EditorSweep({}).open(old.folder, panel), Error);
 }
 
-TEST(EditorSweep, WhatCannotBeSweptIsSaid) {
+TEST(EditorSweep, ReportsAxesThatCannotBeSwept) {
     Swept s(boxes());
     SweepRequest request = kSweepRequest;
     request.axes = {"no.such=1"};

@@ -30,7 +30,7 @@ const std::vector<Effect>& made_up_effects() {
     return all;
 }
 
-TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
+TEST(EffectsPanel, ShowsStateReasonAndSavingOfEachEffect) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
@@ -69,7 +69,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_NE(letters(ui).find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
 }
 
-TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
+TEST(EffectsPanel, NarrowWindowDropsSavingsThenReasons) {
     const auto shown = [](UiHarness& ui) {
         ui.state.window.open_tab = BottomTab::Effects;
         ui.effects.effects = made_up_effects();
@@ -97,7 +97,7 @@ TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
     EXPECT_TRUE(ui.drawn().shows("light.7.cast is off.")) << "its name says why";
 }
 
-TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
+TEST(EffectsPanel, ReasonsAreReadableInASmallWindow) {
     for (const int width : {1280, 1600}) {
         UiHarness ui(width, 2600);
         ui.state.layout = {.bottom_height = 130};
@@ -116,7 +116,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
     }
 }
 
-TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
+TEST(EffectsPanel, TimesOfSkippedPassesAreGreyAndFramesAreALine) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     std::vector<Effect> effects = made_up_effects();
@@ -133,7 +133,7 @@ TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
     EXPECT_TRUE(ui.drawn().shows("2 frames in the last 30 s, at most 3 ms"));
 }
 
-TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
+TEST(EffectsPanel, TimesAreKeptForSecondsOnEveryTab) {
     FrameTimes times;
     FrameResult frame;
     frame.passes = {{.name = "map", .state = PassState::Drawn, .gpu_ms = 2, .category = PassCategory::Maps},
@@ -169,7 +169,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
     EXPECT_FALSE(ui.drawn().shows("last timed"));
 }
 
-TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
+TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
@@ -196,7 +196,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     EXPECT_EQ(ui.state.settings, before) << "a tool, no setting";
 }
 
-TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
+TEST(EffectsPanel, RequestsAndCancelsAMeasurement) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     ui.frames(4);
@@ -229,7 +229,7 @@ const Effect* shown_effect(const EditorFrame& facts, std::string_view name) {
     return nullptr;
 }
 
-TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
+TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
     HeadlessEditor editor(editor_of("boxes"));
     editor.settle();
     EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
@@ -245,7 +245,7 @@ TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
     EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";
 }
 
-TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
+TEST(EditorEffects, LoupeAndComparisonAreListedWhileShown) {
     HeadlessEditor editor(editor_of("boxes"));
     EditorState& state = editor.model().state;
     const auto state_of = [&](std::string_view name) {
@@ -264,7 +264,7 @@ TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
     EXPECT_EQ(state_of("panel: cross-section"), EffectState::NotNeeded) << "its panel is hidden";
 }
 
-TEST(EditorEffects, TheNextArtefactIsLookedForOnceAndToldOf) {
+TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
     HeadlessEditor editor(editor_of("boxes", {"bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
     EditorState& state = editor.model().state;
     const auto told = [&] {
@@ -285,7 +285,7 @@ TEST(EditorEffects, TheNextArtefactIsLookedForOnceAndToldOf) {
     EXPECT_EQ(told().state, EffectState::Drawn);
 }
 
-TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
+TEST(EditorEffects, ForcedFrameIsRedrawnAndLooksTheSame) {
     HeadlessEditor editor(editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true"}));
     editor.settle();
     const auto spared = [&] {
@@ -299,7 +299,7 @@ TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
     EXPECT_GT(editor.model().facts().result->pass("visibility")->draws, 0u);
 }
 
-TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
+TEST(EditorEffects, SavingsAreMeasuredInTheBackground) {
     HeadlessEditor editor(
         editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));
     editor.settle();

@@ -85,7 +85,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
     }
 }
 
-TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
+TEST(ErrorPanel, LongTextEndsInAnEllipsis) {
     for (const int width : {1280, 1920}) {
         UiHarness ui(width, 900);
         ui.state.window.open_tab = BottomTab::Error;
@@ -106,7 +106,7 @@ TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
     }
 }
 
-TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
+TEST(ErrorPanel, RequestsNumbersOnlyWhileShown) {
     UiHarness ui(1280, 720);
     EXPECT_FALSE(ui.frames(3).want_error);
     ui.state.window.open_tab = BottomTab::Error;
@@ -119,7 +119,7 @@ TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
     EXPECT_FALSE(ui.frames(2).want_error);
 }
 
-TEST(ErrorPanel, TheLegendHasEveryColour) {
+TEST(ErrorPanel, LegendHasEveryColour) {
     UiHarness ui(1280, 720);
     set_setting(ui.state.settings, "view.overlay", "artefacts");
     ui.reference = made_up_reference();
@@ -130,7 +130,7 @@ TEST(ErrorPanel, TheLegendHasEveryColour) {
     ui.frames(2);
 }
 
-TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
+TEST(PictureComparison, EveryViewFitsAndNamesMissingParts) {
     for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
         ui.reference = made_up_reference();
@@ -155,7 +155,7 @@ TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
     }
 }
 
-TEST(PictureComparison, TheLineIsDraggedAndNothingElse) {
+TEST(PictureComparison, DragMovesOnlyTheLine) {
     UiHarness ui(1280, 720);
     ui.state.comparison = {.view = ComparisonView::Swipe};
     ui.frames(3);

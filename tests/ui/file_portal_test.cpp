@@ -43,7 +43,7 @@ std::vector<std::string> names(const FakePortal::Options& options) {
     return out;
 }
 
-TEST(FilePortal, AFileIsChosen) {
+TEST(FilePortal, FileIsChosen) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
     Woken woken;
@@ -70,7 +70,7 @@ TEST(FilePortal, AFileIsChosen) {
     EXPECT_FALSE(woken.portal.take_answer()) << "once";
 }
 
-TEST(FilePortal, AClosedDialogChoosesNothingAndANameToSaveUnderIsProposed) {
+TEST(FilePortal, ClosedDialogChoosesNothingAndSavingProposesAName) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
     Woken woken;
@@ -93,7 +93,7 @@ TEST(FilePortal, AClosedDialogChoosesNothingAndANameToSaveUnderIsProposed) {
     EXPECT_EQ(answer->job, FileDialog::Job::SavePreset);
 }
 
-TEST(FilePortal, WithoutADesktopOrABusThatIsSaid) {
+TEST(FilePortal, ReportsAMissingDesktopOrBus) {
     Woken woken;
     {
         const PrivateBus bus(fresh_test_folder());
@@ -111,7 +111,7 @@ TEST(FilePortal, WithoutADesktopOrABusThatIsSaid) {
     EXPECT_FALSE(answer->problem.empty());
 }
 
-TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
+TEST(FilePortal, SecondRequestOrDestructionClosesTheDialog) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
     {
@@ -133,7 +133,7 @@ TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
     EXPECT_TRUE(desktop.wait_for_closed(2)) << "with the editor";
 }
 
-TEST(FilePortal, ABusThatBreaksOffIsNoDialog) {
+TEST(FilePortal, LostBusConnectionCountsAsNoDialog) {
     Woken woken;
     {
         const PrivateBus bus(fresh_test_folder());
@@ -149,14 +149,14 @@ TEST(FilePortal, ABusThatBreaksOffIsNoDialog) {
     EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
 }
 
-TEST(FilePortal, FilesAreThoseOfThisMachine) {
+TEST(FilePortal, AcceptsOnlyFilesOfThisMachine) {
     EXPECT_EQ(path_of_file_uri("file:///a/b%20c"), "/a/b c");
     EXPECT_EQ(path_of_file_uri("file://localhost/a"), "/a");
     for (const char* none : {"", "/a", "http://a/b", "file://elsewhere/a", "file://", "file:///a%00b"})
         EXPECT_EQ(path_of_file_uri(none), "") << none;
 }
 
-TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
+TEST(DesktopDialogs, AreUsedIfAvailableAndEnabled) {
     UiHarness ui(1280, 720);
     const auto ask = [&] {
         ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
@@ -182,7 +182,7 @@ TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
 
 class WindowOfADesktop : public Window {};
 
-TEST_F(WindowOfADesktop, OpensAndSavesByItsDialogAndByTheEditorsWhereItEnds) {
+TEST_F(WindowOfADesktop, UsesTheDesktopDialogAndFallsBackToTheEditorsOwn) {
     const PrivateBus bus(folder_);
     const fs::path file = folder_ / "from the desktop.glb";
     ASSERT_EQ(run_program({"export", "boxes", "-o", file.string()}).code, 0);
@@ -218,7 +218,7 @@ TEST_F(WindowOfADesktop, OpensAndSavesByItsDialogAndByTheEditorsWhereItEnds) {
 #else
 #include <gtest/gtest.h>
 
-TEST(FilePortal, NeedsABuildThatAsksTheDesktop) {
+TEST(FilePortal, NeedsABuildWithFilePortal) {
     GTEST_SKIP() << "7 tests: this build has SI_FILE_PORTAL=OFF";
 }
 #endif

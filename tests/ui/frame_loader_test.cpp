@@ -42,7 +42,7 @@ Bytes shown(HeadlessEditor& editor) {
     return out;
 }
 
-TEST(FrameLoader, TheFirstPictureTellsHowFarItIs) {
+TEST(FrameLoader, FirstPictureReportsItsProgress) {
     EditorOptions options;
     options.session.scene = "boxes";
     options.width = 800;
@@ -72,7 +72,7 @@ TEST(FrameLoader, TheFirstPictureTellsHowFarItIs) {
     editor.settle();
 }
 
-TEST(FrameLoader, TheOldPictureStaysUntilTheNextIsTaken) {
+TEST(FrameLoader, OldPictureStaysUntilTheNextIsShown) {
     const auto editor = hasty_editor();
     const Bytes before = shown(*editor);
     choose(*editor, "pcss");
@@ -87,7 +87,7 @@ TEST(FrameLoader, TheOldPictureStaysUntilTheNextIsTaken) {
     EXPECT_FALSE(editor->model().drawing());
 }
 
-TEST(FrameLoader, PicturesAndNumbersAreThoseOfWhoWaits) {
+TEST(FrameLoader, PicturesAndNumbersEqualThoseOfABlockingDraw) {
     std::vector<Bytes> pictures[2];
     double visibility[2] = {-1, -2};
     std::size_t taps[2] = {1, 2};
@@ -110,7 +110,7 @@ TEST(FrameLoader, PicturesAndNumbersAreThoseOfWhoWaits) {
     EXPECT_EQ(taps[0], taps[1]);
 }
 
-TEST(FrameLoader, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
+TEST(FrameLoader, RequestDuringAFrameIsServedAfterIt) {
     const auto editor = hasty_editor();
     choose(*editor, "pcf5");
     EditorRequests requests = editor->frame();
@@ -123,7 +123,7 @@ TEST(FrameLoader, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
                             [](const LogLine& l) { return l.text.find("Not saved") != std::string::npos; }));
 }
 
-TEST(FrameLoader, ASceneThatArrivesMeanwhileIsShownNext) {
+TEST(FrameLoader, SceneThatArrivesDuringAFrameIsShownNext) {
     const auto editor = hasty_editor();
     const Bytes before = shown(*editor);
     choose(*editor, "pcf7");
@@ -135,7 +135,7 @@ TEST(FrameLoader, ASceneThatArrivesMeanwhileIsShownNext) {
     EXPECT_FALSE(shown(*editor) == before);
 }
 
-TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
+TEST(FrameLoader, FailedFrameIsALineInTheLog) {
     const auto editor = hasty_editor();
     EditorRequests requests = editor->frame();
     editor->settle();
@@ -146,7 +146,7 @@ TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
     EXPECT_GT(editor->model().state.log.unseen_errors(), 0);
 }
 
-TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
+TEST(FrameLoader, EditorIdlesAfterShaderWarmUp) {
     const auto editor = hasty_editor();
     const ShaderWarmup& warmup = *editor->model().warmup();
     warmup.wait();
@@ -164,7 +164,7 @@ TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
 }
 
 /// The map fills the window, and there is no picture of the scene.
-TEST(FrameLoader, AMapAloneFollowsItsSettings) {
+TEST(FrameLoader, MapAloneFollowsItsSettings) {
     const auto editor = hasty_editor();
     EditorState& state = editor->model().state;
     state.window.maximised = Panel::Map;

@@ -69,7 +69,7 @@ PictureView view_of(const Scene& scene, const Settings& s) {
     return {make_camera(scene, s, double(kPictureWidth) / kPictureHeight), {0, 0}, {kPictureWidth, kPictureHeight}, 1};
 }
 
-TEST(Gesture, ZoomingKeepsWhatIsUnderTheCursorAndUndoesItself) {
+TEST(Gesture, ZoomingKeepsThePointUnderTheCursorAndIsReversible) {
     const Scene scene = test::box_scene({{}});
     for (const bool orthographic : {false, true}) {
         Settings s = manual(orthographic);
@@ -100,7 +100,7 @@ TEST(Gesture, LookingAroundKeepsTheEye) {
     EXPECT_LT(glm::dot(-after.axes[2], before.axes[1]), 0) << "mouse down looks down";
 }
 
-TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
+TEST(Gesture, FlyingMovesEyeAndTargetEqually) {
     const Scene scene = test::box_scene({{}});
     Settings s = manual(false);
     const Camera before = make_camera(scene, s, 1.6);
@@ -116,7 +116,7 @@ TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
     EXPECT_NEAR(parallel.camera.height, 9 * std::exp(-3.0 / 12), 1e-9);
 }
 
-TEST(Gesture, LookingAlongAnAxisShowsTheOtherTwo) {
+TEST(Gesture, ViewAlongAnAxisShowsTheOtherTwoAxes) {
     const Scene scene = test::box_scene({{}});
     for (int axis = 0; axis < 3; ++axis)
         for (const bool positive : {false, true}) {
@@ -133,7 +133,7 @@ TEST(Gesture, LookingAlongAnAxisShowsTheOtherTwo) {
         }
 }
 
-TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
+TEST(Gesture, FramingFillsThePictureWithTheBounds) {
     const Scene scene = test::box_scene({{{-4, 0, -1}, {9, 3, 5}}}, {1e4, 0, -300});
     for (const bool orthographic : {false, true})
         for (const double aspect : {0.5, 1.6}) {
@@ -159,7 +159,7 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
         }
 }
 
-TEST(Gesture, TheLightFollowsTheMouseOnEitherSide) {
+TEST(Gesture, LightFollowsTheMouseOnBothSides) {
     const Scene scene = test::box_scene({{}});
     const Settings s = manual(false);
     const Camera c = make_camera(scene, s, 1.6);
@@ -194,7 +194,7 @@ TEST(LightLines, EdgesEndAtTheCornersOfClipSpace) {
     }
 }
 
-TEST(LightLines, ASegmentThroughTheCameraKeepsOnlyWhatIsInFront) {
+TEST(LightLines, SegmentThroughTheCameraKeepsThePartInFront) {
     const Scene scene = test::box_scene({{}});
     const Camera c = make_camera(scene, manual(false), 1.6);
     const glm::dvec3 front = c.eye - 5.0 * c.axes[2] + c.axes[0], behind = c.eye + 5.0 * c.axes[2] + c.axes[0];

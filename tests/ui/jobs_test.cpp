@@ -213,7 +213,7 @@ protected:
 
 constexpr glm::ivec2 kBesideLabel{200, 0};  ///< from a setting's label to its slider
 
-TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
+TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
     ASSERT_NO_FATAL_FAILURE(begin());
     const json before = saved();
 
@@ -343,7 +343,7 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
     quit();
 }
 
-TEST_F(WindowJobs, OfModelsPresetsAndKeys) {
+TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", (folder_ / "mine.glb").string()}).code, 0);
     std::ofstream(folder_ / "far.json")
         << R"({"format": "shadow-inspector-preset", "version": 2, "scene": "boxes", "settings": {"bias.constant": 60, "bias.normal": 0}})";

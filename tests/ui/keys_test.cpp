@@ -21,7 +21,7 @@ struct Keys : testing::Test {
     Settings& settings() { return ui.state.settings; }
 };
 
-TEST_F(Keys, CAppliesTheFixOfTheShownLightsVerdictOnly) {
+TEST_F(Keys, CAppliesOnlyTheFixOfTheShownLight) {
     settings().light_count = 2;
     PixelDiagnosis of_other;
     of_other.light = 1;
@@ -49,7 +49,7 @@ TEST_F(Keys, CWithoutAFixChangesNothing) {
     EXPECT_NE(ui.state.log.lines().back().text.find("names none"), std::string::npos) << "but it is said";
 }
 
-TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
+TEST_F(Keys, CPressedBeforeTheVerdictAppliesLater) {
     PixelDiagnosis stale;
     stale.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
     ui.diagnoses = {stale};  // of the picture before
@@ -94,7 +94,7 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     EXPECT_EQ(settings().bias.slope, 1);
 }
 
-TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
+TEST_F(Keys, PageDownOnlyOpensAPreset) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.KeyMap[ImGuiKey_PageUp] = 401;
@@ -115,14 +115,14 @@ TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     EXPECT_TRUE(ImGui::GetCurrentContext()->NavDisableHighlight);
 }
 
-TEST_F(Keys, QSaysWhatBecameOfIt) {
+TEST_F(Keys, QReportsItsResult) {
     ui.state.probe_pixel.reset();
     key('Q');
     ASSERT_FALSE(ui.state.log.lines().empty());
     EXPECT_NE(ui.state.log.lines().back().text.find("No stored-depth quads to show"), std::string::npos);
 }
 
-TEST_F(Keys, XSaysThatItLooks) {
+TEST_F(Keys, XReportsItsSearch) {
     key('X');
     ASSERT_FALSE(ui.state.log.lines().empty());
     EXPECT_NE(ui.state.log.lines().back().text.find("Looking"), std::string::npos);
@@ -130,7 +130,7 @@ TEST_F(Keys, XSaysThatItLooks) {
     EXPECT_NE(ui.state.log.lines().back().text.find("Still looking"), std::string::npos);
 }
 
-TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
+TEST_F(Keys, PComparesWithThePinIfNothingIsCompared) {
     key('P');
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
     EXPECT_FALSE(ui.state.comparison.reference);
@@ -140,14 +140,14 @@ TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
     EXPECT_TRUE(ui.state.comparison.reference) << "what is compared stays";
 }
 
-TEST_F(Keys, UTakesAllBiasAway) {
+TEST_F(Keys, URemovesAllBias) {
     settings().bias = {.constant = 1, .slope = 2, .normal = 3, .raster_slope = 4, .raster_units = 5};
     key('U');
     const BiasSettings& b = settings().bias;
     for (const double left : {b.constant, b.slope, b.normal, b.raster_slope, b.raster_units}) EXPECT_EQ(left, 0);
 }
 
-TEST_F(Keys, TGoesThroughTheTypesOfTheShownLight) {
+TEST_F(Keys, TCyclesThroughTheTypesOfTheShownLight) {
     settings().light_count = 2;
     settings().view.light = 1;
     for (const LightType next : {LightType::Spot, LightType::Point, LightType::Directional}) {
@@ -170,7 +170,7 @@ TEST_F(Keys, BracketsHalveAndDoubleTheResolutionWithinItsRange) {
     EXPECT_EQ(settings().map.resolution, int(find_setting("map.resolution")->param->min));
 }
 
-TEST_F(Keys, QShowsTheTexelsOfTheProbedPixelAsQuadsAndHidesThemAgain) {
+TEST_F(Keys, QTogglesTheTexelQuadsOfTheProbedPixel) {
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     key('Q');
@@ -187,7 +187,7 @@ TEST_F(Keys, QShowsTheTexelsOfTheProbedPixelAsQuadsAndHidesThemAgain) {
     EXPECT_EQ(v.slabs, Slabs::None) << "nothing is pointed at";
 }
 
-TEST_F(Keys, ALetterThatArrivesWithTheClickIntoAFieldIsTypedAndDoesNothingElse) {
+TEST_F(Keys, LetterThatArrivesWithTheClickIntoAFieldIsOnlyTyped) {
     const auto field = ui.drawn().find(U"Searchsettings");
     ASSERT_TRUE(field);
     ui.move({field->x, field->y});

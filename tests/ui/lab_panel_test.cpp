@@ -28,7 +28,7 @@ protected:
     }
 };
 
-TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
+TEST_F(LabPanelTest, ShowsMeasurements) {
     PipelineError e{.origin = MapOrigin::World, .transform = MapTransform::Eye, .pixels = 10};
     e.texels = {.median = 12.5, .p99 = 46.25, .worst = 99, .worst_at = {1, 2}};
     e.ulps = {.median = 577, .p99 = 2700, .worst = 9999, .worst_at = {1, 2}};
@@ -47,7 +47,7 @@ TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
         EXPECT_NE(text.find(wanted), std::string::npos) << wanted;
 }
 
-TEST_F(LabPanelTest, ItsButtonsWish) {
+TEST_F(LabPanelTest, ButtonsRequestMeasurements) {
     ui.state.lab.shimmer = {.motion = ShimmerMotion::LightTurns, .steps = 5, .step_texels = 0.5};
     ui.frames(2);
     const auto press = [&](const std::string& window, const std::string& label) {

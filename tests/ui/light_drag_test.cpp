@@ -76,7 +76,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
 }
 
-TEST(LightDrag, APlaceMovesWithTheMouse) {
+TEST(LightDrag, PositionMovesWithTheMouse) {
     for (const LightType type : {LightType::Spot, LightType::Point}) {
         Case c(type, 60, 30);
         const FittedLight before = c.fitted();
@@ -88,7 +88,7 @@ TEST(LightDrag, APlaceMovesWithTheMouse) {
     }
 }
 
-TEST(LightDrag, AnArrowMovesAlongItsAxisOnly) {
+TEST(LightDrag, ArrowMovesOnlyAlongItsAxis) {
     Case c(LightType::Point, 60, 30);
     for (const auto& [handle, way] :
          {std::pair{LightHandle::AxisX, glm::dvec3(1, 0, 0)}, {LightHandle::AxisY, {0, 1, 0}}}) {
@@ -98,7 +98,7 @@ TEST(LightDrag, AnArrowMovesAlongItsAxisOnly) {
     }
 }
 
-TEST(LightDrag, ADirectionalLightTakesItsTargetAlong) {
+TEST(LightDrag, DirectionalLightMovesItsTarget) {
     for (const LightHandle h : {LightHandle::Position, LightHandle::AxisY, LightHandle::Target}) {
         Case c(LightType::Directional, 35, 50);
         const FittedLight before = c.fitted();
@@ -112,7 +112,7 @@ TEST(LightDrag, ADirectionalLightTakesItsTargetAlong) {
     }
 }
 
-TEST(LightDrag, ASpotLightsTargetMovesAndItStays) {
+TEST(LightDrag, TargetOfASpotLightMovesAlone) {
     Case c(LightType::Spot, 60, 30);
     const FittedLight before = c.fitted();
     c.drag(LightHandle::Target, front_view(), {25, 10});
@@ -158,7 +158,7 @@ TEST(LightDrag, PlanesStayInOrderAndInFrontOfTheLight) {
     EXPECT_GT(spot.light.near, 0);
 }
 
-TEST(LightDrag, ADirectionalLightStandsBackForItsNearPlane) {
+TEST(LightDrag, DirectionalLightMovesBackForItsNearPlane) {
     Case c(LightType::Directional);
     const LightView before = c.fitted().views[0];
     const double wanted = before.curve.near + 7;  // metres towards the light, and beyond it
@@ -170,7 +170,7 @@ TEST(LightDrag, ADirectionalLightStandsBackForItsNearPlane) {
     EXPECT_NEAR(plane(after, after.curve.far), plane(before, before.curve.far), 1e-9);
 }
 
-TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
+TEST(LightDrag, ExtentIsTheDistanceFromTheAxis) {
     Case c(LightType::Directional);
     const LightPose pose = c.pose();
     int tried = 0;
@@ -190,7 +190,7 @@ TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
     EXPECT_EQ(tried, 2);
 }
 
-TEST(LightDrag, AConeOpensToTheMouse) {
+TEST(LightDrag, ConeOpensToTheMouse) {
     Case c(LightType::Spot);  // from +x: its axis is -x, and the rim's handles up and down lie in the picture's plane
     for (const double cone : {50.0, 220.0})
         for (const LightHandle h :
@@ -214,7 +214,7 @@ TEST(LightDrag, AConeOpensToTheMouse) {
     expect_near(c.fitted().position, before);
 }
 
-TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
+TEST(LightDrag, RangeFollowsTheMouseAndChangesNothingElse) {
     const PictureView v = front_view();
     for (const LightType type : {LightType::Spot, LightType::Point}) {
         Case c(type);
@@ -241,7 +241,7 @@ TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
     EXPECT_EQ(std::ranges::count(handles_of(sun.pose()), LightHandle::Range), 0);
 }
 
-TEST(LightDrag, TheConeCanBeOpenedLookingDownTheAxis) {
+TEST(LightDrag, ConeOpensInAViewAlongTheAxis) {
     Case c(LightType::Spot, 0, 0);  // from +z, as the camera
     c.light.cone = 50;
     c.light.distance = 9;
@@ -253,7 +253,7 @@ TEST(LightDrag, TheConeCanBeOpenedLookingDownTheAxis) {
                 1e-9);
 }
 
-TEST(LightDrag, ADirectionFollowsTheMouseOnItsBall) {
+TEST(LightDrag, DirectionFollowsTheMouseOnItsSphere) {
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         Case c(type, 40, 25);
         if (type == LightType::Spot) c.light.distance = 12;
@@ -273,7 +273,7 @@ TEST(LightDrag, ADirectionFollowsTheMouseOnItsBall) {
     }
 }
 
-TEST(LightDrag, BeyondItsOutlineTheBallsFarSideIsReached) {
+TEST(LightDrag, MouseOutsideTheOutlineReachesTheFarSideOfTheSphere) {
     Case c(LightType::Directional, 40, 0);
     const double radius = direction_ball(c.pose(), front_view()) / kMetresPerPixel, x = radius * std::sin(40 * kDegree);
     c.drag(LightHandle::Direction, front_view(), {radius - x + 0.25 * radius, 0});  // a quarter of the radius too far
@@ -352,7 +352,7 @@ TEST(LightDrag, StepsAreRound) {
     EXPECT_TRUE(multiple(planes.light.far, 0.5)) << planes.light.far;
 }
 
-TEST(LightDrag, ATargetIsCountedFromTheScenesCentre) {
+TEST(LightDrag, TargetIsRelativeToTheSceneCentre) {
     for (const LightType type : {LightType::Spot, LightType::Directional}) {
         Case c(type, 40, 30);
         c.scene = test::box_scene({{{7, -1, -2}, {13, 5, 4}}});
@@ -364,7 +364,7 @@ TEST(LightDrag, ATargetIsCountedFromTheScenesCentre) {
     }
 }
 
-TEST(LightDrag, AcrossItsAxisAConeStaysShutOrWideOpen) {
+TEST(LightDrag, ConeStaysShutOrWideOpenAcrossItsAxis) {
     for (const auto& [cone, wanted] : {std::pair{50.0, 0.2}, {300.0, 360.0}}) {
         Case c(LightType::Spot);
         c.light.cone = cone;
@@ -377,7 +377,7 @@ TEST(LightDrag, AcrossItsAxisAConeStaysShutOrWideOpen) {
     }
 }
 
-TEST(LightHandles, NumbersAreThoseOfWhatIsDragged) {
+TEST(LightHandles, NumbersBelongToTheDraggedHandle) {
     Case c(LightType::Spot, 30, 20);
     c.light.cone = 41;
     c.light.distance = 9;
@@ -393,7 +393,7 @@ TEST(LightHandles, NumbersAreThoseOfWhatIsDragged) {
                                                                metres_text(pose.position.z));
 }
 
-TEST(LightHandles, UnderAFitOnlyALightWithAPlaceHasATarget) {
+TEST(LightHandles, FittedLightHasATargetOnlyIfItHasAPosition) {
     const auto has_target = [](const Case& c) {
         const auto all = handles_of(c.pose());
         return std::find(all.begin(), all.end(), LightHandle::Target) != all.end();
@@ -405,14 +405,14 @@ TEST(LightHandles, UnderAFitOnlyALightWithAPlaceHasATarget) {
     EXPECT_TRUE(has_target(sun));
 }
 
-TEST(LightHandles, AlongTheLineOfSightThereIsNothingToDrag) {
+TEST(LightHandles, HandlesAlongTheLineOfSightCannotBeDragged) {
     Case c(LightType::Directional, 0, 0);  // from +z, where the camera is
     for (const PlacedHandle& h : place_handles(c.pose(), front_view()))
         EXPECT_TRUE(h.handle != LightHandle::Near && h.handle != LightHandle::Far && h.handle != LightHandle::AxisZ)
             << handle_name(h.handle);
 }
 
-TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
+TEST(LightHandles, AreNeitherBehindTheCameraNorOutsideThePicture) {
     Case c(LightType::Spot, 20, 35);
     c.light.distance = 100;  // behind the camera, which looks from about there from 30 m
     const PictureView v = perspective_view(c.scene);
@@ -434,14 +434,14 @@ TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
         EXPECT_TRUE(front_view().contains(h.on_screen)) << handle_name(h.handle);
 }
 
-TEST(LightHandles, ALightWithoutAMapHasNoPlanes) {
+TEST(LightHandles, LightWithoutAMapHasNoPlanes) {
     Case c(LightType::Directional);
     c.light.cast = false;
     for (const LightHandle h : handles_of(c.pose()))
         EXPECT_TRUE(h != LightHandle::Near && h != LightHandle::Far && !is_extent(h));
 }
 
-TEST(PictureView, ARayThroughAPointOfTheScreenMeetsWhatAppearsThere) {
+TEST(PictureView, RayThroughAScreenPointHitsTheShownSurface) {
     const Scene scene = small_scene();
     for (const PictureView& v : {front_view(), perspective_view(scene)}) {
         const glm::dvec3 p(1.5, -0.7, 0.9);

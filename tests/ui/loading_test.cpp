@@ -114,7 +114,7 @@ struct Loading {
     const std::string& shown() { return editor.model().state.scene_name; }
 };
 
-TEST(Loading, TheEditorDrawsTheOldSceneAndTheProgressMeanwhile) {
+TEST(Loading, EditorDrawsTheOldSceneAndTheProgress) {
     Loading l;
     EditorModel& model = l.editor.model();
     ByteImage before;
@@ -150,7 +150,7 @@ TEST(Loading, TheEditorDrawsTheOldSceneAndTheProgressMeanwhile) {
     EXPECT_EQ(model.state.settings.view.overlay, 2);
 }
 
-TEST(Loading, CancelKeepsTheSceneThatIsShown) {
+TEST(Loading, CancelKeepsTheShownScene) {
     Loading l;
     l.puppet.advance(0.5);
     const Settings before = l.editor.model().state.settings;
@@ -167,7 +167,7 @@ TEST(Loading, CancelKeepsTheSceneThatIsShown) {
     EXPECT_EQ(l.editor.model().state.log.unseen_errors(), 0) << last_line(l.editor);
 }
 
-TEST(Loading, ASceneReadBeforeItsCancelWasNoticedIsDropped) {
+TEST(Loading, SceneReadBeforeItsCancelIsDropped) {
     Puppet puppet;
     puppet.release();
     SceneLoading loading(puppet.reader());
@@ -178,7 +178,7 @@ TEST(Loading, ASceneReadBeforeItsCancelWasNoticedIsDropped) {
     EXPECT_FALSE(loading.busy());
 }
 
-TEST(Loading, AFailureKeepsTheSceneAndIsALineInTheLog) {
+TEST(Loading, FailureKeepsTheSceneAndIsALineInTheLog) {
     Loading l;
     l.puppet.advance(0.7);
     l.puppet.release("city.gltf: it is broken; mend it");
@@ -191,7 +191,7 @@ TEST(Loading, AFailureKeepsTheSceneAndIsALineInTheLog) {
     EXPECT_FALSE(l.facts());
 }
 
-TEST(Loading, ASecondRequestCancelsTheFirst) {
+TEST(Loading, SecondRequestCancelsTheFirst) {
     Loading l("first.gltf");
     l.puppet.advance(0.5);
     l.editor.model().open("second.gltf");
@@ -207,7 +207,7 @@ TEST(Loading, ASecondRequestCancelsTheFirst) {
     EXPECT_EQ(l.puppet.most_at_once(), 1) << "two scenes would be in memory";
 }
 
-TEST(Loading, ClosingTheEditorCancelsAndJoins) {
+TEST(Loading, ClosingTheEditorCancelsAndJoinsTheThread) {
     Puppet puppet;
     {
         HeadlessEditor editor(plane(), puppet.reader());
@@ -218,7 +218,7 @@ TEST(Loading, ClosingTheEditorCancelsAndJoins) {
     EXPECT_EQ(puppet.cancelled(), std::vector<std::string>{"city.gltf"});
 }
 
-TEST(Loading, APresetWaitsForItsSceneAndGoesWithItsCancel) {
+TEST(Loading, PresetWaitsForItsSceneAndIsCancelledWithIt) {
     const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "loading_preset.json";
     Preset preset{.about = {}, .scene = "town.gltf", .settings = {}};
     preset.settings.bias.constant = 3.25;
@@ -248,7 +248,7 @@ EditorOptions first(const std::string& scene, const std::vector<std::string>& se
     return o;
 }
 
-TEST(Loading, TheFirstSceneIsReadOnceWhileTheEditorDraws) {
+TEST(Loading, FirstSceneIsReadOnceWhileTheEditorDraws) {
     Puppet puppet;
     HeadlessEditor editor(first("city.gltf", {"bias.constant=2"}), puppet.reader());
     EditorModel& model = editor.model();
@@ -279,7 +279,7 @@ TEST(Loading, TheFirstSceneIsReadOnceWhileTheEditorDraws) {
     EXPECT_NO_THROW(model.require_scene());
 }
 
-TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
+TEST(Loading, FailedFirstSceneLeavesAWorkingEditor) {
     Puppet puppet;
     puppet.release("city.gltf: it is broken; mend it");
     HeadlessEditor editor(first("city.gltf"), puppet.reader());
@@ -307,7 +307,7 @@ TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
     EXPECT_NO_THROW(model.require_scene());
 }
 
-TEST(Loading, ACancelledFirstSceneLeavesAnEditorThatSaysSo) {
+TEST(Loading, CancelledFirstSceneIsReported) {
     Puppet puppet;
     HeadlessEditor editor(first("city.gltf"), puppet.reader());
     puppet.advance(0.3);
@@ -319,7 +319,7 @@ TEST(Loading, ACancelledFirstSceneLeavesAnEditorThatSaysSo) {
     EXPECT_EQ(editor.model().state.log.unseen_errors(), 0);
 }
 
-TEST(Loading, WhatTheFirstSceneLacksIsLeftOutAndTold) {
+TEST(Loading, ObjectsMissingInTheFirstSceneAreDroppedAndReported) {
     EditorOptions o = first("boxes", {"object.Nobody.cast=false", "bias.constant=2"});
     {
         HeadlessEditor editor(o);
@@ -335,7 +335,7 @@ TEST(Loading, WhatTheFirstSceneLacksIsLeftOutAndTold) {
     EXPECT_THROW(strict.model().require_scene(), UsageError);
 }
 
-TEST(Loading, AnotherSceneOfTheFileIsReadWhenItsIndexIsChosen) {
+TEST(Loading, SceneIndexReadsAnotherSceneOfTheFile) {
     test::TemporaryFolder folder;
     test::GltfFile file;
     file.add_triangle();
@@ -372,7 +372,7 @@ TEST(Loading, AnotherSceneOfTheFileIsReadWhenItsIndexIsChosen) {
     EXPECT_FALSE(model.loading()) << "it is not tried again and again";
 }
 
-TEST(Loading, AFileIsReadThroughTheLoaderWithItsProgress) {
+TEST(Loading, FileIsReadByTheLoaderWithProgress) {
     const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "loading_boxes.gltf";
     save_gltf(load_scene("boxes"), file);
     SceneLoading loading;
@@ -384,7 +384,7 @@ TEST(Loading, AFileIsReadThroughTheLoaderWithItsProgress) {
     EXPECT_EQ(outcome->scene->triangle_count(), load_scene("boxes").triangle_count());
 }
 
-TEST(Loading, TheTimeLeftIsEstimatedOnceItCanBe) {
+TEST(Loading, RemainingTimeIsEstimatedOnceKnown) {
     EXPECT_EQ(remaining_seconds(0.5, 0.5), 0) << "too early";
     EXPECT_EQ(remaining_seconds(20, 0.01), 0) << "too little";
     EXPECT_DOUBLE_EQ(remaining_seconds(3, 0.25), 9);
@@ -405,7 +405,7 @@ TEST(Loading, TheTimeLeftIsEstimatedOnceItCanBe) {
     EXPECT_NE(vertices({"city.gltf", 1, 0}), without) << "then its first picture is drawn";
 }
 
-TEST(Loading, TheCancelButtonIsOverThePicture) {
+TEST(Loading, CancelButtonIsOverThePicture) {
     test::UiHarness ui(1280, 720);
     const auto cancelled_by_a_click = [&] {
         bool cancelled = false;

@@ -47,7 +47,7 @@ std::size_t differing_pixels(const ByteImage& a, const ByteImage& b, int x1) {
     return count;
 }
 
-TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
+TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kBeside;
     editor.settle();
@@ -69,7 +69,7 @@ TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
     EXPECT_NE(std::find(readers.begin(), readers.end(), pixel), readers.end());
 }
 
-TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
+TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
     EditorOptions o = options();
     o.session.sets.push_back("map.resolution=64");  // texels that many pixels read
     HeadlessEditor editor(o);
@@ -86,7 +86,7 @@ TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
     EXPECT_GE(differing_pixels(before, editor.picture(), 480), readers / 2) << "the scene picture shows no readers";
 }
 
-TEST(MapViewer, LinksAreReadOnlyWhileAPictureIsHovered) {
+TEST(MapViewer, LinksAreReadOnlyDuringHover) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kBeside;
     editor.settle();
@@ -95,7 +95,7 @@ TEST(MapViewer, LinksAreReadOnlyWhileAPictureIsHovered) {
 }
 
 // Exactly read are all texels of the squares about kernels where a kernel reads all of its square, and fewer else.
-TEST(MapViewer, TheTexelsThatAreReadAreMarkedExactlyWhenAskedFor) {
+TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
     const auto shares = [](const std::string& kernel, const char* picture) {
         EditorOptions o = options();
         o.session.sets = {"filter.kernel=" + kernel, "filter.radius=8", "filter.taps=4", "map.resolution=256",
@@ -130,7 +130,7 @@ TEST(MapViewer, TheTexelsThatAreReadAreMarkedExactlyWhenAskedFor) {
     EXPECT_LT(poisson, 0.98 * poisson_squares);
 }
 
-TEST(MapViewer, TheHistogramCountsEveryTexel) {
+TEST(MapViewer, HistogramCountsEveryTexel) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kBeside;
     editor.settle();
@@ -145,7 +145,7 @@ TEST(MapViewer, TheHistogramCountsEveryTexel) {
     EXPECT_EQ(counted, s.drawn);
 }
 
-TEST(MapViewer, FittingTheGreysNarrowsTheHistogram) {
+TEST(MapViewer, GreyScaleFitNarrowsTheHistogram) {
     EditorOptions o = options();
     o.session.sets.push_back("view.map_fit=true");
     HeadlessEditor editor(o);
@@ -188,7 +188,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
     EXPECT_NE(editor.model().state.log.lines().back().text.find(".png"), std::string::npos);
 }
 
-TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
+TEST(MapViewer, CameraDepthIsShownInItsOwnAspectRatio) {
     EditorOptions o = options("plane");
     o.session.sets.push_back("view.map_source=camera");
     HeadlessEditor editor(o);
@@ -201,7 +201,7 @@ TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "camera_depth.png", editor.picture());
 }
 
-TEST(MapViewer, LostCastersAreFacts) {
+TEST(MapViewer, LostCastersAreReported) {
     EditorOptions o = options();
     o.session.sets = {"caster.cull=front"};
     HeadlessEditor editor(o);
@@ -222,7 +222,7 @@ TEST(MapViewer, LostCastersAreFacts) {
     EXPECT_TRUE(editor.model().facts().lost_casters.empty());
 }
 
-TEST(DepthPlots, TheNinetyTenRule) {
+TEST(DepthPlots, ShowTheNinetyTenRule) {
     DepthCurve curve{.perspective = true, .near = 1, .far = 100, .convention = {}};
     // Depth 0.9 is reached where (1/n - 1/z) / (1/n - 1/f) = 0.9.
     const double expected = 1 / (1 - 0.9 * (1 - 0.01));

@@ -35,7 +35,7 @@ const std::set<std::string> kWholeState = {
     "preset_strips.cpp", "presets_menu.cpp", "probe_panel.cpp",    "settings_panel.cpp", "shortcuts_overview.cpp",
     "status_bar.cpp",    "top_bar.cpp",      "welcome.cpp"};
 
-TEST(PanelIncludes, PanelsThatOwnTheirStateSeeNoOtherPanel) {
+TEST(PanelIncludes, PanelsWithStateIncludeNoOtherPanel) {
     int own = 0;
     for (const auto& entry : fs::directory_iterator(fs::path(SI_SOURCE_DIR) / "ui/panels")) {
         const std::string name = entry.path().filename().string();
@@ -46,7 +46,7 @@ TEST(PanelIncludes, PanelsThatOwnTheirStateSeeNoOtherPanel) {
     EXPECT_GE(own, 10);
 }
 
-TEST(PanelIncludes, HeadersOfPanelsDoNotIncludeTheEditorsState) {
+TEST(PanelIncludes, PanelHeadersDoNotIncludeTheEditorState) {
     for (const auto& entry : fs::directory_iterator(fs::path(SI_SOURCE_DIR) / "ui/panels")) {
         if (entry.path().extension() != ".h") continue;
         const std::string name = entry.path().filename().string();

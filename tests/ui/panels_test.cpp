@@ -51,7 +51,7 @@ std::vector<SettingRef> every_setting() {
     return all;
 }
 
-TEST(Panels, SettingsAreFoundByOtherEnginesWords) {
+TEST(Panels, SettingsAreFoundByTermsOfOtherEngines) {
     const std::pair<const char*, const char*> kWords[] = {
         {"normal bias", "bias.normal"},            // Unity, Godot, Filament
         {"normalBias", "bias.normal"},             // three.js
@@ -196,7 +196,7 @@ std::vector<ImRect> drawn_in(const ImVec4& colour) {
     return out;
 }
 
-TEST(Panels, AMarkOfASliderLeavesItsNumberFree) {
+TEST(Panels, SliderMarkLeavesItsNumberFree) {
     for (const double share : {0.0, 0.45, 0.5, 0.55, 1.0}) {
         UiHarness ui(1280, 900);
         for (const SettingRef& ref : every_setting()) {
@@ -213,7 +213,7 @@ TEST(Panels, AMarkOfASliderLeavesItsNumberFree) {
     }
 }
 
-TEST(Panels, WhatTheDriverLacksHasNoEffect) {
+TEST(Panels, MissingDriverFeaturesHaveNoEffect) {
     Settings s;
     s.bias.raster_slope = 1;
     DriverInfo driver;
@@ -226,7 +226,7 @@ TEST(Panels, WhatTheDriverLacksHasNoEffect) {
     use_driver(nullptr);
 }
 
-TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
+TEST(Panels, LightSizeHasTheUnitOfItsType) {
     UiHarness ui(1280, 900);
     ui.state.settings_panel.search = "light.size";
     ui.frames(3);
@@ -236,7 +236,7 @@ TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
     EXPECT_TRUE(ui.drawn().find(U"0.27m"));
 }
 
-TEST(Panels, AutomaticValuesSayWhatTheyCameTo) {
+TEST(Panels, AutomaticValuesShowTheirResult) {
     UiHarness ui(1280, 900);
     ui.state.settings_panel.search = "light.near";
     ui.frames(3);
@@ -250,7 +250,7 @@ TEST(Panels, AutomaticValuesSayWhatTheyCameTo) {
     EXPECT_TRUE(ui.drawn().find(U"2.5m"));
 }
 
-TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
+TEST(Panels, TexelBiasIsUsefulOverItsWholeSlider) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
@@ -269,7 +269,7 @@ TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
     EXPECT_GT(middle - quarter, 3);
 }
 
-TEST(Panels, TheStatusBarSaysWhatMapsTakeAndHowOftenTheyAreRead) {
+TEST(Panels, StatusBarShowsMapMemoryAndReads) {
     UiHarness ui(1600, 900);
     set_setting(ui.state.settings, "filter.kernel", "hard");
     ui.frames(3);
@@ -279,7 +279,7 @@ TEST(Panels, TheStatusBarSaysWhatMapsTakeAndHowOftenTheyAreRead) {
     EXPECT_TRUE(ui.drawn().shows("taps"));
 }
 
-TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
+TEST(Panels, TooltipHidesNoOtherSetting) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
@@ -296,7 +296,7 @@ TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
     EXPECT_GE(tip->Pos.x, 0);
 }
 
-TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
+TEST(Panels, DepthBiasHasNoTrailingZeros) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings.bias.unit = BiasUnit::Depth;
     ui.state.settings_panel.search = "bias.constant";
@@ -320,7 +320,7 @@ TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
 }
 
 /// Labels are free texts: whoever writes a command or a preset finds the key in the tooltip.
-TEST(Panels, TheTooltipOfEverySettingShowsItsKey) {
+TEST(Panels, TooltipOfEverySettingShowsItsKey) {
     UiHarness ui(kWidth, 6000);                     // tall enough to hold all rows
     ui.state.settings_panel.search.assign(1, '.');  // a dot matches every key: all groups open
     ui.frames(3);
@@ -349,7 +349,7 @@ TEST(Panels, TheTooltipOfEverySettingShowsItsKey) {
     EXPECT_GT(found, 0);
 }
 
-TEST(Panels, TooltipsBreakNoKey) {
+TEST(Panels, TooltipsDoNotWrapKeys) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     const float room = ImGui::CalcTextSize("filter.kernel=hard map.res").x;
@@ -360,7 +360,7 @@ TEST(Panels, TooltipsBreakNoKey) {
     EXPECT_EQ(broken_at_spaces("", room), "");
 }
 
-TEST(Panels, OneIsNoPlural) {
+TEST(Panels, OneIsSingular) {
     UiHarness ui(1280, 900);
     const auto shows = [&](const char* text) {
         ui.frames(3);
@@ -380,7 +380,7 @@ TEST(Panels, OneIsNoPlural) {
     EXPECT_TRUE(shows("1s")) << "a second";
 }
 
-TEST(Panels, GroupsThatAreCalledByWhatIsSearchedForComeFirst) {
+TEST(Panels, GroupsWithTheSearchedNameComeFirst) {
     UiHarness ui(1280, 1200);
     const auto above = [&](const char* search, const char32_t* first, const char32_t* second) {
         ui.state.settings_panel.search = search;
@@ -392,7 +392,7 @@ TEST(Panels, GroupsThatAreCalledByWhatIsSearchedForComeFirst) {
     EXPECT_TRUE(above("camera", U"Scene'scamera", U"Splitlambda"));
 }
 
-TEST(Panels, DraggingASliderIsOneStepOfUndo) {
+TEST(Panels, SliderDragIsOneUndoStep) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
@@ -423,7 +423,7 @@ TEST(Panels, UndoAndRedoByKeyboard) {
     EXPECT_EQ(ui.state.settings.bias.constant, 7);
 }
 
-TEST(Panels, CtrlClickTypesAnyValueInRange) {
+TEST(Panels, CtrlClickAcceptsAnyValueInRange) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "map.resolution";
     ui.frames(3);
@@ -435,7 +435,7 @@ TEST(Panels, CtrlClickTypesAnyValueInRange) {
     EXPECT_EQ(ui.state.settings.map.resolution, 777);
 }
 
-TEST(Panels, DraggingTheResolutionFindsPowersOfTwo) {
+TEST(Panels, ResolutionDragFindsPowersOfTwo) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "map.resolution";
     ui.frames(3);
@@ -445,7 +445,7 @@ TEST(Panels, DraggingTheResolutionFindsPowersOfTwo) {
     EXPECT_EQ(n & (n - 1), 0) << n;
 }
 
-TEST(Panels, RightClickResets) {
+TEST(Panels, RightClickResetsASetting) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.state.settings.bias.constant = 9;
@@ -458,7 +458,7 @@ TEST(Panels, RightClickResets) {
     }
 }
 
-TEST(Panels, ClickProbesAndDragTurnsTheCamera) {
+TEST(Panels, ClickProbesAndDragOrbitsTheCamera) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     ui.click(kPicture);
@@ -481,7 +481,7 @@ TEST(Panels, ClickProbesAndDragTurnsTheCamera) {
     EXPECT_EQ(ui.state.settings.camera.azimuth, turned.azimuth);
 }
 
-TEST(Panels, TurningTheWheelIsOneStepOfUndo) {
+TEST(Panels, WheelTurnIsOneUndoStep) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     ui.move(kPicture);
@@ -497,7 +497,7 @@ TEST(Panels, TurningTheWheelIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
-TEST(Panels, SplittersStayWhereTheyArePut) {
+TEST(Panels, SplittersKeepTheirPlaces) {
     UiHarness ui(kWidth, kHeight);
     const int before = ui.frames(3).scene_width;
     float x = 0;
@@ -523,7 +523,7 @@ bool drag_somewhere(UiHarness& ui, glm::vec2 from, glm::vec2 to, glm::vec2 by, c
     return false;
 }
 
-TEST(Panels, TheEndsOfTheGreyScaleAreDraggedInTheHistogram) {
+TEST(Panels, GreyScaleEndsAreDraggedInTheHistogram) {
     UiHarness ui(kWidth, kHeight);
     DepthHistogram histogram;
     histogram.counts.assign(100, 5);
@@ -555,7 +555,7 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     EXPECT_EQ(own->second.cull, ObjectCull::None);
 }
 
-TEST(Panels, TheListOfObjectsEditsOneAtATime) {
+TEST(Panels, ObjectListEditsOneObjectAtATime) {
     UiHarness ui(kWidth, kHeight);
     ui.state.window.open_tab = BottomTab::Objects;
     const std::string other = ui.scene.nodes[std::size_t(ui.scene.objects[1].node)].path;
@@ -580,14 +580,14 @@ TEST(Panels, TheListOfObjectsEditsOneAtATime) {
     EXPECT_GE(changed.size(), 4u);
 }
 
-TEST(Panels, ObjectsWithoutChangesLeaveNoTraceInTheSettings) {
+TEST(Panels, UnchangedObjectsLeaveNoTraceInTheSettings) {
     UiHarness ui(kWidth, kHeight);
     ui.state.window.open_tab = BottomTab::Objects;
     ui.frames(5);
     EXPECT_TRUE(ui.state.settings.objects.empty());
 }
 
-TEST(SettingsPanel, ShowsTheSettingsOfTheChosenKernelAlone) {
+TEST(SettingsPanel, ShowsOnlySettingsOfTheSelectedKernel) {
     UiHarness ui(1280, 1600);
     const auto shows = [&](std::u32string_view label) {  // as printed, without spaces
         ui.frames(3);

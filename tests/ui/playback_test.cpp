@@ -60,7 +60,7 @@ struct Bar {
     }
 };
 
-TEST(Playback, ThereIsNothingToPlayInAStillScene) {
+TEST(Playback, StaticSceneHasNothingToPlay) {
     test::UiHarness ui(1280, 720);
     ui.frames(3);
     EditorFrame frame;
@@ -88,7 +88,7 @@ TEST(Playback, ThereIsNothingToPlayInAStillScene) {
     EXPECT_TRUE(scene_choices(&moving, "bias.slope").empty());
 }
 
-TEST(Playback, SpacePlaysInRealTimeAndIsOneStepOfUndo) {
+TEST(Playback, SpacePlaysInRealTimeAsOneUndoStep) {
     Bar bar;
     EXPECT_FALSE(bar.ui.frame().redraw);
     EXPECT_TRUE(bar.space().redraw) << "a window would sleep";
@@ -106,7 +106,7 @@ TEST(Playback, SpacePlaysInRealTimeAndIsOneStepOfUndo) {
     EXPECT_FALSE(bar.ui.state.history.can_redo());
 }
 
-TEST(Playback, TheBarHasTheSwitchOfASteadyMap) {
+TEST(Playback, BarHasTheSteadyMapSwitch) {
     Bar bar;
     const auto box = bar.ui.find("/time_", "", "Steady map");
     ASSERT_TRUE(box);
@@ -119,7 +119,7 @@ TEST(Playback, TheBarHasTheSwitchOfASteadyMap) {
     EXPECT_TRUE(bar.ui.state.settings.scene.fit_animation) << "at rest there is nothing to choose";
 }
 
-TEST(Playback, LoopsOrStopsAtTheLastKeyAndStartsOver) {
+TEST(Playback, LoopsOrStopsAtTheLastKeyAndRestarts) {
     Bar bar;
     bar.ui.state.playback.speed = 2;
     bar.space();
@@ -145,7 +145,7 @@ TEST(Playback, LoopsOrStopsAtTheLastKeyAndStartsOver) {
     }
 }
 
-TEST(Playback, WhatIsChangedWhilePlayingIsAStepOfItsOwn) {
+TEST(Playback, ChangeDuringPlaybackIsItsOwnUndoStep) {
     Bar bar;
     bar.space();
     bar.ui.frames(6);
@@ -162,7 +162,7 @@ TEST(Playback, WhatIsChangedWhilePlayingIsAStepOfItsOwn) {
     EXPECT_NEAR(bar.time(), 12 / 60.0, 1e-6);
 }
 
-TEST(Playback, TheSliderScrubsAndStopsTheClock) {
+TEST(Playback, SliderScrubsAndStopsTheClock) {
     Bar bar;
     bar.space();
     bar.ui.frames(2);
@@ -177,7 +177,7 @@ TEST(Playback, TheSliderScrubsAndStopsTheClock) {
     EXPECT_EQ(bar.ui.state.history.undo().scene.time, 0) << "playing and the drag out of it";
 }
 
-TEST(Playback, TheButtonPlays) {
+TEST(Playback, ButtonPlays) {
     Bar bar;
     bar.ui.click(bar.at(0.02f));
     EXPECT_TRUE(bar.ui.state.playback.playing);
@@ -195,7 +195,7 @@ struct Film {
     }
 };
 
-TEST(Playback, LightsFollowAndAreNoStepsOfTheirOwn) {
+TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     Film film;
     HeadlessEditor editor(film.options);
     editor.settle();
@@ -233,7 +233,7 @@ TEST(Playback, LightsFollowAndAreNoStepsOfTheirOwn) {
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
 }
 
-TEST(Playback, TheHeadlessEditorShowsTheMomentOfTheSettings) {
+TEST(Playback, HeadlessEditorShowsTheTimeOfTheSettings) {
     Film film;
     film.options.session.sets = {"scene.time=0.25"};
     std::vector<ByteImage> pictures;

@@ -105,7 +105,7 @@ TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
+TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyAfterConfirmation) {
     open();
     state().settings.bias.constant = 3;
     std::ofstream(path("mine.json")) << "precious";
@@ -132,7 +132,7 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
+TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainForAnyScene) {
     const auto offered = [&]() -> std::optional<double> {
         const Autosave found(folder_ / "state");
         return found.lost() ? std::optional(found.lost()->preset.settings.bias.constant) : std::nullopt;
@@ -187,7 +187,7 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
     EXPECT_EQ(offered(), std::nullopt) << "where one looks is no work";
 }
 
-TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhatToDo) {
+TEST_F(PresetEditing, RevertWithoutASavedPresetSaysWhatToDo) {
     open();
     state().files.preset_path = path("unsaved.json");
     state().settings.bias.constant = 3;
@@ -203,7 +203,7 @@ TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhat
     EXPECT_EQ(state().settings.bias.constant, 3);
 }
 
-TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
+TEST_F(PresetEditing, OpenedPresetCanBeSavedAndKeepsItsTexts) {
     save_preset({"T", "P", "Look here.", "boxes", {}}, path("told.json"));
     open();
     request({.open_file = path("told.json")});
@@ -218,7 +218,7 @@ TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
     EXPECT_EQ(saved.settings.map.resolution, 64);
 }
 
-TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
+TEST_F(PresetEditing, PresetNamesItsSceneByAPathThatWorksAnywhere) {
     save_gltf(load_scene("boxes"), folder_ / "own.gltf");
     open(preset_options(path("own.gltf")));
     request({.save_preset = path("with scene.json")});
@@ -234,7 +234,7 @@ TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
+TEST_F(PresetEditing, DifferencesAreAppliedSinglyAndUndone) {
     EditorOptions large = preset_options();
     large.width = 1280;
     large.height = 720;
@@ -267,7 +267,7 @@ TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
     write_png(fs::path(SI_TEST_OUTPUT_DIR) / "editor_compare.png", editor_->picture());
 }
 
-TEST_F(PresetEditing, ResettingAllGivesTheScenesOwnSettingsAndIsUndone) {
+TEST_F(PresetEditing, ResetAllRestoresSceneSettingsAndIsUndone) {
     open();
     request({.load_preset = "acne"});
     const Settings acne = state().settings;
@@ -279,7 +279,7 @@ TEST_F(PresetEditing, ResettingAllGivesTheScenesOwnSettingsAndIsUndone) {
     EXPECT_EQ(state().files.guide.key, "acne") << "what was said of it comes back too";
 }
 
-TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
+TEST_F(PresetEditing, UndoAndRedoWorkAcrossScenes) {
     open();
     const Settings first = state().settings;
     request({.load_preset = "constant-bias"});
@@ -303,7 +303,7 @@ TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
+TEST_F(PresetEditing, UndoWithoutItsSceneChangesNothing) {
     save_gltf(load_scene("boxes"), folder_ / "gone.gltf");
     open(preset_options(path("gone.gltf")));
     request({.load_scene = "plane"});
@@ -317,7 +317,7 @@ TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
     EXPECT_FALSE(state().history.can_redo());
 }
 
-TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
+TEST_F(PresetEditing, CrashedSessionIsRestoredAndUndone) {
     open(remembering());
     model().keep();
     request({.load_preset = "peter-panning"});
@@ -343,7 +343,7 @@ TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, ADiscardedSessionIsGone) {
+TEST_F(PresetEditing, DiscardedSessionIsDeleted) {
     open(remembering());
     model().keep();
     state().settings.bias.constant = 5;
@@ -357,7 +357,7 @@ TEST_F(PresetEditing, ADiscardedSessionIsGone) {
     EXPECT_FALSE(model().facts().lost);
 }
 
-TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
+TEST_F(PresetEditing, SessionWithAMissingSceneStaysOffered) {
     save_gltf(load_scene("boxes"), folder_ / "lost.gltf");
     EditorOptions o = remembering();
     o.session.scene = path("lost.gltf");
@@ -376,7 +376,7 @@ TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
     EXPECT_FALSE(model().facts().lost);
 }
 
-TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
+TEST_F(PresetEditing, LayoutAndRecentFilesPersist) {
     save_gltf(load_scene("boxes"), folder_ / "recent.gltf");
     open(remembering());
     state().layout.map_share = 0.3f;
@@ -409,7 +409,7 @@ TEST_F(PresetEditing, WithoutAStateFolderNothingIsWritten) {
 }
 
 // What is copied draws what is shown.
-TEST_F(PresetEditing, TheCopiedCommandLineDrawsTheSamePicture) {
+TEST_F(PresetEditing, CopiedCommandLineDrawsTheSamePicture) {
     open();
     for (const char* key : {"acne", "front-culling-exceptions", "ninety-ten", "far-guard", "reversed-depth"}) {
         request({.load_preset = key});

@@ -68,7 +68,7 @@ void release_key(ImGuiKey key) {
 
 class PresetPanels : public testing::TestWithParam<std::tuple<int, int, float>> {};
 
-TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
+TEST_P(PresetPanels, NothingIsCutOffAndPicturesKeepTheirSpace) {
     const auto [w, h, scale] = GetParam();
     UiHarness ui(w, h, scale);
     const EditorRequests bare = ui.frames(4);
@@ -140,7 +140,7 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorRequests& a) { return a.discard_lost; }));
 }
 
-TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
+TEST(PresetStrips, SettingsLostByTheDriverAreSavedAtOnceOrUnderAnotherName) {
     UiHarness ui(1280, 720);
     ui.state.files.preset_path = "mine.json";
     ui.frames(3);
@@ -158,14 +158,14 @@ TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
     EXPECT_TRUE(window_of("Save the preset as"));
 }
 
-TEST(PresetStrips, AFileWithoutASentenceHasNone) {
+TEST(PresetStrips, FileWithoutASentenceShowsNone) {
     UiHarness ui(1280, 720);
     ui.state.files.guide = {"/a/b.json", "Title", ""};
     ui.frames(3);
     EXPECT_FALSE(window_of("guide"));
 }
 
-TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
+TEST(PresetKeys, PageKeysStepPresetsUnlessAPopupIsOpen) {
     UiHarness ui(1280, 720);
     map_page_keys();
     ui.presets = guided();
@@ -187,7 +187,7 @@ TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
     EXPECT_EQ(press(ImGuiKey_PageUp), std::nullopt);
 }
 
-TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
+TEST(PresetsMenu, ShowsSentencesByTopicAndOpensTheClickedPreset) {
     UiHarness ui(1280, 720);
     ui.presets = guided();
     ui.frames(2);
@@ -204,7 +204,7 @@ TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
     EXPECT_EQ(*chosen->load_preset, ui.presets.front().key);
 }
 
-TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
+TEST(HardCasesMenu, OpensTheClickedCaseAndPageKeysStepOnlyCases) {
     UiHarness ui(1280, 720);
     map_page_keys();
     ui.presets = guided();
@@ -263,7 +263,7 @@ TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
     ui.frames(3);
 }
 
-TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
+TEST(FileDialogs, SaveByNameAndOpenByDoubleClick) {
     const fs::path folder = fresh_test_folder();
     fs::create_directory(folder / "below");
     for (const char* name : {"b.json", "A.glb", "notes.txt", ".hidden.json"}) std::ofstream(folder / name) << "x";
@@ -302,7 +302,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     EXPECT_EQ(dialog.folder, fs::weakly_canonical(fs::current_path()));
 }
 
-TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
+TEST(FileDialogs, TypedFolderIsEnteredAndTypingContinues) {
     const fs::path folder = fs::weakly_canonical(fresh_test_folder());
     fs::create_directory(folder / "below");
     std::ofstream(folder / "below" / "b.json") << "x";
@@ -323,7 +323,7 @@ TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
     EXPECT_EQ(opened, (folder / "below/b.json").string());
 }
 
-TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
+TEST(FileDialogs, ListsOneKindWithDatesAndRecentFolders) {
     const fs::path folder = fs::weakly_canonical(fresh_test_folder());
     fs::create_directory(folder / "elsewhere");
     for (const char* name : {"b.json", "a.glb", "elsewhere/c.gltf"}) std::ofstream(folder / name) << "x";
@@ -356,7 +356,7 @@ TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
     EXPECT_EQ(dialog.entries[0].name, "c.gltf");
 }
 
-TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
+TEST(FileDialogs, TabCompletesAPathUpToItsAmbiguity) {
     const fs::path folder = fresh_test_folder();
     fs::create_directories(folder / "models/fox");
     for (const char* name : {"models/fox/fox.glb", "models/forest.glb", "models/fort.txt", "my.json"})

@@ -13,7 +13,7 @@ bool holds(const std::u32string& text, std::u32string_view part) {
     return text.find(part) != std::u32string::npos;
 }
 
-TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
+TEST(PrintedText, OfEveryTabEqualsItsSource) {
     UiHarness ui(1900, 2200);
     ui.state.settings.light_count = 2;
     ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -40,7 +40,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
     }
 }
 
-TEST(PrintedText, ReadsWhatIsThere) {
+TEST(PrintedText, FindsTheDrawnText) {
     UiHarness ui(900, 600);
     ui.frames(2);
     const auto drawn = [&](const char* text) {

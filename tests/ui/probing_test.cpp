@@ -61,7 +61,7 @@ struct Probing : HeadlessEditor {
     const Probe* probe() { return model().facts().probe; }
 };
 
-TEST(Probing, TheProbeSticksToItsSurface) {
+TEST(Probing, ProbeSticksToItsSurface) {
     Probing editor;
     const glm::dvec2 size = editor.state().viewport.view->size;
     editor.click(glm::ivec2(0.5 * size.x + 0.05 * size.y, 0.26 * size.y));  // the cube in the air
@@ -105,7 +105,7 @@ TEST(Probing, TheProbeSticksToItsSurface) {
     EXPECT_EQ(*editor.state().probe_pixel, glm::ivec2(40, 40));
 }
 
-TEST(Probing, APixelBelowThePictureIsItsNearest) {
+TEST(Probing, PixelBelowThePictureIsClamped) {
     EditorOptions options = boxes_under({});
     options.probe_x = 120;
     options.probe_y = 5000;
@@ -160,7 +160,7 @@ TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
     EXPECT_FALSE(editor.model().facts().loupe);
 }
 
-TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
+TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureIsFocused) {
     UiHarness ui(1280, 720);
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
@@ -194,7 +194,7 @@ TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
     EXPECT_TRUE(navigates());
 }
 
-TEST(Probing, EscapeThatClosesAMenuLeavesTheProbe) {
+TEST(Probing, EscapeThatClosesAMenuKeepsTheProbe) {
     UiHarness ui(1280, 720);
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
@@ -219,7 +219,7 @@ TEST(Probing, EscapeThatClosesAMenuLeavesTheProbe) {
     EXPECT_FALSE(ui.state.probe_pixel);
 }
 
-TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
+TEST(Probing, HoveredArtefactIsNamed) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
     const PictureView view = *editor.state().viewport.view;
     editor.mouse.at = glm::vec2(view.origin) + glm::vec2(view.size) * 0.5f;
@@ -242,7 +242,7 @@ TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
     EXPECT_GE(right, 3);
 }
 
-TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
+TEST(ArtefactTour, VisitsClustersAndProbesThem) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
     EditorState& state = editor.state();
     const Settings before = state.settings;
@@ -283,7 +283,7 @@ TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
     EXPECT_EQ(state.history.undo(), before) << "one step";
 }
 
-TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
+TEST(ArtefactTour, SwatchSelectsTheCauseAndShowsIt) {
     UiHarness ui(1600, 900);
     ui.state.window.open_tab = BottomTab::Error;
     ui.state.layout.bottom_height = 17;

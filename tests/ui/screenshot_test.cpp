@@ -28,7 +28,7 @@ ByteImage read_back(const fs::path& file) {
     return image;
 }
 
-TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
+TEST(Screenshot, SavesItsPartOfTheWindowUnderAFreeName) {
     const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots";
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -79,7 +79,7 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
     for (const auto& entry : fs::directory_iterator(folder)) EXPECT_GT(fs::file_size(entry), 0u) << entry.path();
 }
 
-TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
+TEST(Screenshot, SectionDrawingIsSavedAsPngAndSvg) {
     const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots_of_drawings";
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -115,7 +115,7 @@ TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
     EXPECT_FALSE(fs::exists(folder / "boxes-drawing-1.png"));
 }
 
-TEST(Screenshot, SaysWhyItCannotBeWritten) {
+TEST(Screenshot, ReportsWriteErrors) {
     EXPECT_THROW(save_screenshot({1, 1, {0, 0, 0, 0}}, Shot::Map, "a/b.glb", "/no such folder"), std::exception);
 }
 

@@ -45,7 +45,7 @@ bool printed(const UiHarness& ui, std::u32string words) {
     return all.find(words) != std::u32string::npos;
 }
 
-TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
+TEST(SectionView, IsNextToTheVerdictAndIsLaidOutOnce) {
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
@@ -68,7 +68,7 @@ TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
     EXPECT_FALSE(printed(ui, U"stored in texel 102"));
 }
 
-TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
+TEST(SectionView, ExplainsTheHoveredMark) {
     for (const bool fills : {false, true}) {  // the window
         SCOPED_TRACE(fills);
         UiHarness ui(1600, fills ? 600 : 900);
@@ -114,7 +114,7 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
     }
 }
 
-TEST(SectionView, IsWholeForAPicture) {
+TEST(SectionView, IsDrawnInFullForAScreenshot) {
     UiHarness ui(700, 480);  // where the panel has no room for it
     ui.frames(2);
     const Section section = step_of_shadow();
@@ -130,7 +130,7 @@ TEST(SectionView, IsWholeForAPicture) {
     ui.frames(2);  // and the next picture is as ever
 }
 
-TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {
+TEST(SectionView, LeavesTheVerdictItsSpaceAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{3840, 2160, 2.0f}, {1280, 720, 1.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -142,7 +142,7 @@ TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {
     }
 }
 
-TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
+TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     EditorOptions options;
     options.session.scene = "boxes";
     options.session.sets = {"bias.normal=0", "bias.constant=0", "map.resolution=512"};

@@ -63,7 +63,7 @@ TEST(Shortcuts, OnlyHeldKeysAndGesturesHaveNoAction) {
     }
 }
 
-TEST(Shortcuts, TheOverviewListsAll) {
+TEST(Shortcuts, OverviewListsAllKeys) {
     UiHarness ui(1600, 1000);
     ui.frames(2);
     ImGui::GetIO().KeysDown[290] = true;  // F1
@@ -80,7 +80,7 @@ TEST(Shortcuts, TheOverviewListsAll) {
     EXPECT_FALSE(ui.state.window.show_shortcuts);
 }
 
-TEST(Shortcuts, OverlaysNameKeysOfTheTable) {
+TEST(Shortcuts, OverlayKeysComeFromTheTable) {
     std::set<std::string> keys;
     for (const Shortcut& row : shortcuts())
         if (row.command == Command::ToggleOverlay)
@@ -93,7 +93,7 @@ TEST(Shortcuts, OverlaysNameKeysOfTheTable) {
 }
 
 /// The texts of menus, tooltips and messages name keys by key_text() and with_key() alone.
-TEST(Shortcuts, NoTextNamesAKeyByHand) {
+TEST(Shortcuts, NoTextHardCodesAKey) {
     const std::regex literal(R"re("(?:\\.|[^"\\\n])*")re");
     const std::regex key(
         R"re(\b(Ctrl|Shift|Alt)\+[A-Z0-9]|\bF[0-9]+\b|\bPage (up|down)\b|\((Esc|Space|Home|[A-Z])\)|^"(Esc|Space)"$|\b[Kk]ey [A-Z]\b|\b[B-HJ-Z] (pins|shows|compares|takes|changes|hides|frames|does)\b)re");
@@ -127,7 +127,7 @@ TEST(Shortcuts, MenusPrintKeysOfTheTable) {
         EXPECT_TRUE(ui.drawn().shows(key_text(command))) << key_text(command);
 }
 
-TEST(Shortcuts, EscapeGivesTheMaximisedPanelItsPlaceAndKeepsTheProbe) {
+TEST(Shortcuts, EscapeRestoresTheMaximisedPanelAndKeepsTheProbe) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.maximised = Panel::Scene;

@@ -48,7 +48,7 @@ protected:
     }
 };
 
-TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
+TEST_F(EditorSmoothing, PausesDuringMeasurementsAndContinues) {
     struct Measurement {
         const char* name;
         void (*begin)(EditorRequests&);
@@ -103,7 +103,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
     }
 }
 
-TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
+TEST_F(EditorSmoothing, IsNotCountedInFrameTimes) {
     editor.settle();
     ASSERT_EQ(model.state.tab, BottomTab::Effects) << "which times frames";
     model.state.settings.lights[0].azimuth += 1;

@@ -28,7 +28,7 @@ glm::dvec3 lab(ImU32 c) {
     return {116 * f.y - 16, 500 * (f.x - f.y), 200 * (f.y - f.z)};
 }
 
-TEST(Theme, MarksOfDifferentThingsHaveColoursOfTheirOwn) {
+TEST(Theme, DifferentMarksHaveDifferentColours) {
     const std::map<std::string, ImU32> marks = {
         {"light", theme::kLight},   {"lit", theme::kLit},       {"shadowed", theme::kShadowed},
         {"offset", theme::kOffset}, {"linked", theme::kLinked}, {"probed", theme::kProbed},
@@ -82,7 +82,7 @@ protected:
     }
 };
 
-TEST_P(ThemeContrast, TextReadsOnItsGrounds) {
+TEST_P(ThemeContrast, TextIsReadableOnItsBackgrounds) {
     const theme::Colours& c = theme::colours();
     const glm::dvec3 none(0), panel = over(c.panel, none);
     const std::map<std::string, ImU32> texts = {
@@ -96,7 +96,7 @@ TEST_P(ThemeContrast, TextReadsOnItsGrounds) {
     expect("text on a progress bar", over(c.text, none), over(c.done, none));
 }
 
-TEST_P(ThemeContrast, WidgetsReadInAllStates) {
+TEST_P(ThemeContrast, WidgetsAreReadableInAllStates) {
     const ImVec4* c = ImGui::GetStyle().Colors;
     const theme::Colours& t = theme::colours();
     const glm::dvec3 panel = over(t.panel, glm::dvec3(0));
@@ -119,7 +119,7 @@ TEST_P(ThemeContrast, WidgetsReadInAllStates) {
     }
 }
 
-TEST_P(ThemeContrast, LabelsReadOnAnyPicture) {
+TEST_P(ThemeContrast, LabelsAreReadableOnAnyPicture) {
     for (const double picture : {0.0, 1.0})
         for (const ImU32 label :
              {theme::kOnPicture, theme::kMutedOnPicture, theme::kWarningOnPicture, theme::kLight, theme::kFrozen}) {

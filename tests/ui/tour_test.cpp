@@ -109,7 +109,7 @@ TEST_P(Tour, MenusAndDialogs) {
     keep("shortcuts");
 }
 
-TEST_P(Tour, AFrozenCameraCountsItsOwnTexels) {
+TEST_P(Tour, FrozenCameraCountsItsOwnTexels) {
     open("stage", {"map.resolution=1024"});
     editor_->mouse.at = middle();
     frames(4);

@@ -35,7 +35,7 @@ void expect_calm(HeadlessEditor& editor) {
     for (const LogLine& line : editor.model().state.log.lines()) EXPECT_EQ(line.kind, LogKind::Info) << line.text;
 }
 
-TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
+TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     HeadlessEditor editor(options(kNoBias));
     editor.settle();
     EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
@@ -84,7 +84,7 @@ TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     expect_calm(editor);
 }
 
-TEST(EditorReference, CancelIsHeededUntilSomethingChanges) {
+TEST(EditorReference, CancelHoldsUntilAChange) {
     // More rays than can be traced before it is cancelled.
     std::vector<std::string> sets = kNoBias;
     for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
@@ -107,7 +107,7 @@ TEST(EditorReference, CancelIsHeededUntilSomethingChanges) {
     EXPECT_TRUE(editor.model().facts().error);
 }
 
-TEST(EditorReference, OverlayWaitsForTheTruthAndThenShowsIt) {
+TEST(EditorReference, OverlayWaitsForTheReferenceAndShowsIt) {
     HeadlessEditor editor(options(kNoBias));
     set_setting(editor.model().state.settings, "view.overlay", "artefacts");
     set_setting(editor.model().state.settings, "view.overlay_2", "truth");
@@ -132,7 +132,7 @@ TEST(EditorReference, OverlayWaitsForTheTruthAndThenShowsIt) {
     expect_calm(editor);
 }
 
-TEST(EditorReference, OfOldViewsNothingIsHeldWhileTheEditorRests) {
+TEST(EditorReference, IdleEditorKeepsNoRaysOfOldViews) {
     const auto receivers = [] {
         for (const MemoryUse& h : memory_report().holders)
             if (h.holder == "receivers") return h.count;
@@ -265,7 +265,7 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     expect_calm(editor);
 }
 
-TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
+TEST(EditorPictureComparison, ComparesWithPresetsInAllViews) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.model().state;
     state.comparison = {.view = ComparisonView::SideBySide, .reference = false};
@@ -302,7 +302,7 @@ TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
     EXPECT_EQ(facts()->picture.texture, 0u);
 }
 
-TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
+TEST(EditorPictureComparison, PinIsFlickeredAndCompared) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     editor.settle();
     EditorState& state = editor.model().state;
@@ -364,7 +364,7 @@ TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
 }
 
 // Light maps are baked beside the frames, and one of another light is not shown.
-TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
+TEST(EditorLightMap, IsBakedInTheBackgroundAndAgainAfterLightMoves) {
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=256", "view.frustum=false"}));
     const auto need = [&] { return editor.model().facts().result->light_maps.at(0); };
     editor.settle();
@@ -415,7 +415,7 @@ TEST(EditorLightMap, MapsThatDoNotFitAreTriedOnceEach) {
     for (const LightMapNeed& need : editor.model().facts().result->light_maps) EXPECT_TRUE(need.met);
 }
 
-TEST(EditorLightMap, CancelIsHeededUntilSomethingChanges) {
+TEST(EditorLightMap, CancelHoldsUntilAChange) {
     // More rays than can be traced before it is cancelled.
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=2048", "light_map.samples=65536",
                                    "light.size=8", "view.frustum=false"}));

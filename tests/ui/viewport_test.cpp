@@ -50,7 +50,7 @@ struct Viewport {
     }
 };
 
-TEST(Viewport, AFlightIsAsLongInFewFramesAsInMany) {
+TEST(Viewport, FlightDistanceIsIndependentOfFrameRate) {
     glm::dvec3 way(0);
     for (const int frames : {4, 60}) {
         Viewport v;
@@ -80,7 +80,7 @@ TEST(Viewport, ShiftAndTheWheelFlyFaster) {
     EXPECT_NEAR(glm::length(v.flown(0.5, 10)) / slow, 1.25 * 1.25, 1e-6);
 }
 
-TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
+TEST(Viewport, EditorRedrawsWhileAKeyIsHeldAndThenSleeps) {
     Viewport v;
     v.ui.move(kPicture);
     v.ui.frames(2);
@@ -95,7 +95,7 @@ TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
     EXPECT_FALSE(v.ui.frames(2).redraw);
 }
 
-TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
+TEST(Viewport, MouseIsCapturedInFlightAndLinksAreReadAtRest) {
     Viewport v;
     v.ui.move(kPicture);
     EditorRequests requests = v.ui.frames(2);
@@ -116,7 +116,7 @@ TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
     }
 }
 
-TEST(Viewport, WithoutTheButtonTheKeysOfAFlightDoNothing) {
+TEST(Viewport, FlightKeysNeedTheMouseButton) {
     Viewport v;
     const Settings before = v.settings;
     v.ui.move(kPicture);
@@ -124,7 +124,7 @@ TEST(Viewport, WithoutTheButtonTheKeysOfAFlightDoNothing) {
     EXPECT_EQ(v.settings, before);
 }
 
-TEST(Viewport, TheRightButtonLooksAroundTheEye) {
+TEST(Viewport, RightButtonLooksAround) {
     Viewport v;
     const Camera before = v.camera();
     v.ui.drag(kPicture, kPicture + glm::vec2(50, 10), 1);
@@ -133,7 +133,7 @@ TEST(Viewport, TheRightButtonLooksAroundTheEye) {
     EXPECT_GT(glm::dot(-after.axes[2], before.axes[0]), 0.05);
 }
 
-TEST(Viewport, LettersDuringAFlightAreNoShortcuts) {
+TEST(Viewport, LettersInFlightAreNoShortcuts) {
     Viewport v;
     v.ui.move(kPicture);
     v.ui.frames(2);
@@ -148,7 +148,7 @@ TEST(Viewport, LettersDuringAFlightAreNoShortcuts) {
     EXPECT_NE(v.settings.view.map, map);
 }
 
-TEST(Viewport, ADoubleClickChoosesWhatTheProbeFoundAndFFramesIt) {
+TEST(Viewport, DoubleClickSelectsTheProbedObjectAndFFramesIt) {
     Viewport v;
     v.press('F');
     const double all = v.settings.camera.distance;
@@ -191,7 +191,7 @@ TEST(Viewport, LLooksThroughTheLightAndBack) {
     EXPECT_EQ(v.settings.camera, last) << "there is no light to look through";
 }
 
-TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
+TEST(Viewport, FreezeKeepsThePreviousCamera) {
     Viewport v;
     const Camera before = v.camera();
     v.press('K');
@@ -210,7 +210,7 @@ TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
     EXPECT_NE(v.settings.camera.source, CameraSource::Light) << "another button was hit";
 }
 
-TEST(Viewport, AnEndOfTheAxesLooksAlongIt) {
+TEST(Viewport, ClickOnAnAxisLooksAlongIt) {
     Viewport v;
     v.settings.camera.source = CameraSource::Manual;
     v.ui.frames(2);

@@ -58,7 +58,7 @@ protected:
     }
 };
 
-TEST_F(WindowFiles, AModelIsOpenedThroughMenuAndDialogByItsTypedPath) {
+TEST_F(WindowFiles, ModelIsOpenedByItsTypedPath) {
     const fs::path file = model("typed model.glb");
     ASSERT_NO_FATAL_FAILURE(start());
     choose(0);  // Open
@@ -72,7 +72,7 @@ TEST_F(WindowFiles, AModelIsOpenedThroughMenuAndDialogByItsTypedPath) {
     quit();
 }
 
-TEST_F(WindowFiles, AModelIsOpenedByADoubleClickInTheDialog) {
+TEST_F(WindowFiles, ModelIsOpenedByADoubleClickInTheDialog) {
     const fs::path only = folder_ / "models";
     fs::create_directories(only);
     fs::rename(model("clicked.gltf"), only / "clicked.gltf");
@@ -94,7 +94,7 @@ TEST_F(WindowFiles, AModelIsOpenedByADoubleClickInTheDialog) {
     quit();
 }
 
-TEST_F(WindowFiles, APresetIsSavedUnderANameLoadedAndIdentical) {
+TEST_F(WindowFiles, SavedPresetLoadsIdentically) {
     ASSERT_NO_FATAL_FAILURE(start());
     const nlohmann::json untouched = saved();
     change_bias();
@@ -123,7 +123,7 @@ TEST_F(WindowFiles, APresetIsSavedUnderANameLoadedAndIdentical) {
     quit();
 }
 
-TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
+TEST_F(WindowFiles, DroppedModelAndPresetAreOpened) {
     const fs::path file = model("dropped måne 1.glb");
     const fs::path preset = folder_ / "dropped.JSON";
     ASSERT_EQ(run_program({"preset", "save", "plane", "--set", "bias.constant=7", "-o", preset.string()}).code, 0);
@@ -145,7 +145,7 @@ TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
     quit();
 }
 
-TEST_F(WindowFiles, AScreenshotIsAFileAndStandsInTheClipboard) {
+TEST_F(WindowFiles, ScreenshotIsAFileAndInTheClipboard) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("F12");
     const fs::path file = folder_ / "boxes-scene-1.png", pasted = folder_ / "pasted.png";
@@ -160,7 +160,7 @@ TEST_F(WindowFiles, AScreenshotIsAFileAndStandsInTheClipboard) {
     quit();
 }
 
-TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
+TEST_F(WindowFiles, DragWithALostSourceIsHarmless) {
     ASSERT_NO_FATAL_FAILURE(start());
     const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
     for (int i = 0; i < 5; ++i) begin_drag_and_vanish(window, 300, 300);
@@ -170,7 +170,7 @@ TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
     quit();
 }
 
-TEST_F(WindowFiles, AnEditorThatWasQuitOrEndedOffersUnsavedSettingsAgain) {
+TEST_F(WindowFiles, ClosedEditorOffersUnsavedSettingsAgain) {
     ASSERT_NO_FATAL_FAILURE(start());
     change_bias();
     quit();
@@ -192,7 +192,7 @@ TEST_F(WindowFiles, AnEditorThatWasQuitOrEndedOffersUnsavedSettingsAgain) {
     EXPECT_FALSE(kept().is_null()) << "ended by a signal, and lost";
 }
 
-TEST_F(WindowFiles, AKilledEditorOffersItsSettingsAgain) {
+TEST_F(WindowFiles, KilledEditorOffersItsSettingsAgain) {
     ASSERT_NO_FATAL_FAILURE(start());
     const nlohmann::json untouched = saved();
     change_bias();
@@ -231,7 +231,7 @@ glm::ivec2 splitter(int width, int height) {
     return {int(0.5f * (scene->Pos.x + scene->Size.x + map->Pos.x)), int(map->Pos.y + 0.5f * map->Size.y)};
 }
 
-TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
+TEST_F(WindowFiles, OnlyLayoutAndSizePersist) {
     ASSERT_NO_FATAL_FAILURE(start({}));
     ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1100 640"));
     breathe();
@@ -263,7 +263,7 @@ TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
     EXPECT_EQ(kept_files, std::vector<std::string>{}) << "left behind";
 }
 
-TEST_F(WindowFiles, WithoutStateNothingIsKept) {
+TEST_F(WindowFiles, NothingIsKeptWithoutState) {
     ASSERT_NO_FATAL_FAILURE(start({"--no-state", "--size", "1280x720"}));
     change_bias();
     const glm::ivec2 at = splitter(1280, 720);

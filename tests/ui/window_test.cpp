@@ -23,7 +23,7 @@ TEST_F(Window, WaitingEndsWithTheProgramAndWithTheServer) {
     EXPECT_EQ(looks, 4);
 }
 
-TEST_F(Window, ADotOfAFrontierIsClicked) {
+TEST_F(Window, FrontierDotIsClicked) {
     const std::string command = std::string("cd '") + folder_.string() +
                                 "' && '" SI_PROGRAM
                                 "' sweep boxes --vary filter.kernel=pcf3,pcf9 --vary map.resolution=64,4096 --size "
@@ -50,7 +50,7 @@ TEST_F(Window, ADotOfAFrontierIsClicked) {
     EXPECT_FALSE(saved().contains("map.resolution"));
 }
 
-TEST_F(Window, ADoubleClickDuringASlowFrameSelects) {
+TEST_F(Window, DoubleClickDuringASlowFrameSelects) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(470, 200);  // the cube in the air
     program_->hold(true);
@@ -81,7 +81,7 @@ std::unique_ptr<HeadlessEditor> twin() {
     return editor;
 }
 
-TEST_F(Window, AHandleOfTheLightIsDraggedAndUndone) {
+TEST_F(Window, LightHandleIsDraggedAndUndone) {
     ASSERT_NO_FATAL_FAILURE(start());
     const auto editor = twin();
     const EditorState& state = editor->model().state;
@@ -111,7 +111,7 @@ TEST_F(Window, AHandleOfTheLightIsDraggedAndUndone) {
     EXPECT_TRUE(program_->running()) << log();
 }
 
-TEST_F(Window, TheCameraFliesWhileAKeyIsHeld) {
+TEST_F(Window, CameraFliesWhileAKeyIsHeld) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(200, 330);
     xdotool("mousedown 3");
@@ -132,7 +132,7 @@ TEST_F(Window, TheCameraFliesWhileAKeyIsHeld) {
     EXPECT_FALSE(saved().contains("camera.source"));
 }
 
-TEST_F(Window, FlyingGoesOnWhereTheScreenEnds) {
+TEST_F(Window, FlyingContinuesAtTheScreenEdge) {
     ASSERT_NO_FATAL_FAILURE(start());
     // Off to one side farther than the screen is wide, in steps no longer than a hand's.
     const auto look = [&](int steps) {
@@ -160,7 +160,7 @@ TEST_F(Window, FlyingGoesOnWhereTheScreenEnds) {
     quit();
 }
 
-TEST_F(Window, AStillEditorSleepsAndAResizeIsFollowed) {
+TEST_F(Window, IdleEditorSleepsAndFollowsAResize) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
     breathe(true);  // what a click will ask for is foreseen

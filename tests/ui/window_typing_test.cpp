@@ -45,7 +45,7 @@ TEST_F(WindowTyping, NoLetterIsLostAfterControlAInASlowFrame) {
     quit();
 }
 
-TEST_F(WindowTyping, KeysBetweenLettersActBetweenThem) {
+TEST_F(WindowTyping, KeysKeepTheirOrderAmongLetters) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+shift+s");
     breathe();
@@ -55,7 +55,7 @@ TEST_F(WindowTyping, KeysBetweenLettersActBetweenThem) {
     quit();
 }
 
-TEST_F(WindowTyping, LettersDoNotOvertakeTheClickIntoTheirField) {
+TEST_F(WindowTyping, LettersWaitForTheClickIntoTheirField) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(400, 600);
     const nlohmann::json before = saved();

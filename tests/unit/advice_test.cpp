@@ -35,7 +35,7 @@ std::vector<AdviceIdea> ideas_of(const Settings& s, const AdviceFacts& f, std::s
     return ideas;
 }
 
-TEST(AdviceRules, SpeakWhereFactsCallForThem) {
+TEST(AdviceRules, FireWhenTheirFactsHold) {
     struct Case {
         const char* rule;
         std::function<void(Settings&, AdviceFacts&)> change;
@@ -110,7 +110,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
     }
 }
 
-TEST(AdviceRules, SpeakOnceOfEachChangeAndNeverOfNone) {
+TEST(AdviceRules, ProposeEachChangeOnce) {
     Settings s;
     AdviceFacts f = plain_facts();
     f.texel_px = 0.1;
@@ -127,7 +127,7 @@ TEST(AdviceRules, SpeakOnceOfEachChangeAndNeverOfNone) {
     for (const AdviceRule& rule : advice_rules()) EXPECT_TRUE(keys.insert(rule.key).second) << rule.key;
 }
 
-TEST(AdviceRules, LeaveAnEmptySceneAlone) {
+TEST(AdviceRules, ProposeNothingForAnEmptyScene) {
     AdviceFacts f;
     f.lights.resize(1);
     f.shadowed = {std::numeric_limits<double>::quiet_NaN()};
@@ -165,7 +165,7 @@ std::vector<TriedAdvice> tried(const std::vector<MadeUp>& world, const std::vect
     return try_advice(base, ideas, meter);
 }
 
-TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
+TEST(Advice, IsRankedBySavedTimePerAddedError) {
     constexpr Claim kSame = Claim::Same, kTrade = Claim::Trade, kRight = Claim::Right;
     const std::vector<MadeUp> world = {
         {0.010, 10},
@@ -195,7 +195,7 @@ TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
     }
 }
 
-TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
+TEST(Advice, ChangeWithARefutedClaimIsOfferedAsATrade) {
     int classified = 0;
     AdviceMeter meter;
     meter.judge = [&](const Settings& s, int) {
@@ -215,14 +215,14 @@ TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
     EXPECT_EQ(classified, 2) << "before, and once after";
 }
 
-TEST(Advice, ClaimsThatPixelsGetRightAreHeldToIt) {
+TEST(Advice, ClaimsOfCuredPixelsAreVerified) {
     const auto all = tried({{0.010, 10}, {0.010, 5}, {0.002, 20}}, {Claim::Right, Claim::Right});
     EXPECT_TRUE(all[0].why_not.empty()) << "right, at whatever cost";
     EXPECT_EQ(all[0].idea.sentence, "2");
     EXPECT_NE(all[1].why_not.find("does not fall"), std::string::npos);
 }
 
-TEST(Advice, WhatMovesTheCameraCannotBeJudged) {
+TEST(Advice, CameraChangesAreNotMeasured) {
     AdviceIdea idea{.rule = "made up", .sentence = "turn", .settings = {}};
     idea.settings.map.resolution = 1;
     AdviceMeter meter;
@@ -235,7 +235,7 @@ TEST(Advice, WhatMovesTheCameraCannotBeJudged) {
     EXPECT_NE(try_advice(Settings{}, {idea}, meter)[0].why_not.find("would move"), std::string::npos);
 }
 
-TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
+TEST(Findings, AreSortedBySeverityWithTheirBestFix) {
     AdviceFacts f = plain_facts();
     f.notes = {"map.resolution was lowered"};
     f.lights[0].limits.one_texel = true;

@@ -10,7 +10,7 @@
 namespace si::test {
 namespace {
 
-TEST(AgreedScene, HasItsTrianglesFlatColoursAndNoTextures) {
+TEST(AgreedScene, HasItsTrianglesPlainColoursAndNoTextures) {
     for (const auto& [size, triangles] :
          {std::pair{AgreedSize::Triangles100k, 100'088u}, {AgreedSize::Triangles1M, 999'810u}}) {
         const Scene scene = agreed_scene(size);

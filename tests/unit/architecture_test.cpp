@@ -163,7 +163,7 @@ TEST(Architecture, DiagramOfFoldersShowsTheIncludes) {
 }
 
 // A unit is a header with its source: neither is understood without the other.
-TEST(Architecture, UnitsOfTheRendererFormNoCircle) {
+TEST(Architecture, UnitsOfTheRendererHaveNoIncludeCycle) {
     Units units;
     const auto unit_of = [](const std::string& file) { return file.substr(0, file.rfind('.')); };
     for (const Include& include : renderer_includes())

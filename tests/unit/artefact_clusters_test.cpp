@@ -43,7 +43,7 @@ TEST(ArtefactClusters, AreConnectedPixelsOfOneCauseLargestFirst) {
     EXPECT_TRUE(artefact_clusters({}, 0, Artefact::Acne, 10).empty());
 }
 
-TEST(ArtefactClusters, TheMiddleIsAPixelOfIt) {
+TEST(ArtefactClusters, CentreIsAPixelOfTheCluster) {
     const auto ring = classified(
         "aaaaaaaa"
         "a......a"

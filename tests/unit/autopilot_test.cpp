@@ -92,7 +92,7 @@ Settings with_contact() {
     return s;
 }
 
-TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
+TEST(Autopilot, FindsTheOptimumOfASmallSpace) {
     for (const AutopilotGoals& goals :
          {AutopilotGoals{.most_error = 0.001}, AutopilotGoals{.most_error = 0.0003}, AutopilotGoals{.most_ms = 4},
           AutopilotGoals{.most_ms = 2.5}, AutopilotGoals{.most_error = 0.002, .most_ms = 4}}) {
@@ -108,7 +108,7 @@ TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
     }
 }
 
-TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
+TEST(Autopilot, ComesWithinTenPercentInALargeSpace) {
     for (const double error : {0.003, 0.001, 0.0005, 0.0003}) {
         const AutopilotGoals goals{.most_error = error, .most_combinations = 100};
         World world;
@@ -122,7 +122,7 @@ TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
     }
 }
 
-TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
+TEST(Autopilot, ReportsTheCostOfEachDroppedEffect) {
     World world;
     const AutopilotGoals goals{.most_error = 0.003};
     const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
@@ -136,7 +136,7 @@ TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
     EXPECT_NEAR(contact->error, r.best.classified.error - 1e-5, 1e-12);
 }
 
-TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
+TEST(Autopilot, ReportsAnUnreachableBoundAndTheNearestResult) {
     World world;
     const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.most_error = 1e-9}, world.meter());
     EXPECT_FALSE(r.held);
@@ -149,7 +149,7 @@ TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
     EXPECT_NE(slow.summary.find("while the camera moves cannot be held"), std::string::npos) << slow.summary;
 }
 
-TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
+TEST(Autopilot, EndsInTimeAndReportsUntriedSettings) {
     World world;
     world.seconds_each = 1;
     const AutopilotResult r =
@@ -159,7 +159,7 @@ TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
     EXPECT_LT(r.cases.size(), 60u);
 }
 
-TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
+TEST(Autopilot, PricesNothingAfterTheTimeLimitAndReportsIt) {
     World world;
     world.seconds_each = 1;
     world.seconds_pair = 8;
@@ -175,7 +175,7 @@ TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
     EXPECT_EQ(r.untried[0], "what light.0.contact would have cost was not measured for want of time");
 }
 
-TEST(Autopilot, KeepsTimeForPricingFromALongSearch) {
+TEST(Autopilot, ReservesTimeForPricingInALongSearch) {
     World world;
     world.seconds_each = 1;
     // None does less of everything than another, so that all would be timed.
@@ -189,7 +189,7 @@ TEST(Autopilot, KeepsTimeForPricingFromALongSearch) {
     EXPECT_LE(r.seconds, 20 + 1) << "what was under way";
 }
 
-TEST(Autopilot, TurnsAnEffectOffOnlyWhereThereIsOne) {
+TEST(Autopilot, TurnsOffOnlyActiveEffects) {
     AdviceFacts f;
     f.lights.resize(1);
     f.lights[0].shadowed = f.lights[0].casts = true;

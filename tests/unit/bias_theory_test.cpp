@@ -74,7 +74,7 @@ double brute_force(const LitPlane& lit, int radius, bool bilinear, int resolutio
     return worst;
 }
 
-TEST(BiasTheory, LeastBiasMatchesASearchOverTexelPhases) {
+TEST(BiasTheory, MinimumBiasMatchesASearchOverTexelPhases) {
     std::mt19937 random(5);
     for (bool perspective : {false, true})
         for (bool reversed : {false, true})
@@ -105,7 +105,7 @@ TEST(BiasTheory, PlaneIsAffineInTheMap) {
     }
 }
 
-TEST(BiasTheory, NormalOffsetDoesTheWorkOfTheBias) {
+TEST(BiasTheory, NormalOffsetReplacesTheBias) {
     std::mt19937 random(7);
     for (int i = 0; i < 200; ++i) {
         const LitPlane s = random_plane(random, i % 2, i % 4 > 1);
@@ -144,7 +144,7 @@ TEST(BiasTheory, PartsAddUp) {
     EXPECT_DOUBLE_EQ(b.total(), b.kernel + b.snapping + 1e-5);
 }
 
-TEST(BiasTheory, RoundingIsOfCoordinatesOrOfTheDepth) {
+TEST(BiasTheory, RoundingComesFromCoordinatesOrDepth) {
     LightView view;
     view.curve = {false, 0, 10, {}};
     EXPECT_DOUBLE_EQ(rounding_bias(view, {0, 0, -1}, 50), 4 * 0x1p-23 * 50 / 10);
@@ -154,7 +154,7 @@ TEST(BiasTheory, RoundingIsOfCoordinatesOrOfTheDepth) {
     EXPECT_LT(rounding_bias(view, {0, 0, -9}, 10), 1e-3 * 4 * 0x1p-23);
 }
 
-TEST(BiasTheory, EdgeOnIsInfiniteNotNan) {
+TEST(BiasTheory, EdgeOnBiasIsInfiniteNotNan) {
     LightView view;
     view.curve = {false, 0, 10, {}};
     view.projection = fit_lights(Scene(), Settings())[0].views[0].projection;

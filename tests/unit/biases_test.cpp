@@ -19,7 +19,7 @@ Settings of_kind(std::string_view kind) {
     return s;
 }
 
-TEST(Biases, KindsAreTheRowsThatTheComparedDepthKnows) {
+TEST(Biases, KindsAreTheRowsOfTheComparedDepth) {
     std::size_t kinds = 0;
     for (const Bias& row : biases()) {
         EXPECT_TRUE(row.amount) << row.key;
@@ -63,7 +63,7 @@ TEST(Biases, AmountsAreTheClosedForms) {
     EXPECT_NEAR(amount("constant", BiasUnit::Metres), depth(4) - depth(2), 1e-12);
 }
 
-TEST(Biases, SayWhichSettingsTheyLeaveIdle) {
+TEST(Biases, ListTheirIdleSettings) {
     const auto idle = [](const Settings& s, const char* key) {
         return std::string(idle_reason(s, *find_setting(key)));
     };
@@ -90,7 +90,7 @@ TEST(Biases, SayWhichSettingsTheyLeaveIdle) {
 }
 
 // Rows list settings that exist, and a setting that a row lists changes nothing under rows that do not.
-TEST(Biases, ListedSettingsAreOnlyTheirs) {
+TEST(Biases, ListOnlyTheirOwnSettings) {
     const FittedLight light = fit_lights(make_scene(make_plane(10, 10)), Settings{})[0];
     for (const Bias& row : biases())
         for (const std::string_view key : row.settings) {

@@ -36,7 +36,7 @@ SkewBox random_box(Random& random) {
     return {bounds, moved(at.x, at.y, at.z) * turned(random.in(0, 360), random.direction())};
 }
 
-TEST(BoxSight, MissesNoBoxOfWhichAPointIsSeen) {
+TEST(BoxSight, FindsEveryBoxWithAVisiblePoint) {
     Random random(5);
     int missed = 0, before = 0, all = 0;
     for (const bool perspective : {false, true})
@@ -67,7 +67,7 @@ TEST(BoxSight, MissesNoBoxOfWhichAPointIsSeen) {
     EXPECT_GT(before, all / 8);
 }
 
-TEST(BoxSight, OfClampedDepthsNothingIsBeforeOrBehind) {
+TEST(BoxSight, ClampedDepthsCullNothingByDepth) {
     const Looker looker(false, {});
     const BoxSight clamps(looker.clip, looker.origin, {}, true, 512), clips(looker.clip, looker.origin, {}, false, 512);
     Bounds unit;

@@ -93,7 +93,7 @@ double lowest(const Scene& scene, const std::string& prefix) {
 
 class BuiltinScenes : public testing::TestWithParam<BuiltinScene> {};
 
-TEST_P(BuiltinScenes, AreCleanAndSound) {
+TEST_P(BuiltinScenes, AreValidWithoutWarnings) {
     const Scene scene = GetParam().make();
     EXPECT_EQ(scene.name, GetParam().key);
     EXPECT_FALSE(scene.about.empty());
@@ -107,7 +107,7 @@ TEST_P(BuiltinScenes, AreCleanAndSound) {
     for (const Material& m : scene.materials) EXPECT_TRUE(materials.insert(m.name).second) << m.name;
 }
 
-TEST_P(BuiltinScenes, HaveNormalsOnTheSideOfTheirFronts) {
+TEST_P(BuiltinScenes, HaveNormalsOnTheirFrontSides) {
     for (const Mesh& mesh : GetParam().make().meshes) {
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -132,7 +132,7 @@ TEST_P(BuiltinScenes, AreTheSameEachTime) {
     for (std::size_t i = 0; i < a.textures.size(); ++i) expect_equal_textures(a.textures[i], b.textures[i]);
 }
 
-TEST_P(BuiltinScenes, HaveACameraThatSeesThem) {
+TEST_P(BuiltinScenes, HaveACameraThatShowsThem) {
     const Scene scene = GetParam().make();
     ASSERT_FALSE(scene.cameras.empty());
     const SceneCamera& camera = scene.cameras[0];
@@ -246,7 +246,7 @@ TEST(SaveGltf, KeepsTheOldFileWhenItCannotReplaceIt) {
     fs::remove_all(path.parent_path());
 }
 
-TEST(Stage, HasWhatItPromises) {
+TEST(Stage, HasTheDocumentedContents) {
     const Scene scene = load_scene("stage");
     bool mask = false, sheet = false;
     for (const Mesh& mesh : scene.meshes) {
@@ -301,7 +301,7 @@ TEST(Figures, StandOnTheFloor) {
         EXPECT_NEAR(lowest(scene, figure), 0, 1e-6) << figure;
 }
 
-TEST(PlaneScene, ReachesFromOneToAHundredMetres) {
+TEST(PlaneScene, SpansOneToAHundredMetres) {
     const Scene scene = load_scene("plane");
     ASSERT_EQ(scene.cameras[0].world, glm::dmat4(1.0));
     EXPECT_EQ(scene.bounds.hi.z, -1);

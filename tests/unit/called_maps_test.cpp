@@ -56,7 +56,7 @@ TEST(Clusters, HoldEveryTriangle) {
 }
 
 // Whatever side a cluster is said to show, each of its triangles does, at each of its corners.
-TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
+TEST(Clusters, FaceOneSideOnlyIfEachTriangleDoes) {
     Random random(7);
     int fronts = 0, backs = 0, either = 0;
     for (const char* name : {"landscape", "figures", "teapot", "stage", "boxes"}) {
@@ -103,7 +103,7 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
     EXPECT_EQ(visible_side(floor[0], {1, 0.1, 3, 1}), VisibleSide::Either) << "its far corners are seen nearly edge-on";
 }
 
-TEST(MapCells, MeetWhatTheyHold) {
+TEST(MapCells, IntersectTheirContents) {
     MapCells r;
     EXPECT_TRUE(r.empty());
     r.add({{1.2, 0.2}, {1.3, 0.3}}, false);
@@ -170,7 +170,7 @@ Scene boxes_and_balls(bool alone) {
 }
 
 // Points of triangles that the camera sees, looked up as choose_view() has it, lie within what is called for.
-TEST(NeededMaps, HoldAllThatIsSeen) {
+TEST(NeededMaps, HoldAllVisibleReceivers) {
     const Scene scenes[] = {boxes_and_balls(false), boxes_and_balls(true)};
     const std::vector<std::vector<Cluster>> of_scenes[] = {all_clusters(scenes[0]), all_clusters(scenes[1])};
     Random random(3);
@@ -255,7 +255,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
     }
 }
 
-TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
+TEST(NeededMaps, SkipBackFacingReceivers) {
     Scene scene;
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(1, 200, 100), -1));
     finalise(scene);
@@ -279,7 +279,7 @@ TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
     EXPECT_LT(called[true], called[false] / 2) << "its rim, where clusters may show either side";
 }
 
-TEST(NeededMaps, SayWhyNothingOfThemIs) {
+TEST(NeededMaps, GiveTheReasonIfNoneIsNeeded) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_of({{"light.intensity", "0"}});
     const Camera camera = make_camera(scene, s, 1.5);

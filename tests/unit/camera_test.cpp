@@ -24,7 +24,7 @@ void expect_orthonormal(const glm::dmat3& m) {
     EXPECT_NEAR(glm::determinant(m), 1.0, 1e-14);
 }
 
-TEST(Camera, OrbitStandsWhereTheAnglesSay) {
+TEST(Camera, OrbitPositionFollowsTheAngles) {
     Settings s;
     s.camera.source = CameraSource::Manual;
     s.camera.target_x = 1;
@@ -46,7 +46,7 @@ TEST(Camera, OrbitStandsWhereTheAnglesSay) {
     EXPECT_GT(c.project({1, 2, 2}, 300, 200).x, at.x);
 }
 
-TEST(Camera, LookingStraightUpOrDownIsNothingSpecial) {
+TEST(Camera, StraightUpAndDownAreOrdinaryViews) {
     Settings s;
     s.camera.source = CameraSource::Manual;
     for (double elevation : {90.0, -90.0, 89.9999999, 0.0})
@@ -94,7 +94,7 @@ TEST(Camera, PixelRayAndProjectAreInverse) {
     EXPECT_GT(glm::dot(dir, c.axes[1]), 0);
 }
 
-TEST(Camera, AutomaticFramesTheBounds) {
+TEST(Camera, AutomaticViewFramesTheBounds) {
     for (double aspect : {0.4, 1.0, 1.78, 4.0})
         for (double scale : {1e-6, 1.0, 1e7}) {
             Settings s;
@@ -133,7 +133,7 @@ double out_of_middle(const Camera& c, const glm::dvec3& p) {
     return q.w > 0 ? std::max(std::abs(q.x / q.w), std::abs(q.y / q.w)) : INFINITY;
 }
 
-TEST(Camera, AutomaticFramesWhatStandsOnAFilesFloorWithItsShadow) {
+TEST(Camera, AutomaticViewFramesObjectsOnAFloorWithTheirShadow) {
     const Scene scene = box_on_wide_floor();
     const Settings s;
     const glm::dvec3 to_light = direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
@@ -157,7 +157,7 @@ TEST(Camera, AutomaticFramesWhatStandsOnAFilesFloorWithItsShadow) {
     EXPECT_LE(out_of_middle(make_camera(built_in, s, 1), {20, 0, 20}), 1) << "what no file brings is shown whole";
 }
 
-TEST(Camera, AutomaticLooksDownOnWhatIsFlatAndAcrossWhatIsLong) {
+TEST(Camera, AutomaticViewLooksDownOnFlatAndAcrossLongScenes) {
     const auto back = [](const glm::dvec3& size) {
         Scene scene = test::box_scene({{glm::dvec3(0), size}});
         scene.file_scenes = {""};
@@ -175,7 +175,7 @@ TEST(Camera, AutomaticLooksDownOnWhatIsFlatAndAcrossWhatIsLong) {
     EXPECT_LT(std::abs(along_z.z), 0.5 * along_z.x);
 }
 
-TEST(Camera, AutomaticLooksOverWhatHidesItsShadow) {
+TEST(Camera, AutomaticViewShowsTheShadowOverItsCaster) {
     Scene scene;
     const int mesh = add_mesh(scene, "sail", make_polygons("sail", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}), -1);
     add_object(scene, "sail", -1, mesh, glm::dmat4(1));
@@ -253,7 +253,7 @@ TEST(Camera, ManualCameraIsTheSameView) {
     }
 }
 
-TEST(Camera, FiniteForWhateverComes) {
+TEST(Camera, StaysFiniteForAnyInput) {
     const double nan = std::nan(""), inf = INFINITY;
     std::vector<Scene> scenes = {Scene(), test::box_scene({{glm::dvec3(2), glm::dvec3(2)}}),
                                  test::box_scene({{glm::dvec3(0), glm::dvec3(1e-6)}}),

@@ -65,7 +65,7 @@ bool sees(const Camera& c, const glm::dvec3& p, double from_m, double to_m, doub
 }
 
 // The hull of the corners holds every place of the box that the camera sees, and none of them lies outside.
-TEST(Cascades, SeenCornersEncloseWhatIsSeen) {
+TEST(Cascades, VisibleCornersEncloseTheFrustum) {
     int seen = 0, empty = 0;
     for (int i = 0; i < 300; ++i) {
         const glm::dvec3 at = i % 2 ? glm::dvec3(0) : glm::dvec3(1e4, 30, -2e4);
@@ -160,7 +160,7 @@ struct Cascaded {
 };
 
 // Whatever a look-up within a cascade's interval reads lies inside of its map, the band's second map included.
-TEST(Cascades, HoldAllThatIsLookedUpInThem) {
+TEST(Cascades, HoldAllLookUps) {
     std::size_t points = 0, blended = 0;
     for (const Case& c : cases()) {
         const Cascaded scene(c);
@@ -212,7 +212,7 @@ TEST(Cascades, ReachToTheFirstCaster) {
     EXPECT_GT(held, 10000u);
 }
 
-TEST(Cascades, NearOnesAreFinerThanTheWholeScenesMap) {
+TEST(Cascades, NearCascadesAreFinerThanTheSceneMap) {
     Case c{{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval};
     const Cascaded several(c), one(c, 1);
     ASSERT_EQ(one.light.views.size(), 1u);
@@ -226,7 +226,7 @@ TEST(Cascades, NearOnesAreFinerThanTheWholeScenesMap) {
 }
 
 // Along a line away from the camera the share grows from 0 to 1 within the band, and the next view takes over there.
-TEST(Cascades, GoOverIntoEachOther) {
+TEST(Cascades, BlendIntoEachOther) {
     for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
         const Cascaded scene({{0, 0, 0}, -40, 45, 30, 8, 30, false, choice});
         // What is blended of view k at a point: its weight.
@@ -258,7 +258,7 @@ TEST(Cascades, GoOverIntoEachOther) {
     }
 }
 
-TEST(Cascades, AreLeftToTheFit) {
+TEST(Cascades, ReadTheCameraOnlyUnderCascadedFits) {
     Case c{{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval};
     Settings s = Cascaded(c).settings;
     EXPECT_TRUE(fit_reads_camera(s, 0));

@@ -109,8 +109,8 @@ std::vector<std::string> texts_of(const Param& p, const Value& like) {
     return texts;
 }
 
-SI_TEST_IS(Repeated, CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting);
-TEST_F(CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting) {
+SI_TEST_IS(Repeated, CaseSessionsTest, AxisEqualsSetForEverySetting);
+TEST_F(CaseSessionsTest, AxisEqualsSetForEverySetting) {
     for (const Param& p : params()) {
         if (is_text(p)) continue;  // what things are called is no axis
         std::vector<std::string> keys = {std::string(p.key)};
@@ -126,7 +126,7 @@ TEST_F(CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting) {
     EXPECT_GT(refused, 100) << "of values that are none";
 }
 
-TEST_F(CaseSessionsTest, WhatTheSceneLacksIsRefusedAlike) {
+TEST_F(CaseSessionsTest, ObjectsMissingInTheSceneAreRefusedLikeSet) {
     expect_same("boxes", {"camera.index=9999"});
     expect_same(file, {"camera.index=1"});
     expect_same(file, {"scene.index=1", "camera.index=1"});
@@ -140,7 +140,7 @@ TEST_F(CaseSessionsTest, WhatTheSceneLacksIsRefusedAlike) {
     expect_same(file, {"light.fit=manual", "light.near=50", "light.far=5"});
 }
 
-TEST_F(CaseSessionsTest, EachSceneOfAFileIsItsOwn) {
+TEST_F(CaseSessionsTest, EachSceneOfAFileIsSeparate) {
     const SessionPlan opened = plan_session({.scene = file, .preset = {}, .sets = {}});
     CaseSessions sessions(opened);
     const auto triangles = [&](const char* index) {
@@ -157,7 +157,7 @@ TEST_F(CaseSessionsTest, EachSceneOfAFileIsItsOwn) {
     EXPECT_NE(target("0"), target("2"));
 }
 
-TEST_F(CaseSessionsTest, TheOrderOfValuesDoesNotHideWhatIsRefused) {
+TEST_F(CaseSessionsTest, OrderOfValuesDoesNotHideRefusals) {
     const SessionPlan opened = plan_session({.scene = "boxes", .preset = {}, .sets = {}});
     CaseSessions sessions(opened);
     EXPECT_NO_THROW(sessions.check({parse_axis("camera.index=0,-1")}));

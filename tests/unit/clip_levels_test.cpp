@@ -38,7 +38,7 @@ Settings looking_at(const glm::dvec3& target, double azimuth, double elevation, 
     return s;
 }
 
-TEST(ClipLevels, HoldWhatTheCameraSees) {
+TEST(ClipLevels, HoldTheVisibleRegion) {
     std::mt19937 engine(11);
     const auto between = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine); };
     for (const glm::dvec3& offset : {glm::dvec3(0), glm::dvec3(115, -3, 40), glm::dvec3(1e5, 2e3, -1e5)}) {

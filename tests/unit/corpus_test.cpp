@@ -104,7 +104,7 @@ const std::filesystem::path kShared = std::filesystem::path(SI_SOURCE_DIR) / "..
 TEST(Corpus, EveryModelLoadsOrIsRefusedWithItsReason) {
     run(kShared / "models", "EXPECT.tsv", 70);
 }
-TEST(Corpus, EveryBrokenFileGetsItsVerdict) {
+TEST(Corpus, EveryBrokenFileGetsItsError) {
     run(kShared / "bad-gltf", "MANIFEST.tsv", 200);
 }
 

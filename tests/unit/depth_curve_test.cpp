@@ -44,7 +44,7 @@ TEST_P(DepthCurves, EndsAreExact) {
     EXPECT_DOUBLE_EQ(c.distance(c.convention.far_depth()), c.far);
 }
 
-TEST_P(DepthCurves, MetresNearerAndDepthNearerAreDistancesAndEachOthersInverse) {
+TEST_P(DepthCurves, MetresAndDepthTowardsTheLightAreInverse) {
     const DepthCurve c = curve_of(GetParam());
     const double sign = c.convention.reversed ? 1 : -1;
     for (const double share : {0.1, 0.5, 0.9, 1.0})
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(All, DepthCurves, testing::ValuesIn(curve_cases()), [](
 });
 
 // accuracy table of the literature: what a fixed-point step is worth in metres at the far plane.
-TEST(DepthCurve, KnownSteps) {
+TEST(DepthCurve, HasKnownSteps) {
     DepthCurve c;
     c.perspective = true;
     c.near = 0.1;

@@ -21,7 +21,7 @@ FloatImage image_of(const DepthCurve& curve, const std::vector<double>& metres, 
     return image;
 }
 
-TEST(DepthHistogram, ExtremesLeaveTheEmptyBackgroundOut) {
+TEST(DepthHistogram, ExtremesExcludeTheBackground) {
     for (const bool perspective : {false, true})
         for (const bool reversed : {false, true}) {
             const DepthCurve curve = curve_of(perspective, reversed);
@@ -37,7 +37,7 @@ TEST(DepthHistogram, ExtremesLeaveTheEmptyBackgroundOut) {
         }
 }
 
-TEST(DepthHistogram, NothingDrawnHasNoExtremes) {
+TEST(DepthHistogram, EmptyMapHasNoExtremes) {
     const DepthCurve curve = curve_of(true, false);
     FloatImage image = image_of(curve, {}, 3);
     image.data[1] = std::numeric_limits<float>::quiet_NaN();
@@ -70,7 +70,7 @@ TEST(DepthHistogram, EqualStepsOfDistanceFillLinearBinsEvenly) {
     }
 }
 
-TEST(DepthHistogram, ARangeCountsWhatLiesOutside) {
+TEST(DepthHistogram, RangeCountsValuesOutside) {
     const DepthCurve curve = curve_of(false, false);
     const FloatImage image = image_of(curve, {1 + 9.9, 1 + 19.8, 1 + 49.5, 1 + 89.1}, 1);  // 0.1 0.2 0.5 0.9
     const DepthHistogram h = depth_histogram(image, curve, MapView::Raw, 4, 0.15, 0.55);

@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-TEST(DiskPlacesTest, TheSpiralTurnsByTheGoldenAngleAndCoversEqualAreas) {
+TEST(DiskSamplesTest, SpiralTurnsByTheGoldenAngleAndCoversEqualAreas) {
     for (const int n : {1, 16, 4096}) {
         const std::vector<glm::vec2> places = spiral_places(n);
         ASSERT_EQ(int(places.size()), n);
@@ -22,7 +22,7 @@ TEST(DiskPlacesTest, TheSpiralTurnsByTheGoldenAngleAndCoversEqualAreas) {
     }
 }
 
-TEST(DiskPlacesTest, TheTableEndsAndItsFirstPlacesLieApart) {
+TEST(DiskSamplesTest, TableEndsAndItsFirstSamplesAreApart) {
     EXPECT_EQ(poisson_places(1000).size(), std::size_t(kDiskTable));
     const std::vector<glm::vec2> places = poisson_places(16);
     ASSERT_EQ(places.size(), 16u);

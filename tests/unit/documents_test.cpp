@@ -56,7 +56,7 @@ std::vector<fs::path> files_with(const fs::path& folder, const std::string& exte
     return out;
 }
 
-TEST(Documents, DiagramsAreWhatTheirSourcesGive) {
+TEST(Documents, DiagramsMatchTheirSources) {
     const std::vector<fs::path> sources = files_with(kRoot / "docs/architecture", ".dot");
     EXPECT_GE(sources.size(), 3u);
     for (const fs::path& source : sources) {
@@ -76,7 +76,7 @@ TEST(Documents, DiagramsAreWhatTheirSourcesGive) {
 }
 
 // A link is written [text](path#part) with a path from its page. Other schemes and bare parts are left alone.
-TEST(Documents, LinksLeadToFiles) {
+TEST(Documents, LinksPointToFiles) {
     static const std::regex link("\\]\\(([^)#\\s]+)(#[^)]*)?\\)"), scheme("^[a-z]+:");
     std::vector<fs::path> pages = files_with(kRoot / "docs", ".md");
     pages.push_back(kRoot / "README.md");

@@ -23,7 +23,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles(std::span<const std::uint32_
 }
 
 SI_TESTS_ARE(Repeated, FaceNormals);
-TEST(FaceNormals, LastCornersCarryThemAndTheTrianglesStay) {
+TEST(FaceNormals, LastCornersCarryThemAndTrianglesStay) {
     for (const Mesh& mesh :
          {make_sphere(1), make_box(glm::dvec3(1)), make_capsule(0.3, 1), make_plane(2, 3), make_teapot()}) {
         const FlatNormalMesh faced = face_normals(mesh.positions, mesh.indices);

@@ -89,7 +89,7 @@ Made floor_and_box_at(const glm::dvec3& offset, const glm::dmat4& turn = glm::dm
 }
 
 SI_TESTS_ARE(Repeated, CastersFit);
-TEST(CastersFit, AFloorUnderABoxDoesNotWidenIt) {
+TEST(CastersFit, FloorUnderABoxDoesNotWidenIt) {
     // Every point of the box that the light reaches may cast onto the floor: its own extent, whatever the direction.
     for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(-3e5, 40, 7e4)}) {
         const Made m = floor_and_box_at(offset);
@@ -107,7 +107,7 @@ TEST(CastersFit, AFloorUnderABoxDoesNotWidenIt) {
     }
 }
 
-TEST(CastersFit, ATiltedFloorIsAFloor) {
+TEST(CastersFit, TiltedFloorIsAFloor) {
     const glm::dmat4 turn = turned(25, glm::normalize(glm::dvec3(1, 2, 0.5)));
     const Made m = floor_and_box_at(glm::dvec3(5, -2, 1), turn);
     std::vector<glm::dvec3> box = box_corners({2, 0, -1}, {4, 1, 1});
@@ -126,7 +126,7 @@ TEST(CastersFit, ATiltedFloorIsAFloor) {
     expect_bounds_near(baked.fit(fit_casters, there), region_of(there, box), 1e-4);
 }
 
-TEST(CastersFit, WhatIsFlatAndShadowsSomethingCounts) {
+TEST(CastersFit, FlatCastersCount) {
     // A wall of 4 x 2.5 m on a floor, lit from before and from behind.
     for (const double azimuth : {0.0, 180.0, 30.0}) {
         Made m;
@@ -146,7 +146,7 @@ TEST(CastersFit, WhatIsFlatAndShadowsSomethingCounts) {
     expect_bounds_near(m.fit(fit_casters, view), region_of(view, {{3, 1, -1.5}, {5, 1, 1.5}}), 1e-4);
 }
 
-TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
+TEST(CastersFit, FloorWithReceiversBelowCounts) {
     Made m = floor_and_box_at(glm::dvec3(0));
     m.add("Sunk", make_box({1, 1, 1}), moved(-6, -0.3, -5));  // from 0.8 m below to 0.2 m above
     m.add("Cellar", make_plane(3, 2), moved(0, -4, 7));
@@ -165,7 +165,7 @@ TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
     EXPECT_TRUE(found->holds(region_of(below, {{-8.5, 5, -8.5}, {4, 0, 1}})));
 }
 
-TEST(CastersFit, WhatTurnsItsBackToTheLightReceivesFromBothSidesOnly) {
+TEST(CastersFit, BackFacingReceiversCountOnlyIfTwoSided) {
     // A ceiling below the floor, whose front looks down: from above nobody sees it, unless its back is drawn.
     for (const bool two_sided : {false, true}) {
         Made m = floor_and_box_at(glm::dvec3(0));
@@ -178,7 +178,7 @@ TEST(CastersFit, WhatTurnsItsBackToTheLightReceivesFromBothSidesOnly) {
     }
 }
 
-TEST(CastersFit, ASlabIsAFloorToo) {
+TEST(CastersFit, SlabIsAFloor) {
     // Convex and single-sided: it cannot shade itself, and all stands before its upper side.
     Made m;
     m.add("Slab", make_box({20, 0.3, 20}), moved(0, -0.15, 0));
@@ -232,7 +232,7 @@ Camera camera_at(const glm::dvec3& eye, const glm::dvec3& at, double fov_deg, do
 }
 
 SI_TESTS_ARE(Repeated, ViewFit);
-TEST(ViewFit, HoldsWhatTheCameraSees) {
+TEST(ViewFit, HoldsTheVisibleRegion) {
     // From above, at a height of 10 m and with a square picture, it sees 10 tan(20°) to each side of the floor.
     Made m;
     m.add("Floor", make_plane(200, 200), glm::dmat4(1));
@@ -361,7 +361,7 @@ Beyond expect_lit_beyond(const Scene& scene, const LightView& view, const MapReg
     return out;
 }
 
-TEST(CastersFit, OfTheBuiltInScenesNothingLiesInShadowBeyond) {
+TEST(CastersFit, CoversAllShadowsOfBuiltInScenes) {
     int narrowed = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));
@@ -427,7 +427,7 @@ LightView random_light(int i, const RandomScene& s, std::mt19937& random) {
                 40 + 40 * std::abs(unit(random)));
 }
 
-TEST(CastersFit, OfRandomScenesNothingLiesInShadowBeyond) {
+TEST(CastersFit, CoversAllShadowsOfRandomScenes) {
     std::mt19937 random(9);
     int beyond = 0, shadowed = 0;
     for (int i = 0; i < 150; ++i) {
@@ -446,7 +446,7 @@ TEST(CastersFit, OfRandomScenesNothingLiesInShadowBeyond) {
 
 // Wherever the camera stands and looks: outside, within the scene, behind the light, through a narrow angle, without
 // perspective, cut off by its planes; and lights within the scene that shine past half of what is seen.
-TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
+TEST(ViewFit, CoversAllVisibleShadowsOfRandomCameras) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> unit(-1, 1);
     int narrower = 0;
@@ -498,7 +498,7 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
 
 // What is seen of a floor may reach past a spot light that stands above it: of that only what lies before the light
 // counts, out to the sides of its cone.
-TEST(ViewFit, OfWhatReachesBehindASpotLightTheFrontCounts) {
+TEST(ViewFit, CountsOnlyPartsInFrontOfASpotLight) {
     for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(-3e4, 10, 8e3)}) {
         Made m(offset);
         m.add("Floor", make_plane(60, 60), glm::dmat4(1));
@@ -515,7 +515,7 @@ TEST(ViewFit, OfWhatReachesBehindASpotLightTheFrontCounts) {
 }
 
 // A camera that sees nothing gets the map of the whole scene, without a promise; what it sees lit is promised.
-TEST(ViewFit, OfWhatIsNotSeenItHoldsTheScene) {
+TEST(ViewFit, HoldsTheSceneIfNothingIsVisible) {
     for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(5e4, -200, 3e3)}) {
         Made m = floor_and_box_at(offset);
         for (const LightView& view : {sun(m.scene, 90, 45), spot(offset + glm::dvec3(1, 9, 2), offset, 120)}) {
@@ -541,7 +541,7 @@ Mesh bounded(Mesh mesh) {
     return mesh;
 }
 
-TEST(FlatMeshes, AreFoundByGeometry) {
+TEST(FlatMeshes, AreDetectedByGeometry) {
     EXPECT_TRUE(plane_of(bounded(make_plane(3, 4, 20, 20))));
     EXPECT_TRUE(plane_of(bounded(make_quad(3, 4))));
     EXPECT_FALSE(plane_of(bounded(make_box({1, 1, 1}))));

@@ -62,7 +62,7 @@ void run_over(const Target& target, const std::string& text) {
 
 class FuzzTargets : public testing::TestWithParam<Target> {};
 
-TEST_P(FuzzTargets, TakeOrRefuseWhateverComes) {
+TEST_P(FuzzTargets, AcceptOrRefuseAnyInput) {
     const fs::path root = SI_SOURCE_DIR;
     std::vector<std::string> seeds = files_below(root / "tests/data/fuzz" / GetParam().name);
     ASSERT_GE(seeds.size(), 3u);

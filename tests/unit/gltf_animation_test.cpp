@@ -54,7 +54,7 @@ TEST(Animation, CubicTangentsAreSlopesPerSecond) {
     EXPECT_FLOAT_EQ(sample_channel(channel(Interpolation::Cubic, {9, 10, 5, 5, 20, 9}), 1.5)[0], 12.5);
 }
 
-TEST(Animation, RotationsTakeTheShortWayOnTheSphere) {
+TEST(Animation, RotationsTakeTheShortestArc) {
     const float h = std::sqrt(0.5f);
     // Identity to a quarter turn about y, once with its sign turned round.
     for (const float sign : {1.0f, -1.0f}) {
@@ -102,7 +102,7 @@ TEST(Animation, NodesCamerasAndBoundsFollow) {
     EXPECT_THROW(pose(scene, 1, 0), Error);
 }
 
-TEST(Animation, ABrokenAnimationIsLeftOut) {
+TEST(Animation, BrokenAnimationIsLeftOut) {
     GltfFile file = moving_triangle();
     file.json["animations"].push_back(file.json["animations"][0]);
     file.json["animations"][0]["samplers"][0]["output"] = file.floats({0, 0, 0}, "VEC3");
@@ -138,7 +138,7 @@ TEST(Animation, MorphTargetsAddByWeight) {
     expect_near(glm::dvec3(scene.meshes[0].normals[0]), glm::normalize(glm::dvec3(-1, 0, 4)));
 }
 
-TEST(Animation, ATriangleThatCollapsesComesBack) {
+TEST(Animation, CollapsedTriangleReturns) {
     GltfFile file = morphing_triangle();
     file.json["nodes"][0]["weights"] = {0, 0};
     const int flatten = file.floats({0, 0, 0, -1, 0, 0, 0, 0, 0}, "VEC3");
@@ -216,7 +216,7 @@ TEST(Animation, SkinsWithBadReferencesAreRefused) {
     EXPECT_NE(file.error().find("skins[0].joints[1]: index 9 is out of range"), std::string::npos);
 }
 
-TEST(Animation, AStillSceneHasNoRig) {
+TEST(Animation, StaticSceneHasNoRig) {
     GltfFile file;
     file.add_triangle();
     Scene scene = file.load();

@@ -32,7 +32,7 @@ std::filesystem::path with_extras(const TemporaryFolder& folder, const Json& ext
     return folder.write("extras.gltf", root.dump());
 }
 
-TEST(GltfExtras, ForeignAndHostileExtrasAreWarningsAtMost) {
+TEST(GltfExtras, ForeignAndHostileExtrasAreOnlyWarnings) {
     const TemporaryFolder folder;
     for (const Json& foreign : {Json("text"), Json(7), Json::array({1, 2}), Json{{"about", 3}},
                                 Json{{"shadow_inspector", "text"}}, Json{{"shadow_inspector", {{"about", {1, 2}}}}}}) {

@@ -95,7 +95,7 @@ TEST(GltfGeometry, IndicesBeyondTheVerticesAreRefused) {
     EXPECT_NE(error_with(65535, 70000), "");  // would restart the primitive
 }
 
-TEST(GltfGeometry, InterleavedAttributesAreTakenApart) {
+TEST(GltfGeometry, InterleavedAttributesAreSeparated) {
     GltfFile file;
     std::vector<float> data;
     for (const glm::vec3& p : kQuad) data.insert(data.end(), {p.x, p.y, p.z, 0, 0, 1});
@@ -152,7 +152,7 @@ TEST(GltfGeometry, SparseValuesReplaceTheBase) {
     }
 }
 
-TEST(GltfGeometry, PrimitivesTakeOnlyTheirPartOfASharedVertexArray) {
+TEST(GltfGeometry, PrimitivesUseOnlyTheirPartOfASharedVertexArray) {
     GltfFile file;
     std::vector<float> positions, normals;
     for (int i = 0; i < 300; ++i) {
@@ -193,7 +193,7 @@ TEST(GltfGeometry, VertexColoursWithAndWithoutAlpha) {
     EXPECT_EQ(scene.meshes[1].colours[1], glm::vec4(1, 1, 1, 0.5f));
 }
 
-TEST(GltfGeometry, APrimitiveWithoutFiniteDataIsDroppedAndTheRestStays) {
+TEST(GltfGeometry, PrimitiveWithoutFiniteDataIsDroppedAlone) {
     GltfFile file;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const int good = file.triangle_positions(), bad = file.floats({0, 0, 0, nan, 0, 0, 0, 1, 0}, "VEC3");

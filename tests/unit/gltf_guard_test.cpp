@@ -88,7 +88,7 @@ TEST(GltfGuard, EverySingleByteChangeLoadsOrIsRefused) {
     EXPECT_GT(refused, whole.size() / 2);
 }
 
-TEST(GltfGuard, ErrorsAreOneLineWithFilePlaceAndRemedy) {
+TEST(GltfGuard, ErrorsAreOneLineWithFilePlaceAndFix) {
     GltfFile file;
     file.add_triangle();
     file.json["accessors"][0]["count"] = 4;
@@ -134,7 +134,7 @@ TEST(GltfGuard, DepthIsBoundedBeforeParsing) {
     EXPECT_EQ(error_of(folder.write("flat.gltf", flat)), "");
 }
 
-TEST(GltfGuard, BuffersBesideTheModelAreRead) {
+TEST(GltfGuard, BuffersInTheModelFolderAreRead) {
     const TemporaryFolder folder;
     std::string bin;
     for (const auto& [uri, name] : {std::pair{"a b.bin", "a b.bin"},
@@ -218,7 +218,7 @@ TEST(GltfGuard, NamesAreMadePrintable) {
     EXPECT_EQ(printable(std::string(1000, 'a'), 10), "aaaaaaaaaa…");
 }
 
-TEST(GltfGuard, ProgressRisesAndCanCancel) {
+TEST(GltfGuard, ProgressRisesAndCancels) {
     const TemporaryFolder folder;
     std::string bin;
     const auto path = folder.write("model.gltf", external("model.bin", bin));
@@ -242,7 +242,7 @@ TEST(GltfGuard, ProgressRisesAndCanCancel) {
     }
 }
 
-TEST(GltfGuard, TheSameBytesShownEndlesslyAreRefused) {
+TEST(GltfGuard, EndlesslyRepeatedBytesAreRefused) {
     GltfFile file;
     const int position = file.triangle_positions();
     const int mesh = file.mesh({{"attributes", {{"POSITION", position}}}});

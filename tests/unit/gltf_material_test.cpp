@@ -52,7 +52,7 @@ struct Textured : GltfFile {
     Json& texture_info() { return material()["pbrMetallicRoughness"]["baseColorTexture"]; }
 };
 
-TEST(GltfMaterial, FactorsModesAndFlags) {
+TEST(GltfMaterial, ReadsFactorsModesAndFlags) {
     Textured file;
     file.material()["pbrMetallicRoughness"]["baseColorFactor"] = {0.1, 0.2, 0.3, 0.4};
     file.material()["alphaMode"] = "MASK";
@@ -80,7 +80,7 @@ TEST(GltfMaterial, DefaultsAreThoseOfGltf) {
     EXPECT_FALSE(m.double_sided);
 }
 
-TEST(GltfMaterial, TexturePixelsAndSampler) {
+TEST(GltfMaterial, ReadsTexturePixelsAndSampler) {
     Textured file;
     file.append("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9729}});
     file.json["textures"][0]["sampler"] = 0;
@@ -98,7 +98,7 @@ TEST(GltfMaterial, TexturePixelsAndSampler) {
     EXPECT_FALSE(t.mipmaps);
 }
 
-TEST(GltfMaterial, MinificationFilters) {
+TEST(GltfMaterial, ReadsMinificationFilters) {
     struct Row {
         int filter;
         bool nearest, mipmaps;
@@ -159,7 +159,7 @@ TEST(GltfMaterial, UnreadableFormatFallsBackOrIsUntextured) {
     EXPECT_TRUE(mentions(scene.warnings, "EXT_texture_webp is not supported"));
 }
 
-TEST(GltfMaterial, ABrokenImageCostsOnlyItsTexture) {
+TEST(GltfMaterial, BrokenImageDropsOnlyItsTexture) {
     Textured file;
     std::vector<std::uint8_t> cut = png();
     cut.resize(40);

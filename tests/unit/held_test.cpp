@@ -18,7 +18,7 @@ MemoryUse of(const std::string& holder) {
     return {};
 }
 
-TEST(TrackedMemory, IsToldUntilItIsLetGo) {
+TEST(TrackedMemory, IsReportedUntilReleased) {
     std::optional<TrackedMemory> first(std::in_place, "tests' bytes", 1000);
     {
         TrackedMemory copy = *first, moved = std::move(copy);
@@ -42,7 +42,7 @@ TEST(TrackedMemory, IsToldUntilItIsLetGo) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
-TEST(ProcessMemory, WhatWasFreedGoesBackToTheSystem) {
+TEST(ProcessMemory, FreedMemoryReturnsToTheSystem) {
     // Below what malloc() maps by itself, with holes that end no page from above.
     constexpr std::size_t kBlock = 64 << 10, kBlocks = 1600;
     std::vector<std::vector<char>> blocks, kept;
@@ -72,7 +72,7 @@ TEST(TrackedMemory, ThreadsAddUp) {
     EXPECT_EQ(of("threads' bytes").bytes, 8000u);
 }
 
-TEST(TrackedMemory, ScenesAndHierarchiesTellWhatTheyTake) {
+TEST(TrackedMemory, ScenesAndHierarchiesReportTheirSize) {
     ray_scenes().clear();  // what tests before have left
     const std::uint64_t scenes = of("scenes").bytes;
     {
@@ -105,7 +105,7 @@ TEST(TrackedMemory, ScenesAndHierarchiesTellWhatTheyTake) {
     EXPECT_EQ(of("scenes").bytes, scenes);
 }
 
-TEST(TrackedMemory, TheProcessHasMoreThanItsHolders) {
+TEST(TrackedMemory, ProcessUsesMoreThanItsHolders) {
     const std::uint64_t before = process_memory().resident;
     ASSERT_GT(before, 1u << 20);
     std::vector<char> block(64 << 20, 'x');
@@ -117,7 +117,7 @@ TEST(TrackedMemory, TheProcessHasMoreThanItsHolders) {
 #endif
 }
 
-TEST(TrackedMemory, IsSaidInUnitsThatSuitIt) {
+TEST(TrackedMemory, IsPrintedInSuitableUnits) {
     EXPECT_EQ(bytes_text(12), "12 bytes");
     EXPECT_EQ(bytes_text(300 << 10), "300 KiB");
     EXPECT_EQ(bytes_text(3u << 19), "1.5 MiB");

@@ -60,7 +60,7 @@ struct InputQueueTest : testing::Test {
     }
 };
 
-TEST_F(InputQueueTest, TextAfterControlAIsFedAfterIt) {
+TEST_F(InputQueueTest, TextAfterControlAKeepsItsOrder) {
     queue.typing(true);
     control('A');
     type("depth bias");
@@ -72,7 +72,7 @@ TEST_F(InputQueueTest, TextAfterControlAIsFedAfterIt) {
     EXPECT_FALSE(all[1].presses(GLFW_KEY_LEFT_CONTROL) || queue.is_down(GLFW_KEY_LEFT_CONTROL));
 }
 
-TEST_F(InputQueueTest, WhatIsTypedIsOneStepInAField) {
+TEST_F(InputQueueTest, TypedTextIsOneStepInAField) {
     queue.typing(true);
     down(GLFW_KEY_LEFT_SHIFT);
     down('H', GLFW_MOD_SHIFT);
@@ -93,7 +93,7 @@ TEST_F(InputQueueTest, WhatIsTypedIsOneStepInAField) {
     EXPECT_FALSE(queue.is_down('X'));
 }
 
-TEST_F(InputQueueTest, AKeyThatActsOnTheFieldIsBetweenTheLettersAroundIt) {
+TEST_F(InputQueueTest, EditingKeyKeepsItsOrderAmongLetters) {
     queue.typing(true);
     type("ab");
     tap(GLFW_KEY_BACKSPACE);
@@ -113,7 +113,7 @@ TEST_F(InputQueueTest, AKeyThatActsOnTheFieldIsBetweenTheLettersAroundIt) {
     EXPECT_EQ(told, "ab|<||<|c|!|") << "between two presses of a key it is seen to be up";
 }
 
-TEST_F(InputQueueTest, APressedModifierHoldsBackTextUntilItIsUp) {
+TEST_F(InputQueueTest, PressedModifierDelaysTextUntilReleased) {
     queue.typing(true);
     type("a");
     down(GLFW_KEY_LEFT_CONTROL);
@@ -128,7 +128,7 @@ TEST_F(InputQueueTest, APressedModifierHoldsBackTextUntilItIsUp) {
     EXPECT_TRUE(all[2].releases(GLFW_KEY_LEFT_CONTROL));
 }
 
-TEST_F(InputQueueTest, AltIsHeldWhileItsKeyActsAndItsEndIsAStep) {
+TEST_F(InputQueueTest, AltIsHeldForItsKeyAndItsReleaseIsAStep) {
     queue.typing(true);
     down(GLFW_KEY_LEFT_ALT);
     tap('H', GLFW_MOD_ALT);
@@ -143,7 +143,7 @@ TEST_F(InputQueueTest, AltIsHeldWhileItsKeyActsAndItsEndIsAStep) {
     EXPECT_EQ(all[2].text(), "a");
 }
 
-TEST_F(InputQueueTest, BesideAnyFieldEachKeyActsByItself) {
+TEST_F(InputQueueTest, EachKeyIsAStepOutsideFields) {
     type("fll");
     std::string told;
     for (const InputStep& step : steps()) {
@@ -183,7 +183,7 @@ TEST_F(InputQueueTest, MouseAndKeysDoNotOvertakeEachOther) {
     EXPECT_TRUE(queue.empty());
 }
 
-TEST_F(InputQueueTest, AHeldButtonStaysHeldWhileKeysAreFed) {
+TEST_F(InputQueueTest, HeldButtonStaysHeldDuringKeys) {
     queue.next();
     queue.button(1, true, 0, {1, 1});
     next();
@@ -199,7 +199,7 @@ TEST_F(InputQueueTest, AHeldButtonStaysHeldWhileKeysAreFed) {
     EXPECT_FALSE(queue.is_down('W'));
 }
 
-TEST_F(InputQueueTest, TheWheelTurnsUnderTheModifiersOfItsTime) {
+TEST_F(InputQueueTest, WheelTurnsWithTheModifiersOfItsTime) {
     down(GLFW_KEY_LEFT_CONTROL);
     queue.wheel({0, 1});
     queue.wheel({0, 2});

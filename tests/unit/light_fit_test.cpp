@@ -48,7 +48,7 @@ void expect_basis(const glm::dvec3& n) {
     ASSERT_EQ(m[2], n);
 }
 
-TEST(LightFit, ADirectionalLightFarOffHasARangeThatShadersKnow) {
+TEST(LightFit, FarDirectionalLightHasARangeForShaders) {
     // Its target, or itself along its rays; found by random settings.
     for (const auto& [distance, aside] : {std::pair{0.0, 6.2e7}, {1e7, 0.0}, {1e7, -1e8}}) {
         Settings s = one_light(LightType::Directional);
@@ -71,7 +71,7 @@ TEST(LightFit, ADirectionalLightFarOffHasARangeThatShadersKnow) {
     }
 }
 
-TEST(Basis, OrthonormalForEveryDirection) {
+TEST(Basis, IsOrthonormalForEveryDirection) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     for (int i = 0; i < 100000; ++i)
@@ -87,7 +87,7 @@ TEST(Basis, OrthonormalForEveryDirection) {
             }
 }
 
-TEST(Basis, AnglesPointWhereTheySay) {
+TEST(Basis, AnglesGiveTheirDirection) {
     const auto near_to = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b) < 1e-15; };
     EXPECT_TRUE(near_to(direction_from_angles(0, 0), {0, 0, 1}));
     EXPECT_TRUE(near_to(direction_from_angles(90, 0), {1, 0, 0}));
@@ -161,7 +161,7 @@ TEST(LightFit, SceneFitHoldsTheScene) {
     }
 }
 
-TEST(LightFit, TheViewLooksAlongTheLight) {
+TEST(LightFit, ViewLooksAlongTheLight) {
     Settings s = one_light(LightType::Spot);
     s.lights[0].azimuth = 90;
     s.lights[0].elevation = 0;
@@ -196,7 +196,7 @@ TEST(LightFit, FacesOfAPointLightCoverEveryDirection) {
     }
 }
 
-TEST(LightFit, OffsetOfAMillionMetresChangesNothing) {
+TEST(LightFit, SceneOffsetOfAMillionMetresChangesNothing) {
     const std::vector<BoxExtent> boxes = {{glm::dvec3(-4, 0, -4), glm::dvec3(4, 0.25, 4)},
                                           {glm::dvec3(0, 0.25, 0), glm::dvec3(1, 2.5, 1)}};
     const glm::dvec3 offset(1 << 20, -(1 << 19), 1 << 20);
@@ -242,7 +242,7 @@ TEST(LightFit, SpotAnglesStayFinite) {
             }
 }
 
-TEST(LightFit, ASpotsMapByHandIsAtMostItsCones) {
+TEST(LightFit, ManualMapOfASpotIsAtMostItsCone) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Spot);
     LightSettings& l = s.lights[0];
@@ -259,7 +259,7 @@ TEST(LightFit, ASpotsMapByHandIsAtMostItsCones) {
     EXPECT_TRUE(all_finite(fit_lights(scene, s)[0]));
 }
 
-TEST(LightFit, DegenerateScenes) {
+TEST(LightFit, StaysFiniteForDegenerateScenes) {
     std::vector<Scene> scenes = {Scene()};
     for (double scale : {1e-6, 1e-3, 1.0, 1e3, 1e7})
         for (double offset : {0.0, 1e6}) {
@@ -308,7 +308,7 @@ TEST(LightFit, NonFiniteSettingsAreReplaced) {
             }
 }
 
-TEST(LightFit, LightInsideTheScene) {
+TEST(LightFit, WorksForALightInsideTheScene) {
     const Scene scene = box_scene({{glm::dvec3(-5, -1, -5), glm::dvec3(5, 0, 5)}, {glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Spot);
     s.lights[0].distance = 0.2;
@@ -330,7 +330,7 @@ TEST(LightFit, LightInsideTheScene) {
     EXPECT_EQ(light.clipped_casters, 1);
 }
 
-TEST(LightFit, TheRangeEndsTheMap) {
+TEST(LightFit, RangeEndsTheMap) {
     // A floor 10 m below the light and a wall 30 m away from it.
     const Scene scene = box_scene({{glm::dvec3(-40, -1, -40), glm::dvec3(40, 0, 40)}, {{30, 0, -40}, {31, 20, 40}}});
     for (const auto& [type, projection] : {std::pair{LightType::Point, LightProjection::Automatic},
@@ -375,7 +375,7 @@ TEST(LightFit, TheRangeEndsTheMap) {
     EXPECT_FALSE(within_range(12, 12));
 }
 
-TEST(LightFit, ByHand) {
+TEST(LightFit, ManualFitUsesItsNumbers) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Directional);
     LightSettings& l = s.lights[0];
@@ -403,7 +403,7 @@ TEST(LightFit, ByHand) {
     EXPECT_EQ(fit_lights(scene, s)[0].views[0].projection, fitted.views[0].projection);
 }
 
-TEST(LightFit, WhyNothingCasts) {
+TEST(LightFit, ReportsWhyNothingCasts) {
     Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Directional);
     EXPECT_TRUE(fit_lights(scene, s)[0].casts);

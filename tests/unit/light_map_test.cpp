@@ -82,7 +82,7 @@ void expect_sound(const ReferenceGeometry& geometry, const LightMapLayout& layou
         }
 }
 
-TEST(LightMapLayout, PacksChartsApartWithTheirGutters) {
+TEST(LightMapLayout, PacksChartsWithGutters) {
     for (const char* name : {"boxes", "stage", "teapot", "relief"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(name);
@@ -100,7 +100,7 @@ TEST(LightMapLayout, PacksChartsApartWithTheirGutters) {
     }
 }
 
-TEST(LightMapLayout, JoinsWhatLiesInOnePlaneAndWhatBendsLittle) {
+TEST(LightMapLayout, JoinsCoplanarAndSlightlyBentTriangles) {
     const Scene scene = floor_with_box();
     EXPECT_EQ(light_map_layout(*geometry_of(scene), 256).charts.size(), 7u) << "the floor and six sides";
     const Scene ball = make_scene(make_sphere(1));
@@ -109,7 +109,7 @@ TEST(LightMapLayout, JoinsWhatLiesInOnePlaneAndWhatBendsLittle) {
     EXPECT_GT(layout.charts.size(), 8u) << "a side of a ball cannot be laid flat in one";
 }
 
-TEST(LightMapLayout, TakesApartWhatWouldLieUponItself) {
+TEST(LightMapLayout, SplitsOverlappingCharts) {
     const Scene scene = make_scene(make_spiral());
     const auto geometry = geometry_of(scene);
     const LightMapLayout layout = light_map_layout(*geometry, 256);
@@ -124,7 +124,7 @@ TEST(LightMapLayout, TakesApartWhatWouldLieUponItself) {
     }
 }
 
-TEST(LightMapLayout, RefusesWhatCannotFitAndSaysWhatDoes) {
+TEST(LightMapLayout, RefusesAnUnfittingSizeAndNamesAFittingOne) {
     std::vector<std::vector<glm::dvec3>> blades;
     for (int i = 0; i < 400; ++i)
         blades.push_back({{0.1 * i, 0, 0}, {0.1 * i + 0.05, 0, 0}, {0.1 * i, 0.3, 0.001 * (i % 7)}});
@@ -156,7 +156,7 @@ TEST(LightMapBake, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(LightMapKey, FollowsAllThatRaysFindAndNothingElse) {
+TEST(LightMapKey, DependsOnlyOnInputsOfRays) {
     const Scene scene = floor_with_box();
     const LightMapTask task = task_of(scene);
     const std::uint64_t content = light_map_content_key(task);
@@ -225,7 +225,7 @@ protected:
     }
 };
 
-TEST_F(LightMapFiles, AreReadInPlaceOfBakingAndHoldTheSameBytes) {
+TEST_F(LightMapFiles, AreReadInsteadOfBakingAndHoldTheSameBytes) {
     const auto baked = get(task_of(scene), 1);
     ASSERT_EQ(files().size(), 1u);
     const auto read = get(task_of(floor_with_box()), 0);
@@ -237,7 +237,7 @@ TEST_F(LightMapFiles, AreReadInPlaceOfBakingAndHoldTheSameBytes) {
     EXPECT_EQ(files().size(), 2u) << "another content, another file";
 }
 
-TEST_F(LightMapFiles, InMemoryMapsAreFoundByTheirContent) {
+TEST_F(LightMapFiles, MapsInMemoryAreFoundByContent) {
     LightMapCache maps;
     const auto first = maps.get(task_of(scene), {.threads = 2});
     const Scene again = floor_with_box();
@@ -248,7 +248,7 @@ TEST_F(LightMapFiles, InMemoryMapsAreFoundByTheirContent) {
     EXPECT_TRUE(files().empty()) << "no folder was given";
 }
 
-TEST_F(LightMapFiles, ThatAreDamagedAreBakedAgain) {
+TEST_F(LightMapFiles, DamagedFilesAreBakedAgain) {
     const auto baked = get(task_of(scene), 1);
     const fs::path file = files().at(0);
     const std::vector<std::pair<const char*, std::function<void(std::string&)>>> damages = {
@@ -270,7 +270,7 @@ TEST_F(LightMapFiles, ThatAreDamagedAreBakedAgain) {
     }
 }
 
-TEST_F(LightMapFiles, OfCancelledBakesThereAreNone) {
+TEST_F(LightMapFiles, CancelledBakesLeaveNone) {
     LightMapCache maps;
     maps.set_disk_folder(folder);
     std::stop_source stop;
@@ -288,7 +288,7 @@ TEST_F(LightMapFiles, OfCancelledBakesThereAreNone) {
     EXPECT_EQ(baked->texels, get(task_of(scene, 512), 0)->texels);
 }
 
-TEST_F(LightMapFiles, TakeNoMoreThanTheyMay) {
+TEST_F(LightMapFiles, StayBelowTheirSizeLimit) {
     const std::uint64_t one = 128 * 128 + 100, most = 2 * one + one / 2;
     for (const double x : {0.0, 1.0, 2.0}) {
         get(task_of(floor_with_box(x)), 1, most);
@@ -305,7 +305,7 @@ TEST_F(LightMapFiles, TakeNoMoreThanTheyMay) {
     EXPECT_EQ(files().size(), 2u) << "what is larger than all may be is not kept";
 }
 
-TEST_F(LightMapFiles, ThatCannotBeWrittenAreSaid) {
+TEST_F(LightMapFiles, UnwritableFilesAreReported) {
     fs::create_directories(folder.parent_path());
     std::ofstream(folder.string()) << "in the way";
     const auto map = get(task_of(scene), 1);

@@ -32,7 +32,7 @@ struct Lit {
     BiasBreakdown account() const { return bias_breakdown(light, settings, 512, point, {.subpixel_bits = 8}); }
 };
 
-TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
+TEST(LightReceiver, OneMetreOfBiasMovesOneMetreAlongTheAxis) {
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (const bool reversed : {false, true})
             for (const double offset_texels : {0.0, 3.0})

@@ -61,7 +61,7 @@ TEST(LostCasters, FrontCullingLosesTheFloorAndKeepsTheClosedBox) {
     EXPECT_NE(notes[0].find("object.Floor.cull=none"), std::string::npos) << notes[0];
 }
 
-TEST(LostCasters, BackCullingLosesAFloorSeenFromBelowOnly) {
+TEST(LostCasters, BackCullingLosesOnlyAFloorSeenFromBelow) {
     EXPECT_TRUE(lost(floor_and_box(), with_cull(Cull::Back)).empty());
     const auto turned = glm::rotate(glm::dmat4(1), 180 * kDegree, {1, 0, 0});
     ASSERT_EQ(lost(floor_and_box(turned), with_cull(Cull::Back)).size(), 1u);
@@ -74,7 +74,7 @@ TEST(LostCasters, MirroringAndUnevenScaleChangeNothing) {
     EXPECT_EQ(list[0].object, 0);
 }
 
-TEST(LostCasters, SpotLightsJudgeFromTheirPlace) {
+TEST(LostCasters, SpotLightsUseTheirPosition) {
     Settings s = with_cull(Cull::Back);
     s.lights[0].type = LightType::Spot;
     s.lights[0].elevation = 60;
@@ -85,7 +85,7 @@ TEST(LostCasters, SpotLightsJudgeFromTheirPlace) {
     EXPECT_EQ(list[0].object, 0);
 }
 
-TEST(LostCasters, AnObjectsOwnCullingAndCastingCount) {
+TEST(LostCasters, ObjectOverridesCount) {
     Settings s = with_cull(Cull::Front);
     s.objects["Floor"].cull = ObjectCull::None;
     EXPECT_TRUE(lost(floor_and_box(), s).empty());

@@ -55,7 +55,7 @@ std::vector<Settings> lights_to_try() {
     return all;
 }
 
-TEST(ManualLight, KeepsEveryMapWhereItIs) {
+TEST(ManualLight, GivesTheMapsOfTheFit) {
     std::vector<Scene> scenes;
     scenes.push_back(load_scene("stage"));
     scenes.push_back(test::box_scene({{{-4, 0, -1}, {9, 3, 5}}, {{20, 0, 0}, {21, 9, 1}}}, {1e4, 0, -300}));

@@ -37,7 +37,7 @@ TEST(MapLimits, OrdinaryMapsHaveNone) {
             }
 }
 
-TEST(MapLimits, AllDepthInOneStepOfTheFormat) {
+TEST(MapLimits, DepthRangeInOneStepIsReported) {
     // From overhead the box is 2 m deep. 16 bits over 0 ... far step by far / 65535.
     const auto overhead = [](const char* format, const char* far, const char* reversed = "false") {
         return fitted({{"light.elevation", "90"},
@@ -62,7 +62,7 @@ TEST(MapLimits, AllDepthInOneStepOfTheFormat) {
     EXPECT_TRUE(overhead("d32f", "100000000", "true").limits.one_depth_step) << "reversed, the scene lies near 1";
 }
 
-TEST(MapLimits, PerspectiveDepthsCrowdAtTheFarPlane) {
+TEST(MapLimits, PerspectiveDepthNearTheFarPlaneIsReported) {
     // d = far (z - near) / (z (far - near)): between z and z + 2 it moves by about 2 near / z^2.
     const auto spot = [](const char* near, const char* format) {
         return fitted({{"light.type", "spot"},
@@ -81,7 +81,7 @@ TEST(MapLimits, PerspectiveDepthsCrowdAtTheFarPlane) {
     EXPECT_FALSE(spot("0.1", "d16").limits.any()) << "2e-5 against 1.5e-5";
 }
 
-TEST(MapLimits, ATexelLargerThanTheScene) {
+TEST(MapLimits, TexelLargerThanTheSceneIsReported) {
     const auto light = [](const char* resolution, const char* extent) {
         return fitted({{"light.elevation", "90"},
                        {"light.azimuth", "0"},
@@ -98,7 +98,7 @@ TEST(MapLimits, ATexelLargerThanTheScene) {
     EXPECT_TRUE(fitted({{"map.resolution", "1"}}).limits.one_texel);
 }
 
-TEST(MapLimits, AFlatSceneHasNoDepthToResolve) {
+TEST(MapLimits, FlatSceneHasNoDepthLimit) {
     Settings s;
     s.lights[0].elevation = 90;
     s.lights[0].azimuth = 0;
@@ -106,7 +106,7 @@ TEST(MapLimits, AFlatSceneHasNoDepthToResolve) {
     EXPECT_FALSE(light.limits.one_depth_step);
 }
 
-TEST(MapLimits, OnlyOfLightsWithAMap) {
+TEST(MapLimits, OnlyLightsWithAMapHaveSome) {
     EXPECT_TRUE(fitted({{"map.resolution", "1"}, {"light.cast", "false"}}).notes.empty());
 }
 

@@ -50,7 +50,7 @@ std::vector<ClassifiedPixel> classified_of(const std::vector<std::string>& rows,
     return out;
 }
 
-TEST(DistanceTransform, IsTheNearestOfAll) {
+TEST(DistanceTransform, IsTheDistanceToTheNearestPixel) {
     Random random(4);
     for (const auto& [w, h] : {std::pair{1, 1}, {7, 1}, {1, 9}, {23, 17}}) {
         std::vector<std::uint8_t> set(std::size_t(w * h));
@@ -67,7 +67,7 @@ TEST(DistanceTransform, IsTheNearestOfAll) {
     }
 }
 
-TEST(Metrics, OfEqualPicturesAreZero) {
+TEST(Metrics, AreZeroForEqualPictures) {
     const std::vector<std::string> rows = {"..##", "..##", "o.. "};
     const Reference reference = reference_of(rows);
     const ErrorMetrics m = error_metrics(classified_of(rows, reference), reference);
@@ -81,7 +81,7 @@ TEST(Metrics, OfEqualPicturesAreZero) {
     EXPECT_EQ(m.artefacts[0], 12u);
 }
 
-TEST(Metrics, AreTheSumsOfTheirCauses) {
+TEST(Metrics, AreSumsOverTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
     const Reference reference = reference_of({"......................######################"});
     std::vector<ClassifiedPixel> classified =
@@ -106,7 +106,7 @@ TEST(Metrics, AreTheSumsOfTheirCauses) {
                                                      m.artefacts[std::size_t(Artefact::PeterPanningRaster)]));
 }
 
-TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
+TEST(Metrics, CountNoErrorWithinTheNoiseOfTheReference) {
     Reference reference = reference_of({"++++++"});
     reference.point_visibility = reference.visibility;
     reference.visibility.data = {0.55f, 0.55f, 0.55f, 0.55f, 0.45f, 1.f};
@@ -131,7 +131,7 @@ TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
     EXPECT_NEAR(m.mae, (0.1 * 3 + 0.55 + 0.1 + 0.1) / 6, 1e-6);
 }
 
-TEST(Metrics, MeasureHowFarContoursAreApart) {
+TEST(Metrics, MeasureContourDistance) {
     const std::vector<std::string> rows(8, "....########");
     const std::vector<std::string> moved(8, "......######");
     const ErrorMetrics m = error_metrics(classified_of(moved, reference_of(rows)), reference_of(rows));
@@ -156,7 +156,7 @@ TEST(Metrics, MeasureHowFarContoursAreApart) {
     EXPECT_THROW(error_metrics({}, reference_of(rows)), Error);
 }
 
-TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
+TEST(MetricRows, DefineEachNumberOnce) {
     std::set<std::string_view> keys, labels;
     for (const Metric& m : metrics()) {
         EXPECT_TRUE(keys.insert(m.key).second) << m.key;
@@ -172,7 +172,7 @@ TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
     EXPECT_EQ(find_metric("prettiness"), nullptr);
 }
 
-TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
+TEST(MetricRows, CountEveryWrongPixelOnce) {
     // One pixel of each cause on the side that it can have, 2^k of them: sums tell which were counted.
     Reference reference;
     reference.state.assign(1 << 16, PixelState::Counted);
@@ -216,7 +216,7 @@ TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
     EXPECT_EQ(double(m.artefacts[0]), n - all_dark - all_bright);
 }
 
-TEST(MetricRows, TellWhichOfTwoValuesIsBetter) {
+TEST(MetricRows, OrderTwoValues) {
     EXPECT_EQ(distance_from_best(find_metric("mae")->better, 0.25), 0.25);
     EXPECT_EQ(distance_from_best(find_metric("signed_mean")->better, -0.25), 0.25);
     EXPECT_EQ(distance_from_best(find_metric("iou")->better, 0.75), 0.25);

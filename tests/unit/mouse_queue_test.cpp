@@ -21,7 +21,7 @@ int presses(const std::vector<MouseQueue::Step>& steps) {
     return n;
 }
 
-TEST(MouseQueue, ADoubleClickDuringASlowFrameIsOne) {
+TEST(MouseQueue, DoubleClickDuringASlowFrameIsRecognised) {
     MouseQueue mouse;
     mouse.move({10, 20});
     mouse.next();
@@ -38,7 +38,7 @@ TEST(MouseQueue, ADoubleClickDuringASlowFrameIsOne) {
     EXPECT_FALSE(steps[3].down[0]);
 }
 
-TEST(MouseQueue, ASlowFrameBetweenThePressesDoesNotTearThemApart) {
+TEST(MouseQueue, SlowFrameBetweenPressesKeepsTheDoubleClick) {
     MouseQueue mouse;
     mouse.move({10, 20});
     mouse.next();
@@ -50,7 +50,7 @@ TEST(MouseQueue, ASlowFrameBetweenThePressesDoesNotTearThemApart) {
     EXPECT_TRUE(mouse.next().doubles);
 }
 
-TEST(MouseQueue, TwoSlowClicksAreNoDoubleClickInSlowFrames) {
+TEST(MouseQueue, TwoSlowClicksAreNoDoubleClick) {
     MouseQueue mouse;
     mouse.move({10, 20});
     mouse.next();
@@ -63,7 +63,7 @@ TEST(MouseQueue, TwoSlowClicksAreNoDoubleClickInSlowFrames) {
     EXPECT_FALSE(mouse.next().doubles) << "another button";
 }
 
-TEST(MouseQueue, EachPressIsWhereTheMouseWasThen) {
+TEST(MouseQueue, EachPressHasItsOwnPosition) {
     MouseQueue mouse;
     mouse.move({10, 10});
     mouse.button(0, true, 2, {1, 1});
@@ -85,7 +85,7 @@ TEST(MouseQueue, EachPressIsWhereTheMouseWasThen) {
     EXPECT_FALSE(after.mods);
 }
 
-TEST(MouseQueue, OutsideOfTheWindowNobodyKnowsWhereItIs) {
+TEST(MouseQueue, PositionOutsideTheWindowIsUnknown) {
     MouseQueue mouse;
     EXPECT_FALSE(mouse.next().at);
     mouse.move({5, 5});

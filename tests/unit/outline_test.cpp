@@ -45,7 +45,7 @@ Scene bodies() {
     return scene;
 }
 
-TEST(Outline, ComesNearTheHullOfAllVerticesInEveryDirection) {
+TEST(Outline, ApproximatesTheHullInEveryDirection) {
     const Scene scene = bodies();
     const std::vector<glm::dvec3> found = extreme_points(scene), all = vertices(scene);
     EXPECT_LE(found.size(), 64u);
@@ -66,7 +66,7 @@ TEST(Outline, ComesNearTheHullOfAllVerticesInEveryDirection) {
     }
 }
 
-TEST(Outline, IsBeforeThePlacementAndOfUsedVerticesAlone) {
+TEST(Outline, UsesOnlyReferencedVerticesBeforePlacement) {
     Scene scene = bodies();
     const std::vector<glm::dvec3> before = extreme_points(scene);
     place(scene, moved(1000, -5, 3) * turned(70) * scaled(2, 2, 2));
@@ -90,7 +90,7 @@ TEST(Outline, IsBeforeThePlacementAndOfUsedVerticesAlone) {
     EXPECT_TRUE(extreme_points(Scene()).empty());
 }
 
-TEST(Outline, LeavesOutTheFloorButNotWhatIsHidden) {
+TEST(Outline, LeavesOutTheFloorButNotHiddenObjects) {
     Scene scene = test::box_scene({{{-0.5, 0, -0.5}, {0.5, 2, 0.5}}, {{-20, -0.01, -20}, {20, 0, 20}}});
     EXPECT_NEAR(farthest(extreme_points(scene), {1, 0, 0}), 0.5, 1e-9);
     hide_objects(scene, {scene.nodes[std::size_t(scene.objects[0].node)].path});
@@ -103,7 +103,7 @@ TEST(Outline, LeavesOutTheFloorButNotWhatIsHidden) {
 }
 
 // A sphere's box is half as wide again as it is.
-TEST(Outline, LetsAFilesPictureBeFilled) {
+TEST(Outline, FillsThePictureOfAFile) {
     Scene scene;
     add_object(scene, "sphere", -1, add_mesh(scene, "sphere", make_sphere(1), add_material(scene, "grey", {1, 1, 1})),
                moved(5, 1, 5));

@@ -42,7 +42,7 @@ std::size_t files_in(const fs::path& folder) {
     return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-TEST(OutputFiles, KeepTheModeOfWhatTheyReplace) {
+TEST(OutputFiles, KeepTheModeOfTheReplacedFile) {
     const fs::path folder = fresh_test_folder();
     for (const mode_t mode : {mode_t(0600), mode_t(0640), mode_t(0755)}) {
         std::ofstream(folder / "a.json") << "old";
@@ -68,7 +68,7 @@ TEST(OutputFiles, ReadOnlyOnesAreRefused) {
     EXPECT_EQ(files_in(folder), 1u);
 }
 
-TEST(OutputFiles, TemporariesCanNeitherBeForeseenNorLed) {
+TEST(OutputFiles, TemporariesAreUnpredictableAndFollowNoLinks) {
     const fs::path folder = fresh_test_folder(), mine = folder / "mine.txt";
     std::ofstream(mine) << "mine";
     // What a foreseeable name would be, as a link to another file.
@@ -81,7 +81,7 @@ TEST(OutputFiles, TemporariesCanNeitherBeForeseenNorLed) {
     EXPECT_EQ(files_in(folder), before + 1);
 }
 
-TEST(OutputFiles, NamesMayBeAsLongAsTheSystemTakesThem) {
+TEST(OutputFiles, NamesMayHaveTheMaximumLength) {
     const fs::path folder = fresh_test_folder();
     const fs::path longest = folder / (std::string(250, 'n') + ".json"),
                    beyond = folder / (std::string(251, 'n') + ".json");
@@ -90,7 +90,7 @@ TEST(OutputFiles, NamesMayBeAsLongAsTheSystemTakesThem) {
     EXPECT_NE(refusal_of([&] { require_writable(beyond); }).find("name too long"), std::string::npos);
 }
 
-TEST(OutputFiles, LinksThatLeadNowhereAreRefused) {
+TEST(OutputFiles, DanglingLinksAreRefused) {
     const fs::path folder = fresh_test_folder();
     fs::create_symlink("gone.json", folder / "dangling.json");
     fs::create_symlink("b.json", folder / "a.json");
@@ -110,7 +110,7 @@ TEST(OutputFiles, LinksThatLeadNowhereAreRefused) {
     EXPECT_EQ(file_bytes(folder / "real.json"), "new");
 }
 
-TEST(OutputFiles, TwoOfOneNameAreRefused) {
+TEST(OutputFiles, TwoFilesOfOneNameAreRefused) {
     const fs::path folder = fresh_test_folder();
     fs::create_directory(folder / "d");
     std::ofstream(folder / "a.png") << "old";
@@ -127,7 +127,7 @@ TEST(OutputFiles, TwoOfOneNameAreRefused) {
 }
 
 // SI_KILLS=200 for a thorough run.
-TEST(OutputFiles, AKillAtAnyMomentLeavesTheOldOrTheNewOne) {
+TEST(OutputFiles, KillAtAnyTimeLeavesTheOldOrTheNewFile) {
     const fs::path folder = fresh_test_folder(), file = folder / "a.bin";
     const std::string one(3'000'001, '1'), two(2'000'003, '2');
     const int kills = int(test::number_from("SI_KILLS", 20));

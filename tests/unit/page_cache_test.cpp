@@ -38,7 +38,7 @@ std::vector<std::uint8_t> random_pages(std::mt19937& engine, double share) {
     return wanted;
 }
 
-TEST(PageCache, WhatIsAskedForIsFoundAndNeverAHole) {
+TEST(PageCache, RequestedPagesAreFoundWithoutHoles) {
     std::mt19937 engine(3);
     PageCache cache;
     // What each place of the pool holds, as whoever draws would leave it.
@@ -87,7 +87,7 @@ TEST(PageCache, WhatIsAskedForIsFoundAndNeverAHole) {
 }
 
 // What is read depends on what is asked for alone, not on what an earlier frame left.
-TEST(PageCache, ChoosesTheSamePagesWhateverItKeeps) {
+TEST(PageCache, PageChoiceIgnoresCachedPages) {
     std::mt19937 engine(5);
     PageCache used;
     for (int frame = 0; frame < 40; ++frame) {
@@ -106,7 +106,7 @@ TEST(PageCache, ChoosesTheSamePagesWhateverItKeeps) {
     }
 }
 
-TEST(PageCache, DrawsWhatChangedAlone) {
+TEST(PageCache, DrawsOnlyChangedPages) {
     PageCache cache;
     std::vector<std::uint8_t> wanted(kSide * kSide, 1);
     int changed = -1;

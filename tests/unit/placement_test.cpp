@@ -15,7 +15,7 @@ Session placed(const std::vector<std::string>& sets) {
     return open_session({.scene = "boxes", .sets = sets});
 }
 
-TEST(Placement, MovesAndScalesAllOfAScene) {
+TEST(Placement, MovesAndScalesTheWholeScene) {
     Scene scene = placed({}).scene;
     const Bounds home = scene.bounds;
     const std::uint64_t id = scene.id;
@@ -31,7 +31,7 @@ TEST(Placement, MovesAndScalesAllOfAScene) {
     EXPECT_EQ(scene.bounds.hi, home.hi);
 }
 
-TEST(Placement, TakesCamerasAndLightsOfTheSceneAlong) {
+TEST(Placement, MovesCamerasAndLightsOfTheScene) {
     Scene scene;
     scene.cameras.push_back({.name = "c"});
     scene.lights.push_back({.name = "l"});
@@ -47,7 +47,7 @@ TEST(Placement, TakesCamerasAndLightsOfTheSceneAlong) {
 }
 
 // The same picture from there: the camera by hand sees each corner at the same pixel, at any distance and scale.
-TEST(Placement, SettingsGoAlong) {
+TEST(Placement, MovesSettings) {
     const std::vector<std::string> by_hand = {"camera.source=manual",     "camera.target_x=1", "camera.target_y=0.5",
                                               "camera.target_z=-2",       "camera.distance=9", "bias.unit=metres",
                                               "bias.constant=0.02",       "light.type=spot",   "light.size=0.5",
@@ -78,7 +78,7 @@ TEST(Placement, SettingsGoAlong) {
 }
 
 // What a preset or scene says in metres grows along, what --set says is taken as it is.
-TEST(Placement, OfACommandLineCarriesWhatStandsBeforeIt) {
+TEST(Placement, ScalesLengthsOfPresetsButNotOfSetArguments) {
     const Session s = placed({"scene.scale=10", "light.contact=0.5"});
     EXPECT_EQ(s.settings.lights[0].contact, 0.5);
     EXPECT_EQ(s.settings.scene.scale, 10);

@@ -18,7 +18,7 @@ std::shared_ptr<const ReferenceGeometry> geometry_of(const Scene& scene, const S
     return std::make_shared<const ReferenceGeometry>(scene, settings);
 }
 
-TEST(RaySceneCache, TwoUsersGetTheSameObjectAndItIsFreed) {
+TEST(RaySceneCache, TwoUsersShareOneSceneAndItIsFreed) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     const auto geometry = geometry_of(boxes);
@@ -38,7 +38,7 @@ TEST(RaySceneCache, TwoUsersGetTheSameObjectAndItIsFreed) {
     EXPECT_EQ(scenes.size(), 0u);
 }
 
-TEST(RaySceneCache, KeepNoMoreThanOneThatNobodyHolds) {
+TEST(RaySceneCache, KeepsAtMostOneUnusedScene) {
     RaySceneCache scenes;
     std::vector<Weak> weak;
     std::vector<Scene> all;
@@ -53,7 +53,7 @@ TEST(RaySceneCache, KeepNoMoreThanOneThatNobodyHolds) {
     EXPECT_TRUE(weak[4].expired()) << "now another one is the last";
 }
 
-TEST(RaySceneCache, WhoeverCastsDecides) {
+TEST(RaySceneCache, KeyDependsOnCasters) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     Settings without;
@@ -63,7 +63,7 @@ TEST(RaySceneCache, WhoeverCastsDecides) {
     EXPECT_GT(all->triangle_count(), fewer->triangle_count());
 }
 
-TEST(RaySceneCache, ThreadsThatAskAtOnceWaitForOneBuild) {
+TEST(RaySceneCache, ConcurrentRequestsWaitForOneBuild) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     const auto geometry = geometry_of(boxes);
@@ -95,7 +95,7 @@ TEST(RaySceneCache, ThreadsThatAskAtOnceWaitForOneBuild) {
     for (const auto& other : others) EXPECT_EQ(other, first);
 }
 
-TEST(RaySceneCache, ACancelledBuildIsNobodysElse) {
+TEST(RaySceneCache, CancelledBuildIsNotShared) {
     RaySceneCache scenes;
     const auto geometry = geometry_of(load_scene("boxes"));
     std::stop_source stop;

@@ -106,7 +106,7 @@ TEST(Recipes, NameFilesThatExist) {
     EXPECT_FALSE(exists("renderer/settings/sundials.cpp"));
 }
 
-TEST(Recipes, SayWhatToWriteToTouchToRunAndWhatMustBeGreen) {
+TEST(Recipes, HaveAllSections) {
     const auto all = recipes();
     for (const char* name : {"filter-kernel", "source", "bias", "overlay", "fit", "setting", "metric", "effect",
                              "default", "scene", "preset", "hard-case"})
@@ -144,7 +144,7 @@ TEST(Recipes, NameTestsThatExist) {
     }
 }
 
-TEST(Recipes, SayWhereTheRowsAndFilesOfEachTableStand) {
+TEST(Recipes, NameTheRowsAndFilesOfEachTable) {
     std::string text;
     for (const auto& [title, recipe] : recipes()) text += recipe;
     for (const Table& t : tables()) {
@@ -211,7 +211,7 @@ std::vector<std::string> places_that_know(const std::string& name, const std::st
     return out;
 }
 
-TEST(Recipes, NothingElseKnowsATechniqueByItsKey) {
+TEST(Recipes, TechniqueKeysStandOnlyInListedFiles) {
     const std::vector<Table> all = tables();
     std::size_t read = 0;
     for (const char* folder : {"app", "renderer", "ui", "shaders"})

@@ -15,7 +15,7 @@ std::vector<WeighedCaster> casters(std::vector<std::uint64_t> contents, std::uin
     return weighed_casters(contents, std::vector<std::uint64_t>(contents.size(), triangles));
 }
 
-TEST(StaticCasters, AreThoseThatTwoFramesOfTheSameViewsHold) {
+TEST(StaticCasters, AreCastersInTwoFramesOfTheSameViews) {
     StaticCasters r;
     std::string_view reason;
     EXPECT_EQ(r.choose(1, casters({5, 3, 9}), reason), Draws::All);
@@ -36,7 +36,7 @@ TEST(StaticCasters, AreThoseThatTwoFramesOfTheSameViewsHold) {
     EXPECT_FALSE(r.keeps(2) || r.keeps(1));
 }
 
-TEST(StaticCasters, SeveralOfOneContentAreOne) {
+TEST(StaticCasters, EqualContentsAreOneCaster) {
     const std::vector<WeighedCaster> all = casters({4, 0, 2, 4}, 10);
     EXPECT_EQ(all, (std::vector<WeighedCaster>{{2, 10}, {4, 20}})) << "0 casts nothing";
     StaticCasters r;
@@ -46,7 +46,7 @@ TEST(StaticCasters, SeveralOfOneContentAreOne) {
     EXPECT_TRUE(r.rests(4)) << "one of them still is where both were";
 }
 
-TEST(StaticCasters, FewTrianglesAreNotWorthACopy) {
+TEST(StaticCasters, FewTrianglesGetNoCopy) {
     StaticCasters r;
     std::string_view reason;
     const auto one_of_many = [](std::uint64_t moved, std::uint64_t triangles) {
@@ -60,7 +60,7 @@ TEST(StaticCasters, FewTrianglesAreNotWorthACopy) {
     EXPECT_NE(reason.find("all that casts has moved"), std::string_view::npos);
 }
 
-TEST(StaticCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {
+TEST(StaticCasters, StoppedCastersAreAddedOnceTheirCostIsEqual) {
     StaticCasters r;
     std::string_view reason;
     std::vector<std::uint64_t> all(10);
@@ -82,7 +82,7 @@ TEST(StaticCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {
     EXPECT_TRUE(r.rests(150));
 }
 
-TEST(MapCells, AreTexelsInFewRectangles) {
+TEST(MapCells, CoverTexelsByFewRectangles) {
     MapCells cells;
     EXPECT_TRUE(cells.texels(640).empty());
     cells.add({{0.5, 0.25}, {0.53, 0.27}}, false);

@@ -9,7 +9,7 @@ namespace {
 constexpr Optimisation kOptimisation = Optimisation::Uncalled;
 const std::vector<Optimisation> kOne = {kOptimisation};
 
-TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
+TEST(MeasuredSaving, IsTheDifferenceUnderChangingLoad) {
     double drift = 0;  // of a machine that gets slower, three times what is saved in each frame
     const auto saved = saved_in_turns(kOne, 16, [&](OptimisationSet forced) {
         drift += 3;
@@ -22,7 +22,7 @@ TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
     EXPECT_EQ(saved[0].ms.samples, 16);
 }
 
-TEST(Saved, MayBeNegativeAndItsIntervalHoldsTheMedian) {
+TEST(MeasuredSaving, MayBeNegativeAndItsIntervalHoldsTheMedian) {
     int frame = 0;
     const auto saved = saved_in_turns(kOne, 20, [&](OptimisationSet forced) {
         return 10 + 0.1 * (++frame % 7) - (forced.contains(kOptimisation) ? 4.0 : 0.0);
@@ -35,7 +35,7 @@ TEST(Saved, MayBeNegativeAndItsIntervalHoldsTheMedian) {
     EXPECT_LT(ms.median_high, 0) << "the interval is not cut off at nothing";
 }
 
-TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
+TEST(MeasuredSaving, DrawsTheAnnouncedFramesAndReportsProgress) {
     int plain = 0, forced = 0;
     double share = 0;
     saved_in_turns(
@@ -53,7 +53,7 @@ TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
     EXPECT_EQ(share, 1);
 }
 
-TEST(Saved, AnEffectIsWorthItsSavingOrThePassThatWasReused) {
+TEST(MeasuredSaving, OfAnEffectCountsItsOptimisationOrItsCachedPass) {
     SavedTimes times;
     times.savings.push_back({kOptimisation, {.median = 2}});
     PassTime pass;

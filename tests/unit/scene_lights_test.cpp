@@ -36,7 +36,7 @@ void expect_light_near(const glm::dvec3& a, const glm::dvec3& b, double toleranc
         << a.x << ' ' << a.y << ' ' << a.z << " / " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
-TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
+TEST(SceneLights, PositionsAndDirectionsRoundTrip) {
     const glm::dvec3 centre = lit_scene({}).bounds.centre();
     const glm::dvec3 places[] = {
         {1001, -15, 6}, centre, centre + glm::dvec3(0, 1e-9, 0), {-5e4, 3e3, 1}, {1002, 9e5, 3}};
@@ -57,7 +57,7 @@ TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
             }
 }
 
-TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
+TEST(SceneLights, ConesColoursAndBrightnessRatiosRoundTrip) {
     SceneLight spot = light_of(LightType::Spot, {1000, 0, 0}, {0, -1, 0});
     spot.outer_cone_rad = 0.5;
     spot.inner_cone_rad = 0.2;
@@ -78,7 +78,7 @@ TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
     EXPECT_EQ(s.lights[2].intensity, 1);
 }
 
-TEST(SceneLights, RangesComeOutAndGoRoundThroughAFile) {
+TEST(SceneLights, RangesRoundTripThroughAFile) {
     SceneLight ranged = light_of(LightType::Spot, {1000, 0, 0}, {0, -1, 0});
     ranged.range = 12.5;
     SceneLight endless = light_of(LightType::Point, {1000, 0, 0}, {0, -1, 0});
@@ -99,7 +99,7 @@ TEST(SceneLights, RangesComeOutAndGoRoundThroughAFile) {
     }
 }
 
-TEST(SceneLights, KeepTheirNamesWhateverIsInThem) {
+TEST(SceneLights, KeepAnyName) {
     std::vector<SceneLight> lights(5, light_of(LightType::Point, {1, 2, 3}, {0, -1, 0}));
     lights[1].name = "Küchenlampe";
     lights[2].name = std::string(10'000, 'n');
@@ -122,7 +122,7 @@ TEST(SceneLights, TheirNumberIsBounded) {
     EXPECT_EQ(s.light_count, kMaxLights);
 }
 
-TEST(SceneLights, FarBeyondTheSettingsStillIsASetting) {
+TEST(SceneLights, PositionsOutsideTheRangeAreAccepted) {
     const Scene scene = lit_scene({light_of(LightType::Spot, {1e12, 0, 0}, {1, 0, 0})});
     Settings s;
     EXPECT_NO_THROW(apply_suggested(scene, s));

@@ -126,7 +126,7 @@ double contrast(const std::array<std::uint8_t, 3>& a, const std::array<std::uint
     return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-TEST(SectionDrawing, WordsCanBeReadOnEitherGround) {
+TEST(SectionDrawing, TextIsReadableOnBothBackgrounds) {
     for (const bool captions : {false, true})
         for (const Mark& m : draw_section(acne(), {.captions = captions}).marks) {
             if (m.kind != Mark::Kind::Text) continue;
@@ -136,7 +136,7 @@ TEST(SectionDrawing, WordsCanBeReadOnEitherGround) {
         }
 }
 
-TEST(SectionDrawing, WordsKeepApartAndInside) {
+TEST(SectionDrawing, TextDoesNotOverlapAndStaysInside) {
     Section crowded = acne();
     // Everything at one height.
     crowded.window_from = 0.005, crowded.window_to = 0.0052, crowded.has_window = true;
@@ -172,7 +172,7 @@ TEST(SectionDrawing, WordsKeepApartAndInside) {
         }
 }
 
-TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
+TEST(SectionDrawing, LegendListsExactlyTheDrawnMarks) {
     using enum Mark::Kind;
     const std::set<std::pair<Mark::Kind, Ink>> legended{
         {Line, Ink::Step},         {Area, Ink::Shade}, {Line, Ink::Surface}, {Line, Ink::Plane},
@@ -218,7 +218,7 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
     EXPECT_EQ(seen, legended) << "each row is tested";
 }
 
-TEST(SectionDrawing, TheLegendSaysWhatThisPixelHas) {
+TEST(SectionDrawing, LegendDescribesTheProbedPixel) {
     const SectionDrawing dark = draw_section(acne(), {});
     EXPECT_EQ(told(dark), (std::vector<std::string>{
                               "depths that the map stores, a texel a step", "in shadow, by the map",
@@ -241,7 +241,7 @@ TEST(SectionDrawing, TheLegendSaysWhatThisPixelHas) {
     EXPECT_FALSE(tells(mean, "one standard deviation to each side of the mean"));
 }
 
-TEST(SectionDrawing, WhatIsUnderTheMouseIsFoundInTheLegend) {
+TEST(SectionDrawing, HoveredMarkIsFoundInTheLegend) {
     SectionDrawing d;
     d.legend = {{Mark::Kind::Line, Ink::Step, false, "step"},
                 {Mark::Kind::Area, Ink::Shade, false, "shade"},
@@ -272,7 +272,7 @@ TEST(SectionDrawing, WhatIsUnderTheMouseIsFoundInTheLegend) {
     EXPECT_EQ(at(60, 120), "");
 }
 
-TEST(SectionDrawing, PlacesAreThoseOfTheSection) {
+TEST(SectionDrawing, PositionsMatchTheSection) {
     const Section s = acne();
     const SectionDrawing d = draw_section(s, {.height = 640});
     EXPECT_FALSE(d.broken);
@@ -311,7 +311,7 @@ std::string muted_words(const SectionDrawing& d) {
     return out;
 }
 
-TEST(SectionDrawing, TheWindowStandsBesideTheRingSoFarUpItsRayAsIsNeeded) {
+TEST(SectionDrawing, BiasWindowIsNextToTheRingAlongItsRay) {
     Section right = led_aside();
     right.artefact.clear();
     Section slanted = acne();
@@ -343,7 +343,7 @@ TEST(SectionDrawing, TheWindowStandsBesideTheRingSoFarUpItsRayAsIsNeeded) {
     }
 }
 
-TEST(SectionDrawing, WhatAnOffsetIsWorthIsMarkedBesideTheWindow) {
+TEST(SectionDrawing, EquivalentBiasOfAnOffsetIsMarked) {
     EXPECT_FALSE(words_of(draw_section(acne(), {}), "has 0.1 texels")) << "that is the disk's height";
     Section s = led_aside();
     s.has = {0.005, 0.5, 0.02};
@@ -355,7 +355,7 @@ TEST(SectionDrawing, WhatAnOffsetIsWorthIsMarkedBesideTheWindow) {
     }));
 }
 
-TEST(SectionDrawing, TheBarOfTexelsIsAsWideAsTexels) {
+TEST(SectionDrawing, TexelBarHasTheWidthOfTexels) {
     Section aslant = acne();
     aslant.texel_long_m = 0.05;
     for (const Section& s : {acne(), aslant}) {
@@ -372,7 +372,7 @@ TEST(SectionDrawing, TheBarOfTexelsIsAsWideAsTexels) {
     }
 }
 
-TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
+TEST(SectionDrawing, ArrowHasTheLengthOfItsLabel) {
     Section leaves = led_aside();
     leaves.normal_offset_m = 0.15;
     leaves.surface_aside = 2.35;
@@ -390,7 +390,7 @@ TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
     }
 }
 
-TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
+TEST(SectionDrawing, SurfaceOffTheCutHasItsOwnPlaneAndANote) {
     Section s = led_aside();
     s.row_aside = 0.49;
     const auto planes = [](const SectionDrawing& d) {
@@ -419,7 +419,7 @@ TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
         EXPECT_NE(told.find(part), std::string::npos) << part << " in: " << told;
 }
 
-TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
+TEST(SectionDrawing, FarPartsAreDrawnAfterABreak) {
     Section s = acne();
     s.occluder = glm::dvec2(0, 7.5);
     s.occluder_m = 7.5;
@@ -433,7 +433,7 @@ TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
                         p.y <= d.height);
 }
 
-TEST(SectionSvg, IsWellFormedWhateverTheWords) {
+TEST(SectionSvg, IsWellFormedForAnyText) {
     Section s = acne();
     s.verdict = "<script>&amp; a & b \"quoted\" 'too' \x01 \xff \xef\xbf\xbf ]]> 0.5\xc2\xb0";
     const std::string svg = section_svg(draw_section(s, {}), s.verdict + " </title>");
@@ -447,7 +447,7 @@ TEST(SectionSvg, IsWellFormedWhateverTheWords) {
     EXPECT_EQ(test::xml_fault(section_svg(draw_section(none, {}), "none")), "");
 }
 
-TEST(SectionSvg, TheCheckOfXmlFindsWhatIsWrong) {
+TEST(SectionSvg, XmlCheckFindsErrors) {
     for (const char* bad : {"<a>", "<a></b>", "<a b=c/>", "<a b=\"1\" b=\"2\"/>", "<a>&nbsp;</a>", "<a>&</a>",
                             "<a/><b/>", "<a b=\"<\"/>", "<a>]]></a>", "<a>\x01</a>", "<a>\xff</a>", "text", ""})
         EXPECT_NE(test::xml_fault(bad), "") << bad;

@@ -74,7 +74,7 @@ TEST(SettingsTable, RowsAreCompleteAndDistinct) {
     }
 }
 
-TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
+TEST(SettingsTable, EachRowHasItsOwnMember) {
     Settings s;
     ObjectSettings object;
     std::set<void*> members;
@@ -99,7 +99,7 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
                   rows::members<LightMapSettings>() + 1 /* light.count */);
 }
 
-TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
+TEST(SettingsTable, DefaultsAreInRangeAndNeedNoRepair) {
     Settings s;
     s.objects["A"] = {};
     for (const SettingRef& ref : all_settings(s)) {
@@ -133,7 +133,7 @@ TEST(SettingsTable, NumbersAreShortAndExact) {
     EXPECT_FALSE(std::signbit(std::get<double>(parse_value(*find_setting("light.azimuth"), "-0"))));
 }
 
-TEST(SettingsKeys, LightsAndObjects) {
+TEST(SettingsKeys, CoverLightsAndObjects) {
     EXPECT_EQ(find_setting("light.azimuth")->light, 0);
     EXPECT_EQ(find_setting("light.15.azimuth")->light, 15);
     EXPECT_EQ(setting_key(*find_setting("light.0.azimuth")), "light.azimuth");
@@ -149,7 +149,7 @@ TEST(SettingsKeys, LightsAndObjects) {
     }
 }
 
-TEST(SettingsKeys, NearestKey) {
+TEST(SettingsKeys, SuggestTheNearestKey) {
     EXPECT_EQ(nearest_key("bias.slop"), "bias.slope");
     EXPECT_EQ(nearest_key("bais.constant"), "bias.constant");
     EXPECT_EQ(nearest_key("light.3.azimut"), "light.3.azimuth");
@@ -174,7 +174,7 @@ TEST(SettingsKeys, NearestKey) {
     EXPECT_EQ(nearest_name("PCF", names), "pcf");
 }
 
-TEST(SettingsText, RefusesWhatNoSettingCanBe) {
+TEST(SettingsText, RefusesInvalidValues) {
     EXPECT_TRUE(mentions(refusal("bias.slop", "1"), "\"bias.slop\": unknown setting; did you mean bias.slope?"));
     EXPECT_TRUE(mentions(refusal("bias.slope", "nan"), "not finite"));
     EXPECT_TRUE(mentions(refusal("bias.slope", "inf"), "not finite"));
@@ -190,7 +190,7 @@ TEST(SettingsText, RefusesWhatNoSettingCanBe) {
     EXPECT_TRUE(mentions(refusal("map.format", "2"), "none of d16, d24, d32f, colour, linear, linear16"));
 }
 
-TEST(SettingsText, NamesAreWhatCanBeShownAndIsNotTooLong) {
+TEST(SettingsText, NamesArePrintableAndShort) {
     const auto ref = *find_setting("light.2.name");
     EXPECT_TRUE(is_text(*ref.param));
     EXPECT_FALSE(is_text(*find_setting("light.2.type")->param));
@@ -233,7 +233,7 @@ TEST(SettingsText, NumbersHaveNoExponentsAndTheUnitOfTheirKind) {
     EXPECT_EQ(shown_value(s, *find_setting("light.0.size"), 4.0), "4°") << "each light by itself";
 }
 
-TEST(SettingsText, LightsAreCalledByTheirNames) {
+TEST(SettingsText, LightsAreNamed) {
     Settings s;
     EXPECT_EQ(light_title(s, 1), "Light 1");
     s.lights[1].name = "key";
@@ -243,7 +243,7 @@ TEST(SettingsText, LightsAreCalledByTheirNames) {
     EXPECT_EQ(change_text(Settings(), s, ref), "none → key");
 }
 
-TEST(SettingsText, BooleansInAllSpellings) {
+TEST(SettingsText, AcceptsAllSpellingsOfBooleans) {
     Settings s;
     for (const char* on : {"true", "on", "1"}) {
         s.map.reversed_z = false;
@@ -257,7 +257,7 @@ TEST(SettingsText, BooleansInAllSpellings) {
     }
 }
 
-TEST(SettingsObjects, AnOverrideEqualToTheDefaultsIsNone) {
+TEST(SettingsObjects, OverrideEqualToTheDefaultsIsDropped) {
     Settings s;
     set_setting(s, "object.Floor.cull", "none");
     ASSERT_EQ(s.objects.count("Floor"), 1u);
@@ -297,7 +297,7 @@ TEST(SettingsSearch, UnderscoresAndHyphensAreSpaces) {
     EXPECT_TRUE(found_by("zzz").empty());
 }
 
-TEST(SettingsRepair, NonFiniteAndOutOfRange) {
+TEST(SettingsRepair, ReplacesNonFiniteAndOutOfRangeValues) {
     Settings s;
     s.bias.slope = std::numeric_limits<double>::quiet_NaN();
     s.lights[4].azimuth = std::numeric_limits<double>::infinity();
@@ -314,7 +314,7 @@ TEST(SettingsRepair, NonFiniteAndOutOfRange) {
     EXPECT_TRUE(sanitise(s).empty()) << "a repair needs no second one";
 }
 
-TEST(SettingsRepair, ReversedPlanes) {
+TEST(SettingsRepair, SwapsReversedPlanes) {
     Settings s;
     s.lights[2].near = 50;
     s.lights[2].far = 2;
@@ -333,7 +333,7 @@ TEST(SettingsRepair, ReversedPlanes) {
     EXPECT_TRUE(sanitise(s).empty()) << "0 is automatic";
 }
 
-TEST(SettingsIdle, SaysWhy) {
+TEST(SettingsIdle, GivesReasons) {
     Settings s;
     const auto idle = [&](const char* key) { return idle_reason(s, *find_setting(key)); };
     EXPECT_FALSE(idle("light.near").empty());
@@ -381,8 +381,8 @@ std::vector<Value> some_values(const SettingRef& ref) {
     return values;
 }
 
-SI_TEST_IS(Repeated, SettingsIdle, EveryReasonEndsSomewhere);
-TEST(SettingsIdle, EveryReasonEndsSomewhere) {
+SI_TEST_IS(Repeated, SettingsIdle, EveryReasonCanBeRemoved);
+TEST(SettingsIdle, EveryReasonCanBeRemoved) {
     std::vector<std::pair<SettingRef, Value>> changes;
     for (const SettingRef& ref : all_settings(Settings{}))
         if (ref.light == 0)
@@ -419,7 +419,7 @@ TEST(SettingsIdle, EveryReasonEndsSomewhere) {
         }
 }
 
-TEST(SettingsOwned, OfASourceActWhereAnyLightHasIt) {
+TEST(SettingsOwned, ActIfAnyLightHasTheirSource) {
     std::size_t owned = 0;
     for (const Source& source : sources())
         for (const std::string_view key : source.settings) {
@@ -435,7 +435,7 @@ TEST(SettingsOwned, OfASourceActWhereAnyLightHasIt) {
     EXPECT_GE(owned, 7u);
 }
 
-TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
+TEST(SettingsOwned, ActOnlyForKernelsThatListThem) {
     int owned = 0;
     for (const SettingRef& ref : all_settings(Settings{})) {
         if (ref.light != 0 || !ref.param->key.starts_with("filter.")) continue;

@@ -85,14 +85,14 @@ TEST(ShadowRuns, AreTheWidthsOfStripesInMetres) {
     }
 }
 
-TEST(ShadowRuns, OfOneEdgeAreEndless) {
+TEST(ShadowRuns, OneEdgeGivesAnEndlessRun) {
     const ShadowRuns runs = Floor(std::vector<std::string>(30, row(50, 150, 0))).runs();
     for (const int x : {10, 49, 50, 80}) EXPECT_TRUE(std::isinf(runs.run_m.at(x, 15))) << x;
     EXPECT_NEAR(runs.edge_m.at(49, 15), 0.05, 1e-6);
     EXPECT_TRUE(std::isinf(runs.edge_m.at(50 + kRunReach + 1, 15))) << "as far as is looked";
 }
 
-TEST(ShadowRuns, EndWhereTheSurfaceEndsAndGoOnBehindWhatStandsBefore) {
+TEST(ShadowRuns, EndAtTheSurfaceAndContinueBehindOccluders) {
     std::string broken = row(30, 10, 30);
     broken.replace(33, 2, "  ");
     const ShadowRuns ends = Floor(std::vector<std::string>(20, broken)).runs();
@@ -104,7 +104,7 @@ TEST(ShadowRuns, EndWhereTheSurfaceEndsAndGoOnBehindWhatStandsBefore) {
     EXPECT_TRUE(std::isinf(behind.runs().edge_m.at(34, 10))) << "another surface knows nothing of the floor's shadow";
 }
 
-TEST(ShadowRuns, OfAPartReachingFarEnoughAreThoseOfTheWhole) {
+TEST(ShadowRuns, LargePartsGiveTheRunsOfTheWhole) {
     std::vector<std::string> rows;
     for (int y = 0; y < 150; ++y) {
         std::string r;
@@ -122,7 +122,7 @@ TEST(ShadowRuns, OfAPartReachingFarEnoughAreThoseOfTheWhole) {
     EXPECT_NEAR(runs.edge_m.at(kRunReach, kRunReach), whole.edge_m.at(cx, cy), 1e-6);
 }
 
-TEST(ShadowRuns, WithoutAMapOrBeyondWhatCountsAreEndless) {
+TEST(ShadowRuns, AreEndlessWithoutAMapOrOutsideTheRange) {
     Floor floor(std::vector<std::string>(10, row(5, 5, 5)));
     floor.reference.state[5 * 15 + 7] = PixelState::FacesAway;
     EXPECT_TRUE(std::isinf(floor.runs().run_m.at(7, 5)));

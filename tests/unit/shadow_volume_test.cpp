@@ -117,7 +117,7 @@ std::vector<Case> cases() {
             {"box and sheet", both(make_box({1, 1, 1}), make_plane(4, 4)), 2, false}};
 }
 
-TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
+TEST(ShadowVolume, EnclosesAPointOncePerOccluder) {
     Random random(7);
     const glm::dmat4 mirrored = moved(3e3, -5e2, 8e3) * turned(33, {1, 2, 3}) * scaled(-1.2, 1, 0.7);
     for (const Case& c : cases())
@@ -150,7 +150,7 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
 }
 
 // Joined triangles share their sides: of a closed surface only the outline has any.
-TEST(ShadowVolume, OnlyTheOutlineHasSides) {
+TEST(ShadowVolume, OnlySilhouettesHaveSides) {
     const VolumeLight sun{true, glm::normalize(glm::dvec3(0.3, 1, 0.2)), {}};
     EXPECT_EQ(Volume(make_box({1, 1, 1}), glm::dmat4(1), sun).sides, 6u) << "the hexagon that a cube's outline is";
     EXPECT_EQ(Volume(make_plane(2, 2, 5, 5), glm::dmat4(1), sun).sides, 20u) << "the rim, not the cells";
@@ -159,7 +159,7 @@ TEST(ShadowVolume, OnlyTheOutlineHasSides) {
     EXPECT_EQ(Volume(make_box({8, 1, 8}), glm::dmat4(1), lamp).sides, 4u * 2 + 2u);
 }
 
-TEST(ShadowVolume, CoveredPixelsAreThoseOfTheTriangleOnThePicture) {
+TEST(ShadowVolume, CoveredPixelsMatchTheProjectedTriangle) {
     const auto at = [](double x, double y, double w) { return glm::dvec4(x * w, y * w, 0, w); };
     EXPECT_NEAR(covered_pixels({at(-1, -1, 1), at(1, -1, 7), at(-1, 1, 0.3)}, 200, 100), 10000, 1e-6) << "half of it";
     EXPECT_NEAR(covered_pixels({at(-9, -9, 1), at(9, -9, 1), at(0, 30, 2)}, 200, 100), 20000, 1e-6) << "all of it";

@@ -10,7 +10,7 @@ namespace {
 
 using Ints = SharedArray<int>;
 
-TEST(SharedArray, CopiesAreOneInMemoryUntilOneChanges) {
+TEST(SharedArray, CopiesShareMemoryUntilOneChanges) {
     Ints a = {1, 2, 3};
     const Ints b = a;
     EXPECT_TRUE(a.shares_storage_with(b));
@@ -24,7 +24,7 @@ TEST(SharedArray, CopiesAreOneInMemoryUntilOneChanges) {
     EXPECT_EQ(a.data(), alone) << "nobody shares it: it is changed where it is";
 }
 
-TEST(SharedArray, WhateverChangesOneLeavesItsCopies) {
+TEST(SharedArray, ChangesLeaveCopiesUntouched) {
     const Ints before = {1, 2, 3};
     const auto changed = [&](auto&& change) {
         Ints a = before;
@@ -42,7 +42,7 @@ TEST(SharedArray, WhateverChangesOneLeavesItsCopies) {
     EXPECT_EQ(changed([](Ints& a) { a = Ints({6}); }), (std::vector<int>{6}));
 }
 
-TEST(SharedArray, WhatWasMovedFromIsEmptyAndOfUse) {
+TEST(SharedArray, MovedFromArrayIsEmptyAndUsable) {
     Ints a = {1, 2, 3};
     const Ints b = std::move(a);
     EXPECT_TRUE(a.empty());
@@ -58,7 +58,7 @@ std::uint64_t told() {
     return 0;
 }
 
-TEST(SharedArray, IsToldOfOnceHoweverManyShareIt) {
+TEST(SharedArray, IsCountedOnceForAllCopies) {
     {
         Ints a = std::vector<int>(100, 1);
         a.track_memory("tests' arrays");
@@ -82,7 +82,7 @@ TEST(SharedArray, IsToldOfOnceHoweverManyShareIt) {
     EXPECT_EQ(told(), 0u);
 }
 
-TEST(SharedArray, ThreadsChangeTheirCopies) {
+TEST(SharedArray, ThreadsChangeOnlyTheirCopies) {
     const Ints all = std::vector<int>(1000, 1);
     std::vector<std::jthread> threads;
     std::vector<long> sums(4);

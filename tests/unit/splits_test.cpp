@@ -69,7 +69,7 @@ TEST(Splits, AreTheClosedFormsOfTheirRows) {
             }
 }
 
-TEST(Splits, OfAnOrthographicCameraAreEvenAndSaySo) {
+TEST(Splits, OrthographicSplitsAreEvenWithANote) {
     LightSettings light;
     light.cascades = 4;
     light.split = Split::Logarithmic;
@@ -81,7 +81,7 @@ TEST(Splits, OfAnOrthographicCameraAreEvenAndSaySo) {
     EXPECT_TRUE(divided(light, glm::dvec3(0), true).notes.empty());
 }
 
-TEST(Splits, PushTheirNeighbours) {
+TEST(Splits, MovingOnePushesItsNeighbours) {
     Settings s;
     const auto drag = [&](const char* key, double to) {
         const SettingRef ref = *find_setting(key);
@@ -98,7 +98,7 @@ TEST(Splits, PushTheirNeighbours) {
     EXPECT_EQ(s, before);
 }
 
-TEST(Splits, OutOfOrderAreRepairedWithANoteWhereTheyDivide) {
+TEST(Splits, UnorderedSplitsAreRepairedWithANote) {
     Settings s;
     set_setting(s, "light.cascades", "4");
     set_setting(s, "light.split_1", "0.5");  // beyond the second, 0.2, and the third, 0.45
@@ -116,7 +116,7 @@ TEST(Splits, OutOfOrderAreRepairedWithANoteWhereTheyDivide) {
     EXPECT_TRUE(std::ranges::is_sorted(d.ends));
 }
 
-TEST(Splits, ShowOnlyWhatTheirRowReads) {
+TEST(Splits, ShowOnlySettingsOfTheirRow) {
     Settings s;
     set_setting(s, "light.cascades", "3");
     const auto idle = [&](const char* key) { return idle_reason(s, *find_setting(key)); };

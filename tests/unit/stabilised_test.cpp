@@ -14,7 +14,7 @@ namespace si {
 namespace {
 
 // The sphere holds every corner of the slice, touches some, and is as large wherever the camera stands.
-TEST(Stabilised, TheSphereIsTheSmallest) {
+TEST(Stabilised, SphereIsTheSmallest) {
     Settings s;
     s.camera.source = CameraSource::Manual;
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 1);

@@ -13,7 +13,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-TEST(SweepAxes, ListsRowsAndEveryChoice) {
+TEST(SweepAxes, ListRowsAndEveryChoice) {
     EXPECT_EQ(parse_axis("map.resolution=512,1024").values, (Texts{"512", "1024"}));
     EXPECT_EQ(parse_axis("map.resolution=256:2048:*2").values, (Texts{"256", "512", "1024", "2048"}));
     EXPECT_EQ(parse_axis("bias.constant=0:0.3:0.1").values, (Texts{"0", "0.1", "0.2", "0.3"}));
@@ -47,7 +47,7 @@ TEST(SweepAxes, MistakesAreNamed) {
     EXPECT_FALSE(message("map.resolution=1e9").empty());
 }
 
-TEST(SweepAxes, TheCrossProductVariesTheLastAxisFastest) {
+TEST(SweepAxes, CrossProductVariesTheLastAxisFastest) {
     const SweepPlan plan =
         plan_sweep({}, {parse_axis("map.resolution=512,1024"), parse_axis("filter.kernel=hard,pcf3")});
     ASSERT_EQ(plan.cases.size(), 4u);
@@ -102,7 +102,7 @@ TEST(SweepAxes, EveryKernelIsEachRowAtItsOwnSizes) {
     EXPECT_EQ(plan_sweep({}, {parse_axis("filter.kernel=hard,pcf"), parse_axis("filter.size=2:5:1")}).cases.size(), 5u);
 }
 
-TEST(SweepAxes, TwiceTheSameKeyAndTooManyCasesAreRefused) {
+TEST(SweepAxes, RepeatedKeysAndTooManyCasesAreRefused) {
     EXPECT_THROW(plan_sweep({}, {parse_axis("bias.constant=1"), parse_axis("bias.constant=2")}), UsageError);
     const auto many = [](const char* key) { return parse_axis(std::string(key) + "=0:0.9:0.001"); };
     EXPECT_THROW(plan_sweep({}, {many("bias.constant"), many("bias.slope")}), UsageError);

@@ -19,7 +19,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-TEST(Shards, DealOutEachCaseOnce) {
+TEST(Shards, CoverEachCaseOnce) {
     EXPECT_EQ(parse_shard("2/8"), (Shard{2, 8}));
     for (const char* wrong : {"", "0/2", "3/2", "1/0", "1/2/3", "1", "a/b", "1/-2", "1/99999999999"})
         EXPECT_THROW(parse_shard(wrong), UsageError) << wrong;
@@ -47,7 +47,7 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
     EXPECT_EQ(r["frontier"]["x"], "time.total_ms.median");
 }
 
-TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
+TEST(Sweep, RoundsEndWhenAllTimesAreStable) {
     const FakeSweep f(fresh_test_folder());
     struct Calm : FakeMeter {
         TimeSamples time(const SweepCase& c, int frames, CostCase) override {
@@ -62,7 +62,7 @@ TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
     EXPECT_EQ(meter.timed.size(), 3u * 8) << "of fewer rounds it is not known how they differ";
 }
 
-TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
+TEST(Sweep, ContinuesWithoutLoss) {
     const FakeSweep f(fresh_test_folder());
     for (const int steps : {0, 1, 5, 8, 9, 15, 16, 20, 100}) {
         const fs::path folder = f.folder / std::to_string(steps);
@@ -88,7 +88,7 @@ TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
     }
 }
 
-TEST(Sweep, ALineCutShortIsForgotten) {
+TEST(Sweep, TruncatedLineIsIgnored) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 3);
@@ -104,7 +104,7 @@ TEST(Sweep, ALineCutShortIsForgotten) {
     }
 }
 
-TEST(Sweep, ABadLineCostsItsCaseAlone) {
+TEST(Sweep, BadLineLosesOnlyItsCase) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -147,7 +147,7 @@ TEST(Sweep, ABadLineCostsItsCaseAlone) {
     EXPECT_LT(read_journal(f.folder).notes.size(), 10u);
 }
 
-TEST(Sweep, NumbersThatNoPictureHasAreMeasuredAgain) {
+TEST(Sweep, ImpossibleNumbersAreMeasuredAgain) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -181,7 +181,7 @@ TEST(Sweep, NumbersThatNoPictureHasAreMeasuredAgain) {
     EXPECT_EQ(state.cases.at(3).error.metrics.signed_mean, good_line["error"]["signed_mean"].get<double>());
 }
 
-TEST(Sweep, AJournalMayBeDamagedAtItsBeginning) {
+TEST(Sweep, JournalMayBeDamagedAtItsStart) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -205,7 +205,7 @@ TEST(Sweep, AJournalMayBeDamagedAtItsBeginning) {
     EXPECT_THROW(forget_sweep(f.folder), Error) << "another program's file of that name";
 }
 
-TEST(Sweep, AnEmptyPictureIsNone) {
+TEST(Sweep, EmptyPictureCountsAsMissing) {
     const FakeSweep f(fresh_test_folder());
     std::filesystem::create_directories(f.folder / "pictures");
     EXPECT_TRUE(lacks_pictures(f.folder, 0));
@@ -219,7 +219,7 @@ TEST(Sweep, AnEmptyPictureIsNone) {
     EXPECT_THROW(make_picture_folder(f.folder), Error);
 }
 
-TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
+TEST(Sweep, ReducedMapIsListedAtItsActualSize) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     meter.most_resolution = 512;
@@ -242,7 +242,7 @@ TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
     EXPECT_TRUE(again.measured.empty()) << "the axis that was asked for is still the sweep's";
 }
 
-TEST(Sweep, PicturesThatAreGoneAreDrawnAgain) {
+TEST(Sweep, MissingPicturesAreDrawnAgain) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -339,7 +339,7 @@ TEST(Sweep, OneProcessAtATime) {
     EXPECT_THROW(Journal(f.folder, f.spec_text(), plan_key(f.plan)), Error);
 }
 
-TEST(Sweep, AFailingCaseIsARowWithItsError) {
+TEST(Sweep, FailingCaseIsARowWithItsError) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     meter.fails_at_resolution = 512;
@@ -360,7 +360,7 @@ TEST(Sweep, AFailingCaseIsARowWithItsError) {
     EXPECT_EQ(f.results()["failed"], 0);
 }
 
-TEST(Sweep, ACaseThatTheProgramDoesNotSurviveFails) {
+TEST(Sweep, CrashingCaseFails) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 2);
@@ -383,7 +383,7 @@ TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
     for (const OrderedJson& row : r["rows"]) EXPECT_GT(row["time"]["total_ms"]["low"], 1000);
 }
 
-TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
+TEST(Sweep, ErrorsOfAnotherDefinitionAreNotMixed) {
     const fs::path folder = fresh_test_folder();
     const FakeSweep old(folder / "old");
     FakeMeter meter;
@@ -427,7 +427,7 @@ TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
     EXPECT_FALSE(mixed.cases.contains(5));
 }
 
-TEST(Merge, ShardsTogetherAreTheWholeSweep) {
+TEST(Merge, ShardsMergeIntoTheWholeSweep) {
     const fs::path folder = fresh_test_folder();
     FakeSweep whole(folder / "whole");
     FakeMeter meter;
@@ -456,7 +456,7 @@ TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     EXPECT_THROW(merge_sweeps(parts), Error);
 }
 
-TEST(Merge, PartsThatContradictEachOtherAreNamed) {
+TEST(Merge, ContradictingPartsAreNamed) {
     const fs::path root = fresh_test_folder();
     std::vector<std::pair<std::string, SweepState>> parts;
     for (const char* name : {"one", "two", "three"}) {
@@ -478,7 +478,7 @@ TEST(Merge, PartsThatContradictEachOtherAreNamed) {
     EXPECT_LT(merge_sweeps(parts).notes.size(), 8u);
 }
 
-TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
+TEST(Merge, MergedSweepIsTimedByContinuation) {
     const fs::path folder = fresh_test_folder();
     std::vector<std::pair<std::string, SweepState>> parts;
     for (int i = 1; i <= 2; ++i) {
@@ -596,7 +596,7 @@ TEST(Sweep, TimesOfOtherFramesAreNeverMixed) {
     EXPECT_NE(frontier_text(f.measured()).find("while the camera moves"), std::string::npos);
 }
 
-TEST(Sweep, JournalsThatSayNothingOfFramesAreOfForcedOnes) {
+TEST(Sweep, JournalsWithoutFrameKindCountAsForced) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter forced;
     f.run(forced, 10'000, {.cost = CostCase::Forced, .rounds = 4});
@@ -618,7 +618,7 @@ TEST(Sweep, JournalsThatSayNothingOfFramesAreOfForcedOnes) {
     EXPECT_EQ(f.results()["rounds"], 1);
 }
 
-TEST(Columns, ArePlottedSoThatLessIsBetter) {
+TEST(Columns, ArePlottedWithLessAsBetter) {
     const OrderedJson row = {{"iou", 0.9}, {"signed_mean", -0.25}, {"mae", nullptr}, {"noise", 0.125}};
     const CaseNumbers numbers{.error = CaseErrors{error_from_json(row), number_or_nan(row, "noise")}};
     EXPECT_NEAR(plotted_value(*find_column("error.iou"), numbers), 0.1, 1e-12);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kHow = "run: scripts/document_technique.sh KEY=CHOICE";
 
-TEST(TechniquesPage, HasARowAndAPictureOfEachTechnique) {
+TEST(TechniquesPage, HasARowAndAPictureForEachTechnique) {
     const fs::path docs = test::source_tree() / "docs", pictures = docs / "techniques";
     std::ifstream in(docs / "techniques.md");
     ASSERT_TRUE(in) << kHow;

@@ -33,7 +33,7 @@ std::vector<LightView> views_of_every_kind() {
     return out;
 }
 
-TEST(TexelSlabs, StandAtTheirStoredDepthOnTheirTexel) {
+TEST(TexelSlabs, LieAtTheirStoredDepthOnTheirTexel) {
     for (const LightView& view : views_of_every_kind()) {
         const TexelRegion region{{100, 30}, {2, 2}};
         const std::vector<float> depths = {0.25f, 0.5f, 0.75f, float(view.curve.convention.far_depth())};
@@ -59,7 +59,7 @@ double bias_at(const LightView& view, const BiasSettings& bias, double z) {
     return bias.unit == BiasUnit::Metres ? bias.constant * per_m : bias.constant;
 }
 
-TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
+TEST(TexelSlabs, BiasedSlabsLieAtEqualComparedDepth) {
     for (const LightView& view : views_of_every_kind())
         for (const auto& [unit, constant] :
              {std::pair{BiasUnit::Depth, 0.01}, {BiasUnit::Texels, 3.0}, {BiasUnit::Metres, 0.4}}) {
@@ -82,7 +82,7 @@ TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
         }
 }
 
-TEST(TexelSlabs, BeyondInfinityThereIsNoSlab) {
+TEST(TexelSlabs, InfiniteDepthHasNoSlab) {
     LightView view;
     view.curve = {.perspective = true, .near = 1, .far = 10, .convention = {}};
     BiasSettings bias;
@@ -93,7 +93,7 @@ TEST(TexelSlabs, BeyondInfinityThereIsNoSlab) {
     EXPECT_TRUE(texel_slabs(view, bias, kTexels, {{0, 0}, {1, 1}}, {0.7f}, Slabs::Biased).empty());
 }
 
-TEST(TexelSlabs, TheRegionIsCentredAndCutToTheMap) {
+TEST(TexelSlabs, RegionIsCentredAndClippedToTheMap) {
     ViewSettings v;
     v.slabs_texels = 32;
     EXPECT_EQ(slab_region(v, 256), (TexelRegion{{112, 112}, {32, 32}}));

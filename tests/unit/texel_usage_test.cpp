@@ -23,7 +23,7 @@ glm::vec4 centre_of(int x, int y, int n, float layer = 0) {
     return {(float(x) + 0.5f) / float(n), (float(y) + 0.5f) / float(n), layer, 1};
 }
 
-TEST(TexelUsage, FootprintsAreWhatTheKernelsFetch) {
+TEST(TexelUsage, FootprintsMatchTheFetchesOfKernels) {
     // Shaders fetch floor(u n) +- size/2 (nearest), or floor(u n - 1/2) - size/2 and size + 1 texels (bilinear).
     const int n = 64;
     for (std::size_t row = 0; row < filters().size(); ++row) {
@@ -44,7 +44,7 @@ TEST(TexelUsage, FootprintsAreWhatTheKernelsFetch) {
     }
 }
 
-TEST(TexelUsage, OnePixelReadsItsKernelsSquare) {
+TEST(TexelUsage, OnePixelReadsTheSquareOfItsKernel) {
     const int n = 16;
     for (const auto& [reach, side] : {std::pair{0.5, 1}, {1.5, 3}, {2.5, 5}}) {
         const TexelUsage usage(looks_up({centre_of(7, 4, n)}), n, reach, MapWrap::Border);
@@ -57,13 +57,13 @@ TEST(TexelUsage, OnePixelReadsItsKernelsSquare) {
     }
 }
 
-TEST(TexelUsage, ABilinearTapBetweenFourTexelsReadsThem) {
+TEST(TexelUsage, BilinearTapReadsFourTexels) {
     const TexelUsage usage(looks_up({{8.0f / 16, 8.0f / 16, 0, 1}}), 16, 1, MapWrap::Border);
     for (const glm::ivec2 t : {glm::ivec2(7, 7), {8, 7}, {7, 8}, {8, 8}}) EXPECT_EQ(usage.pixels(t), 1u);
     EXPECT_DOUBLE_EQ(usage.utilisation(), 4.0 / 256);
 }
 
-TEST(TexelUsage, CountsAndReadersAgreeWithALookAtEveryPair) {
+TEST(TexelUsage, CountsAndReadersMatchBruteForce) {
     const int n = 12;
     std::vector<glm::vec4> pixels;
     unsigned seed = 7;
@@ -99,7 +99,7 @@ TEST(TexelUsage, CountsAndReadersAgreeWithALookAtEveryPair) {
         }
 }
 
-TEST(TexelUsage, OnlyTheChosenLayerAndReadingPixelsCount) {
+TEST(TexelUsage, OnlyTheSelectedLayerAndReadingPixelsCount) {
     const int n = 8;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     glm::vec4 silent = centre_of(5, 5, n);
@@ -113,7 +113,7 @@ TEST(TexelUsage, OnlyTheChosenLayerAndReadingPixelsCount) {
     EXPECT_TRUE(TexelUsage().readers({0, 0}).empty());
 }
 
-TEST(TexelUsage, ReadersAreGivenRowByRow) {
+TEST(TexelUsage, ReadersAreListedRowByRow) {
     FloatImage image{3, 2, 4, {}};
     for (int i = 0; i < 6; ++i) {
         const glm::vec4 p = i == 1 || i == 5 ? centre_of(2, 3, 8) : glm::vec4(0);

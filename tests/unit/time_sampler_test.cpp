@@ -33,7 +33,7 @@ struct FakeTime {
     }
 };
 
-TEST(TimeSampler, TheFirstFrameWarmsUpAndSkippedPassesDoNotCount) {
+TEST(TimeSampler, FirstFrameWarmsUpAndSkippedPassesDoNotCount) {
     TimeSampler sampler;
     double now = 7;
     sampler.add(frame_of(1000, 1000), now);
@@ -50,7 +50,7 @@ TEST(TimeSampler, TheFirstFrameWarmsUpAndSkippedPassesDoNotCount) {
     EXPECT_NEAR(m.seconds, 0.01, 1e-9);
 }
 
-TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
+TEST(TimeSampler, SamplesOfSeveralTurnsAreMerged) {
     TimeSamples all, turn;
     for (const double ms : {1.0, 2.0}) turn.add(frame_of(ms, 3));
     all.add(turn);
@@ -66,7 +66,7 @@ TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
     EXPECT_FALSE(m.settled);
 }
 
-TEST(TimeSampler, GoesOnUntilTheFigureStandsStill) {
+TEST(TimeSampler, ContinuesUntilTheFigureIsStable) {
     FakeTime time;
     const auto draws = [&](double ms) { return time.now += ms / 1000, frame_of(ms, 0); };
     int calm = 0;
@@ -102,7 +102,7 @@ TEST(TimeSampler, BurstsAreSpreadOverASecond) {
     EXPECT_GE(slow.seconds, 1);
 }
 
-TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
+TEST(TimeSampler, NoiseIsMeasuredBetweenBursts) {
     // A machine that stays in one mood for a burst: each burst by itself stands still.
     FakeTime time;
     const std::vector<double> moods = {29, 31, 33, 35, 40};
@@ -128,7 +128,7 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     EXPECT_FALSE(summary(two).settled) << "two bursts tell nothing";
 }
 
-TEST(TimeSampler, DepthBlurIsAPartOfTheMaps) {
+TEST(TimeSampler, DepthBlurCountsAsMapTime) {
     FrameResult f = frame_of(2, 3);
     f.passes.push_back({"another change of the maps", PassState::Drawn, "", 7, 0, 0, 0, PassCategory::Maps});
     TimeSamples samples;

@@ -127,8 +127,8 @@ std::size_t outside(const Scene& scene, const FittedLight& light) {
     return count;
 }
 
-SI_TEST_IS(Repeated, Travel, MapsStayAsTheyAreAndHoldWhatMoves);
-TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
+SI_TEST_IS(Repeated, AnimatedBounds, KeepMapsSteadyAroundMovingObjects);
+TEST(AnimatedBounds, KeepMapsSteadyAroundMovingObjects) {
     for (const auto& [name, scene] : moving_scenes())
         for (const char* fit : {"casters", "scene"})
             for (const char* type : {"directional", "spot", "point"}) {
@@ -156,7 +156,7 @@ TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
 }
 
 // No wider than what moves makes them: for what swings about an axis, the circle that its corner draws.
-TEST(Travel, BoxesHoldEachMomentAndLittleMore) {
+TEST(AnimatedBounds, EncloseEachTimeTightly) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const Session session = at(scene, 0, {"scene.fit_animation=on"});
     const Bounds& animation_bounds = session.scene.objects[1].animation_bounds;
@@ -176,7 +176,7 @@ TEST(Travel, BoxesHoldEachMomentAndLittleMore) {
     EXPECT_TRUE(session.scene.objects[0].animation_bounds.empty()) << "the floor stands still";
 }
 
-TEST(Travel, ItIsKeptForItsAnimationAndForgottenWithTheSetting) {
+TEST(AnimatedBounds, AreCachedPerAnimationAndDroppedWithTheSetting) {
     Scene scene = swinging_box(Interpolation::Linear);
     SceneSettings moment{.fit_animation = true};
     pose_scene(scene, moment);
@@ -201,7 +201,7 @@ TEST(Travel, ItIsKeptForItsAnimationAndForgottenWithTheSetting) {
     EXPECT_TRUE(scene.animation_bounds.empty());
 }
 
-TEST(Travel, WhereTheSceneIsPlacedItGoesAlong) {
+TEST(AnimatedBounds, FollowThePlacement) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const std::vector<std::string> sets{"scene.fit_animation=on", "scene.scale=4", "scene.distance=1000"};
     const auto first = at(scene, 0, sets);
@@ -213,7 +213,7 @@ TEST(Travel, WhereTheSceneIsPlacedItGoesAlong) {
     }
 }
 
-TEST(Travel, AFilesLightsStayWhereTheyHang) {
+TEST(AnimatedBounds, KeepLightsOfAFile) {
     const Scene scene = growing_triangle().load();
     for (const char* over : {"off", "on"})
         for (int i = 0; i < kTimes; ++i) {
@@ -224,7 +224,7 @@ TEST(Travel, AFilesLightsStayWhereTheyHang) {
         }
 }
 
-TEST(Travel, NothingChangesWhereNothingMoves) {
+TEST(AnimatedBounds, ChangeNothingInStaticScenes) {
     const auto fitted = [](std::vector<std::string> sets) {
         const Session session = open_session({.scene = "boxes", .sets = std::move(sets)});
         return std::pair(numbers_of(fit_lights(session.scene, session.settings)), session.notes);
@@ -246,7 +246,7 @@ TEST(Travel, NothingChangesWhereNothingMoves) {
 }
 
 // A picture that moves with what it shows cannot be compared with itself.
-TEST(Travel, TheAutomaticCameraStaysWhereAFilesAnimationBegan) {
+TEST(AnimatedBounds, KeepTheAutomaticCameraOfTheFirstTime) {
     Scene scene = swinging_box(Interpolation::Linear);
     scene.file_scenes = {""};
     std::vector<Camera> cameras;

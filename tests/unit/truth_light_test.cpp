@@ -85,14 +85,14 @@ void expect_penumbra(const Penumbra& p, const char* what) {
 
 const ReferenceOptions kFine{.area = true, .samples = 1024, .noise = 0};
 
-TEST(AreaLight, SunBehindAnEdge) {
+TEST(AreaLight, SunBehindAnEdgeMatchesTheClosedForm) {
     const double radius_deg = 2, tangent = std::tan(radius_deg * kPi / 180);
     expect_penumbra(penumbra(sun({0, 1, 0}, radius_deg), 2 * kHeight * tangent, kFine,
                              [&](double x) { return disk_share(-x / (kHeight * tangent)); }),
                     "sun");
 }
 
-TEST(AreaLight, SpotsDiskBehindAnEdge) {
+TEST(AreaLight, SpotDiskBehindAnEdgeMatchesTheClosedForm) {
     Emitter spot = sun({0, 1, 0});
     spot.type = LightType::Spot;
     const double height = 5, radius = 0.8;
@@ -106,7 +106,7 @@ TEST(AreaLight, SpotsDiskBehindAnEdge) {
         "spot");
 }
 
-TEST(AreaLight, PointLightsSphereBehindAnEdge) {
+TEST(AreaLight, PointLightSphereBehindAnEdgeMatchesTheClosedForm) {
     Emitter point = sun({0, 1, 0});
     point.type = LightType::Point;
     const double height = 50, radius = 1;
@@ -122,7 +122,7 @@ TEST(AreaLight, PointLightsSphereBehindAnEdge) {
                     "point");
 }
 
-TEST(AreaLight, NoiseFallsAsStratifiedSamplesDo) {
+TEST(AreaLight, NoiseFallsLikeStratifiedSamples) {
     const double tangent = std::tan(2 * kPi / 180);
     const auto at = [&](int samples) {
         return penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent, {.area = true, .samples = samples, .noise = 0},
@@ -141,7 +141,7 @@ TEST(AreaLight, NoiseFallsAsStratifiedSamplesDo) {
     }
 }
 
-TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
+TEST(AreaLight, RefinesOnlyPartlyVisibleLights) {
     const double tangent = std::tan(0.5 * kPi / 180);
     const auto share = [&](double x) { return disk_share(-x / (kHeight * tangent)); };
     const auto at = [&](double noise) {
@@ -162,7 +162,7 @@ TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
     EXPECT_NEAR(double(target.reference.partial), double(target.partial), 0.1 * double(target.partial));
 }
 
-TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
+TEST(AreaLight, ReportsSamplesAndUncertainty) {
     const double tangent = std::tan(0.5 * kPi / 180);
     const auto at = [&](int samples, double noise = 0) {
         return penumbra(sun({0, 1, 0}, 0.5), 10 * kHeight * tangent, {.area = true, .samples = samples, .noise = noise},
@@ -194,7 +194,7 @@ TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
     EXPECT_EQ(noise_text(hard), "");
 }
 
-TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
+TEST(AreaLight, ErrorOfEachPixelHoldsForAnyDivisionOfSamples) {
     const double tangent = std::tan(2 * kPi / 180);
     const auto share = [&](double x) { return disk_share(-x / (kHeight * tangent)); };
     // Five by five and seven by seven parts leave a row and a column outside of the squares of two by two.
@@ -213,7 +213,7 @@ TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
     }
 }
 
-TEST(AreaLight, OfSizeZeroIsHard) {
+TEST(AreaLight, SizeZeroGivesHardShadows) {
     const Penumbra p = penumbra(sun({0.3, 1, 0}, 0), 2, {.area = true, .samples = 64},
                                 [](double x) { return x + 0.3 * kHeight < 0 ? 1.0 : 0.0; });
     EXPECT_EQ(p.reference.visibility.data, p.reference.hard().data);
@@ -221,7 +221,7 @@ TEST(AreaLight, OfSizeZeroIsHard) {
     EXPECT_LT(p.largest, 1e-6);
 }
 
-TEST(AreaLight, GrazingSunCountsOnlyWhatIsAboveTheHorizon) {
+TEST(AreaLight, GrazingSunCountsOnlyPartsAboveTheHorizon) {
     // Half of this sun is below the floor's horizon; of the rest the floor hides nothing.
     const Penumbra p =
         penumbra(sun({-1, 0.001, 0}, 3), 0.5, {.area = true, .samples = 256, .noise = 0}, [](double) { return 1.0; });

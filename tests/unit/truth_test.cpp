@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(ScalesAndPlaces, ConvexCaster,
                              return "radius_" + text(named.param.radius) + "_at_" + text(named.param.centre);
                          });
 
-TEST(ConvexCaster, IsWhollyLitByALargeLight) {
+TEST(ConvexCaster, IsFullyLitByALargeLight) {
     const Scene scene = make_scene(make_sphere(1));
     const auto geometry = geometry_of(scene);
     const Reference reference =
@@ -166,7 +166,7 @@ TEST(Reference, BoxShadowIsTheClosedForm) {
             }
 }
 
-TEST(Reference, AgreesWithEveryTriangleTested) {
+TEST(Reference, MatchesBruteForceOverTriangles) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8, 4, 4), grey));
@@ -208,7 +208,7 @@ TEST(Reference, AgreesWithEveryTriangleTested) {
     }
 }
 
-TEST(Reference, TheQuickWayForDirectionalLightsIsTheSame) {
+TEST(Reference, FastPathForDirectionalLightsIsEqual) {
     const Scene scene = floor_and_box(1, glm::dvec3(0));
     Settings settings;
     const Camera camera = make_camera(scene, settings, 1.5);
@@ -232,7 +232,7 @@ TEST(Reference, TheQuickWayForDirectionalLightsIsTheSame) {
     }
 }
 
-TEST(Reference, CountsWhyPixelsAreLeftOut) {
+TEST(Reference, CountsReasonsOfExcludedPixels) {
     const Scene scene = floor_and_box(1, glm::dvec3(0));
     Settings settings;
     set_setting(settings, "light.0.type", "spot");

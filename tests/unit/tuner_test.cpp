@@ -70,7 +70,7 @@ BiasSearch searched(const MadeUpFrame& frame, const BiasSearch::Options& options
     return search;
 }
 
-TEST(BiasSearch, FindsTheLeastFactorOfEachFamily) {
+TEST(BiasSearch, FindsTheMinimumFactorOfEachFamily) {
     for (const double harder : {0.4, 0.97, 1.0, 1.8}) {
         SCOPED_TRACE(harder);
         const MadeUpFrame frame{.harder = harder};
@@ -87,7 +87,7 @@ TEST(BiasSearch, FindsTheLeastFactorOfEachFamily) {
     }
 }
 
-TEST(BiasSearch, AQuickSearchIsContentWithTheory) {
+TEST(BiasSearch, QuickSearchUsesTheory) {
     const BiasSearch search = searched({.harder = 0.8}, {.only = BiasFamily::Slope, .quick = true});
     ASSERT_EQ(search.found().size(), 1u);
     EXPECT_EQ(search.found()[0].factor, 1);
@@ -103,7 +103,7 @@ TEST(BiasSearch, AvoidsLeaksBeforeGaps) {
     EXPECT_NE(search.best()->family, BiasFamily::Normal);
 }
 
-TEST(BiasSearch, SaysWhenNothingHelps) {
+TEST(BiasSearch, ReportsFailure) {
     const BiasSearch search = searched({.harder = 1e5});
     EXPECT_TRUE(search.found().empty());
     EXPECT_EQ(search.best(), nullptr);
@@ -194,7 +194,7 @@ TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
     }
 }
 
-TEST(Tuner, SaysWhatCameNearestWhenNothingIsWithinTheLimits) {
+TEST(Tuner, ReportsTheNearestResultIfLimitsAreUnreachable) {
     MadeUpWorld world;
     const Tuner impossible = world.run({.most_error = 1e-7});
     EXPECT_FALSE(impossible.result());

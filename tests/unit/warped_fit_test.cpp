@@ -62,7 +62,7 @@ constexpr NearFar kNearFars[] = {NearFar::Fitted, NearFar::Manual, NearFar::Cast
                                  NearFar::Pancaking};
 
 SI_TESTS_ARE(Repeated, WarpedFit);
-TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
+TEST(WarpedFit, HoldsVisibleReceiversAndTheirCasters) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
     std::size_t seen = 0, before = 0;
@@ -133,7 +133,7 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
 
 // The paper's choice, written down anew: the plane where w is 0 stands n_opt before the nearest depth held, of which
 // texels grow by the square of ((n + d) / n) along the view, and by that across it.
-TEST(WarpedFit, TexelsGrowByThePapersFormula) {
+TEST(WarpedFit, TexelsGrowByTheFormulaOfThePaper) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     for (const double angle : {90.0, 60.0, 30.0, 12.0}) {
         SCOPED_TRACE(angle);
@@ -175,7 +175,7 @@ TEST(WarpedFit, TexelsGrowByThePapersFormula) {
     }
 }
 
-TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
+TEST(WarpedFit, TexelSizesAndDepthsMatchTheMatrix) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     std::mt19937 random(9);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -219,7 +219,7 @@ TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
 }
 
 // As the light turns into the view, or against it, the warp fades, and the map's places move by small steps only.
-TEST(WarpedFit, FadesAsTheLightTurnsIntoTheView) {
+TEST(WarpedFit, WarpFadesForLightAlongTheView) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     for (const double azimuth : {0.0, 180.0}) {  // towards the camera, and from behind it
         std::vector<glm::dvec2> last;
@@ -245,7 +245,7 @@ TEST(WarpedFit, FadesAsTheLightTurnsIntoTheView) {
     }
 }
 
-TEST(WarpedFit, SaysWhereNothingIsWarped) {
+TEST(WarpedFit, ReportsUnwarpedViews) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     Settings s = level_view(60);
     s.camera.orthographic = true;
