@@ -1,4 +1,4 @@
-// `advise` as a person calls it: what it shows is what one gets, and the autopilot's preset holds its bound.
+// Tests of `advise`: its figures hold, and the autopilot's preset stays within the bound.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Pictures against the truth and against presets, and overlays that need the truth, on the command line.
+// Tests of picture comparison on the command line: with the reference, with presets, and overlays that need the
+// reference.
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
 

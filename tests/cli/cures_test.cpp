@@ -1,4 +1,5 @@
-// Cures on the command line: a row's settings, given to `measure`, cure and break exactly as many pixels as it says.
+// Tests of fixes on the command line: a row's settings, given to `measure`, cure and break exactly the reported number
+// of pixels.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// `docs techniques --only`: one row of docs/techniques.md drawn again is the row of the page, all others stay.
+// Tests of `docs techniques --only`: a redrawn row equals the row of the page, and all others stay.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(DocsTechniques, RedrawnRowEqualsTheRowOfThePage) {
             EXPECT_EQ(after[i], before[i]);
             continue;
         }
-        // llvmpipe of another machine may round otherwise.
+        // Another machine's llvmpipe may round differently.
         const auto [text, figures] = parts_of(before[i]);
         const auto [now_text, now_figures] = parts_of(after[i]);
         EXPECT_EQ(now_text, text);
@@ -85,14 +85,14 @@ TEST(DocsTechniques, RedrawnRowEqualsTheRowOfThePage) {
                         file_bytes(test::source_tree() / "docs/techniques" / entry.path().filename()))
                 << entry.path();
         }
-    // The same program on the same driver writes the same bytes.
+    // The same program and driver write the same bytes.
     std::vector<std::string> check = arguments;
     check.push_back("--check");
     const ProcessResult again = run_program(check, folder);
     EXPECT_EQ(again.code, 0) << again.err;
 }
 
-// Without drawing: the page's words are those of the tables.
+// Texts of the page equal those of the tables; nothing is drawn.
 TEST(DocsTechniques, ShowsTheTextsOfTheTables) {
     const std::string page = file_bytes(test::source_tree() / "docs/techniques.md");
     const auto expect_text = [&](std::string_view key, std::string_view help, std::string_view paper) {

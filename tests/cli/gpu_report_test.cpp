@@ -1,4 +1,4 @@
-// The report that a person with another graphics card is asked for: `bench --gpu-report`.
+// Tests of `bench --gpu-report`, the report for other graphics cards.
 #ifdef SI_BENCH  // only where benchmarks are built
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-/// Of one round and small pictures.
+/// Runs a report of one round and small pictures.
 ProcessResult run_gpu_report(const std::string& arguments, const std::filesystem::path& folder) {
     return run_shell("SI_BENCH_ROUNDS=1 '" SI_BENCH "' --gpu-report " + arguments + " --size 96x54", folder);
 }

@@ -1,4 +1,4 @@
-// What stands around the program is hostile: closed and full streams, full disks, files that are in the way.
+// Tests in a hostile environment: closed and full streams, full disks, obstructing files.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -39,7 +39,7 @@ TEST(Streams, NoMessageEndsTheProgram) {
     const fs::path folder = fresh_test_folder();
     EXPECT_EQ(run_shell(kSweep + "2>/dev/full", folder).code, 0);
     EXPECT_EQ(run_shell("\"$SI\" render nothing -o a.png 2>/dev/full", folder).code, 2);
-    // Its note tells of the one texel.
+    // Its note reports the single texel.
     EXPECT_EQ(run_shell("\"$SI\" render boxes -o a.png --size 32x32 --set map.resolution=1 2>/dev/full", folder).code,
               0);
     EXPECT_TRUE(is_png(folder / "a.png"));
@@ -48,7 +48,7 @@ TEST(Streams, NoMessageEndsTheProgram) {
 TEST(FullDisk, LeavesOnlyTheOldFile) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "a.png") << "old";
-    // No file may grow beyond a block: as on a full disk, the first bytes are taken and the rest is not.
+    // A file size limit of one block acts like a full disk: the first bytes are written and the rest is not.
     const ProcessResult r = run_shell("ulimit -f 1; exec \"$SI\" render boxes -o a.png --size 200x200 2>&1", folder);
     EXPECT_EQ(r.code, 1);
     EXPECT_NE(r.out.find("a.png: cannot be written: File too large"), std::string::npos) << r.out;
@@ -60,16 +60,16 @@ TEST(FullDisk, LeavesOnlyTheOldFile) {
 }
 
 TEST(HostileWords, UnknownWordIsReportedBeforeMissingArguments) {
-    const auto told = [](const std::vector<std::string>& words) {
+    const auto error_of = [](const std::vector<std::string>& words) {
         const ProcessResult r = run_program(words);
         EXPECT_EQ(r.code, 2);
         return r.err;
     };
-    EXPECT_NE(told({"render", "boxes", "--ouput", "x.png"}).find("no option '--ouput'; did you mean --output?"),
+    EXPECT_NE(error_of({"render", "boxes", "--ouput", "x.png"}).find("no option '--ouput'; did you mean --output?"),
               std::string::npos);
-    EXPECT_NE(told({"measure", "boxes", "--size=3x3", "--nope=1"}).find("no option '--nope'"), std::string::npos);
-    EXPECT_NE(told({"render", "boxes"}).find("--output is required"), std::string::npos);
-    EXPECT_NE(told({"render", "boxes", "-o", "x.png", "--against", "tuth"}).find("did you mean truth?"),
+    EXPECT_NE(error_of({"measure", "boxes", "--size=3x3", "--nope=1"}).find("no option '--nope'"), std::string::npos);
+    EXPECT_NE(error_of({"render", "boxes"}).find("--output is required"), std::string::npos);
+    EXPECT_NE(error_of({"render", "boxes", "-o", "x.png", "--against", "tuth"}).find("did you mean truth?"),
               std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// The JSON that scripts rely on: lists, reports, probes.
+// Tests of the JSON for scripts: lists, reports, probes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST(Lists, TechniquesNameTheirSourceAndTheirSettings) {
     EXPECT_EQ((*plane)["per_texel"], true);
     EXPECT_EQ((*plane)["settings"], Json({"bias.constant", "bias.unit", "bias.plane_clamp"}));
     EXPECT_NE((*plane)["paper"].get<std::string>().find("Isidoro"), std::string::npos);
-    // Of bias.kind exactly the rows of that stage can be chosen.
+    // bias.kind offers exactly the rows of that stage.
     for (const Json& r : list) {
         bool choice = false;
         for (const Json& c : (*row(settings, "bias.kind"))["choices"]) choice |= c["key"] == r["key"];
@@ -105,15 +105,15 @@ TEST(Lists, SettingsNameTheirValues) {
 TEST(Lists, PrefixNarrowsTheList) {
     const Json list = json_of({"list", "settings", "bias.", "--json"});
     EXPECT_EQ(list.size(), 10u);
-    // Keys as --set takes them, too: rows speak of all lights and all objects.
+    // Keys in the form of --set are found too: rows cover all lights and all objects.
     const Json fit = json_of({"list", "settings", "light.0.fit", "--json"});
     ASSERT_EQ(fit.size(), 1u);
     EXPECT_EQ(fit[0]["key"], "light.fit");
     EXPECT_EQ(json_of({"list", "settings", "light.15.", "--json"}), json_of({"list", "settings", "light.", "--json"}));
     EXPECT_EQ(json_of({"list", "settings", "object.Root/Box.cast", "--json"})[0]["key"], "object.PATH.cast");
-    const ProcessResult beyond = run_program({"list", "settings", "light.16.fit"});
-    EXPECT_EQ(beyond.code, 2);
-    EXPECT_NE(beyond.err.find("no key starts with 'light.16.fit'"), std::string::npos) << beyond.err;
+    const ProcessResult out_of_range = run_program({"list", "settings", "light.16.fit"});
+    EXPECT_EQ(out_of_range.code, 2);
+    EXPECT_NE(out_of_range.err.find("no key starts with 'light.16.fit'"), std::string::npos) << out_of_range.err;
 }
 
 TEST(Lists, SettingsAreFoundByWordsIfNoKeyHasThePrefix) {
@@ -186,7 +186,7 @@ TEST(Report, HoldsSceneSettingsFitAndPasses) {
     ASSERT_EQ(report["fit"].size(), 1u);
     const Json& fit = report["fit"][0];
     EXPECT_LT(fit["depth_range_m"][0], fit["depth_range_m"][1]);
-    // An orthographic map holds the whole floor: width over resolution, with the fit's margin.
+    // An orthographic map holds the whole floor: width over resolution, with the margin of the fit.
     const double width = bounds["max"][0].get<double>() - bounds["min"][0].get<double>();
     EXPECT_GT(fit["texel_size_m"].get<double>(), width / 256);
     EXPECT_LT(fit["texel_size_m"].get<double>(), 2 * width / 256);
@@ -228,7 +228,7 @@ TEST(Report, MatricesAreRowsAndAgreeWithTheProbe) {
     }
 }
 
-// The light sees the tower's side edge-on: amounts without end are null in JSON and have a word in text.
+// The light is edge-on to the tower's side: infinite amounts are null in JSON and a word in text.
 TEST(Probe, PrintsWordsForMissingNumbers) {
     const std::vector<std::string> probe = {"probe",   "boxes",
                                             "--pixel", "32,24",
@@ -306,7 +306,7 @@ TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     }
     EXPECT_NEAR(lit, light["visibility"].get<double>(), 1e-3);
     EXPECT_GT(own, 0);
-    // What it says puts the pixel right does so.
+    // The reported fix cures the pixel.
     ASSERT_TRUE(d["remedy"].is_object());
     const std::string fix = d["remedy"]["key"].get<std::string>() + "=" + d["remedy"]["value"].get<std::string>();
     const Json cured = json_of(with({"--set", fix, "--json"}))["lights"][0];
@@ -344,7 +344,7 @@ TEST(List, PrintsPresetsInColumns) {
     for (std::string line; std::getline(lines, line);)
         for (const BuiltinPreset& p : presets) {
             if (!line.starts_with("  " + p.key + " ")) continue;
-            const std::size_t at = line.find("  " + p.title + " (");  // apart from the key by two spaces
+            const std::size_t at = line.find("  " + p.title + " (");  // two spaces separate the title from the key
             ASSERT_NE(at, std::string::npos) << line;
             if (column == 0) column = at;
             EXPECT_EQ(at, column) << line;

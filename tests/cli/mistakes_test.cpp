@@ -1,4 +1,4 @@
-// Each mistake on the command line is one line on stderr that names it, and the right exit code.
+// Tests of mistakes on the command line: one line on stderr that names the mistake, and the right exit code.
 #include <gtest/gtest.h>
 
 #include <algorithm>

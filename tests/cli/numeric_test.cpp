@@ -1,4 +1,4 @@
-// --check-numeric: 0 where all numbers are sound, 1 with the place where one is not.
+// Tests of --check-numeric: exit code 0 for finite numbers, 1 with the place of the first fault.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -30,13 +30,13 @@ TEST(CheckNumeric, ReportsFiniteNumbers) {
     EXPECT_GE(health["images"], 3);
     EXPECT_GT(health["numbers"], 64 * 64 + 2 * 64 * 48);
     EXPECT_TRUE(health["findings"].empty());
-    const ProcessResult unasked =
+    const ProcessResult without_check =
         run_program({"measure", "boxes", "--no-time", "--json", "--size", "64x48", "--set", "map.resolution=64"});
-    EXPECT_TRUE(Json::parse(unasked.out)["numeric_health"].is_null());
+    EXPECT_TRUE(Json::parse(without_check.out)["numeric_health"].is_null());
 }
 
-/// In this process, where a NaN can be put into a map.
-/// @param spoilt_from maps of so many texels, and larger ones
+/// Runs a command in this process, where a NaN can be put into a map.
+/// @param spoilt_from smallest map, in texels, that gets a NaN
 int run_here(std::vector<std::string> arguments, std::string& out, std::string& err, int spoilt_from = 0) {
     arguments.insert(arguments.begin(), "shadow-inspector");
     std::vector<const char*> argv;

@@ -1,4 +1,4 @@
-// `plan` as a person and as a script calls it.
+// Tests of `plan`: text and JSON.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -53,11 +53,11 @@ TEST(PlanCommand, MeasuresTheNamedEffects) {
         {"--measure", "--rounds", "4", "--set", "light.cast=false", "--set", "shading.separate_visibility=true"});
     EXPECT_EQ(plan["rounds"], 4);
     EXPECT_GT(plan["frame_ms"], 0);
-    const Json& spared = effect_of(plan, "look-ups of light 0");
-    EXPECT_EQ(spared["saving"], "uncalled");
-    ASSERT_TRUE(spared["saved_ms"].is_number());
-    EXPECT_LE(spared["saved_ms_low"], spared["saved_ms"]);
-    EXPECT_GE(spared["saved_ms_high"], spared["saved_ms"]);
+    const Json& skipped = effect_of(plan, "look-ups of light 0");
+    EXPECT_EQ(skipped["saving"], "uncalled");
+    ASSERT_TRUE(skipped["saved_ms"].is_number());
+    EXPECT_LE(skipped["saved_ms_low"], skipped["saved_ms"]);
+    EXPECT_GE(skipped["saved_ms_high"], skipped["saved_ms"]);
     EXPECT_GT(effect_of(plan, "shading (reads visibility)")["ms"], 0);
     EXPECT_TRUE(effect_of(plan, "depth blur")["saved_ms"].is_null()) << "nothing spares it: never estimated";
 }

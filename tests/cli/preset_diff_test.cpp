@@ -1,4 +1,4 @@
-// `preset diff`: files, built-in presets and the defaults, in words and as JSON.
+// Tests of `preset diff`: files, built-in presets and the defaults, in words and as JSON.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// What the commands print is text: UTF-8, encoded once.
+// Tests of the encoding of printed text: UTF-8, encoded once.
 #include <gtest/gtest.h>
 
 #include "app/commands/commands.h"

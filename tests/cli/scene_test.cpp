@@ -1,4 +1,4 @@
-// What `scene` says of a file, and sheets of a folder of models.
+// Tests of `scene` and of contact sheets for a folder of models.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
@@ -17,7 +17,7 @@ namespace {
 using test::GltfFile;
 using test::Json;
 
-/// A triangle with a point primitive beside it, a light, a camera and an animation.
+/// Makes a triangle with a point primitive, a light, a camera and an animation.
 std::string rich_model() {
     GltfFile file;
     const int positions = file.triangle_positions();
@@ -84,14 +84,14 @@ TEST(SceneCommand, LightsOfAFileAreSettingsThatSetReplaces) {
     const Json own = report({});
     EXPECT_EQ(own["settings"]["light.type"], "spot");
     EXPECT_NEAR(own["fit"][0]["position"][1].get<double>(), 5, 1e-9);
-    // The triangle has moved, so the centre that targets count from has too; the light stays where it is.
+    // The triangle has moved, so the scene's centre, the origin of targets, has moved too; the light stays.
     const Json later = report({"--set", "scene.time=2"});
     EXPECT_NEAR(later["fit"][0]["position"][0].get<double>(), 0, 1e-9);
     EXPECT_NEAR(later["fit"][0]["position"][1].get<double>(), 5, 1e-9);
     EXPECT_EQ(report({"--set", "light.0.type=point"})["settings"]["light.type"], "point");
 }
 
-/// Two scenes: "near" of one triangle with two cameras, "far" of the triangle twice.
+/// Makes two scenes: "near" of one triangle with two cameras, "far" of the triangle twice.
 std::string two_scenes() {
     GltfFile file;
     const int mesh = file.mesh({{"attributes", {{"POSITION", file.triangle_positions()}}}});
@@ -215,7 +215,8 @@ TEST(ContactSheet, ShowsModelsAndNamesFailures) {
     EXPECT_EQ(run_program({"contact-sheet", "models", "-o", "s.jpg"}, folder).code, 2);
 }
 
-/// RGB, below the tile of a model of that name. It cannot be shown, which is quicker and leaves the label as it is.
+/// Returns the RGB pixels below the tile of a model of that name. The model is unreadable, which is faster and keeps
+/// the label.
 std::vector<std::uint8_t> label_below(const std::string& name, int tile_width = 160) {
     constexpr int kTileHeight = 48;
     const auto folder = fresh_test_folder();

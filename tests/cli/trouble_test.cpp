@@ -1,4 +1,4 @@
-// Drivers in trouble, on the command line and in the editor: a sentence, exit code 1, and settings that stay.
+// Tests of driver failures, on the command line and in the editor: a message, exit code 1, and kept settings.
 #include <gtest/gtest.h>
 
 #include "app/cli/cli.h"

@@ -1,4 +1,4 @@
-// The `truth` command: pictures, reports, mistakes.
+// Tests of the `truth` command: pictures, reports, mistakes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 class ReferenceCommand : public testing::Test {
 protected:
     void SetUp() override { folder_ = fresh_test_folder(); }
-    /// The report; the picture is t.pfm.
+    /// Runs `truth` and returns the report; the picture is t.pfm.
     Json trace(std::vector<std::string> more, const char* scene = "boxes") {
         std::vector<std::string> arguments = {"truth", scene, "-o", "t.pfm", "--size", "160x90", "--report", "t.json"};
         arguments.insert(arguments.end(), more.begin(), more.end());

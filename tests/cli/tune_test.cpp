@@ -1,4 +1,4 @@
-// `tune` as a person calls it: what it writes is free of acne and holds no more bias than that takes.
+// Tests of `tune`: its preset is free of acne and holds no more bias than needed.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -38,7 +38,7 @@ TEST(TuneCommand, WritesTheMinimumBiasWithoutAcne) {
         EXPECT_GT(family["gap_p95_m"], 0);
         EXPECT_GE(family["shift_p95_m"], 0);
         if (!family["no_acne"].get<bool>()) continue;
-        // The one taken loses the fewest pixels.
+        // The selected family loses the fewest pixels.
         for (const Json& other : json["families"])
             if (other["chosen"].get<bool>()) {
                 EXPECT_LE(other["lost_px"], family["lost_px"]);
@@ -50,7 +50,7 @@ TEST(TuneCommand, WritesTheMinimumBiasWithoutAcne) {
     EXPECT_FALSE(json["settings"].contains("map.resolution"));
     const Json tuned = measured(preset)["error"];
     EXPECT_EQ(tuned["acne"], 0);
-    // A tenth less of whatever acts, and acne is there.
+    // Acne appears with ten percent less of any active bias.
     std::vector<std::string> less;
     for (const char* key : {"bias.normal", "bias.slope", "bias.constant"})
         if (json["settings"].contains(key)) {

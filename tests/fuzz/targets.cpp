@@ -24,13 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLines = 6;  ///< each may be held against all names that there are
+constexpr int kMaxLines = 6;  ///< limit of lines; each may be compared with all names
 
 void demand(bool holds, const std::string& what) {
     if (!holds) throw std::logic_error(what);
 }
 
-/// Runs what may be refused; other exceptions are findings. Messages are one line of bounded length without controls.
+/// Runs code that may refuse its input; other exceptions are findings. Messages must be one line of bounded length
+/// without control characters.
 template <class Action>
 bool taken(const Action& action) {
     try {
@@ -47,7 +48,7 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// A folder of this process that goes with it.
+/// Temporary folder of this process, removed at its end.
 const fs::path& own_folder() {
     struct Folder {
         fs::path path;
@@ -115,7 +116,7 @@ void fuzz_preset(std::span<const std::uint8_t> bytes) {
 void fuzz_value(std::span<const std::uint8_t> bytes) {
     std::string_view rest = text_of(bytes);
     Settings settings;
-    for (int lines = 0; lines < kMostLines && !rest.empty(); ++lines) {
+    for (int lines = 0; lines < kMaxLines && !rest.empty(); ++lines) {
         const std::string line(rest.substr(0, rest.find('\n')));
         rest.remove_prefix(std::min(rest.size(), line.size() + 1));
         if (taken([&] { apply_set(settings, line); })) {

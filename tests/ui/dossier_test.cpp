@@ -44,9 +44,9 @@ TEST(DiagnosisPanel, FixIsOneUndoStep) {
 
 TEST(DiagnosisPanel, FixShowsItsEquivalentBiasIfItFits) {
     const PixelDiagnosis d = acne_diagnosis();
-    SuggestedFix worth = *d.fix;
-    worth.worth_texels = 1.804;
-    EXPECT_EQ(fix_text(worth, Settings{}) + fix_worth_text(worth),
+    SuggestedFix equivalent = *d.fix;
+    equivalent.worth_texels = 1.804;
+    EXPECT_EQ(fix_text(equivalent, Settings{}) + fix_worth_text(equivalent),
               "Slope bias 4.5 texels (worth 1.8 texels of depth bias here)");
     EXPECT_EQ(fix_worth_text(*d.fix), "");
     const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
@@ -55,7 +55,7 @@ TEST(DiagnosisPanel, FixShowsItsEquivalentBiasIfItFits) {
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
     ui.diagnoses = {d};
-    ui.diagnoses[0].fix = worth;
+    ui.diagnoses[0].fix = equivalent;
     ui.frames(5);
     EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (worth 1.8 texels of")) << "with letters that no edge cuts";
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";

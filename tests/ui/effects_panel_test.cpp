@@ -267,35 +267,35 @@ TEST(EditorEffects, LoupeAndComparisonAreListedWhileShown) {
 TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
     HeadlessEditor editor(editor_of("boxes", {"bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
     EditorState& state = editor.model().state;
-    const auto told = [&] {
+    const auto listed = [&] {
         editor.settle();
         const Effect* e = shown_effect(editor.model().facts(), "panel: next artefact");
         return e ? *e : Effect{};
     };
-    EXPECT_EQ(told().state, EffectState::NotNeeded);
+    EXPECT_EQ(listed().state, EffectState::NotNeeded);
     state.artefacts = {Artefact::Acne, 1};
-    const Effect found = told();
+    const Effect found = listed();
     EXPECT_EQ(found.state, EffectState::Drawn) << found.reason;
     state.settings.shading.exposure += 0.5;
-    const Effect kept = told();
+    const Effect kept = listed();
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
     EXPECT_EQ(kept.reason.substr(0, kept.reason.find(' ')), found.reason.substr(0, found.reason.find(' ')));
     EXPECT_GT(std::stoi(found.reason), 0) << found.reason;
     state.artefacts.number = 2;
-    EXPECT_EQ(told().state, EffectState::Drawn);
+    EXPECT_EQ(listed().state, EffectState::Drawn);
 }
 
 TEST(EditorEffects, ForcedFrameIsRedrawnAndLooksTheSame) {
     HeadlessEditor editor(editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true"}));
     editor.settle();
-    const auto spared = [&] {
+    const auto skipped = [&] {
         const Effect* e = shown_effect(editor.model().facts(), "look-ups of light 0");
         return e && e->state == EffectState::NotNeeded;
     };
-    EXPECT_TRUE(spared());
+    EXPECT_TRUE(skipped());
     editor.model().state.effects.forced = {Optimisation::Uncalled};
     editor.settle();
-    EXPECT_FALSE(spared());
+    EXPECT_FALSE(skipped());
     EXPECT_GT(editor.model().facts().result->pass("visibility")->draws, 0u);
 }
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using Answer = FilePortal::Answer;
 
 /// How often wake() was called, and a way to wait for the answer as the editor does, woken by it.
-struct Woken {
+struct WokenPortal {
     std::atomic<int> times = 0;
     FilePortal portal{[this] { ++times; }};
 
@@ -46,8 +46,8 @@ std::vector<std::string> names(const FakePortal::Options& options) {
 TEST(FilePortal, FileIsChosen) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
-    Woken woken;
-    woken.portal.ask({FileDialog::Job::Open, FileDialog::Kind::Presets, "/some where", ""}, "x11:2a");
+    WokenPortal woken;
+    woken.portal.request_file({FileDialog::Job::Open, FileDialog::Kind::Presets, "/some where", ""}, "x11:2a");
     ASSERT_TRUE(desktop.wait_for_questions(1));
     EXPECT_FALSE(woken.portal.take_answer()) << "a person takes time";
     const FakePortal::Question question = desktop.questions()[0];
@@ -73,8 +73,8 @@ TEST(FilePortal, FileIsChosen) {
 TEST(FilePortal, ClosedDialogChoosesNothingAndSavingProposesAName) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
-    Woken woken;
-    woken.portal.ask({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
+    WokenPortal woken;
+    woken.portal.request_file({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
     ASSERT_TRUE(desktop.wait_for_questions(1));
     const FakePortal::Question question = desktop.questions()[0];
     EXPECT_EQ(question.method, "SaveFile");
@@ -84,7 +84,7 @@ TEST(FilePortal, ClosedDialogChoosesNothingAndSavingProposesAName) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->kind, Answer::Kind::Dismissed);
     // An answer that names no file of this machine chooses nothing either.
-    woken.portal.ask({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
+    woken.portal.request_file({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
     ASSERT_TRUE(desktop.wait_for_questions(2));
     desktop.answer(desktop.questions()[1], 0, {"https://example.org/a.json"});
     answer = woken.wait(2);
@@ -94,17 +94,17 @@ TEST(FilePortal, ClosedDialogChoosesNothingAndSavingProposesAName) {
 }
 
 TEST(FilePortal, ReportsAMissingDesktopOrBus) {
-    Woken woken;
+    WokenPortal woken;
     {
         const PrivateBus bus(fresh_test_folder());
-        woken.portal.ask({}, "");
+        woken.portal.request_file({}, "");
         const auto answer = woken.wait(1);
         ASSERT_TRUE(answer);
         EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
         EXPECT_FALSE(answer->problem.empty());
     }
     unsetenv("XDG_RUNTIME_DIR");
-    woken.portal.ask({}, "");
+    woken.portal.request_file({}, "");
     const auto answer = woken.wait(2);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
@@ -115,10 +115,10 @@ TEST(FilePortal, SecondRequestOrDestructionClosesTheDialog) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
     {
-        Woken woken;
-        woken.portal.ask({.folder = "/first"}, "");
+        WokenPortal woken;
+        woken.portal.request_file({.folder = "/first"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(1));
-        woken.portal.ask({.folder = "/second"}, "");
+        woken.portal.request_file({.folder = "/second"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(2));
         EXPECT_TRUE(desktop.wait_for_closed(1));
         desktop.answer(desktop.questions()[0], 0, {"file:///first/a.glb"});
@@ -127,19 +127,19 @@ TEST(FilePortal, SecondRequestOrDestructionClosesTheDialog) {
         ASSERT_TRUE(answer);
         EXPECT_EQ(answer->file, "/second/a.glb");
         EXPECT_EQ(woken.times, 1);
-        woken.portal.ask({.folder = "/third"}, "");
+        woken.portal.request_file({.folder = "/third"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(3));
     }
     EXPECT_TRUE(desktop.wait_for_closed(2)) << "with the editor";
 }
 
 TEST(FilePortal, LostBusConnectionCountsAsNoDialog) {
-    Woken woken;
+    WokenPortal woken;
     {
         const PrivateBus bus(fresh_test_folder());
         {
             FakePortal desktop;
-            woken.portal.ask({}, "");
+            woken.portal.request_file({}, "");
             ASSERT_TRUE(desktop.wait_for_questions(1));
         }
         EXPECT_FALSE(woken.portal.take_answer());
@@ -158,7 +158,7 @@ TEST(FilePortal, AcceptsOnlyFilesOfThisMachine) {
 
 TEST(DesktopDialogs, AreUsedIfAvailableAndEnabled) {
     UiHarness ui(1280, 720);
-    const auto ask = [&] {
+    const auto request_file = [&] {
         ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
         const EditorRequests first = ui.frame();
         ui.frames(2);
@@ -167,7 +167,7 @@ TEST(DesktopDialogs, AreUsedIfAvailableAndEnabled) {
         return std::pair(first.ask_desktop, own);
     };
     ui.desktop_dialogs = true;
-    const auto [request, own] = ask();
+    const auto [request, own] = request_file();
     ASSERT_TRUE(request);
     EXPECT_EQ(request->job, FileDialog::Job::SavePreset);
     EXPECT_EQ(request->folder, "/tmp");
@@ -175,7 +175,7 @@ TEST(DesktopDialogs, AreUsedIfAvailableAndEnabled) {
     EXPECT_FALSE(own);
     EXPECT_FALSE(ui.frame().ask_desktop) << "once";
     ui.state.layout.desktop_dialogs = false;
-    const auto [unwanted, own_then] = ask();
+    const auto [unwanted, own_then] = request_file();
     EXPECT_FALSE(unwanted);
     EXPECT_TRUE(own_then);
 }
@@ -196,15 +196,15 @@ TEST_F(WindowOfADesktop, UsesTheDesktopDialogAndFallsBackToTheEditorsOwn) {
         screen("window_desktop_dialog");
         desktop.answer(desktop.questions()[0], 0, {"file://" + (folder_ / "from%20the%20desktop.glb").string()});
         EXPECT_TRUE(shows("from the desktop.glb")) << log();
-        breathe();
+        wait_until_idle();
         keys("ctrl+shift+s");
         ASSERT_TRUE(desktop.wait_for_questions(2));
         desktop.answer(desktop.questions()[1], 0, {"file://" + (folder_ / "chosen").string()});
         EXPECT_TRUE(wait_until([&] { return fs::exists(folder_ / "chosen.json"); })) << log();
-        breathe();
+        wait_until_idle();
     }
     keys("ctrl+o");
-    breathe();
+    wait_until_idle();
     screen("window_desktop_gone");
     type((folder_ / "typed.glb").string());
     keys("Return");

@@ -50,9 +50,9 @@ protected:
         EXPECT_EQ(presses_, presses);
         if (HasFailure()) screen(std::string("job_") + name);
         keys("Escape");
-        breathe();
+        wait_until_idle();
         keys("Escape");
-        breathe();
+        wait_until_idle();
         fs::copy_file(folder_ / "beginning.json", folder_ / "preset.json", fs::copy_options::overwrite_existing);
         open_preset("preset.json");
         twin().settings = beginning_;
@@ -66,16 +66,16 @@ protected:
     /// Not counted: what a job begins with.
     void open_preset(const std::string& name) {
         keys("ctrl+o");
-        breathe();
+        wait_until_idle();
         type(name);
         keys("Return");
-        breathe();
+        wait_until_idle();
     }
 
     void key(const std::string& combination) {
         ++presses_;
         keys(combination);
-        breathe();
+        wait_until_idle();
     }
     void word(const std::string& text) {
         ++presses_;
@@ -86,9 +86,9 @@ protected:
         mouse(at.x, at.y);
         const std::string which = std::to_string(button);
         xdotool("mousedown " + which);
-        breathe();
+        wait_until_idle();
         xdotool("mouseup " + which);
-        breathe();
+        wait_until_idle();
         auto& hand = editor_->mouse;
         hand.at = glm::vec2(at);
         editor_->frame();
@@ -142,7 +142,7 @@ protected:
             editor_->frame();
             editor_->frame();
         }
-        breathe();
+        wait_until_idle();
     }
     /// What the panel Frontier measures of the present settings is there, in the window as in its twin.
     void measured() {
@@ -211,14 +211,14 @@ protected:
     std::unique_ptr<DrawnText> text_;
 };
 
-constexpr glm::ivec2 kBesideLabel{200, 0};  ///< from a setting's label to its slider
+constexpr glm::ivec2 kSliderFromLabel{200, 0};  ///< from a setting's label to its slider
 
 TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
     ASSERT_NO_FATAL_FAILURE(begin());
     const json before = saved();
 
     job("undo", 2, [&] {
-        const glm::ivec2 bias = place(U"Constantbias") + kBesideLabel, scene = object("Boxes/Flat");
+        const glm::ivec2 bias = place(U"Constantbias") + kSliderFromLabel, scene = object("Boxes/Flat");
         for (const glm::ivec2 by : {glm::ivec2(40, 0), glm::ivec2(-20, 0)}) {
             pull(bias, by);
             pull(scene, {30, 8});
@@ -231,11 +231,11 @@ TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
     });
     job("round_trip", 3, [&] {
         key("ctrl+s");
-        pull(place(U"Constantbias") + kBesideLabel, {50, 0});
+        pull(place(U"Constantbias") + kSliderFromLabel, {50, 0});
         key("ctrl+r");
         EXPECT_EQ(saved(), before);
         keys("ctrl+z");
-        breathe();
+        wait_until_idle();
         EXPECT_TRUE(saved().contains("bias.constant")) << "nothing was dragged";
         keys("ctrl+y");
         EXPECT_EQ(saved(), before);
@@ -267,7 +267,7 @@ TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
         twin().settings.lights[0].type = LightType::Spot;
         editor_->settle();
         turn_wheel(U"Coneblend");
-        pull(place(U"Cone") + kBesideLabel, {-60, 0});
+        pull(place(U"Cone") + kSliderFromLabel, {-60, 0});
         EXPECT_TRUE(saved().contains("light.cone")) << saved();
         key("l");
         EXPECT_EQ(saved().value("camera.source", ""), "light");
@@ -278,7 +278,7 @@ TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
         key("k");
         EXPECT_NE(status(), live) << "nothing says that the view is frozen";
         keys("k");
-        breathe();
+        wait_until_idle();
         turn_wheel({});
     });
     job("two_filters", 3, [&] {
@@ -338,7 +338,7 @@ TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
         key("F11");
         EXPECT_EQ(corner(), all);
         xdotool("search --name 'Shadow Inspector' windowsize 1280 720");
-        breathe();
+        wait_until_idle();
     });
     quit();
 }
@@ -421,7 +421,7 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
         EXPECT_NEAR(framed.value("camera.target_z", 0.0), middle.z, 1e-3);
         EXPECT_TRUE(reads_as_twin(kFrozen)) << "the camera went on, and the shadows' stays";
         keys("k");
-        breathe();
+        wait_until_idle();
         EXPECT_FALSE(reads_as_twin(kFrozen));
         twin().frozen.reset();
     });

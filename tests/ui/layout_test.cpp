@@ -140,13 +140,13 @@ TEST(Layout, DoubleClickOnATitleMaximisesAndRestores) {
         const ImGuiTabItem& item = bar().Tabs[which];
         return glm::vec2(bar().BarRect.Min.x + item.Offset + item.Width / 2, bar().BarRect.GetCenter().y);
     };
-    const auto beside = [&] { return glm::vec2(bar().BarRect.Max.x - 5, bar().BarRect.GetCenter().y); };
+    const auto right_of_tabs = [&] { return glm::vec2(bar().BarRect.Max.x - 5, bar().BarRect.GetCenter().y); };
     double_click(tab(3));
     EXPECT_EQ(ui.state.window.maximised, si::Panel::Tabs);
     EXPECT_EQ(ui.state.tab, BottomTab::Objects);
-    double_click(beside());
+    double_click(right_of_tabs());
     EXPECT_FALSE(ui.state.window.maximised);
-    double_click(beside());
+    double_click(right_of_tabs());
     EXPECT_EQ(ui.state.window.maximised, si::Panel::Tabs);
     EXPECT_EQ(ui.state.tab, BottomTab::Objects);
     double_click(tab(3));

@@ -450,9 +450,9 @@ TEST(PictureView, RayThroughAScreenPointHitsTheShownSurface) {
         const auto met = meet_plane(v.ray(*on), p, v.camera.axes[2]);
         ASSERT_TRUE(met);
         expect_near(*met, p);
-        const auto beside = v.point(p + v.camera.axes[0] * v.metres_per_pixel(p));
-        ASSERT_TRUE(beside);
-        EXPECT_NEAR(beside->x - on->x, 1, 1e-9);
+        const auto one_pixel_right = v.point(p + v.camera.axes[0] * v.metres_per_pixel(p));
+        ASSERT_TRUE(one_pixel_right);
+        EXPECT_NEAR(one_pixel_right->x - on->x, 1, 1e-9);
     }
 }
 

@@ -38,7 +38,7 @@ public:
     void advance(double progress) {
         std::unique_lock lock(mutex_);
         wanted_ = progress;
-        EXPECT_TRUE(told_.wait_for(lock, 60s, [&] { return reported_ == progress; })) << "nobody reads";
+        EXPECT_TRUE(changed_.wait_for(lock, 60s, [&] { return reported_ == progress; })) << "nobody reads";
     }
     void release(const std::string& error = {}) {
         const std::lock_guard lock(mutex_);
@@ -68,9 +68,9 @@ private:
                 break;
             }
             reported_ = wanted_;
-            told_.notify_all();
+            changed_.notify_all();
             if (finished = released_; finished) break;
-            told_.wait_for(lock, 1ms);
+            changed_.wait_for(lock, 1ms);
         }
         --reading_;
         if (!finished) throw Error("cancelled");
@@ -79,7 +79,7 @@ private:
     }
 
     mutable std::mutex mutex_;
-    std::condition_variable told_;
+    std::condition_variable changed_;
     double wanted_ = 0, reported_ = -1;
     bool released_ = false;
     std::string error_;

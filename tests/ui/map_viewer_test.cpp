@@ -49,7 +49,7 @@ std::size_t differing_pixels(const ByteImage& a, const ByteImage& b, int x1) {
 
 TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
     HeadlessEditor editor(options());
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     EditorState& state = editor.model().state;
     const auto at = hover(editor, {120, 250}, {500, 380}, [&] {
@@ -73,7 +73,7 @@ TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
     EditorOptions o = options();
     o.session.sets.push_back("map.resolution=64");  // texels that many pixels read
     HeadlessEditor editor(o);
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     const ByteImage before = editor.picture();
     EditorState& state = editor.model().state;
@@ -88,7 +88,7 @@ TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
 
 TEST(MapViewer, LinksAreReadOnlyDuringHover) {
     HeadlessEditor editor(options());
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     EXPECT_EQ(editor.model().facts().texel_usage, nullptr);
     EXPECT_FALSE(editor.frame().want_links);
@@ -101,13 +101,13 @@ TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
         o.session.sets = {"filter.kernel=" + kernel, "filter.radius=8", "filter.taps=4", "map.resolution=256",
                           "light.fit=scene"};
         HeadlessEditor editor(o);
-        editor.model().state.layout = test::kBeside;
+        editor.model().state.layout = test::kWideLayout;
         editor.settle();
         EXPECT_FALSE(editor.model().facts().exact_utilisation) << "nobody asked";
         EXPECT_EQ(editor.model().facts().result->texels_read.texture, 0u);
         const ByteImage before = editor.picture();
         editor.model().state.map.exact_texels ^= true;
-        editor.model().state.layout = test::kBeside;
+        editor.model().state.layout = test::kWideLayout;
         editor.settle();
         const EditorFrame exact = editor.model().facts();
         EXPECT_TRUE(exact.exact_utilisation && exact.result->texels_read.texture != 0);
@@ -117,7 +117,7 @@ TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
         EXPECT_TRUE(hover(editor, {560, 120}, {860, 400}, [&] { return editor.model().facts().texel_usage; }));
         const double squares = editor.model().facts().texel_usage->utilisation();
         editor.model().state.map.exact_texels ^= true;
-        editor.model().state.layout = test::kBeside;
+        editor.model().state.layout = test::kWideLayout;
         editor.settle();
         EXPECT_FALSE(editor.model().facts().exact_utilisation);
         return std::pair(share, squares);
@@ -132,7 +132,7 @@ TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
 
 TEST(MapViewer, HistogramCountsEveryTexel) {
     HeadlessEditor editor(options());
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     const EditorFrame facts = editor.model().facts();
     ASSERT_TRUE(facts.map_facts);
@@ -149,7 +149,7 @@ TEST(MapViewer, GreyScaleFitNarrowsTheHistogram) {
     EditorOptions o = options();
     o.session.sets.push_back("view.map_fit=true");
     HeadlessEditor editor(o);
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     const EditorFrame facts = editor.model().facts();
     ASSERT_TRUE(facts.map_facts);
@@ -165,7 +165,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
     const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "saved_map.pfm";
     std::filesystem::remove(file);
     HeadlessEditor editor(options());
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     EditorRequests requests = editor.frame();
     requests.save_map = file.string();
@@ -192,7 +192,7 @@ TEST(MapViewer, CameraDepthIsShownInItsOwnAspectRatio) {
     EditorOptions o = options("plane");
     o.session.sets.push_back("view.map_source=camera");
     HeadlessEditor editor(o);
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     const FrameResult& result = *editor.model().facts().result;
     EXPECT_EQ(result.map_view_size, glm::ivec2(result.colour.width, result.colour.height));
@@ -205,11 +205,11 @@ TEST(MapViewer, LostCastersAreReported) {
     EditorOptions o = options();
     o.session.sets = {"caster.cull=front"};
     HeadlessEditor editor(o);
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().lost_casters.empty()) << "sought for a panel that is hidden";
     editor.model().state.window.open_tab = BottomTab::Objects;
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     ASSERT_FALSE(editor.model().facts().lost_casters.empty()) << "the floor has no back";
     const Scene& scene = *editor.model().facts().scene;
@@ -217,7 +217,7 @@ TEST(MapViewer, LostCastersAreReported) {
         const int node = scene.objects[std::size_t(lost.object)].node;
         editor.model().state.settings.objects[scene.nodes[std::size_t(node)].path].cull = ObjectCull::None;
     }
-    editor.model().state.layout = test::kBeside;
+    editor.model().state.layout = test::kWideLayout;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().lost_casters.empty());
 }

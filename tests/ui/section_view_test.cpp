@@ -152,7 +152,7 @@ TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     HeadlessEditor editor(options);
     EditorState& state = editor.model().state;
     state.window.open_tab = BottomTab::Log;
-    editor.model().state.layout = kBeside;
+    editor.model().state.layout = kWideLayout;
     editor.settle();
     state.probe_pixel = glm::ivec2(200, 150);
     editor.settle();

@@ -63,7 +63,7 @@ Probe made_up_probe(int lights) {
 }
 
 UiHarness::UiHarness(int width, int height, float scale) : width_(width), height_(height) {
-    state.layout = kBeside;
+    state.layout = kWideLayout;
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;

@@ -35,7 +35,7 @@ protected:
     void choose(int entry) const {
         click(kFileX, kTopY);
         click(kFileX + 30, 47 + entry * 20);
-        breathe();
+        wait_until_idle();
     }
     void change_bias() const {
         click(kSearchX, kSearchY);
@@ -78,7 +78,7 @@ TEST_F(WindowFiles, ModelIsOpenedByADoubleClickInTheDialog) {
     fs::rename(model("clicked.gltf"), only / "clicked.gltf");
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+o");
-    breathe();
+    wait_until_idle();
     // Whether the dialog lists a third entry: the folders are cache, home, models, state; in models is one file.
     const auto third = [&] {
         const ByteImage seen = screen("window_open_folder");
@@ -101,7 +101,7 @@ TEST_F(WindowFiles, SavedPresetLoadsIdentically) {
     const nlohmann::json changed = saved();
     ASSERT_TRUE(changed.contains("bias.constant")) << changed;
     keys("ctrl+shift+s");
-    breathe();
+    wait_until_idle();
     keys("ctrl+a");
     type("mine");
     keys("Return");
@@ -114,10 +114,10 @@ TEST_F(WindowFiles, SavedPresetLoadsIdentically) {
 
     fs::copy_file(folder_ / "preset.json", folder_ / "other.json");  // with the changed bias
     keys("ctrl+o");
-    breathe();
+    wait_until_idle();
     type((folder_ / "other.json").string());
     keys("Return");
-    breathe();
+    wait_until_idle();
     EXPECT_EQ(saved("other.json"), changed);
     screen("window_preset_loaded");
     quit();
@@ -139,7 +139,7 @@ TEST_F(WindowFiles, DroppedModelAndPresetAreOpened) {
     // What is neither is said so, and nothing is lost.
     ASSERT_TRUE(program_->running()) << program_->code();
     EXPECT_TRUE(drop_file(window, folder_ / "program.log", 300, 300));
-    breathe();
+    wait_until_idle();
     EXPECT_EQ(saved("dropped.JSON").value("bias.constant", 0.0), 7);
     screen("window_dropped_nonsense");
     quit();
@@ -163,7 +163,7 @@ TEST_F(WindowFiles, ScreenshotIsAFileAndInTheClipboard) {
 TEST_F(WindowFiles, DragWithALostSourceIsHarmless) {
     ASSERT_NO_FATAL_FAILURE(start());
     const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
-    for (int i = 0; i < 5; ++i) begin_drag_and_vanish(window, 300, 300);
+    for (int i = 0; i < 5; ++i) begin_abandoned_drag(window, 300, 300);
     EXPECT_TRUE(wait_until([&] { return log().find("BadWindow") != std::string::npos; })) << log();
     EXPECT_TRUE(program_->running()) << log();
     EXPECT_FALSE(saved().contains("bias.constant"));
@@ -179,14 +179,14 @@ TEST_F(WindowFiles, ClosedEditorOffersUnsavedSettingsAgain) {
 
     ASSERT_NO_FATAL_FAILURE(start());
     click(808, 54);  // Restore
-    breathe();
+    wait_until_idle();
     EXPECT_EQ(saved(), changed);
     quit();
     EXPECT_TRUE(kept().is_null()) << "saved: nothing to offer";
 
     ASSERT_NO_FATAL_FAILURE(start());
     change_bias();
-    program_->ask_to_end();
+    program_->send_sigterm();
     EXPECT_TRUE(wait_until([&] { return !program_->running(); }));
     EXPECT_EQ(program_->code(), 0) << log();
     EXPECT_FALSE(kept().is_null()) << "ended by a signal, and lost";
@@ -205,7 +205,7 @@ TEST_F(WindowFiles, KilledEditorOffersItsSettingsAgain) {
     screen("window_restore");
     EXPECT_EQ(saved(), untouched) << "restored without being asked";
     click(808, 54);  // Restore
-    breathe();
+    wait_until_idle();
     EXPECT_EQ(saved(), changed);
     keys("ctrl+z");
     EXPECT_EQ(saved(), untouched);
@@ -234,7 +234,7 @@ glm::ivec2 splitter(int width, int height) {
 TEST_F(WindowFiles, OnlyLayoutAndSizePersist) {
     ASSERT_NO_FATAL_FAILURE(start({}));
     ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1100 640"));
-    breathe();
+    wait_until_idle();
     const auto share = [&] {
         const auto json = json_of(state_folder() / "workspace.json");
         return json.is_object() ? json.value("/layout/settings_width"_json_pointer, -1.0) : -1.0;

@@ -56,7 +56,7 @@ Process::~Process() {
     waitpid(pid_, nullptr, 0);
 }
 
-void Process::ask_to_end() {
+void Process::send_sigterm() {
     if (pid_ > 0) ::kill(pid_, SIGTERM);
 }
 
@@ -195,7 +195,7 @@ void Window::start(const std::vector<std::string>& more, const std::string& scen
     program_ = std::make_unique<Process>(line, folder_, "program.log");
     // The title names the scene once the first frame is drawn.
     ASSERT_TRUE(shows(scene)) << log();
-    breathe();
+    wait_until_idle();
 }
 
 void Window::quit() {
@@ -224,15 +224,15 @@ bool Window::shows(const std::string& scene) const {
 
 void Window::type(const std::string& text) const {
     xdotool("type --delay 40 '" + text + "'");
-    breathe();
+    wait_until_idle();
 }
 
 void Window::mouse(int x, int y) const {
     xdotool("mousemove " + std::to_string(x) + " " + std::to_string(y));
-    breathe();
+    wait_until_idle();
 }
 
-void Window::breathe(bool idle_threads_too) const {
+void Window::wait_until_idle(bool idle_threads_too) const {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (!program_) return;
     // Twelve looks in a row: between two frames, or waiting for the driver, it would be found awake in one of them.
@@ -247,17 +247,17 @@ void Window::breathe(bool idle_threads_too) const {
 void Window::drag(int x, int y, int dx, int dy) const {
     mouse(x, y);
     xdotool("mousedown 1");
-    breathe();
+    wait_until_idle();
     for (int i = 1; i <= 3; ++i) mouse(x + dx * i / 3, y + dy * i / 3);
     xdotool("mouseup 1");
-    breathe();
+    wait_until_idle();
 }
 
 void Window::double_click(int x, int y, const std::function<bool()>& done) const {
     EXPECT_TRUE(wait_until([&] {
         mouse(x, y);
         xdotool("click --repeat 2 --delay 120 1");
-        breathe();
+        wait_until_idle();
         return done();
     }));
 }

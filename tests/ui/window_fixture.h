@@ -36,7 +36,7 @@ public:
     /// Ends the process by SIGKILL.
     void kill_at_once();
     /// Ends the process by SIGTERM, as batch systems do.
-    void ask_to_end();
+    void send_sigterm();
     /// Stops the process (SIGSTOP), as a slow frame would, or continues it (SIGCONT).
     void hold(bool held);
     /// Returns the exit code; valid once running() is false.
@@ -83,7 +83,7 @@ protected:
     bool wait_until(const std::function<bool()>& done) const;
     /// Waits until the editor has drawn all effects of the last event and sleeps again. @param idle_threads_too also
     /// waits for shader warm-up in idle threads
-    void breathe(bool idle_threads_too = false) const;
+    void wait_until_idle(bool idle_threads_too = false) const;
     /// Drags from a position by an offset with the left button.
     void drag(int x, int y, int dx, int dy) const;
     /// Clicks at a position with the left button.

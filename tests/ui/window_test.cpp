@@ -57,12 +57,12 @@ TEST_F(Window, DoubleClickDuringASlowFrameSelects) {
     xdotool("click --repeat 2 --delay 100 1");
     std::this_thread::sleep_for(std::chrono::milliseconds(700));
     program_->hold(false);
-    breathe();
+    wait_until_idle();
     keys("f");
     const nlohmann::json object = saved();
     for (int i = 0; i < 2; ++i) {  // the probe, then the object
         keys("Escape");
-        breathe();
+        wait_until_idle();
     }
     keys("f");
     const nlohmann::json everything = saved();
@@ -115,14 +115,14 @@ TEST_F(Window, CameraFliesWhileAKeyIsHeld) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(200, 330);
     xdotool("mousedown 3");
-    breathe();
+    wait_until_idle();
     const double before = program_->cpu_seconds();
     xdotool("keydown w");
     wait_until([&] { return program_->cpu_seconds() > before + 0.5; });  // it draws while it flies
     xdotool("keyup w");
-    breathe();
+    wait_until_idle();
     xdotool("mouseup 3");
-    breathe();
+    wait_until_idle();
     const nlohmann::json flown = saved();
     EXPECT_EQ(flown.value("camera.source", ""), "manual") << flown;
     EXPECT_TRUE(flown.contains("camera.target_x") && flown.contains("camera.target_z"));
@@ -138,14 +138,14 @@ TEST_F(Window, FlyingContinuesAtTheScreenEdge) {
     const auto look = [&](int steps) {
         mouse(400, 300);
         xdotool("mousedown 3");
-        breathe();
+        wait_until_idle();
         for (int i = 0; i < steps; ++i) {
             xdotool("mousemove_relative -- 200 0");
-            breathe();
+            wait_until_idle();
         }
         const std::string held = ask("getmouselocation");
         xdotool("mouseup 3");
-        breathe();
+        wait_until_idle();
         EXPECT_NE(held, "") << "no mouse";
         return saved().value("camera.azimuth", 0.0);
     };
@@ -163,15 +163,15 @@ TEST_F(Window, FlyingContinuesAtTheScreenEdge) {
 TEST_F(Window, IdleEditorSleepsAndFollowsAResize) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
-    breathe(true);  // what a click will ask for is foreseen
+    wait_until_idle(true);  // what a click will ask for is foreseen
     std::this_thread::sleep_for(std::chrono::seconds(2));
-    breathe(true);
+    wait_until_idle(true);
     const double before = program_->cpu_seconds();
     ASSERT_GT(before, 0);
     std::this_thread::sleep_for(std::chrono::seconds(3));
     EXPECT_LT(program_->cpu_seconds() - before, 0.3) << "seconds of processor time in three still seconds";
     ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1000 600"));
-    breathe();
+    wait_until_idle();
     screen("window_resized");
     EXPECT_TRUE(program_->running()) << log();
     quit();

@@ -17,7 +17,7 @@ protected:
         for (const std::string& command : commands) EXPECT_TRUE(xdotool(command)) << command;
         std::this_thread::sleep_for(std::chrono::milliseconds(300));
         program_->hold(false);
-        breathe();
+        wait_until_idle();
     }
     /// The preset that was saved, under whatever name; empty: none.
     std::string saved_name() const {
@@ -35,23 +35,23 @@ protected:
 TEST_F(WindowTyping, NoLetterIsLostAfterControlAInASlowFrame) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+shift+s");
-    breathe();
+    wait_until_idle();
     type("before");
     in_one_slow_frame({"key ctrl+a", "type --delay 20 depthbiass"});
     screen("window_typed");
     keys("Return");
     EXPECT_EQ(saved_name(), "depthbiass.json") << log();
-    breathe();
+    wait_until_idle();
     quit();
 }
 
 TEST_F(WindowTyping, KeysKeepTheirOrderAmongLetters) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+shift+s");
-    breathe();
+    wait_until_idle();
     in_one_slow_frame({"key --delay 20 ctrl+a m i x x BackSpace BackSpace n d Left e Right s Return"});
     EXPECT_EQ(saved_name(), "mineds.json") << log();
-    breathe();
+    wait_until_idle();
     quit();
 }
 

@@ -119,7 +119,7 @@ bool drop_file(unsigned long window, const std::filesystem::path& file, int x, i
     return Source(window, patience).drop(uri(file) + "\r\n", x, y);
 }
 
-void begin_drag_and_vanish(unsigned long window, int x, int y) {
+void begin_abandoned_drag(unsigned long window, int x, int y) {
     Source(window).enter(x, y);
 }
 

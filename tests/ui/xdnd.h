@@ -12,6 +12,6 @@ bool drop_file(unsigned long window, const std::filesystem::path& file, int x, i
                std::chrono::seconds patience = std::chrono::minutes(10));
 
 /// Starts a drag over a window and destroys the drag source before the window can answer.
-void begin_drag_and_vanish(unsigned long window, int x, int y);
+void begin_abandoned_drag(unsigned long window, int x, int y);
 
 }  // namespace si::test

@@ -8,12 +8,12 @@
 namespace si {
 namespace {
 
-struct Looker {
+struct TestView {
     glm::dmat4 clip;
     glm::dvec3 origin{110, 2, -7};
     DepthCurve curve;
 
-    Looker(bool perspective, DepthConvention convention) {
+    TestView(bool perspective, DepthConvention convention) {
         curve = {.perspective = perspective, .near = 1, .far = 20};
         curve.convention = convention;
         clip = clip_from_relative(projection_matrix(curve, perspective ? 1 : 8, perspective ? 1 : 8), glm::dmat3(1),
@@ -42,7 +42,7 @@ TEST(BoxSight, FindsEveryBoxWithAVisiblePoint) {
     for (const bool perspective : {false, true})
         for (const DepthConvention convention : {DepthConvention{true, false}, DepthConvention{false, false},
                                                  DepthConvention{true, true}, DepthConvention{false, true}}) {
-            const Looker looker(perspective, convention);
+            const TestView looker(perspective, convention);
             const BoxSight sight(looker.clip, looker.origin, convention, false, 512);
             for (int i = 0; i < 400; ++i, ++all) {
                 const SkewBox box = random_box(random);
@@ -68,7 +68,7 @@ TEST(BoxSight, FindsEveryBoxWithAVisiblePoint) {
 }
 
 TEST(BoxSight, ClampedDepthsCullNothingByDepth) {
-    const Looker looker(false, {});
+    const TestView looker(false, {});
     const BoxSight clamps(looker.clip, looker.origin, {}, true, 512), clips(looker.clip, looker.origin, {}, false, 512);
     Bounds unit;
     unit.add({-1, -1, -1});

@@ -199,9 +199,9 @@ TEST(NeededMaps, HoldAllVisibleReceivers) {
                                   .normal_texels = 4,
                                   .wrap = s.map.wrap,
                                   .light_alone = light_alone};
-            const NeededMaps called = needed_maps(light, seen, area);
-            ASSERT_EQ(called.views.size(), light.views.size());
-            for (const MapCells& r : called.views) {
+            const NeededMaps needed = needed_maps(light, seen, area);
+            ASSERT_EQ(needed.views.size(), light.views.size());
+            for (const MapCells& r : needed.views) {
                 ++views;
                 unread += !r.is_whole();
             }
@@ -240,7 +240,7 @@ TEST(NeededMaps, HoldAllVisibleReceivers) {
                                 const glm::dvec2 held =
                                     repeats ? glm::fract(uv) : glm::clamp(uv, glm::dvec2(0), glm::dvec2(1));
                                 if (uv != held && ((!clamps && !repeats) || light.is_cascaded())) continue;
-                                ASSERT_TRUE(called.views[v].meets({held, held}))
+                                ASSERT_TRUE(needed.views[v].meets({held, held}))
                                     << kind.name << ", round " << round << ", view " << v << ", at " << uv.x << ", "
                                     << uv.y;
                             }
@@ -262,7 +262,7 @@ TEST(NeededMaps, SkipBackFacingReceivers) {
     const auto clusters = all_clusters(scene);
     Settings s = settings_of({{"camera.source", "manual"}, {"camera.elevation", "0"}, {"camera.distance", "9"}});
     s.lights[0].elevation = 0;
-    int called[2];
+    int needed[2];
     for (const bool against : {false, true}) {
         s.camera.azimuth = 40;
         s.lights[0].azimuth = against ? 220 : 40;
@@ -270,13 +270,13 @@ TEST(NeededMaps, SkipBackFacingReceivers) {
         const SeenBodies seen =
             seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
         const NeededMaps maps = needed_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
-        int& cells = called[against] = 0;
+        int& cells = needed[against] = 0;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x)
                 cells += maps.views[0].meets({{(x + 0.4) / 64, (y + 0.4) / 64}, {(x + 0.6) / 64, (y + 0.6) / 64}});
     }
-    EXPECT_GT(called[false], 1500) << "a disc that nearly fills the map";
-    EXPECT_LT(called[true], called[false] / 2) << "its rim, where clusters may show either side";
+    EXPECT_GT(needed[false], 1500) << "a disc that nearly fills the map";
+    EXPECT_LT(needed[true], needed[false] / 2) << "its rim, where clusters may show either side";
 }
 
 TEST(NeededMaps, GiveTheReasonIfNoneIsNeeded) {

@@ -294,8 +294,8 @@ void each_surface_point(const Scene& scene, const test::RayReference& rays, int 
 /// What each pixel of a small picture shows: the first surface between the near and far planes that is not the back of
 /// a single-sided one.
 template <class Use>
-void each_seen_point(const Scene& scene, const test::RayReference& rays, const Camera& camera, int width, int height,
-                     Use use) {
+void each_visible_point(const Scene& scene, const test::RayReference& rays, const Camera& camera, int width, int height,
+                        Use use) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             glm::dvec3 origin, dir;
@@ -318,11 +318,11 @@ void each_seen_point(const Scene& scene, const test::RayReference& rays, const C
 }
 
 /// Counts points within and beyond a region, and demands that none beyond is shadowed.
-class Beyond {
+class OutsidePoints {
 public:
-    int beyond = 0, within = 0, shadowed = 0;
+    int outside = 0, within = 0, shadowed = 0;
 
-    Beyond(const Scene& scene, const test::RayReference& rays, const LightView& view, const MapRegion& region)
+    OutsidePoints(const Scene& scene, const test::RayReference& rays, const LightView& view, const MapRegion& region)
         : scene_(scene), rays_(rays), view_(view), region_(region) {
         light_.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
         light_.to_light = view.axes[2];
@@ -336,14 +336,14 @@ public:
         if (view_.curve.perspective && std::max(std::abs(v.x), std::abs(v.y)) > -v.z * view_.half_width) return;
         const glm::dvec2 at = glm::dvec2(v) / (view_.curve.perspective ? -v.z : 1.0);
         const double rim = 1e-6 * (view_.curve.perspective ? 1 : scene_.bounds.radius());
-        const bool is_beyond = at.x < region_.lo.x - rim || at.y < region_.lo.y - rim || at.x > region_.hi.x + rim ||
-                               at.y > region_.hi.y + rim;
-        (is_beyond ? beyond : within) += 1;
-        if (!is_beyond && within % every != 0) return;
+        const bool is_outside = at.x < region_.lo.x - rim || at.y < region_.lo.y - rim || at.x > region_.hi.x + rim ||
+                                at.y > region_.hi.y + rim;
+        (is_outside ? outside : within) += 1;
+        if (!is_outside && within % every != 0) return;
         const double least = 1e-5 * scene_.bounds.radius();
         if (!rays_.occluded(p.position + std::copysign(least, facing) * p.normal, light_, -1, 0)) return;
         ++shadowed;
-        EXPECT_FALSE(is_beyond) << "at " << p.position.x << " " << p.position.y << " " << p.position.z;
+        EXPECT_FALSE(is_outside) << "at " << p.position.x << " " << p.position.y << " " << p.position.z;
     }
 
 private:
@@ -354,9 +354,9 @@ private:
     FittedLight light_;
 };
 
-Beyond expect_lit_beyond(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
+OutsidePoints expect_lit_outside(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
     const test::RayReference rays(scene);
-    Beyond out(scene, rays, view, region);
+    OutsidePoints out(scene, rays, view, region);
     each_surface_point(scene, rays, points, [&](const OnSurface& p) { out.look_at(p, 16); });
     return out;
 }
@@ -383,8 +383,8 @@ TEST(CastersFit, CoversAllShadowsOfBuiltInScenes) {
                 EXPECT_EQ(row.key, "plane");
                 continue;
             }
-            const Beyond n = expect_lit_beyond(scene, view, *region, large ? 400 : 3000);
-            narrowed += n.beyond > 100 && n.shadowed > 0;
+            const OutsidePoints n = expect_lit_outside(scene, view, *region, large ? 400 : 3000);
+            narrowed += n.outside > 100 && n.shadowed > 0;
         }
     }
     EXPECT_GT(narrowed, 15) << "of all these some have to be narrower than the scene";
@@ -429,18 +429,18 @@ LightView random_light(int i, const RandomScene& s, std::mt19937& random) {
 
 TEST(CastersFit, CoversAllShadowsOfRandomScenes) {
     std::mt19937 random(9);
-    int beyond = 0, shadowed = 0;
+    int outside = 0, shadowed = 0;
     for (int i = 0; i < 150; ++i) {
         SCOPED_TRACE(i);
         const RandomScene s = random_scene(i, random);
         const LightView view = random_light(i, s, random);
         const auto region = s.made.fit(fit_casters, view);
         if (!region) continue;
-        const Beyond n = expect_lit_beyond(s.made.scene, view, *region, 400);
-        beyond += n.beyond;
+        const OutsidePoints n = expect_lit_outside(s.made.scene, view, *region, 400);
+        outside += n.outside;
         shadowed += n.shadowed;
     }
-    EXPECT_GT(beyond, 5000);
+    EXPECT_GT(outside, 5000);
     EXPECT_GT(shadowed, 300);
 }
 
@@ -450,7 +450,7 @@ TEST(ViewFit, CoversAllVisibleShadowsOfRandomCameras) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> unit(-1, 1);
     int narrower = 0;
-    std::array<int, 6> beyond{}, shadowed{};
+    std::array<int, 6> outside{}, shadowed{};
     for (int i = 0; i < 480; ++i) {
         SCOPED_TRACE(i);
         const RandomScene s = random_scene(i, random);
@@ -484,13 +484,13 @@ TEST(ViewFit, CoversAllVisibleShadowsOfRandomCameras) {
         const double area = (region->hi.x - region->lo.x) * (region->hi.y - region->lo.y);
         narrower += area < 0.7 * (all->hi.x - all->lo.x) * (all->hi.y - all->lo.y);
         const test::RayReference rays(scene);
-        Beyond n(scene, rays, view, *region);
-        each_seen_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
-        beyond[std::size_t(kind)] += n.beyond;
+        OutsidePoints n(scene, rays, view, *region);
+        each_visible_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
+        outside[std::size_t(kind)] += n.outside;
         shadowed[std::size_t(kind)] += n.shadowed;
     }
     for (std::size_t kind = 0; kind < 6; ++kind) {
-        EXPECT_GT(beyond[kind], 300) << kind;
+        EXPECT_GT(outside[kind], 300) << kind;
         EXPECT_GT(shadowed[kind], 40) << kind;
     }
     EXPECT_GT(narrower, 100);

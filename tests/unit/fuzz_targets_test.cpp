@@ -12,12 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostSeedBytes = 20'000;
+constexpr std::size_t kMaxSeedBytes = 20'000;
 
 std::vector<std::string> files_below(const fs::path& folder) {
     std::vector<fs::path> paths;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file() && entry.file_size() <= kMostSeedBytes) paths.push_back(entry.path());
+        if (entry.is_regular_file() && entry.file_size() <= kMaxSeedBytes) paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     std::vector<std::string> texts;
     for (const fs::path& path : paths) texts.push_back(file_bytes(path));

@@ -46,9 +46,10 @@ TEST(GltfExtras, ForeignAndHostileExtrasAreOnlyWarnings) {
     const Scene scene = load_gltf(with_extras(folder, {{"shadow_inspector", own}}));
     ASSERT_EQ(scene.suggested.size(), 1u);
     EXPECT_EQ(scene.suggested[0], std::pair(std::string("bias.constant"), std::string("2")));
-    std::size_t told = 0;
-    for (const std::string& warning : scene.warnings) told += warning.find("suggested setting") != std::string::npos;
-    EXPECT_EQ(told, 3u);
+    std::size_t warnings_found = 0;
+    for (const std::string& warning : scene.warnings)
+        warnings_found += warning.find("suggested setting") != std::string::npos;
+    EXPECT_EQ(warnings_found, 3u);
     EXPECT_EQ(scene.about.find('\x1b'), std::string::npos) << "control characters are made visible";
 }
 

@@ -100,17 +100,17 @@ TEST_F(InputQueueTest, EditingKeyKeepsItsOrderAmongLetters) {
     tap(GLFW_KEY_BACKSPACE);
     type("c");
     tap(GLFW_KEY_ENTER);
-    std::string told;
+    std::string received;
     for (const InputStep& step : steps()) {
-        told += step.text();
+        received += step.text();
         for (const auto& [key, sign] : {std::pair{GLFW_KEY_BACKSPACE, '<'}, {GLFW_KEY_ENTER, '!'}}) {
             if (!step.presses(key)) continue;
             EXPECT_EQ(step.text(), "");
-            told += sign;
+            received += sign;
         }
-        told += '|';
+        received += '|';
     }
-    EXPECT_EQ(told, "ab|<||<|c|!|") << "between two presses of a key it is seen to be up";
+    EXPECT_EQ(received, "ab|<||<|c|!|") << "between two presses of a key it is seen to be up";
 }
 
 TEST_F(InputQueueTest, PressedModifierDelaysTextUntilReleased) {
@@ -145,15 +145,15 @@ TEST_F(InputQueueTest, AltIsHeldForItsKeyAndItsReleaseIsAStep) {
 
 TEST_F(InputQueueTest, EachKeyIsAStepOutsideFields) {
     type("fll");
-    std::string told;
+    std::string received;
     for (const InputStep& step : steps()) {
         int presses = 0;
         for (const auto& key : step.strokes.keys) presses += key.down;
         EXPECT_LE(presses, 1);
         EXPECT_EQ(step.text().size(), std::size_t(presses)) << "a character comes with its key";
-        told += step.text() + '|';
+        received += step.text() + '|';
     }
-    EXPECT_EQ(told, "f|l||l|");
+    EXPECT_EQ(received, "f|l||l|");
 }
 
 TEST_F(InputQueueTest, MouseAndKeysDoNotOvertakeEachOther) {

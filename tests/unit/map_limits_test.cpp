@@ -21,7 +21,7 @@ FittedLight fitted(const std::vector<std::pair<const char*, const char*>>& sets)
     return fit_lights(box(), s)[0];
 }
 
-bool tells(const FittedLight& light, const char* what) {
+bool reports(const FittedLight& light, const char* what) {
     return std::any_of(light.notes.begin(), light.notes.end(),
                        [&](const std::string& n) { return n.find(what) != std::string::npos; });
 }
@@ -53,7 +53,7 @@ TEST(MapLimits, DepthRangeInOneStepIsReported) {
     EXPECT_TRUE(coarse.limits.one_depth_step);
     EXPECT_NEAR(coarse.limits.step_m, 140000 / 65535.0, 1e-3);
     EXPECT_NEAR(coarse.limits.depth_m, 2, 1e-9);
-    EXPECT_TRUE(tells(coarse, "one step of map.format (2.14 m)"));
+    EXPECT_TRUE(reports(coarse, "one step of map.format (2.14 m)"));
     EXPECT_FALSE(overhead("d16", "120000").limits.one_depth_step) << "a step is 1.83 m";
     EXPECT_FALSE(overhead("d24", "140000").limits.any()) << "256 times finer";
     EXPECT_TRUE(overhead("d24", "40000000").limits.one_depth_step);
@@ -77,7 +77,7 @@ TEST(MapLimits, PerspectiveDepthNearTheFarPlaneIsReported) {
     EXPECT_FALSE(spot("10", "d16").limits.any());
     const FittedLight crowded = spot("0.01", "d16");
     EXPECT_TRUE(crowded.limits.one_depth_step) << "2e-6 against a step of 1.5e-5";
-    EXPECT_TRUE(tells(crowded, "no bias tells casters from receivers"));
+    EXPECT_TRUE(reports(crowded, "no bias tells casters from receivers"));
     EXPECT_FALSE(spot("0.1", "d16").limits.any()) << "2e-5 against 1.5e-5";
 }
 
@@ -93,7 +93,7 @@ TEST(MapLimits, TexelLargerThanTheSceneIsReported) {
     EXPECT_TRUE(coarse.limits.one_texel);
     EXPECT_DOUBLE_EQ(coarse.limits.texel_m, 10);
     EXPECT_NEAR(coarse.limits.across_m, 6, 1e-9);
-    EXPECT_TRUE(tells(coarse, "one texel (10 m) is larger than the scene (6 m across)"));
+    EXPECT_TRUE(reports(coarse, "one texel (10 m) is larger than the scene (6 m across)"));
     EXPECT_FALSE(light("128", "320").limits.one_texel) << "5 m";
     EXPECT_TRUE(fitted({{"map.resolution", "1"}}).limits.one_texel);
 }

@@ -83,20 +83,20 @@ TEST(PlanTest, EachDecisionHasAReason) {
                                 pass_of("uncalled", {}, {Result::Moments}), pass_of("unread", {}, {Result::Reference})};
     passes[2].unneeded = "no kernel reads them";
     const std::vector<ResultRef> wanted = {Result::Shaded, Result::Visibility, Result::Moments};
-    const auto told = [&](bool force, bool uncalled) {
+    const auto decisions = [&](bool force, bool skip_unneeded) {
         std::vector<std::pair<PassState, std::string>> out;
-        for (const PassInfo& p : plan_passes(passes, wanted, force, uncalled)) out.emplace_back(p.state, p.reason);
+        for (const PassInfo& p : plan_passes(passes, wanted, force, skip_unneeded)) out.emplace_back(p.state, p.reason);
         return out;
     };
-    using Told = std::vector<std::pair<PassState, std::string>>;
-    EXPECT_EQ(told(false, false), (Told{{PassState::Cached, "nothing it depends on changed"},
-                                        {PassState::Drawn, "its inputs changed"},
-                                        {PassState::Skipped, "no kernel reads them"},
-                                        {PassState::Skipped, "idle"}}));
-    EXPECT_EQ(told(true, true), (Told{{PassState::Drawn, "asked to run"},
-                                      {PassState::Drawn, "its inputs changed"},
-                                      {PassState::Drawn, "its inputs changed"},
-                                      {PassState::Skipped, "idle"}}));
+    using Decisions = std::vector<std::pair<PassState, std::string>>;
+    EXPECT_EQ(decisions(false, false), (Decisions{{PassState::Cached, "nothing it depends on changed"},
+                                                  {PassState::Drawn, "its inputs changed"},
+                                                  {PassState::Skipped, "no kernel reads them"},
+                                                  {PassState::Skipped, "idle"}}));
+    EXPECT_EQ(decisions(true, true), (Decisions{{PassState::Drawn, "asked to run"},
+                                                {PassState::Drawn, "its inputs changed"},
+                                                {PassState::Drawn, "its inputs changed"},
+                                                {PassState::Skipped, "idle"}}));
     EXPECT_EQ(holds, 7u) << "a plan changes nothing";
 }
 

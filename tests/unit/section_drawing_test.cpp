@@ -101,13 +101,13 @@ Section light_bleeding() {
 }
 
 /// Words of its legend.
-std::vector<std::string> told(const SectionDrawing& d) {
+std::vector<std::string> legend_texts(const SectionDrawing& d) {
     std::vector<std::string> out;
     for (const LegendRow& row : d.legend) out.emplace_back(row.text);
     return out;
 }
 
-bool tells(const SectionDrawing& d, std::string_view text) {
+bool legend_has(const SectionDrawing& d, std::string_view text) {
     return std::ranges::any_of(d.legend, [&](const LegendRow& row) { return row.text == text; });
 }
 
@@ -220,25 +220,27 @@ TEST(SectionDrawing, LegendListsExactlyTheDrawnMarks) {
 
 TEST(SectionDrawing, LegendDescribesTheProbedPixel) {
     const SectionDrawing dark = draw_section(acne(), {});
-    EXPECT_EQ(told(dark), (std::vector<std::string>{
-                              "depths that the map stores, a texel a step", "in shadow, by the map",
-                              "what the light sees in truth", "the surface's plane",
-                              "compared with the texel's depth: lit", "compared with the texel's depth: in shadow",
-                              "biases that are right", "tap lit", "tap in shadow by the surface itself"}));
-    EXPECT_EQ(told(draw_section(acne(), {.height = 300, .captions = false})), told(dark)) << "the same words";
-    const SectionDrawing lifted = draw_section(peter_panning(), {});
-    EXPECT_TRUE(tells(lifted, "tap lit"));
-    EXPECT_FALSE(tells(lifted, "tap in shadow") || tells(lifted, "tap in shadow by the surface itself"));
-    EXPECT_TRUE(tells(draw_section(led_aside(), {}), "tap in shadow"));
+    EXPECT_EQ(
+        legend_texts(dark),
+        (std::vector<std::string>{"depths that the map stores, a texel a step", "in shadow, by the map",
+                                  "what the light sees in truth", "the surface's plane",
+                                  "compared with the texel's depth: lit", "compared with the texel's depth: in shadow",
+                                  "biases that are right", "tap lit", "tap in shadow by the surface itself"}));
+    EXPECT_EQ(legend_texts(draw_section(acne(), {.height = 300, .captions = false})), legend_texts(dark))
+        << "the same words";
+    const SectionDrawing shifted = draw_section(peter_panning(), {});
+    EXPECT_TRUE(legend_has(shifted, "tap lit"));
+    EXPECT_FALSE(legend_has(shifted, "tap in shadow") || legend_has(shifted, "tap in shadow by the surface itself"));
+    EXPECT_TRUE(legend_has(draw_section(led_aside(), {}), "tap in shadow"));
     Section s = light_bleeding();
     const SectionDrawing spread = draw_section(s, {});
-    EXPECT_TRUE(tells(spread, "mean of the depths"));
-    EXPECT_TRUE(tells(spread, "one standard deviation to each side of the mean"));
-    EXPECT_FALSE(tells(spread, "tap lit") || tells(spread, "compared with the texel's depth: lit"));
+    EXPECT_TRUE(legend_has(spread, "mean of the depths"));
+    EXPECT_TRUE(legend_has(spread, "one standard deviation to each side of the mean"));
+    EXPECT_FALSE(legend_has(spread, "tap lit") || legend_has(spread, "compared with the texel's depth: lit"));
     s.moments->spread = std::numeric_limits<double>::quiet_NaN();
     const SectionDrawing mean = draw_section(s, {});
-    EXPECT_TRUE(tells(mean, "mean of the depths"));
-    EXPECT_FALSE(tells(mean, "one standard deviation to each side of the mean"));
+    EXPECT_TRUE(legend_has(mean, "mean of the depths"));
+    EXPECT_FALSE(legend_has(mean, "one standard deviation to each side of the mean"));
 }
 
 TEST(SectionDrawing, HoveredMarkIsFoundInTheLegend) {
@@ -366,8 +368,8 @@ TEST(SectionDrawing, TexelBarHasTheWidthOfTexels) {
         const std::vector<glm::dvec2>& bar = (scale - 1)->points;
         EXPECT_NEAR((bar.back().x - bar.front().x) / std::stod(scale->text),
                     (s.steps[4].to.x - s.steps[4].from.x) * d.across, 1e-6);
-        const bool told = muted_words(d).find("as bias counts them, texels are 50 mm long") != std::string::npos;
-        EXPECT_EQ(told, s.texel_long_m > 0);
+        const bool noted = muted_words(d).find("as bias counts them, texels are 50 mm long") != std::string::npos;
+        EXPECT_EQ(noted, s.texel_long_m > 0);
         EXPECT_EQ(words_of(d, "needs 0.6 texels = 24 mm") != nullptr, s.texel_long_m > 0);
     }
 }
@@ -414,9 +416,9 @@ TEST(SectionDrawing, SurfaceOffTheCutHasItsOwnPlaneAndANote) {
     EXPECT_NEAR(middle.x, beside.zero_x, 1e-6) << "through the ring";
     EXPECT_NEAR(middle.y, beside.zero_y, 1e-6);
     EXPECT_NEAR(way.y / way.x, -beside.along / beside.across, 1e-6) << "parallel";
-    const std::string told = muted_words(draw_section(s, {}));
+    const std::string noted = muted_words(draw_section(s, {}));
     for (const char* part : {"0.49 texels beside the cut", "7.32 texels beside the cut", "150 mm", "117 mm", "dashes"})
-        EXPECT_NE(told.find(part), std::string::npos) << part << " in: " << told;
+        EXPECT_NE(noted.find(part), std::string::npos) << part << " in: " << noted;
 }
 
 TEST(SectionDrawing, FarPartsAreDrawnAfterABreak) {

@@ -228,9 +228,9 @@ TEST(Sweep, ReducedMapIsListedAtItsActualSize) {
     std::size_t smaller = 0;
     for (const SweepRow& row : results.rows) {
         EXPECT_LE(std::stoi(row.settings[0].second), 512);
-        const bool told = std::ranges::find(row.notes, "smaller, for reasons") != row.notes.end();
-        EXPECT_TRUE(!told || row.settings[0].second == "512");
-        smaller += told;
+        const bool noted = std::ranges::find(row.notes, "smaller, for reasons") != row.notes.end();
+        EXPECT_TRUE(!noted || row.settings[0].second == "512");
+        smaller += noted;
     }
     EXPECT_EQ(smaller, 4u);
     const std::string csv = results_csv(results);

@@ -178,25 +178,25 @@ TEST(AnimatedBounds, EncloseEachTimeTightly) {
 
 TEST(AnimatedBounds, AreCachedPerAnimationAndDroppedWithTheSetting) {
     Scene scene = swinging_box(Interpolation::Linear);
-    SceneSettings moment{.fit_animation = true};
-    pose_scene(scene, moment);
+    SceneSettings at_time{.fit_animation = true};
+    pose_scene(scene, at_time);
     ASSERT_FALSE(scene.objects[1].animation_bounds.empty());
     scene.objects[1].animation_bounds.hi.x = 1000;  // would be put right if it were found again
-    moment.time = 0.3;
-    pose_scene(scene, moment);
+    at_time.time = 0.3;
+    pose_scene(scene, at_time);
     EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "not once a frame";
     hide_objects(scene, {scene.nodes[std::size_t(scene.objects[0].node)].path});
-    pose_scene(scene, moment);
+    pose_scene(scene, at_time);
     hide_objects(scene, {});
     EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "nor for what is hidden";
-    moment.animation = 1;  // of no keys
-    pose_scene(scene, moment);
+    at_time.animation = 1;  // of no keys
+    pose_scene(scene, at_time);
     EXPECT_TRUE(scene.objects[1].animation_bounds.empty());
-    moment.animation = 0;
-    pose_scene(scene, moment);
+    at_time.animation = 0;
+    pose_scene(scene, at_time);
     EXPECT_LT(scene.objects[1].animation_bounds.hi.x, 10);
-    moment.fit_animation = false;
-    pose_scene(scene, moment);
+    at_time.fit_animation = false;
+    pose_scene(scene, at_time);
     EXPECT_TRUE(scene.objects[1].animation_bounds.empty());
     EXPECT_TRUE(scene.animation_bounds.empty());
 }

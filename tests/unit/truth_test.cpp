@@ -261,22 +261,22 @@ TEST(Reference, CountsReasonsOfExcludedPixels) {
     const FittedLight ranged = fit_lights(scene, settings)[0];
     reference =
         trace_visibility(ReferenceScene(geometry), receivers, reference_query(scene, settings, {ranged}, 0), {});
-    std::size_t beyond = 0;
+    std::size_t outside = 0;
     for (std::size_t i = 0; i < reference.state.size(); ++i) {
         const Receiver& r = receivers.pixels[i];
         if (reference.state[i] != PixelState::Counted && reference.state[i] != PixelState::BeyondRange) continue;
         const bool reached = glm::distance(r.position_ws, ranged.position) < range;
         EXPECT_EQ(reference.state[i] == PixelState::Counted, reached);
-        beyond += !reached;
+        outside += !reached;
     }
-    EXPECT_GT(beyond, 30u);
+    EXPECT_GT(outside, 30u);
     EXPECT_GT(reference.counted(), 50u);
-    EXPECT_EQ(reference.pixels[std::size_t(PixelState::BeyondRange)], beyond);
+    EXPECT_EQ(reference.pixels[std::size_t(PixelState::BeyondRange)], outside);
     set_setting(settings, "light.0.range", "0");
     const Reference endless = trace_visibility(ReferenceScene(geometry), receivers,
                                                reference_query(scene, settings, fit_lights(scene, settings), 0), {});
     EXPECT_EQ(endless.visibility.data, reference.visibility.data);
-    EXPECT_EQ(endless.counted(), reference.counted() + beyond);
+    EXPECT_EQ(endless.counted(), reference.counted() + outside);
 
     set_setting(settings, "light.0.type", "directional");
     set_setting(settings, "light.0.elevation", "-30");

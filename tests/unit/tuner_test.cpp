@@ -19,7 +19,7 @@ struct MadeUpFrame {
 
     static double theta(int i) { return (0.02 + 0.95 * i / 99.0) * M_PI / 2; }
     double need(int i) const { return kappa * std::tan(theta(i)) + 0.01; }
-    static double worth(const BiasSettings& b, int i) {
+    static double equivalent_bias(const BiasSettings& b, int i) {
         return std::max(b.constant, b.slope * (1 - std::cos(theta(i)))) + b.normal / std::cos(theta(i));
     }
     double worst(auto&& amount) const {
@@ -34,8 +34,8 @@ struct MadeUpFrame {
         int acne = 0;
         double gap = 0;
         for (int i = 0; i < 100; ++i) {
-            acne += worth(b, i) < harder * need(i);
-            gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
+            acne += equivalent_bias(b, i) < harder * need(i);
+            gap = std::max(gap, equivalent_bias(b, i) * std::sin(theta(i)));
         }
         t.needs.faint_acne = std::size_t(acne);
         t.error.artefacts[std::size_t(Artefact::PeterPanningOffset)] = std::size_t(b.normal * lost_by_normal);

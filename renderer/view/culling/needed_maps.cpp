@@ -186,8 +186,9 @@ private:
         }
         if (c.choice != ViewChoice::Map || last) return true;
         const MapRect rect = project(points).rect;
-        constexpr double kBeside = 1e-3;
-        return rect.hi.x >= -kBeside && rect.hi.y >= -kBeside && rect.lo.x <= 1 + kBeside && rect.lo.y <= 1 + kBeside;
+        constexpr double kWideLayout = 1e-3;
+        return rect.hi.x >= -kWideLayout && rect.hi.y >= -kWideLayout && rect.lo.x <= 1 + kWideLayout &&
+               rect.lo.y <= 1 + kWideLayout;
     }
 };
 
