@@ -19,7 +19,7 @@ class LightMapCommand : public testing::Test {
 protected:
     fs::path folder_ = fresh_test_folder();
     const fs::path cache_ = fs::path(SI_TEST_OUTPUT_DIR) / "cache/shadow-inspector/light-maps";
-    /// The settings are new to the disk cache.
+    /// Azimuth of the light that no earlier run used, so that the disk cache misses.
     const std::string azimuth_ = std::to_string(10 + ::getpid() % 100000 * 1e-3);
 
     std::set<fs::path> kept() const {

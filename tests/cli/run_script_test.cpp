@@ -66,11 +66,11 @@ protected:
         return "export PATH=\"$PWD/bin:$PATH\" HOME=\"$PWD/home\" SI_SKIP_PACKAGES=1 FAKE=" + fails +
                "; unset NINJA_STATUS; " + command;
     }
-    /// @param fails failing part of the build; empty: none
+    /// Runs a command with the fake build. @param fails failing part of the build; empty: none
     ProcessResult run(const std::string& command, const std::string& fails = {}) const {
         return run_shell(among_fakes(command, fails), folder_);
     }
-    /// Returns the text that a terminal shows for `out`.
+    /// Runs a command on a terminal; `out` is the text that the terminal shows.
     ProcessResult run_on_terminal(const std::string& command) const {
         const std::string script = "cd '" + folder_.string() + "'; " + among_fakes(command);
         ProcessResult result;

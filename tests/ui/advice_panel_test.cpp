@@ -1,4 +1,4 @@
-// The panel of advice: what its buttons wish for, what it shows, and that what is applied is one step of undo.
+// Tests of the advice panel: requests of its buttons, displayed figures, and undo of applied advice.
 #include <gtest/gtest.h>
 
 #include <filesystem>

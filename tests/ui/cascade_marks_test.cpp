@@ -1,4 +1,4 @@
-// What the editor says and draws of a light's cascades.
+// Tests of cascade names and marks in the editor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace si::test {
 namespace {
 
-/// @param text without its spaces
+/// Returns whether the frame shows a text. @param text without its spaces
 bool prints(const UiHarness& ui, const std::u32string& text) {
     return ui.printed().find(text) != std::u32string::npos;
 }
@@ -31,7 +31,7 @@ TEST(CascadeMarks, MapViewerNamesTheShownCascade) {
     EXPECT_TRUE(prints(ui, U"cascade3of3")) << "past the last is the last";
 }
 
-// The choice is among the maps that the shown light has, wherever it is made.
+// Views are listed among the maps of the shown light, in every place of the choice.
 TEST(CascadeMarks, OnlyExistingViewsAreListedByName) {
     UiHarness ui(kWidth, kHeight);
     Settings& s = ui.state.settings;
@@ -55,7 +55,7 @@ TEST(CascadeMarks, OnlyExistingViewsAreListedByName) {
     s.lights[0].type = LightType::Point;
     EXPECT_EQ(names(), (std::vector<std::string>{"face +x", "face -x", "face +y", "face -y", "face +z", "face -z"}));
     EXPECT_TRUE(view_choices(s, nullptr, "view.face").empty());
-    // In the settings, too.
+    // The settings list the same views.
     s.view.face = 0;
     const auto printed = [&] {
         ui.frames(4);

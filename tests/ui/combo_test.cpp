@@ -1,5 +1,4 @@
-// Combos of the toolbars and settings: one press goes from one to the next, and a text without room ends in an
-// ellipsis.
+// Tests of combo boxes: one press moves from one combo to the next, and long texts end in an ellipsis.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -13,7 +12,7 @@
 namespace si::test {
 namespace {
 
-/// Of the map's header the combo of a setting.
+/// Finds a setting's combo in the map's header.
 ImGuiID combo_in_map(const char* key) {
     for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
         if (w->WasActive && std::string_view(w->Name).starts_with("editor/map_"))
@@ -50,7 +49,7 @@ TEST(Combo, PressThatClosesOneOpensTheNext) {
     ui.click(*file);
     ui.click(*at_shown);
     EXPECT_TRUE(only_open(shown)) << "a menu was open";
-    // What is pressed there is chosen.
+    // The pressed row is selected.
     const MapView before = ui.state.settings.view.map;
     ui.frames(2);
     const int wanted = before == MapView::Raw ? 1 : 0;

@@ -1,4 +1,5 @@
-// The dossier in the probe panel and the search for the least bias: buttons, undo, progress, and both on real frames.
+// Tests of the pixel diagnosis in the probe panel and of the search for the minimum bias: buttons, undo, progress, real
+// frames.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -142,7 +143,7 @@ TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorState& state = editor.model().state;
-    // A pixel that acne darkens: some on a grid of the picture.
+    // Finds a pixel darkened by acne, on a grid over the picture.
     const PixelDiagnosis* found = nullptr;
     PixelDiagnosis diagnosis;
     for (int y = 100; y < 400 && !found; y += 12)

@@ -1,4 +1,4 @@
-// Sweeps behind the editor: on a thread of their own, kept in a journal, cancelled and gone on with.
+// Tests of sweeps in the editor: run in a thread, kept in a journal, cancelled and continued.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -123,8 +123,7 @@ TEST(EditorSweep, CancelledSweepContinues) {
     {
         Swept s(boxes(state));
         s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
-        // Cancelled as soon as something is measured. An editor that never rests would keep a software driver's
-        // threads.
+        // Cancelled after the first result. An editor that never idles would starve a software driver's threads.
         while (s.facts().cases.empty() && s.editor.model().measuring()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             s.editor.frame();
@@ -143,7 +142,7 @@ TEST(EditorSweep, CancelledSweepContinues) {
     s.editor.settle();
     EXPECT_EQ(s.facts().cases.size(), 4u);
     EXPECT_TRUE(file_bytes(state / "sweep-1" / kJournalFile).starts_with(journal)) << "nothing is measured twice";
-    // Another sweep takes the place of the finished one.
+    // Another sweep replaces the finished one.
     SweepRequest other = kSweepRequest;
     other.axes = {"bias.constant=0,1"};
     s.ask([&](EditorRequests& a) { a.start_sweep = other; });
@@ -155,7 +154,7 @@ TEST(EditorSweep, CancelledSweepContinues) {
 TEST(EditorSweep, CancelledBeforeItsFirstResultLeavesNothing) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_left";
     fs::remove_all(state);
-    fs::create_directories(state / "sweep-1");  // somebody else's
+    fs::create_directories(state / "sweep-1");  // somebody else's folder
     Swept s(boxes(state));
     s.ask([](EditorRequests& a) {
         a.start_sweep = kSweepRequest;

@@ -1,4 +1,4 @@
-// The whole editor with the real renderer, drawn through EGL: what it shows is what the renderer drew.
+// Tests of the whole editor with the real renderer, drawn through EGL: the shown pictures are the renderer's.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -26,7 +26,7 @@ EditorOptions options(int width, int height, const std::vector<std::string>& set
     return o;
 }
 
-/// The log holds no line worse than information.
+/// Expects no line worse than information in the log.
 void expect_calm(const HeadlessEditor& editor) {
     for (const LogLine& line : const_cast<HeadlessEditor&>(editor).model().state.log.lines())
         EXPECT_EQ(line.kind, LogKind::Info) << line.text;
@@ -49,7 +49,7 @@ TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     HeadlessEditor editor(options(width, height, {"view.overlay=depth-difference"}));
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
     editor.model().state.window.open_tab = BottomTab::Probe;
-    editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read where the mouse is
+    editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read at the mouse position
     editor.settle();
     const ByteImage picture = editor.picture();
     write_png(kOut / ("editor_" + std::to_string(width) + "x" + std::to_string(height) + ".png"), picture);
@@ -76,7 +76,7 @@ TEST(Editor, ShowsThePixelsOfTheRenderer) {
     request.height = result.colour.height;
     const Scene scene = load_scene("boxes");
     const ByteImage alone = renderer.read_colour(renderer.render(scene, editor.model().state.settings, request).colour);
-    // Look for the picture near the upper left corner: it must be there to the bit.
+    // Search for the picture near the upper left corner; every bit must match.
     const auto equal_at = [&](int x0, int y0) {
         for (int y = 0; y < alone.height; y += 7)
             for (int x = 0; x < alone.width; x += 7) {
@@ -104,7 +104,7 @@ TEST(Editor, RedrawsTheSceneOnlyAfterAChange) {
 
 TEST(Editor, DrawsEveryOverlayAndMapView) {
     HeadlessEditor editor(options(1280, 720));
-    editor.mouse.at = glm::vec2(200, 250);  // numbers are read where the mouse is
+    editor.mouse.at = glm::vec2(200, 250);  // numbers are read at the mouse position
     editor.settle();
     const std::size_t overlays = find_setting("view.overlay")->param->choices().size();
     for (std::size_t overlay = 0; overlay < overlays; ++overlay) {

@@ -1,4 +1,4 @@
-// The effects panel: what it shows and asks for, what a click on a box does, and that hidden it costs nothing.
+// Tests of the effects panel: displayed states, requests, clicks on a checkbox, and no cost while hidden.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -182,7 +182,7 @@ TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
     ASSERT_TRUE(reset);
     ui.click(*reset);
     EXPECT_TRUE(ui.state.effects.forced.empty());
-    // By the row's own box, which lies in the last column.
+    // The row's checkbox, in the last column.
     bool clicked = false;
     for (float y = 680; y < 990 && !clicked; y += 6)
         for (float x = 1400; x < 1530 && !clicked; x += 8) {

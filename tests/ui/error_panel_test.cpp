@@ -1,5 +1,4 @@
-// The error panel, the artefact legend and the picture against another over made-up facts: that they fit, and what they
-// ask for.
+// Tests of the error panel, the artefact legend and the picture comparison over made-up facts: layout and requests.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -41,7 +40,7 @@ ReferenceFacts made_up_reference() {
             .height = 480};
 }
 
-/// Colours of all vertices of the last frame.
+/// Returns the colours of all vertices of the last frame.
 std::set<ImU32> colours() {
     std::set<ImU32> out;
     const ImDrawData* data = ImGui::GetDrawData();

@@ -1,4 +1,4 @@
-// Files chosen in the desktop's own dialog, on a bus of the tests' own.
+// Tests of the desktop's file dialog, on a private bus.
 #if defined(SI_FILE_PORTAL)
 #include "app/editor/file_portal.h"
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 using Answer = FilePortal::Answer;
 
-/// How often wake() was called, and a way to wait for the answer as the editor does, woken by it.
+/// Portal that counts calls of wake() and waits for answers as the editor does.
 struct WokenPortal {
     std::atomic<int> times = 0;
     FilePortal portal{[this] { ++times; }};

@@ -1,5 +1,5 @@
-// Frames on a thread of their own: the old picture stays with its numbers until the next is there, which is the bytes
-// of who waited.
+// Tests of frames drawn in a thread: the old picture stays with its numbers until the next is ready, and the next has
+// the bytes of a blocking draw.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -26,14 +26,14 @@ std::unique_ptr<HeadlessEditor> editor_of(std::optional<std::chrono::millisecond
     editor->settle();
     return editor;
 }
-/// Who waits for nothing.
+/// Editor that never waits for frames.
 std::unique_ptr<HeadlessEditor> hasty_editor() {
     return editor_of(std::chrono::milliseconds(0));
 }
 void choose(HeadlessEditor& editor, const char* kernel) {
     set_setting(editor.model().state.settings, "filter.kernel", kernel);
 }
-/// The scene's picture as it is shown.
+/// Returns the shown picture of the scene.
 Bytes shown(HeadlessEditor& editor) {
     const Image image = editor.model().facts().result->panes.front().picture;
     Bytes out(std::size_t(image.width) * std::size_t(image.height) * 4);
@@ -163,7 +163,7 @@ TEST(FrameLoader, EditorIdlesAfterShaderWarmUp) {
     EXPECT_EQ(warmup.done(), done);
 }
 
-/// The map fills the window, and there is no picture of the scene.
+/// Lets the map fill the window, so that no picture of the scene is drawn.
 TEST(FrameLoader, MapAloneFollowsItsSettings) {
     const auto editor = hasty_editor();
     EditorState& state = editor->model().state;

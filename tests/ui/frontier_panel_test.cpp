@@ -1,4 +1,4 @@
-// The frontier panel over made-up cases: what it asks for, what a click on a dot does, and that it fits.
+// Tests of the frontier panel over made-up cases: requests, clicks on dots, layout.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -12,7 +12,7 @@
 namespace si::test {
 namespace {
 
-/// Three cases of which the last is beaten, and present settings between them.
+/// Makes three cases, the last one dominated, with the present settings between them.
 SweepFacts made_up_sweep() {
     SweepFacts facts;
     facts.columns = measured_columns();
@@ -40,7 +40,7 @@ SweepFacts made_up_sweep() {
     return facts;
 }
 
-/// Where the last frame drew a filled circle of this colour: the middle of each run of its vertices.
+/// Returns the centres of filled circles of this colour in the last frame, one for each run of vertices.
 std::vector<glm::vec2> dots_of_colour(ImU32 colour) {
     std::vector<glm::vec2> dots;
     const ImDrawData* data = ImGui::GetDrawData();

@@ -1,4 +1,4 @@
-// What the mouse does to camera and light, and the lines of a frustum, against projection by hand.
+// Tests of mouse gestures on camera and light, and of frustum lines, compared with projection by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     const Scene scene = test::box_scene({{}});
     Settings s = manual(false);
     const Camera before = make_camera(scene, s, 1.6);
-    // A point in front of the target moves with the mouse.
+    // A point in front of the target follows the mouse.
     const glm::dvec3 front = target(s.camera) + before.axes[2];
     const double x = before.project(front, kPictureWidth, kPictureHeight).x;
     orbit(s.camera, 20, 0);
@@ -64,7 +64,7 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     EXPECT_LE(s.camera.azimuth, 180);
 }
 
-/// The picture as PictureView sees it.
+/// Picture as PictureView defines it.
 PictureView view_of(const Scene& scene, const Settings& s) {
     return {make_camera(scene, s, double(kPictureWidth) / kPictureHeight), {0, 0}, {kPictureWidth, kPictureHeight}, 1};
 }
@@ -110,7 +110,7 @@ TEST(Gesture, FlyingMovesEyeAndTargetEqually) {
                      expected = 2.0 * before.axes[0] + glm::dvec3(0, 0.5, 0) - 3.0 * before.axes[2];
     EXPECT_NEAR(glm::distance(moved, expected), 0, 1e-9);
     EXPECT_EQ(after.axes, before.axes);
-    // Under parallel rays things grow only when less is seen.
+    // Objects grow under parallel rays only if the view gets smaller.
     Settings parallel = manual(true);
     fly(parallel.camera, {0, 0, 3});
     EXPECT_NEAR(parallel.camera.height, 9 * std::exp(-3.0 / 12), 1e-9);

@@ -1,4 +1,4 @@
-// The panel of the frame's numbers: what it asks for and shows, and that a click on a finding shows its texel.
+// Tests of the panel of numeric health: requests, displayed findings, and clicks on a finding.
 #include <gtest/gtest.h>
 
 #include "tests/ui/ui_harness.h"

@@ -1,4 +1,4 @@
-// Undo and redo of gestures, and the log.
+// Tests of undo and redo of gestures, and of the log.
 #include "ui/state/history.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(History, NoteWithoutAChangeBelongsToTheCurrentStep) {
     h.set_place({"boxes", {}});
     h.reset(s);
     h.set_place({"boxes", {"acne", "Shadow acne", "Look."}});
-    h.observe(s, false);  // a preset that is equal to what is shown
+    h.observe(s, false);  // a preset equal to the shown settings
     EXPECT_EQ(h.place().guide.key, "acne");
     EXPECT_FALSE(h.can_undo());
     h.set_place({"boxes", {}});

@@ -1,4 +1,4 @@
-// Single keys that change settings, over made-up frames. The real window replays them in its jobs.
+// Tests of single keys that change settings, over made-up frames. The real window replays them in its jobs.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -52,7 +52,7 @@ TEST_F(Keys, CWithoutAFixChangesNothing) {
 TEST_F(Keys, CPressedBeforeTheVerdictAppliesLater) {
     PixelDiagnosis stale;
     stale.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
-    ui.diagnoses = {stale};  // of the picture before
+    ui.diagnoses = {stale};  // diagnosis of the previous picture
     ui.verdict_follows = true;
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
@@ -73,7 +73,7 @@ TEST_F(Keys, CPressedBeforeTheVerdictAppliesLater) {
     settings().bias.slope = 1;
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 1) << "once";
-    // While X looks for a pixel, it is of that one.
+    // X's search replaces the pixel.
     ui.state.probe_pixel.reset();
     ui.state.artefact_tour.waits_for = 5;
     key('C');
@@ -85,7 +85,7 @@ TEST_F(Keys, CPressedBeforeTheVerdictAppliesLater) {
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;
     ui.frames(2);
-    // A click chooses another pixel, of which nothing was wished.
+    // A click selects another pixel, without a pending request.
     ui.verdict_follows = true;
     key('C');
     ui.click(ui.state.viewport.view->origin + 0.3 * ui.state.viewport.view->size);
@@ -104,7 +104,7 @@ TEST_F(Keys, PageDownOnlyOpensAPreset) {
     ImGui::SetWindowFocus("editor");
     const auto search = ui.find("editor/settings", "search", "##text");
     ASSERT_TRUE(search);
-    ui.click(*search + glm::vec2(0, 60));  // among the settings
+    ui.click(*search + glm::vec2(0, 60));  // a click among the settings
     const ImGuiID focused = ImGui::GetCurrentContext()->NavId;
     io.KeysDown[402] = true;
     const EditorRequests request = ui.frame();
@@ -202,9 +202,9 @@ TEST_F(Keys, LetterThatArrivesWithTheClickIntoAFieldIsOnlyTyped) {
     ui.frames(2);
     EXPECT_EQ(ui.state.settings_panel.search, "l");
     EXPECT_EQ(settings(), before) << "the view went through the light";
-    // Beside any field the key acts, with a press or without.
+    // Outside fields the key acts, with a press or without.
     ui.state.settings_panel.search.clear();
-    ui.click({4, 4});  // which leaves the field
+    ui.click({4, 4});  // leaves the field
     ui.frames(2);
     ui.press(true);
     ImGui::GetIO().KeysDown['L'] = true;

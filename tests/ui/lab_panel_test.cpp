@@ -1,4 +1,4 @@
-// The lab's sliders, what its buttons wish for and what it shows, and both measurements in a real editor.
+// Tests of the lab: sliders, requests of buttons, displayed results, and both measurements in a real editor.
 #include <gtest/gtest.h>
 
 #include "app/base/output.h"

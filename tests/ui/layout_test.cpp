@@ -1,4 +1,4 @@
-// How the window is divided: the scene first, and nothing moves by itself.
+// Tests of the window's layout: the scene is largest, and nothing moves by itself.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -71,7 +71,7 @@ TEST(Layout, PictureKeepsItsPlaceForEveryChoice) {
 }
 
 TEST(Layout, HiddenPartsKeepNothingAwake) {
-    // A tab that is to be opened waits until there are tabs again.
+    // A requested tab waits until tabs are shown.
     Shown ui(1280, 720);
     ui.state.tab = BottomTab::Effects;
     ui.state.window.maximised = si::Panel::Scene;
@@ -117,7 +117,7 @@ TEST(Layout, KeyMaximisesAndRestoresAPanel) {
 TEST(Layout, DoubleClickOnATitleMaximisesAndRestores) {
     Shown ui(1280, 720);
     const auto double_click = [&](glm::vec2 at) {
-        ui.frames(30);  // none of the clicks before counts
+        ui.frames(30);  // earlier clicks no longer count
         ui.click(at);
         ui.click(at);
         ui.frames(2);
@@ -341,7 +341,7 @@ TEST(Layout, TabsAreAsHighAsTheChosenTab) {
     ASSERT_EQ(ui.state.tab, BottomTab::Probe);
     EXPECT_EQ(height(), at_first) << "what opens a tab besides moves nothing";
     const auto tab = [&](const char* label) {
-        // Tabs are told apart by their bar's ID.
+        // Tabs are identified by their bar's ID.
         return ui.find("editor/bottom",
                        [&](unsigned window) { return ImHashStr(label, 0, ImHashStr("bottom", 0, window)); });
     };
@@ -410,7 +410,7 @@ TEST(Layout, WindowOfItsMinimumSizeNeedsNoScrolling) {
     EXPECT_EQ(window->ScrollMax.y, 0);
 }
 
-/// A search for each is no remedy: what is turned every day is there at a glance.
+/// Frequent settings must be visible without a search.
 TEST(Layout, FrequentSettingsNeedNoScrolling) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {2560, 1440, 2.0f}}) {
         Shown ui(w, h, scale);
@@ -494,7 +494,7 @@ TEST(Layout, HelpIsShort) {
     }
 }
 
-/// Where two columns have no room there is one, which scrolls.
+/// Narrow settings have one column, which scrolls.
 TEST(Layout, HelpFitsASmallWindow) {
     Shown ui(640, 400);
     ui.state.window.show_shortcuts = true;

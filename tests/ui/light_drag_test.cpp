@@ -1,4 +1,4 @@
-// Handles dragged by a known way on the screen against what that way is in the world.
+// Tests of light handles: a known drag on the screen is compared with the change in the world.
 #include "ui/scene_view/light_drag.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMetresPerPixel = 0.05;
 
-/// Looks along -z with parallel rays: x to the right, y up, 5 cm a pixel; (0, 0, 0) at the picture's middle.
+/// Returns a view along -z with parallel rays: x to the right, y up, 5 cm a pixel, the origin in the centre.
 PictureView front_view() {
     PictureView v;
     v.camera.orthographic = true;
@@ -61,7 +61,7 @@ struct Case {
     }
     FittedLight fitted() const { return fit_lights(scene, settings)[0]; }
     LightPose pose() const { return light_pose(light, fitted(), 0); }
-    /// Drags the handle by so many pixels of the screen (y down) and takes the result as the light.
+    /// Drags a handle by screen pixels (y down) and applies the result to the light.
     void drag(LightHandle h, const PictureView& v, glm::dvec2 by, double step = 0) {
         const LightPose start = grab_light(pose(), h, fitted());
         const auto at = v.point(handle_place(start, h, v));
@@ -125,8 +125,7 @@ TEST(LightDrag, TargetOfASpotLightMovesAlone) {
 
 TEST(LightDrag, PlanesMoveAlongTheAxis) {
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
-        Case c(
-            type);  // from +x; near and far are to the left of the light. The first face of a point light looks to +x.
+        Case c(type);  // from +x; near and far are to the left of the light. The first face of a point light faces +x.
         const double sign = type == LightType::Point ? 1 : -1;
         const LightView before = c.fitted().views[0];
         c.drag(LightHandle::Near, front_view(), {sign * 8, 31});
@@ -161,7 +160,7 @@ TEST(LightDrag, PlanesStayInOrderAndInFrontOfTheLight) {
 TEST(LightDrag, DirectionalLightMovesBackForItsNearPlane) {
     Case c(LightType::Directional);
     const LightView before = c.fitted().views[0];
-    const double wanted = before.curve.near + 7;  // metres towards the light, and beyond it
+    const double wanted = before.curve.near + 7;  // metres towards the light, and past it
     c.drag(LightHandle::Near, front_view(), {wanted / kMetresPerPixel, 0});
     const LightView after = c.fitted().views[0];
     EXPECT_GT(c.light.near, 0);
@@ -191,7 +190,7 @@ TEST(LightDrag, ExtentIsTheDistanceFromTheAxis) {
 }
 
 TEST(LightDrag, ConeOpensToTheMouse) {
-    Case c(LightType::Spot);  // from +x: its axis is -x, and the rim's handles up and down lie in the picture's plane
+    Case c(LightType::Spot);  // from +x: its axis is -x, and the rim's handles up and down are in the picture plane
     for (const double cone : {50.0, 220.0})
         for (const LightHandle h :
              {LightHandle::ConeRight, LightHandle::ConeTop, LightHandle::ConeLeft, LightHandle::ConeBottom}) {
@@ -226,7 +225,7 @@ TEST(LightDrag, RangeFollowsTheMouseAndChangesNothingElse) {
         const double along = type == LightType::Spot ? std::cos(25 * kDegree) : 0;  // on the rim, or across
         EXPECT_NEAR(glm::dot(way, -c.pose().to_light), along, 1e-12);
         const LightSettings before = c.light;
-        // On the screen the handle moves by the part of its way that lies across the line of sight.
+        // On the screen the handle moves by the component across the line of sight.
         c.drag(LightHandle::Range, v, glm::dvec2(way.x, -way.y) * (2 / kMetresPerPixel));
         EXPECT_NEAR(c.light.range, 10, 1e-6);
         c.drag(LightHandle::Range, v, glm::dvec2(way.x, -way.y) * (1.3 / kMetresPerPixel), 0.5);
@@ -297,8 +296,7 @@ TEST(LightDrag, HandlesStayUnderTheMouseInPerspective) {
                     c.light = first.light;
                     const LightHandle h = placed.handle;
                     const LightPose start = grab_light(c.pose(), h, c.fitted());
-                    // What moves along a line is dragged along it; a cone's rim may be dragged anywhere, and the rest
-                    // too.
+                    // Handles of a line are dragged along the line; a cone's rim and other handles in any direction.
                     glm::dvec2 to = placed.on_screen + by;
                     if (is_axis(h) || is_extent(h) || h == Near || h == Far) {
                         const glm::dvec3 way = h == Near || h == Far ? start.view.axes[2] : handle_way(start, h);
@@ -313,7 +311,8 @@ TEST(LightDrag, HandlesStayUnderTheMouseInPerspective) {
                     }
                     const auto now = v.point(handle_place(c.pose(), h, v));
                     ASSERT_TRUE(now);
-                    // An arrow has its length on the screen, so that its tip comes nearer or farther with the light.
+                    // An arrow has a fixed length on the screen, so that the distance of its tip changes with the
+                    // light.
                     const double tolerance = is_axis(h) ? 3 : 1e-6;
                     EXPECT_LT(glm::distance(*now, to), tolerance) << handle_name(h) << " of type " << int(type);
                     ++tried;
@@ -406,7 +405,7 @@ TEST(LightHandles, FittedLightHasATargetOnlyIfItHasAPosition) {
 }
 
 TEST(LightHandles, HandlesAlongTheLineOfSightCannotBeDragged) {
-    Case c(LightType::Directional, 0, 0);  // from +z, where the camera is
+    Case c(LightType::Directional, 0, 0);  // from +z, the camera's side
     for (const PlacedHandle& h : place_handles(c.pose(), front_view()))
         EXPECT_TRUE(h.handle != LightHandle::Near && h.handle != LightHandle::Far && h.handle != LightHandle::AxisZ)
             << handle_name(h.handle);

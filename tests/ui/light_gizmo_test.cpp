@@ -1,4 +1,4 @@
-// Handles of the shown light and marks of the others under a synthetic mouse, in the whole editor.
+// Tests of light handles and light marks under a synthetic mouse, in the whole editor.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -11,7 +11,7 @@
 namespace si::test {
 namespace {
 
-/// An editor whose camera sees all of the light and its frustum.
+/// Editor whose camera shows all of the light and its frustum.
 struct Gizmo {
     UiHarness ui{kWidth, kHeight};
     Settings& settings = ui.state.settings;
@@ -148,7 +148,7 @@ TEST(LightGizmo, OnlyLightsOfSettingsAndFrameAreShown) {
     g.ui.frames(2);
     ASSERT_TRUE(g.ui.state.viewport.hovered_light);
     EXPECT_EQ(g.ui.state.viewport.hovered_light->light, 1);
-    g.ui.frame_settings = g.settings;  // the frame of a moment ago
+    g.ui.frame_settings = g.settings;  // the previous frame
     g.settings.light_count = 1;
     g.ui.frames(2);
     EXPECT_FALSE(g.ui.state.viewport.hovered_light) << "of a light that is gone";

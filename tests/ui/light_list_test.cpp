@@ -1,4 +1,4 @@
-// Lights added, copied, deleted and reordered: as functions on settings, and by their buttons.
+// Tests of adding, copying, deleting and reordering lights, as functions on settings and by buttons.
 #include "ui/state/light_list.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace si::test {
 namespace {
 
-/// Lights with azimuths 10, 20, ...
+/// Makes lights with azimuths 10, 20, ...
 Settings with_lights(int count) {
     Settings s;
     s.light_count = count;
@@ -104,7 +104,7 @@ TEST(LightList, SoloTogglesTheOtherLights) {
 
 constexpr int kF2 = 291;
 
-/// The ID of a widget in a light's line, below the window's.
+/// Returns the ID of a widget in a light's line, below the window's ID.
 auto in_line(int light, const char* label, const char* within = nullptr) {
     return [=](ImGuiID id) {
         id = ImHashStr("lights", 0, ImHashStr("light", 0, id));  // the table
@@ -166,7 +166,7 @@ TEST_F(LightTable, F2RenamesTheShownLight) {
     EXPECT_EQ(light(1).name, "key");
     EXPECT_NE(ui.printed().find(U"1key"), std::u32string::npos) << "in the place of its type";
     EXPECT_EQ(ui.state.history.undo().lights[1].name, "") << "one step";
-    // What is typed takes the place of the old name; Escape leaves it.
+    // Typed text replaces the old name; Escape discards it.
     key(kF2);
     ui.type("fill");
     key(ImGui::GetKeyIndex(ImGuiKey_Escape));

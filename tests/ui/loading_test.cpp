@@ -1,4 +1,4 @@
-// Scenes read in the background: the reader is a puppet, so that nothing depends on how fast the machine is.
+// Tests of scene loading in the background. The tests control the reader, so nothing depends on the machine's speed.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -28,13 +28,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Reads "boxes" under any name but "plane", as far as the test lets it.
+/// Reader that the test advances. Any name but "plane" reads "boxes".
 class Puppet {
 public:
     SceneReader reader() {
         return [this](const std::string& name, const GltfOptions& options) { return read(name, options); };
     }
-    /// Returns once the reader has reported that much.
+    /// Returns once the reader has reported this progress.
     void advance(double progress) {
         std::unique_lock lock(mutex_);
         wanted_ = progress;
@@ -61,7 +61,7 @@ private:
         started_.push_back(name);
         most_ = std::max(most_, ++reading_);
         bool finished = false;
-        // A minute at most: an editor that never cancels shall fail its test, not hang it.
+        // A limit of one minute: an editor that never cancels fails its test instead of hanging it.
         for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end;) {
             if (!options.progress(wanted_)) {
                 cancelled_.push_back(name);
@@ -99,7 +99,7 @@ std::string last_line(HeadlessEditor& editor) {
     return editor.model().state.log.lines().back().text;
 }
 
-/// An editor that shows "plane" and reads `name` under the puppet's hand.
+/// Editor that shows "plane" and reads `name` with the controlled reader.
 struct Loading {
     Puppet puppet;  // outlives the editor, whose thread uses it
     HeadlessEditor editor{plane(), puppet.reader()};
@@ -134,7 +134,7 @@ TEST(Loading, EditorDrawsTheOldSceneAndTheProgress) {
         before = picture;
     }
     const std::uint64_t scene = model.facts().scene->id;
-    model.state.settings.view.overlay = 2;  // the old scene is still worked on
+    model.state.settings.view.overlay = 2;  // the old scene is still in use
     l.editor.frame();
     ASSERT_TRUE(model.facts().result);
     EXPECT_NE(model.facts().result->overlay.texture, 0u);
@@ -290,7 +290,7 @@ TEST(Loading, FailedFirstSceneLeavesAWorkingEditor) {
     EXPECT_EQ(model.state.tab, BottomTab::Log);
     EXPECT_FALSE(model.facts().result);
     EXPECT_THROW(model.require_scene(), Error);
-    // Keys and buttons that need a scene do no harm.
+    // Keys and buttons that need a scene have no effect.
     EditorRequests requests = editor.frame();
     requests.copy_command_line = true;
     model.fulfil(requests);
@@ -393,7 +393,7 @@ TEST(Loading, RemainingTimeIsEstimatedOnceKnown) {
     EXPECT_EQ(seconds_text(8.2), "9 s");
     EXPECT_EQ(seconds_text(130), "3 min");
 
-    // It is seen: the strip with it has more to draw.
+    // The strip with the progress has more to draw.
     test::UiHarness ui(1280, 720);
     const auto vertices = [&](const LoadingFacts& facts) {
         ui.loading = facts;
@@ -427,7 +427,7 @@ TEST(Loading, CancelButtonIsOverThePicture) {
     const Settings before = ui.state.settings;
     EXPECT_TRUE(cancelled_by_a_click());
     EXPECT_EQ(ui.state.settings, before);
-    ui.with_facts = false;  // there is a strip where there is no picture yet
+    ui.with_facts = false;  // a strip without a picture
     EXPECT_TRUE(cancelled_by_a_click());
 }
 

@@ -1,4 +1,4 @@
-// The map viewer with the real renderer: which pixel reads which texel, the plots, saving.
+// Tests of the map viewer with the real renderer: read texels of pixels, plots, saving.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ EditorOptions options(const std::string& scene = "boxes") {
     return o;
 }
 
-/// Finds a place over a picture: the first on a coarse grid for which `found` holds after the editor has settled.
+/// Returns the first position of a coarse grid over a picture for which `found` holds after the editor has settled.
 std::optional<glm::vec2> hover(HeadlessEditor& editor, glm::vec2 from, glm::vec2 to, const auto& found) {
     for (float y = from.y; y < to.y; y += 23) {
         for (float x = from.x; x < to.x; x += 23) {
@@ -71,7 +71,7 @@ TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
 
 TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
     EditorOptions o = options();
-    o.session.sets.push_back("map.resolution=64");  // texels that many pixels read
+    o.session.sets.push_back("map.resolution=64");  // texels read by many pixels
     HeadlessEditor editor(o);
     editor.model().state.layout = test::kWideLayout;
     editor.settle();
@@ -94,7 +94,7 @@ TEST(MapViewer, LinksAreReadOnlyDuringHover) {
     EXPECT_FALSE(editor.frame().want_links);
 }
 
-// Exactly read are all texels of the squares about kernels where a kernel reads all of its square, and fewer else.
+// The exact set equals the squares around kernels for kernels that read their whole square, and is smaller otherwise.
 TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
     const auto shares = [](const std::string& kernel, const char* picture) {
         EditorOptions o = options();
@@ -177,7 +177,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
     EXPECT_EQ(magic, "Pf");
     EXPECT_EQ(width, editor.model().facts().result->map_view_size.x);
     EXPECT_EQ(height, width);
-    editor.settle();  // saving drew other passes: the editor's picture is whole again
+    editor.settle();  // saving drew other passes: wait for the editor's picture
     EXPECT_NE(editor.model().facts().result->colour.texture, 0u);
 
     requests.save_map = "/no/such/folder/map.pfm";

@@ -1,4 +1,4 @@
-// Zoom and pan of the map viewer by synthetic mouse, and what it says of a texel.
+// Tests of zoom and pan in the map viewer by synthetic mouse, and of texel read-outs.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -98,7 +98,7 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhileShown) {
 TEST(MapWindow, CheckboxRequestsExactTexelsWhileTheMapIsShown) {
     MapViewer m(1400);
     m.ui.state.layout.settings_width = 14;
-    m.ui.state.layout.map_share = 0.85f;  // its box has room in the row
+    m.ui.state.layout.map_share = 0.85f;  // its checkbox fits the row
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
     const auto box = m.ui.find("editor/map", "", "Texels read");
     ASSERT_TRUE(box);
@@ -144,7 +144,7 @@ TEST(MapWindow, LightIsSelectedByName) {
     m.ui.click(*lamp);
     EXPECT_EQ(s.view.light, 2);
     EXPECT_EQ(m.ui.state.history.undo().view.light, 0);
-    // A number past the last is the last.
+    // A number above the last selects the last.
     s.view.light = 5;
     m.ui.frames(3);
     EXPECT_FALSE(m.ui.drawn().shows("not there"));

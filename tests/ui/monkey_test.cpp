@@ -1,5 +1,5 @@
-// A monkey at the editor's window: events by chance from a seed. It lives on, the driver has nothing to complain of,
-// all numbers are sound, and at rest the editor holds what it held before.
+// Random test of the editor's window: seeded events. The editor survives, the driver reports no error, all numbers are
+// finite, and the idle editor's memory is as before.
 //
 //     SI_MONKEY_EVENTS=20000 SI_MONKEY_SEED=7 build/release/tests/test_ui --gtest_filter='*Monkey*'
 #include "tests/ui/monkey.h"
@@ -29,17 +29,18 @@ using Json = nlohmann::json;
 
 constexpr int kUsualEvents = 90;
 constexpr std::uint32_t kUsualSeed = 1;
-constexpr int kStableReports = 3;   ///< reports in a row that hold as much as the one before
-constexpr int kMaxReports = 60;     ///< until the editor is at rest: it may be told to trace for long
-constexpr int kPrintedEvents = 40;  ///< of the events before an end
-constexpr int kMaxPrograms = 150;   ///< of the editor's renderers: one keeps 64, or all that its frame uses
-constexpr auto kDropped = 20s;      ///< what a drop is waited for: a modal loop of X may take none
-/// Bytes by which two rests may differ: a probe and its texels (up to 32 MiB of this map), what overlays keep (30), a
-/// picture held against another (15), the truth of the last picture that asked for it with its surfaces (80).
+constexpr int kStableReports = 3;   ///< successive reports with equal memory
+constexpr int kMaxReports = 60;     ///< limit of reports until the editor is idle: a reference may take long
+constexpr int kPrintedEvents = 40;  ///< printed events before an end
+constexpr int kMaxPrograms = 150;   ///< limit for the editor's renderers: one keeps 64 programs, or all of its frame
+constexpr auto kDropped = 20s;      ///< time limit of a drop: a modal loop of X may take none
+/// Bytes by which idle editors may differ: a probe with texels (up to 32 MiB of this map), overlays (30 MiB), a
+/// compared picture (15 MiB), the last reference with its surfaces (80 MiB). picture held against another (15), the
+/// truth of the last picture that asked for it with its surfaces (80).
 constexpr std::uint64_t kLeftOver = 160u << 20;
-constexpr int kEventsBetweenChecks = 2000;  ///< after so many of them the editor is looked at while it rests
-/// Bytes that stay resident at rest, whatever was before: the program and its driver (some 250 MiB), 64 programs of
-/// some 4 MiB each, what is held by name, and half as much again.
+constexpr int kEventsBetweenChecks = 2000;  ///< events between two checks of the idle editor
+/// Limit of resident bytes of an idle editor: the program and its driver (some 250 MiB), 64 programs of 4 MiB each,
+/// reported memory, and half as much again.
 constexpr std::uint64_t kMaxResidentBytes = 1200u << 20;
 
 class WindowMonkey : public Window {
@@ -54,7 +55,7 @@ protected:
         confinement_ = Confinement::to(folder_);
     }
 
-    /// Nothing outside the test's folder can be changed by what it starts.
+    /// Sandbox: only the test's folder can be changed.
     bool is_confined() const {
         if (!confinement_) return false;
         const fs::path outside = fs::path(SI_TEST_OUTPUT_DIR) / "monkey_was_outside", inside = work_ / "inside";
@@ -97,23 +98,23 @@ protected:
         }
     }
 
-    /// The same state, whatever was before. Returns what the editor then says of itself.
+    /// Brings the editor to a fixed state. Returns its report.
     Json idle_report() {
         for (const char* key : {"ctrl", "shift", "alt", "super"}) xdotool(fmt::format("keyup {}", key));
         for (const char* button : {"1", "2", "3"}) xdotool(fmt::format("mouseup {}", button));
         xdotool(fmt::format("windowsize {} 1280 720", window_));
         for (int i = 0; i < 4; ++i) xdotool("key Escape");
-        // Anew: once it is opened, the monkey may have saved something else over it.
+        // Written again: the monkey may have overwritten the file.
         save_preset({.title = "", .topic = "", .about = "", .scene = "boxes", .settings = {}}, folder_ / "rest.json");
         drop_file(window_, folder_ / "rest.json", 300, 300, 10min);
         shows("boxes");
-        // The scene alone, and the pointer off it: no panel that was left open and no pixel asks for anything.
+        // The scene alone, and the pointer outside: no open panel and no hovered pixel requests anything.
         xdotool("mousemove 100 200");
         wait_until_idle();
         xdotool("key F11");
         wait_until_idle();
         xdotool("mousemove 1240 18");
-        // The report is written every few seconds, while nothing is drawn, too. At rest nothing in it changes.
+        // The report is written every few seconds, also without frames. An idle editor's report does not change.
         Json report, last;
         auto written = fs::file_time_type::min();
         int alike = 0;
@@ -154,7 +155,7 @@ protected:
         return text;
     }
 
-    /// In which no name ends in what the file dialogs list: nothing that is saved can take its place.
+    /// Returns a path that the file dialogs do not list, so that no saved file can replace it.
     fs::path report_file() const { return folder_ / "session.report"; }
 
     fs::path work_;
@@ -188,7 +189,7 @@ TEST_F(WindowMonkey, DoesNoHarm) {
         out << events[i] << std::endl;
         ASSERT_NO_FATAL_FAILURE(play(events[i]));
         if (!program_->running()) {
-            // It may have been asked to end, by the menu.
+            // The menu may have closed the editor.
             std::string last;
             for (std::size_t k = i + 1 - std::min<std::size_t>(i + 1, kPrintedEvents); k <= i; ++k)
                 last += events[k] + "\n";

@@ -1,4 +1,4 @@
-// The tree of objects and the menu of the object under the mouse: rows, sorting, several at once.
+// Tests of the object tree and the scene's context menu: rows, sorting, multiple selection.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -29,7 +29,7 @@ protected:
                 if (std::string(t->InnerWindow->Name).find("objects") != std::string::npos) return t;
         return nullptr;
     }
-    /// Where a widget of this ID stands between two sides; nothing where it is not on view.
+    /// Returns the vertical position of a widget by its ID between two limits; nothing if the widget is not visible.
     std::optional<glm::vec2> seek(ImGuiID id, float left, float right, float step) {
         ui.frames(2);
         const ImRect all = table()->OuterRect;
@@ -41,7 +41,7 @@ protected:
             }
         return {};
     }
-    /// A row's name, or the arrow before it.
+    /// Finds a row's name, or the arrow in front.
     std::optional<glm::vec2> row(const std::string& path) {
         const float left = table()->OuterRect.Min.x + 150;
         return seek(ImHashStr(("###" + path).c_str(), 0, table()->ID), left, left + 1, 10);
@@ -59,7 +59,7 @@ protected:
         ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyShift = false;
     }
     std::set<std::string> chosen() const { return selected_objects(ui.state); }
-    /// By their places in the table.
+    /// Columns by their position in the table.
     static std::vector<bool> columns() {
         std::vector<bool> shown;
         for (int i = 0; i < table()->ColumnsCount; ++i) shown.push_back(table()->Columns[i].IsEnabled);
@@ -156,7 +156,7 @@ TEST_F(ObjectsPanel, SelectionInTheSceneScrollsIntoView) {
         EXPECT_TRUE(row(path)) << path;
     }
     EXPECT_TRUE(ui.state.objects.closed_nodes.empty());
-    // What the list itself chooses moves nothing.
+    // Selection in the list scrolls nothing.
     ui.state.layout.bottom_height = 34;
     select_objects(ui.state, std::vector<std::string>{"Stage/Ground"});
     ui.frames(4);
@@ -227,13 +227,13 @@ TEST(Pick, FindsTheFirstHitOfTheRay) {
     int met = 0, above = 0;
     for (const Object& o : scene.objects) {
         const Bounds b = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
-        // From right above its middle, straight down.
+        // A ray straight down, from above the centre.
         const Ray ray{b.centre() + glm::dvec3(0, 100, 0), {0, -1, 0}, 0};
         const std::string found = object_at(scene, ray);
         ASSERT_FALSE(found.empty());
         met += found == scene.nodes[std::size_t(o.node)].path;
         EXPECT_EQ(object_at(scene, {ray.origin, {0, 1, 0}, 0}), "") << "nothing above";
-        if (b.lo.y < 0.01) continue;  // it ends where the floor does
+        if (b.lo.y < 0.01) continue;  // it ends at the floor
         EXPECT_EQ(object_at(scene, {b.centre() - glm::dvec3(0, 100, 0), {0, 1, 0}, 0}), "Boxes/Floor");
         ++above;
     }

@@ -1,4 +1,4 @@
-// Every panel for every choice of every row; the widgets' behaviour by mouse.
+// Tests of every panel for every choice of every row, and of the widgets' behaviour by mouse.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -16,13 +16,13 @@
 namespace si::test {
 namespace {
 
-// Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
+// Positions at 1280 x 720: the search field, and the first row below its group's heading.
 constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
-constexpr float kCheckbox = 1091;  // the left end of the column of values, where checkboxes stand too
+constexpr float kCheckbox = 1091;  // left end of the column of values, which checkboxes use too
 
 const std::string kObjectPath = "Root/Box";
 
-/// Every value that a row's widget can be in: each choice, both states, or the ends and the middle.
+/// Returns every value of a row's widget: each choice, both states, or the ends and the middle.
 std::vector<Value> values_of(const SettingRef& ref) {
     const Param& p = *ref.param;
     const Value preset = default_value(ref);
@@ -156,8 +156,8 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
     }
 }
 
-// ImGui knows a widget by its ID: two widgets of one ID steal each other's clicks. Every ID may cover one stretch of
-// the column of values only.
+// ImGui identifies a widget by its ID: two widgets of one ID take each other's clicks. Each ID may cover only one
+// stretch of the column of values.
 TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     UiHarness ui(kWidth, 6000);  // tall enough to hold all rows
     ui.state.settings.light_count = 3;
@@ -179,7 +179,7 @@ TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     EXPECT_GE(closed.size(), rows);
 }
 
-/// Where the last frame drew something in this colour, whatever its opacity.
+/// Returns positions at which the last frame drew in this colour, whatever its opacity.
 std::vector<ImRect> drawn_in(const ImVec4& colour) {
     constexpr ImU32 kOpacity = IM_COL32_A_MASK;
     const ImU32 wanted = ImGui::ColorConvertFloat4ToU32(colour) & ~kOpacity;
@@ -255,7 +255,7 @@ TEST(Panels, TexelBiasIsUsefulOverItsWholeSlider) {
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
     const auto at = [&](float share) {
-        const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's middle, it ends at the window's
+        const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's centre, its end is the window's
         ui.move(kFirstValue), ui.press(true), ui.frames(2);
         ui.move(kFirstValue + glm::vec2((share - 0.5f) * wide * 0.8f, 0));
         ui.frames(2);
@@ -319,7 +319,7 @@ TEST(Panels, DepthBiasHasNoTrailingZeros) {
     EXPECT_NEAR(dragged, std::round(dragged), 1e-6) << "six digits after the point";
 }
 
-/// Labels are free texts: whoever writes a command or a preset finds the key in the tooltip.
+/// Labels are free texts: authors of commands and presets find the key in the tooltip.
 TEST(Panels, TooltipOfEverySettingShowsItsKey) {
     UiHarness ui(kWidth, 6000);                     // tall enough to hold all rows
     ui.state.settings_panel.search.assign(1, '.');  // a dot matches every key: all groups open
@@ -386,7 +386,7 @@ TEST(Panels, GroupsWithTheSearchedNameComeFirst) {
         ui.state.settings_panel.search = search;
         ui.frames(3);
         const auto a = ui.drawn().find(first, 0), b = ui.drawn().find(second, 0);
-        return a && (!b || a->y < b->y);  // else it is scrolled to
+        return a && (!b || a->y < b->y);  // otherwise the second is scrolled out of view
     };
     EXPECT_TRUE(above("light", U"Azimuth", U"Slopebias"));
     EXPECT_TRUE(above("camera", U"Scene'scamera", U"Splitlambda"));
@@ -431,7 +431,7 @@ TEST(Panels, CtrlClickAcceptsAnyValueInRange) {
     ui.click(kFirstValue);
     ImGui::GetIO().KeyCtrl = false;
     ui.type("777");
-    ui.click(kPicture + glm::vec2(0, 300));  // elsewhere
+    ui.click(kPicture + glm::vec2(0, 300));  // another place
     EXPECT_EQ(ui.state.settings.map.resolution, 777);
 }
 
@@ -501,7 +501,7 @@ TEST(Panels, SplittersKeepTheirPlaces) {
     UiHarness ui(kWidth, kHeight);
     const int before = ui.frames(3).scene_width;
     float x = 0;
-    for (float probe = 500; probe < 600 && x == 0; probe += 2) {  // the splitter beside the picture
+    for (float probe = 500; probe < 600 && x == 0; probe += 2) {  // the splitter between scene and map
         ui.move({probe, 300});
         ui.frames(2);
         if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) x = probe;
@@ -513,7 +513,7 @@ TEST(Panels, SplittersKeepTheirPlaces) {
     EXPECT_EQ(ui.frames(30).scene_width, after);
 }
 
-/// Presses, moves by `by` and releases over a grid until something happened.
+/// Drags by `by` from the points of a grid until something happened.
 bool drag_somewhere(UiHarness& ui, glm::vec2 from, glm::vec2 to, glm::vec2 by, const auto& happened) {
     for (float y = from.y; y < to.y; y += 5)
         for (float x = from.x; x < to.x; x += 5) {
@@ -562,7 +562,7 @@ TEST(Panels, ObjectListEditsOneObjectAtATime) {
     ui.state.settings.objects[other].cull = ObjectCull::Back;
     ui.frames(3);
     const Settings before = ui.state.settings;
-    // Checkboxes stand somewhere at the right of the list: a click changes one, another click restores it.
+    // Checkboxes are at the right of the list: a click changes one, another click restores it.
     std::set<std::string> changed;
     for (float y = 540; y < 690; y += 12)
         for (float x = 775; x < 905; x += 10) {
@@ -603,7 +603,7 @@ TEST(SettingsPanel, ShowsOnlySettingsOfTheSelectedKernel) {
     set_setting(ui.state.settings, "filter.kernel", "vsm");
     EXPECT_FALSE(shows(U"Blockertaps"));
     EXPECT_TRUE(shows(U"Light-bleedreduction"));
-    // By name it is found under every kernel, greyed.
+    // A search by name shows the setting under every kernel, greyed.
     ui.state.settings_panel.search = "blocker";
     EXPECT_TRUE(shows(U"Blockertaps"));
 }

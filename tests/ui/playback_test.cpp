@@ -1,4 +1,4 @@
-// Playing an animation: the bar below the pictures, the clock, undo, and lights that follow.
+// Tests of animation playback: the bar below the pictures, the clock, undo, and animated lights.
 #include "ui/state/playback.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using test::GltfFile;
 using test::Json;
 
-/// A floor, and two animations of a node that carries a sun: "rise" of half a second and "noon" of one key.
+/// Makes a floor and two animations of a node with a sun: "rise" of half a second and "noon" of one key.
 GltfFile moving_sun() {
     GltfFile file;
     const int floor = file.floats({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3}, "VEC3");
@@ -43,7 +43,7 @@ struct Bar {
         ui.scene = moving_sun().load();
         ui.frames(3);
     }
-    /// A point of the bar, `share` of its width from the left.
+    /// Returns a point of the bar, `share` of its width from the left.
     glm::vec2 at(float share) const {
         for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
             if (std::string_view(w->Name).find("/time_") != std::string_view::npos)
@@ -134,7 +134,7 @@ TEST(Playback, LoopsOrStopsAtTheLastKeyAndRestarts) {
     bar.space();
     bar.ui.frames(3);
     EXPECT_NEAR(bar.time(), 0.1, 1e-6) << "from the start again";
-    // An animation of one key, and the rest pose, have no time to play.
+    // An animation of one key, and the rest pose, have no duration.
     for (const int still : {1, -1, 7}) {
         bar.ui.state.settings.scene.animation = still;
         bar.ui.frames(2);
@@ -220,7 +220,7 @@ TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     editor.frame();
     EXPECT_EQ(state.settings, stopped);
     EXPECT_FALSE(state.history.can_redo());
-    // Typed instead of played: the light that follows is part of that step.
+    // Typed time: the animated light is part of the same step.
     state.settings.scene.time = 0.5;
     for (int i = 0; i < 3; ++i) editor.frame();
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
@@ -244,7 +244,7 @@ TEST(Playback, HeadlessEditorShowsTheTimeOfTheSettings) {
         EXPECT_EQ(editor.model().state.settings.scene.time, 0.25);
         EXPECT_NEAR(editor.model().state.settings.lights[0].elevation, 45, 1);
         ByteImage picture = editor.picture();
-        picture.data.resize(picture.data.size() * 440 / 720);  // below are times that passes took
+        picture.data.resize(picture.data.size() * 440 / 720);  // the rows below show measured times
         pictures.push_back(std::move(picture));
     }
     EXPECT_EQ(pictures[0].data, pictures[1].data);

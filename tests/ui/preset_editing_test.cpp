@@ -1,4 +1,4 @@
-// Presets in the editor: walked through, saved, compared, undone across scenes, and kept through a crash.
+// Tests of presets in the editor: stepping, saving, comparing, undo across scenes, and crash recovery.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -33,7 +33,7 @@ EditorOptions preset_options(const std::string& scene = "boxes") {
     return o;
 }
 
-/// A small editor: what is drawn does not matter here.
+/// Small editor; drawn pictures do not matter here.
 class PresetEditing : public testing::Test {
 protected:
     void SetUp() override { folder_ = fresh_test_folder(); }
@@ -87,7 +87,7 @@ TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     open();
     const std::vector<BuiltinPreset> all = builtin_presets();
     ASSERT_GT(all.size(), 30u);
-    state().window.maximised = Panel::Tabs;  // each is drawn by tests of its own
+    state().window.maximised = Panel::Tabs;  // each panel has tests of its own
     int walked = 0;
     for (const BuiltinPreset& p : all) {
         press(kPageDown);
@@ -121,7 +121,7 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyAfterConfirmation) {
     EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
     EXPECT_EQ(load_preset(path("mine.json")).scene, "boxes");
     EXPECT_FALSE(model().facts().unsaved);
-    // From now on it is the editor's own: no question, and its sentence stays.
+    // The file is now the editor's own: no question, and its sentence stays.
     state().settings.bias.constant = 4;
     editor_->settle();
     EXPECT_TRUE(model().facts().unsaved);
@@ -325,7 +325,7 @@ TEST_F(PresetEditing, CrashedSessionIsRestoredAndUndone) {
     editor_->settle();
     model().keep();
     const Settings lost = state().settings;
-    open(remembering());  // the one before ends without end()
+    open(remembering());  // the previous editor ends without end()
     ASSERT_TRUE(model().facts().lost);
     EXPECT_EQ(model().facts().lost->scene, "figures");
     write_png(fs::path(SI_TEST_OUTPUT_DIR) / "editor_lost_session.png", editor_->picture());
@@ -408,7 +408,7 @@ TEST_F(PresetEditing, WithoutAStateFolderNothingIsWritten) {
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-// What is copied draws what is shown.
+// The copied command draws the shown picture.
 TEST_F(PresetEditing, CopiedCommandLineDrawsTheSamePicture) {
     open();
     for (const char* key : {"acne", "front-culling-exceptions", "ninety-ten", "far-guard", "reversed-depth"}) {
@@ -424,7 +424,7 @@ TEST_F(PresetEditing, CopiedCommandLineDrawsTheSamePicture) {
         const std::string program = "shadow-inspector ";
         ASSERT_TRUE(command.starts_with(program)) << command;
         EXPECT_NE(command.find("--size 320x180"), std::string::npos) << command;
-        // Through a shell, as a person would; with a report to compare the settings.
+        // Through a shell, as a user would; with a report to compare the settings.
         const std::string line = "cd '" + folder_.string() + "' && env -u DISPLAY '" SI_PROGRAM "' " +
                                  command.substr(program.size()) + " --report report.json 2> errors.txt";
         ASSERT_EQ(std::system(line.c_str()), 0) << line << file_bytes(path("errors.txt"));

@@ -1,4 +1,5 @@
-// The panels around presets: strips, menu, comparison, dialogs; nothing cut off at any size, every button answers.
+// Tests of the panels around presets: strips, menu, comparison, dialogs; nothing is cut off at any size, every button
+// works.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -28,14 +29,14 @@ std::vector<PresetEntry> hard() {
     return list;
 }
 
-/// The window whose name holds `part`, as drawn in the last frame; null when it was not.
+/// Returns the window of the last frame whose name holds `part`; null if none.
 ImGuiWindow* window_of(const char* part) {
     for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
         if (w->WasActive && std::string_view(w->Name).find(part) != std::string_view::npos) return w;
     return nullptr;
 }
 
-/// Clicks along a row of pixels until something is wished for; the wishes of that frame.
+/// Clicks along a row of pixels until a request is made. Returns the requests of that frame.
 template <class Requested>
 std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, float y, Requested requested) {
     for (float x = x0; x < x1; x += 6) {
@@ -50,7 +51,7 @@ std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, flo
     return {};
 }
 
-/// Codes of their own: while no menu is open the editor keeps these keys from ImGui.
+/// Key codes of the page keys: without an open menu the editor hides them from ImGui.
 constexpr int kPageUp = 401, kPageDown = 402;
 void map_page_keys() {
     ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
@@ -81,7 +82,7 @@ TEST_P(PresetPanels, NothingIsCutOffAndPicturesKeepTheirSpace) {
     for (const PresetEntry& p : all) {
         ui.state.files.guide = {p.key, p.title, p.about};
         const EditorRequests requests = ui.frames(3);
-        // The view in which presets are compared stays where it is while one walks through them.
+        // The comparison view stays while presets are stepped.
         if (&p < &all[ui.presets.size()]) {
             if (!guided_height) guided_height = requests.scene_height;
             EXPECT_EQ(requests.scene_height, *guided_height) << p.key;
@@ -212,7 +213,7 @@ TEST(HardCasesMenu, OpensTheClickedCaseAndPageKeysStepOnlyCases) {
     ui.frames(2);
     const auto opened = [](const EditorRequests&) { return window_of("##Popup") != nullptr; };
     std::optional<EditorRequests> chosen;
-    // Right of the guided presets; the first popup that lists hard cases.
+    // To the right of the guided presets: the first popup that lists hard cases.
     for (float x = 380; x < 620 && !(chosen && chosen->load_preset->starts_with("hard/")); x += 24) {
         if (!click_along(ui, x, x + 6, 19, opened)) continue;
         ui.frames(3);
@@ -372,7 +373,7 @@ TEST(FileDialogs, TabCompletesAPathUpToItsAmbiguity) {
     EXPECT_EQ(completed("models/fox/"), "models/fox/fox.glb");
     EXPECT_EQ(completed("nothing"), "nothing");
     EXPECT_EQ(completed((folder.string() + "/my").c_str()), folder.string() + "/my.json");
-    // By the key, in the dialog.
+    // The key works in the dialog too.
     UiHarness ui(1280, 720);
     ask_for_file(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);

@@ -1,5 +1,5 @@
-// What the panels print is what their sources say: UTF-8, encoded once, in letters that the font has.
-// UiHarness::frame() looks at every frame of every test; here are windows so tall that nothing is cut off.
+// Tests of panel texts: UTF-8, encoded once, with letters of the font. UiHarness::frame() checks every frame; these
+// windows are so tall that nothing is cut off.
 #include <gtest/gtest.h>
 #include <imgui.h>
 

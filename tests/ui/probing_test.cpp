@@ -1,5 +1,4 @@
-// The probe in the whole editor: it sticks to its surface, arrow keys move it, the loupe shows its pixels; and the tour
-// of what is wrong.
+// Tests of the probe in the whole editor: its surface, arrow keys, the loupe, and the artefact tour.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -82,7 +81,7 @@ TEST(Probing, ProbeSticksToItsSurface) {
     EXPECT_LT(glm::distance(editor.probe()->position_ws, at), 6 * view.metres_per_pixel(at));
     EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Seen);
 
-    // Beside the picture nothing is probed, and it says so; back again it is where it was.
+    // Outside the picture nothing is probed, and a message says so; inside again the probe is back.
     const CameraSettings good = editor.state().settings.camera;
     editor.state().settings.camera.target_x += 100;
     editor.settle();
@@ -94,7 +93,7 @@ TEST(Probing, ProbeSticksToItsSurface) {
     ASSERT_TRUE(editor.probe());
     EXPECT_LT(glm::distance(editor.probe()->position_ws, at), 6 * view.metres_per_pixel(at));
 
-    // From behind the cube hides its own front.
+    // The cube hides its own front from behind.
     editor.state().settings.camera.azimuth += 170;
     editor.settle();
     EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Hidden);
@@ -119,8 +118,8 @@ TEST(Probing, PixelBelowThePictureIsClamped) {
 
 TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
     Probing editor;
-    const glm::ivec2 at(310, 62);               // so that slanted edges of the cube in the air come to lie in the loupe
-    const ByteImage window = editor.picture();  // without the probe's marks
+    const glm::ivec2 at(310, 62);               // slanted edges of the floating cube are inside the loupe
+    const ByteImage window = editor.picture();  // without marks of the probe
     editor.click(at);
     ASSERT_EQ(*editor.state().probe_pixel, at);
     editor.arrow(ImGuiKey_RightArrow);
@@ -301,7 +300,7 @@ TEST(ArtefactTour, SwatchSelectsTheCauseAndShowsIt) {
     choose_cause(ui.state, style.artefact);
     EXPECT_EQ(ui.state.settings.view.overlay, 0);
     EXPECT_FALSE(ui.state.artefact_tour.cause);
-    // By mouse: some row of the tables.
+    // With the mouse: some row of the tables.
     bool clicked = false;
     for (float y = float(ui.height()) - 250; y < float(ui.height()) - 40 && !clicked; y += 6)
         for (const float x : {700.f, 850.f}) {

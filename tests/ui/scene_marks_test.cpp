@@ -1,4 +1,5 @@
-// The ray to a probed pixel, a camera's outline in a map, and boxes of objects against arithmetic by hand.
+// Tests of the ray to a probed pixel, a camera's outline in a map, and boxes of objects, compared with arithmetic by
+// hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
 }
 
-/// One light from straight above, its map between 2 m and 12 m below `height`.
+/// Makes one light from straight above, its map between 2 m and 12 m below `height`.
 FittedLight from_above(double height, bool perspective) {
     FittedLight light;
     light.casts = true;
@@ -145,7 +146,7 @@ TEST(CameraOutline, IsTheFloorPlanOfTheCameraFromAbove) {
     EXPECT_NEAR(glm::distance(hi, b), 0, 1e-9);
 }
 
-// Where it reaches beyond the map it is closed along the map's rim.
+// A region that leaves the map is closed along the map's border.
 TEST(CameraOutline, IsClosed) {
     const LightView view = from_above(12, false).views[0];
     Camera wide = level_camera();
@@ -160,7 +161,7 @@ TEST(CameraOutline, IsClosed) {
             EXPECT_TRUE(a.x >= 0 && a.x <= 1 && a.y >= 0 && a.y <= 1);
             area += 0.5 * (a.x * b.y - a.y * b.x);
         }
-        // Four metres wide, of which one lies beyond the map where the camera stands aside.
+        // Four metres wide, one of them outside the map for a camera off the centre.
         EXPECT_NEAR(std::abs(area), (camera.eye.x == 4 ? 3 * 4 : 4 * 4) / 100.0, 0.02);
     }
     Camera away = level_camera();

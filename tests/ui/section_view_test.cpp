@@ -1,5 +1,5 @@
-// The cross-section in the probe panel: beside the verdict, laid out once while nothing changes, and not at all while
-// the panel is hidden.
+// Tests of the cross-section in the probe panel: next to the verdict, laid out once without changes, and never while
+// hidden.
 #include "ui/panels/section_view.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ Section step_of_shadow() {
     return s;
 }
 
-/// Spaces leave nothing on the screen.
+/// Removes spaces, which draw nothing.
 bool printed(const UiHarness& ui, std::u32string words) {
     std::u32string all = ui.printed();
     for (std::u32string* text : {&all, &words}) std::erase_if(*text, [](char32_t c) { return c <= U' '; });
@@ -115,7 +115,7 @@ TEST(SectionView, ExplainsTheHoveredMark) {
 }
 
 TEST(SectionView, IsDrawnInFullForAScreenshot) {
-    UiHarness ui(700, 480);  // where the panel has no room for it
+    UiHarness ui(700, 480);  // a panel too small for the drawing
     ui.frames(2);
     const Section section = step_of_shadow();
     const SectionSheet sheet = section_sheet(section);
@@ -127,7 +127,7 @@ TEST(SectionView, IsDrawnInFullForAScreenshot) {
         EXPECT_TRUE(v.pos.x >= -2 && v.pos.x <= float(sheet.width) + 2) << v.pos.x;
         EXPECT_TRUE(v.pos.y >= -2 && v.pos.y <= float(sheet.height) + 2) << v.pos.y;
     }
-    ui.frames(2);  // and the next picture is as ever
+    ui.frames(2);  // the next picture is unchanged
 }
 
 TEST(SectionView, LeavesTheVerdictItsSpaceAtAnySize) {

@@ -1,5 +1,5 @@
-// The table of shortcuts: rows do not contradict each other, the overview lists all, menus and tooltips read their keys
-// from it.
+// Tests of the shortcut table: consistent rows, a complete overview, and keys of menus and tooltips read from the
+// table.
 #include "ui/state/shortcuts.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ bool overlap(Modifier a, Modifier b) {
     return a == Modifier::Any || b == Modifier::Any || a == b;
 }
 
-/// True if one press can match both chords.
+/// Returns whether one press can match both chords.
 bool overlap(const Chord& a, const Chord& b) {
     const bool same_key = a.mapped == b.mapped && a.first <= b.last && b.first <= a.last;
     return same_key && overlap(a.ctrl, b.ctrl) && overlap(a.shift, b.shift) && overlap(a.alt, b.alt);
@@ -92,7 +92,7 @@ TEST(Shortcuts, OverlayKeysComeFromTheTable) {
     }
 }
 
-/// The texts of menus, tooltips and messages name keys by key_text() and with_key() alone.
+/// Texts of menus, tooltips and messages name keys only by key_text() and with_key().
 TEST(Shortcuts, NoTextHardCodesAKey) {
     const std::regex literal(R"re("(?:\\.|[^"\\\n])*")re");
     const std::regex key(

@@ -1,4 +1,4 @@
-// Marks that stand for different things are told apart by their hue, and so are the colours of numbers.
+// Tests of theme colours: different marks differ in hue, and so do colour scales.
 #include "ui/widgets/theme.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(Theme, DifferentMarksHaveDifferentColours) {
 
 TEST(Theme, ColoursOfShadersArriveUnchanged) {
     EXPECT_EQ(theme::colour({1, 0, 0.5}), IM_COL32(255, 0, 128, 255));
-    // From dark to bright, as grey too.
+    // Colours run from dark to bright, also in grey.
     EXPECT_LT(lab(theme::colour(shared::SEQUENTIAL_LOW)).x, 25);
     EXPECT_GT(lab(theme::colour(shared::SEQUENTIAL_HIGH)).x, 80);
     EXPECT_GT(lab(theme::colour(shared::DIVERGING_MIDDLE)).x, lab(theme::colour(shared::DIVERGING_HIGH)).x + 30);
@@ -58,7 +58,7 @@ double contrast(const glm::dvec3& a, const glm::dvec3& b) {
     return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// A colour over an opaque one, as they are blended: not linear. @param alpha of all that is drawn
+/// Blends a colour over an opaque one, not in linear light. @param alpha opacity of the whole
 glm::dvec3 over(const ImVec4& colour, const glm::dvec3& ground, double alpha = 1) {
     return glm::mix(ground, glm::dvec3(colour.x, colour.y, colour.z), colour.w * alpha);
 }
@@ -105,7 +105,7 @@ TEST_P(ThemeContrast, WidgetsAreReadableInAllStates) {
           ImGuiCol_FrameBgActive, ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive, ImGuiCol_Tab,
           ImGuiCol_TabHovered, ImGuiCol_TabActive, ImGuiCol_TableHeaderBg, ImGuiCol_TextSelectedBg, ImGuiCol_PopupBg})
         expect(ImGui::GetStyleColorName(state), over(c[ImGuiCol_Text], panel), over(c[state], panel));
-    // WCAG 2.2, 1.4.11: what a control is known by.
+    // WCAG 2.2, 1.4.11: parts that identify a control.
     for (const ImGuiCol mark : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
         EXPECT_GE(contrast(over(c[mark], panel), over(c[ImGuiCol_FrameBg], panel)), 3)
             << ImGui::GetStyleColorName(mark);

@@ -1,4 +1,4 @@
-// Flying, framing, freezing and choosing objects in the whole editor by synthetic mouse and keys.
+// Tests of flying, framing, freezing and selecting objects in the whole editor by synthetic mouse and keys.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -30,7 +30,7 @@ struct Viewport {
         hold(key, false);
         ui.frame();
     }
-    /// Holds the right button and W for so many seconds in frames of so many.
+    /// Holds the right button and W for a time in a number of frames.
     glm::dvec3 flown(double seconds, int frames, bool shift = false) {
         const glm::dvec3 before = camera().eye;
         ui.move(kPicture);
@@ -40,7 +40,7 @@ struct Viewport {
         hold('W', true);
         ImGui::GetIO().KeyShift = shift;
         ui.frame_seconds = seconds / frames;
-        ui.frames(frames + 1);  // the first finds the key and does not move yet
+        ui.frames(frames + 1);  // the first frame finds the key and does not move yet
         hold('W', false);
         ImGui::GetIO().KeyShift = false;
         ui.frames(1);
@@ -163,7 +163,7 @@ TEST(Viewport, DoubleClickSelectsTheProbedObjectAndFFramesIt) {
     EXPECT_LT(v.settings.camera.distance, all);
     EXPECT_NEAR(v.settings.camera.target_x, b.centre().x, 1e-9);
     const auto escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
-    for (const bool chosen : {true, false}) {  // the probe goes first
+    for (const bool chosen : {true, false}) {  // the probe has priority
         ImGui::GetIO().KeysDown[escape] = true;
         v.ui.frame();
         ImGui::GetIO().KeysDown[escape] = false;
@@ -182,7 +182,7 @@ TEST(Viewport, LLooksThroughTheLightAndBack) {
     EXPECT_EQ(v.settings.camera.source, CameraSource::Light);
     v.press('L');
     EXPECT_EQ(v.settings.camera, before);
-    v.settings.camera.source = CameraSource::Light;  // as a preset may have it
+    v.settings.camera.source = CameraSource::Light;  // a preset may have it
     v.press('L');
     EXPECT_NE(v.settings.camera.source, CameraSource::Light);
     v.settings.light_count = 0;
@@ -201,7 +201,7 @@ TEST(Viewport, FreezeKeepsThePreviousCamera) {
     EXPECT_GT(glm::distance(v.camera().eye, before.eye), 1e-3);
     v.press('K');
     EXPECT_FALSE(v.ui.state.frozen);
-    v.ui.state.layout.map_place = MapSpot::Hidden;  // the row has room for the button
+    v.ui.state.layout.map_place = MapSpot::Hidden;  // the row has space for the button
     v.ui.frames(2);
     const auto button = v.ui.find("editor/scene", "", "Freeze view");
     ASSERT_TRUE(button);

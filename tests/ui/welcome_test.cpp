@@ -1,4 +1,4 @@
-// What a person sees first: shown once, and only to a person who asked for nothing.
+// Tests of the welcome window: shown once, and only to a person who requested nothing.
 #include <gtest/gtest.h>
 #include <imgui.h>
 

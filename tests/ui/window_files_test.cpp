@@ -1,4 +1,4 @@
-// The editor's window and files: opened by menu, dialog and drop, presets saved and loaded, what is kept between runs.
+// Tests of the editor's window with files: menu, dialog and drop, saved presets, and state kept between runs.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -25,13 +25,13 @@ constexpr int kSearchX = 1040, kSearchY = 351, kSliderX = 1170, kSliderY = 408;
 
 class WindowFiles : public Window {
 protected:
-    /// A small scene as a file, no part of the program.
+    /// Writes a small scene file that is not part of the program.
     fs::path model(const std::string& name) const {
         const fs::path file = folder_ / name;
         EXPECT_EQ(run_program({"export", "boxes", "-o", file.string()}).code, 0);
         return file;
     }
-    /// The entry of the menu File, counted from 0.
+    /// Chooses an entry of the menu File, counted from 0.
     void choose(int entry) const {
         click(kFileX, kTopY);
         click(kFileX + 30, 47 + entry * 20);
@@ -42,7 +42,7 @@ protected:
         type("bias.constant");
         drag(kSliderX, kSliderY, 60, 0);
     }
-    /// The settings that a crash would leave behind; null when there are none.
+    /// Returns the settings of the session file, as after a crash; null if none.
     nlohmann::json kept() const {
         std::error_code none_yet;
         for (const auto& entry : fs::directory_iterator(state_folder() / "sessions", none_yet))
@@ -79,7 +79,8 @@ TEST_F(WindowFiles, ModelIsOpenedByADoubleClickInTheDialog) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+o");
     wait_until_idle();
-    // Whether the dialog lists a third entry: the folders are cache, home, models, state; in models is one file.
+    // Returns whether the dialog lists a third entry: the folders are cache, home, models, state; models holds one
+    // file.
     const auto third = [&] {
         const ByteImage seen = screen("window_open_folder");
         for (int y = kEntryY + 2 * kEntryStep - 6; y < kEntryY + 2 * kEntryStep + 6 && seen.width == kWidth; ++y)
@@ -136,7 +137,7 @@ TEST_F(WindowFiles, DroppedModelAndPresetAreOpened) {
     EXPECT_TRUE(drop_file(window, preset, 300, 300));
     EXPECT_TRUE(shows("plane")) << log();
     EXPECT_EQ(saved("dropped.JSON").value("bias.constant", 0.0), 7);
-    // What is neither is said so, and nothing is lost.
+    // Other files are reported, and nothing is lost.
     ASSERT_TRUE(program_->running()) << program_->code();
     EXPECT_TRUE(drop_file(window, folder_ / "program.log", 300, 300));
     wait_until_idle();
@@ -213,7 +214,7 @@ TEST_F(WindowFiles, KilledEditorOffersItsSettingsAgain) {
     EXPECT_TRUE(kept().is_null()) << "a clean end leaves nothing to restore";
 }
 
-/// Where the splitter between scene and map stands in a window of that size.
+/// Returns the position of the splitter between scene and map in a window of that size.
 glm::ivec2 splitter(int width, int height) {
     EditorOptions o;
     o.session.scene = "boxes";
@@ -249,7 +250,7 @@ TEST_F(WindowFiles, OnlyLayoutAndSizePersist) {
 
     ASSERT_NO_FATAL_FAILURE(start({}));
     EXPECT_NE(ask("search --name 'Shadow Inspector' getwindowgeometry").find("1100x640"), std::string::npos);
-    // It stands where it was put: dragged from there it moves again.
+    // The splitter keeps its place: a drag from there moves it again.
     drag(at.x - 90, at.y, 45, 0);
     screen("window_kept_layout");
     quit();
@@ -268,7 +269,7 @@ TEST_F(WindowFiles, NothingIsKeptWithoutState) {
     change_bias();
     const glm::ivec2 at = splitter(1280, 720);
     drag(at.x, at.y, -90, 0);
-    std::this_thread::sleep_for(std::chrono::seconds(3));  // longer than anything waits to be kept
+    std::this_thread::sleep_for(std::chrono::seconds(3));  // longer than any delay before saving
     EXPECT_FALSE(fs::exists(folder_ / "state"));
     quit();
     EXPECT_FALSE(fs::exists(folder_ / "state"));

@@ -1,4 +1,4 @@
-// Typing faster than frames are drawn.
+// Tests of typing faster than frames are drawn.
 #include <chrono>
 #include <thread>
 
@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class WindowTyping : public Window {
 protected:
-    /// A frame that takes until all of it has arrived.
+    /// Stops the editor until all events have arrived, as one slow frame.
     void in_one_slow_frame(const std::vector<std::string>& commands) const {
         program_->hold(true);
         for (const std::string& command : commands) EXPECT_TRUE(xdotool(command)) << command;
@@ -19,7 +19,7 @@ protected:
         program_->hold(false);
         wait_until_idle();
     }
-    /// The preset that was saved, under whatever name; empty: none.
+    /// Returns the saved preset of any name; empty if none.
     std::string saved_name() const {
         std::string name;
         const auto is_saved = [&] {
