@@ -37,7 +37,8 @@ const std::vector<SweepAxis>& searched_axes() {
     return all;
 }
 
-/// @param most_combinations limit for exhaustive search; larger spaces are searched by parts
+/// Compares the autopilot's result with the best combination by time. @param most_combinations limit for exhaustive
+/// search; larger spaces are searched by parts
 void autopilot_by_clock(benchmark::State& state, const char* name, double share, std::size_t most_combinations) {
     const HeadlessContext context;
     Renderer renderer;

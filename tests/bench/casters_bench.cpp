@@ -225,7 +225,7 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
     state.counters["ratio_p75"] = ratio.p75;
 }
 
-/// Looks from a corner of the scene along one of its sides.
+/// Turns the camera to look from a corner of the scene along one of its sides.
 Settings seeing_a_part(Settings s) {
     s.camera.source = CameraSource::Manual;
     s.camera.target_x = s.camera.target_z = -40;

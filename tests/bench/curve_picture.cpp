@@ -75,7 +75,7 @@ std::vector<Plot> read_plots(const std::filesystem::path& file) {
     return plots;
 }
 
-/// Returns the whole decades that enclose the values.
+/// Whole decades that enclose the values.
 struct Decades {
     double lo = 1e300, hi = -1e300;
     void add(double v) {

@@ -65,7 +65,7 @@ Json choice(const std::string& key, const std::string& question, const Way& a, c
             {"rounds", rounds}};
 }
 
-/// Measures the requested choices.
+/// Measurement of the requested choices.
 class Choices {
 public:
     explicit Choices(const GpuReportOptions& options) : options_(options), met_(options.choices.size(), false) {}
@@ -77,7 +77,7 @@ public:
         keys_ += (keys_.empty() ? "" : ", ") + key;
         if (wanted) rows_.push_back(choice(key, question, a, b, options_.rounds));
     }
-    /// @throws UsageError for a requested choice that does not exist
+    /// Returns the rows of the report. @throws UsageError for a requested choice that does not exist
     Json rows() const {
         for (std::size_t i = 0; i < met_.size(); ++i)
             if (!met_[i])
@@ -163,8 +163,8 @@ gl::Program program_of(const std::string& fragment) {
     return program;
 }
 
-/// Choice: Lambert and a highlight for each light at each pixel, with lights as unrolled constants or counted by a
-/// uniform.
+/// Returns a fragment shader with Lambert and a highlight for each light at each pixel, with lights as unrolled
+/// constants or counted by a uniform.
 std::string light_loop(bool by_uniform, int lights) {
     const std::string count = by_uniform ? "uniform int count;\nuniform int kind[16];\n"
                                          : fmt::format(

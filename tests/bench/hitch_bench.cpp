@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folder of Mesa's shader cache. The process keeps the folder of its first context, so the folder is emptied.
+/// Empty folder for Mesa's shader cache. The process keeps the folder of its first context, so the folder is emptied.
 struct EmptyShaderCache {
     EmptyShaderCache() {
         static const fs::path folder = [] {
@@ -53,7 +53,7 @@ struct Hands {
     double start_ms = 0;
     std::unique_ptr<HeadlessEditor> editor;
 
-    /// @param tab front tab at the start; empty: the first
+    /// Starts an editor. @param tab front tab at the start; empty: the first
     explicit Hands(bool apart, const std::string& tab = {}) {
         EditorOptions options;
         options.session.scene = "stage";
@@ -70,7 +70,7 @@ struct Hands {
         });
         editor->settle();
     }
-    /// Waits until one of the editor's jobs has ended.
+    /// Draws one frame of the editor to its end and returns its milliseconds.
     double frame() {
         return wall_ms([&] {
             editor->frame();
@@ -129,12 +129,12 @@ struct Hands {
         return median(ms);
     }
     EditorState& state() { return editor->model().state; }
-    /// Finds handles of the shown light that take presses.
+    /// Returns handles of the shown light that take presses.
     std::vector<PlacedHandle> handles() {
         const FittedLight& fitted = editor->model().facts().result->lights[0];
         return place_handles(light_pose(state().settings.lights[0], fitted, 0), *state().viewport.view);
     }
-    /// Finds a point on surfaces in the lower half of the scene's picture, as far from handles as possible.
+    /// Returns a point on surfaces in the lower half of the scene's picture, as far from handles as possible.
     glm::vec2 free_place() {
         const PictureView& view = *state().viewport.view;
         const std::vector<PlacedHandle> taken = handles();

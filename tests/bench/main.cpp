@@ -27,7 +27,7 @@ constexpr const char* kUsage =
     "bench --draw-curves JSON PNG\n"
     "    Draws what --benchmark_filter=^curve/ wrote.\n";
 
-/// @throws UsageError for wrong arguments
+/// Parses the options of --gpu-report. @throws UsageError for wrong arguments
 si::GpuReportOptions report_options(std::span<char*> arguments) {
     si::GpuReportOptions options{.rounds = si::bench_rounds(15)};
     for (std::size_t i = 0; i < arguments.size(); i += 2) {

@@ -77,7 +77,7 @@ protected:
             window_ *= 0.7;
     }
 
-    /// Returns whether all other files in the folder are temporaries: a dot and the start of an expected name.
+    /// Expects that all other files in the folder are temporaries: a dot and the start of an expected name.
     void expect_alone(const std::set<std::string>& files) {
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();

@@ -36,7 +36,8 @@ std::vector<std::vector<std::string>> documented() {
     return out;
 }
 
-/// Splits words and numbers, as drivers may round the last digits of a depth differently.
+/// Expects equal drawings. Numbers are compared apart from words, since drivers may round the last digits of a depth
+/// differently.
 void expect_same_drawing(const std::string& a, const std::string& b, const std::string& name) {
     static const std::regex number("-?[0-9]+(\\.[0-9]+)?");
     EXPECT_EQ(std::regex_replace(a, number, "#"), std::regex_replace(b, number, "#")) << name;

@@ -26,7 +26,7 @@ std::unique_ptr<HeadlessEditor> editor_of(std::optional<std::chrono::millisecond
     editor->settle();
     return editor;
 }
-/// Editor that never waits for frames.
+/// Makes an editor that never waits for frames.
 std::unique_ptr<HeadlessEditor> hasty_editor() {
     return editor_of(std::chrono::milliseconds(0));
 }
@@ -163,7 +163,7 @@ TEST(FrameLoader, EditorIdlesAfterShaderWarmUp) {
     EXPECT_EQ(warmup.done(), done);
 }
 
-/// Lets the map fill the window, so that no picture of the scene is drawn.
+// The map fills the window, so that no picture of the scene is drawn.
 TEST(FrameLoader, MapAloneFollowsItsSettings) {
     const auto editor = hasty_editor();
     EditorState& state = editor->model().state;

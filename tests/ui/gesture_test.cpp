@@ -64,7 +64,7 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     EXPECT_LE(s.camera.azimuth, 180);
 }
 
-/// Picture as PictureView defines it.
+/// Returns the scene's picture as PictureView defines it.
 PictureView view_of(const Scene& scene, const Settings& s) {
     return {make_camera(scene, s, double(kPictureWidth) / kPictureHeight), {0, 0}, {kPictureWidth, kPictureHeight}, 1};
 }

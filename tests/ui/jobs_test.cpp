@@ -24,8 +24,8 @@ class WindowJobs : public Window {
 protected:
     void TearDown() override { editor_.reset(); }
 
-    /// Window and twin: an editor without a window that receives the same events by press() and turn_wheel() and shows
-    /// the same scene.
+    /// Starts the window and its twin: an editor without a window that receives the same events by press() and
+    /// turn_wheel() and shows the same scene.
     void begin(const std::string& scene = "boxes") {
         ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--set", "view.smooth=false"}, scene));
         EditorOptions o;
@@ -152,7 +152,7 @@ protected:
         const glm::ivec2 said = place(U"Now");
         EXPECT_TRUE(wait_until([&] { return written_at(said); })) << "the window measures nothing";
     }
-    /// Waits until the window has letters near a position.
+    /// Returns whether the window has letters near a position.
     bool written_at(glm::ivec2 at) const {
         const ByteImage image = screen("job_written");
         int bright = 0;
@@ -177,7 +177,7 @@ protected:
         for (int i = 0; i < 20 && twin().artefact_tour.waits_for != 0; ++i) editor_->settle();
         editor_->settle();
     }
-    /// Returns the twin's visibility of the probed pixel.
+    /// Returns the twin's verdict on the probed pixel.
     std::string verdict() {
         const std::span<const PixelDiagnosis> diagnoses = editor_->model().facts().diagnoses;
         return diagnoses.empty() ? std::string() : diagnoses.front().verdict;

@@ -55,7 +55,7 @@ protected:
         confinement_ = Confinement::to(folder_);
     }
 
-    /// Sandbox: only the test's folder can be changed.
+    /// Returns whether the sandbox works, so that only the test's folder can be changed.
     bool is_confined() const {
         if (!confinement_) return false;
         const fs::path outside = fs::path(SI_TEST_OUTPUT_DIR) / "monkey_was_outside", inside = work_ / "inside";

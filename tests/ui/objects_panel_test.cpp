@@ -29,7 +29,7 @@ protected:
                 if (std::string(t->InnerWindow->Name).find("objects") != std::string::npos) return t;
         return nullptr;
     }
-    /// Returns the vertical position of a widget by its ID between two limits; nothing if the widget is not visible.
+    /// Returns the position of a widget by its ID, searched between two sides; nothing if the widget is not visible.
     std::optional<glm::vec2> seek(ImGuiID id, float left, float right, float step) {
         ui.frames(2);
         const ImRect all = table()->OuterRect;
@@ -59,7 +59,7 @@ protected:
         ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyShift = false;
     }
     std::set<std::string> chosen() const { return selected_objects(ui.state); }
-    /// Columns by their position in the table.
+    /// Returns which columns are shown, by their position in the table.
     static std::vector<bool> columns() {
         std::vector<bool> shown;
         for (int i = 0; i < table()->ColumnsCount; ++i) shown.push_back(table()->Columns[i].IsEnabled);

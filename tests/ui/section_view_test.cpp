@@ -38,7 +38,7 @@ Section step_of_shadow() {
     return s;
 }
 
-/// Removes spaces, which draw nothing.
+/// Returns whether the frame shows the words, spaces aside.
 bool printed(const UiHarness& ui, std::u32string words) {
     std::u32string all = ui.printed();
     for (std::u32string* text : {&all, &words}) std::erase_if(*text, [](char32_t c) { return c <= U' '; });

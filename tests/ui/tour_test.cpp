@@ -55,7 +55,7 @@ protected:
         for (const LogLine& line : state().log.lines())
             EXPECT_EQ(line.kind, LogKind::Info) << name << ": " << line.text;
     }
-    /// Returns the window whose name holds `part`, and expects it on the screen and wide enough for its content.
+    /// Expects the window whose name holds `part` on the screen and wide enough for its content.
     void expect_window(const std::string& part) {
         for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
             if (!w->WasActive || std::string_view(w->Name).find(part) == std::string_view::npos) continue;

@@ -70,7 +70,7 @@ TEST_F(Window, DoubleClickDuringASlowFrameSelects) {
     EXPECT_TRUE(program_->running()) << log();
 }
 
-/// Returns the picture of the editor without a window for `edit boxes --size 1280x720`.
+/// Makes an editor without a window that shows `edit boxes --size 1280x720`.
 std::unique_ptr<HeadlessEditor> twin() {
     EditorOptions o;
     o.session.scene = "boxes";

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class WindowTyping : public Window {
 protected:
-    /// Stops the editor until all events have arrived, as one slow frame.
+    /// Sends commands while the editor is stopped, as during one slow frame.
     void in_one_slow_frame(const std::vector<std::string>& commands) const {
         program_->hold(true);
         for (const std::string& command : commands) EXPECT_TRUE(xdotool(command)) << command;

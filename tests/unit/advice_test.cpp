@@ -1,4 +1,4 @@
-// Rules over made-up facts, and what becomes of ideas under a made-up clock and truth.
+// Tests of advice: rules over made-up facts, and measured ideas under a made-up clock and reference.
 #include "renderer/advise/advice.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-/// Nothing of these calls for a change.
+/// Returns facts that no rule proposes a change for.
 AdviceFacts plain_facts() {
     AdviceFacts f;
     f.lights.resize(1);
@@ -39,7 +39,7 @@ TEST(AdviceRules, FireWhenTheirFactsHold) {
     struct Case {
         const char* rule;
         std::function<void(Settings&, AdviceFacts&)> change;
-        const char* sets;  ///< KEY=VALUE of the first idea
+        const char* sets;  ///< KEY=VALUE of the first expected idea
         const char* says;
     };
     const std::vector<Case> cases = {
@@ -138,7 +138,7 @@ TEST(AdviceRules, ProposeNothingForAnEmptyScene) {
     EXPECT_TRUE(advice_ideas(Settings{}, f).empty()) << "without lights";
 }
 
-/// Error, milliseconds and bytes by map.resolution, which numbers the ideas.
+/// Meter of error, milliseconds and bytes by map.resolution, which numbers the ideas.
 struct MadeUp {
     double error, ms, noise = 0.1;
     std::uint64_t bytes = 100;
@@ -169,15 +169,15 @@ TEST(Advice, IsRankedBySavedTimePerAddedError) {
     constexpr Claim kSame = Claim::Same, kTrade = Claim::Trade, kRight = Claim::Right;
     const std::vector<MadeUp> world = {
         {0.010, 10},
-        {0.010, 9},              // 1: saves 1 ms for nothing
-        {0.030, 4},              // 2: 6 ms for 0.02: 300 a unit
-        {0.012, 8},              // 3: 2 ms for 0.002: 1000 a unit
-        {0.010, 7},              // 4: saves 3 ms for nothing
-        {0.005, 10},             // 5: puts pixels right
+        {0.010, 9},              // 1: saves 1 ms without error
+        {0.030, 4},              // 2: 6 ms for 0.02: 300 a unit of error
+        {0.012, 8},              // 3: 2 ms for 0.002: 1000 a unit of error
+        {0.010, 7},              // 4: saves 3 ms without error
+        {0.005, 10},             // 5: cures pixels
         {0.010, 10, 0.1, 50},    // 6: saves memory
-        {0.020, 5},              // 7: says the same, which it is not
+        {0.020, 5},              // 7: claims to be equal and is not
         {0.010, 12},             // 8: slower
-        {0.010, 9.95, 0.1, 100}  // 9: nothing
+        {0.010, 9.95, 0.1, 100}  // 9: no effect
     };
     const auto all = tried(world, {kSame, kTrade, kTrade, kSame, kRight, kSame, kSame, kTrade, kSame});
     std::vector<std::string> holds, fails;

@@ -1,4 +1,4 @@
-// The scene that benchmarks agree on is what its name says.
+// Tests of the benchmarks' agreed scene.
 #include "tests/support/agreed_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Wrong pixels that hang together, by hand.
+// Tests of connected wrong pixels, over images made by hand.
 #include "renderer/measure/artefact_clusters.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWidth = 8;
 
-/// 'a' acne, 'l' a leak, anything else is right.
+/// Makes an image of classes: 'a' acne, 'l' a leak, anything else correct.
 std::vector<ClassifiedPixel> classified(const std::string& picture) {
     std::vector<ClassifiedPixel> out;
     for (const char c : picture) {

@@ -1,4 +1,4 @@
-// The autopilot over made-up worlds, whose optimum is known by trying all.
+// Tests of the autopilot over made-up worlds, whose optimum exhaustive search finds.
 #include "renderer/advise/autopilot.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +12,12 @@
 namespace si {
 namespace {
 
-/// Finer maps, wider kernels and more cascades are more accurate and slower; a cascade serves each resolution alike.
+/// World in which finer maps, wider kernels and more cascades are more accurate and slower; cascades help each
+/// resolution equally.
 struct World {
     double now = 0;
-    double seconds_each = 0;  ///< of a judgement or a time
-    double seconds_pair = 0;  ///< that times against each other take besides
+    double seconds_each = 0;  ///< seconds a measured error or time
+    double seconds_pair = 0;  ///< additional seconds of a paired time
     int classified = 0, timed = 0;
 
     static double ms(const Settings& s) {
@@ -63,7 +64,7 @@ std::vector<SweepAxis> axes_of(bool many) {
     return axes;
 }
 
-/// By trying all; nothing: none holds.
+/// Returns the optimum by exhaustive search; nothing if no setting is within the bound.
 std::optional<Settings> exhausted(const Settings& start, const std::vector<SweepAxis>& axes,
                                   const AutopilotGoals& goals) {
     std::vector<Settings> all = {start};
@@ -178,7 +179,7 @@ TEST(Autopilot, PricesNothingAfterTheTimeLimitAndReportsIt) {
 TEST(Autopilot, ReservesTimeForPricingInALongSearch) {
     World world;
     world.seconds_each = 1;
-    // None does less of everything than another, so that all would be timed.
+    // No setting is better in everything than another, so all would be timed.
     const std::vector<SweepAxis> axes = {{"map.format", {"", "d16"}},
                                          {"light.0.contact", {"", "0", "0.02", "0.03", "0.04", "0.05"}}};
     const AutopilotResult r =

@@ -1,5 +1,5 @@
-// What a crash leaves, who is offered it, and that running editors leave each other's files alone. A crash is an object
-// that goes without end().
+// Tests of crash recovery: kept sessions, who is offered them, and files of running editors. An object destroyed
+// without end() acts as a crash.
 #include "app/session/autosave.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::size_t files_in(const fs::path& folder, const char* extension) {
     return count;
 }
 
-/// An editor that changes something and is then killed.
+/// Runs an editor that changes settings and crashes.
 void crash(const fs::path& folder, double bias, const std::string& scene = "boxes") {
     Autosave editor(folder);
     editor.update(scene, with_bias(0.1), 0);
@@ -77,7 +77,7 @@ TEST(Autosave, UnsavedSettingsAreOfferedAgain) {
     {
         Autosave editor(folder);
         editor.update("boxes", with_bias(0.1), 0);
-        editor.end("boxes", with_bias(2), true);  // changed since anything was written
+        editor.end("boxes", with_bias(2), true);  // changed after the last write
     }
     {
         const Autosave next(folder);
@@ -132,7 +132,7 @@ TEST(Autosave, SessionsOfRunningEditorsAreNotOffered) {
     second->follow("stage", with_bias(22), 1);
     EXPECT_EQ(files_in(folder, ".json"), 2u) << "each has its own";
     EXPECT_EQ(Autosave(folder).lost(), nullptr);
-    second.reset();  // crashes; the first goes on
+    second.reset();  // crashes; the first continues
     Autosave third(folder);
     ASSERT_NE(third.lost(), nullptr);
     EXPECT_EQ(third.lost()->preset.settings.bias.constant, 22);
@@ -174,7 +174,7 @@ TEST(Autosave, SeveralLostSessionsAreOfferedInTurn) {
 
 TEST(Autosave, NewestComesFirstAndReusedProcessIdsLoseNothing) {
     const fs::path folder = fresh_test_folder();
-    // All crashes of this test have one process number, as a number that is given out again.
+    // All crashes of this test have one process number, as with reused numbers.
     for (const double bias : {1.0, 2.0, 3.0}) crash(folder, bias);
     EXPECT_EQ(files_in(folder, ".json"), 3u) << "one session was written over another";
     for (const auto& entry : fs::directory_iterator(folder / "sessions")) {
@@ -201,7 +201,7 @@ TEST(Autosave, BrokenSessionsAreRenamedWithAWarning) {
     const fs::path folder = fresh_test_folder();
     crash(folder, 9);
     fs::create_directories(folder / "sessions" / "folder.json");
-    std::ofstream(folder / "sessions" / "1-0.json") << "{\"format\": \"shadow-ins";  // newer, so looked at first
+    std::ofstream(folder / "sessions" / "1-0.json") << "{\"format\": \"shadow-ins";  // newer, so read first
     Autosave next(folder);
     ASSERT_NE(next.lost(), nullptr) << "a broken file hides a good one";
     EXPECT_EQ(next.lost()->preset.settings.bias.constant, 9);

@@ -1,4 +1,4 @@
-// The table of biases: what each row gives in closed form, and which settings it reads.
+// Tests of the table of biases: closed forms of the rows, and the settings that they read.
 #include "renderer/settings/biases.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(Biases, AmountsAreTheClosedForms) {
     b.least = 0.7;
     EXPECT_DOUBLE_EQ(amount("receiver-plane-derivatives", BiasUnit::Metres), 2.0 / 8 + 1e-4 + 0.05);
     EXPECT_DOUBLE_EQ(amount("adaptive", BiasUnit::Metres), 0.7);
-    b.n_dot_l = -1;  // away from the light: as edge-on
+    b.n_dot_l = -1;  // away from the light: treated as edge-on
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Depth), 8);
     b.n_dot_l = 1;
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Depth), 2);
@@ -89,7 +89,7 @@ TEST(Biases, ListTheirIdleSettings) {
     EXPECT_EQ(idle(s, "bias.raster_slope"), "") << "what acts beside is never idle by kind";
 }
 
-// Rows list settings that exist, and a setting that a row lists changes nothing under rows that do not.
+// Rows list existing settings, and a listed setting changes nothing under rows that do not list it.
 TEST(Biases, ListOnlyTheirOwnSettings) {
     const FittedLight light = fit_lights(make_scene(make_plane(10, 10)), Settings{})[0];
     for (const Bias& row : biases())

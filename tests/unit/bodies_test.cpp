@@ -1,4 +1,4 @@
-// Which meshes bound bodies: only of those may a map leave the back faces out.
+// Tests of the watertight check: maps may leave back faces out for closed meshes only.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Mesh turned_inside_out(Mesh m) {
     return m;
 }
 
-/// Two square rings joined into a tube that crosses itself: consistently wound, but part of it is inside out.
+/// Makes two square rings joined into a tube that crosses itself: consistent winding, but partly inside out.
 Mesh bow_tie() {
     const std::vector<glm::dvec3> low = {{-1, 0, -1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, 0.5}};
     std::vector<glm::dvec3> high = low;

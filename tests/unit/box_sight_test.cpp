@@ -1,4 +1,4 @@
-// What a map's view says of boxes, against their corners and points inside of them.
+// Tests of box culling by a map's view, compared with corners and inner points.
 #include <gtest/gtest.h>
 
 #include "renderer/projection/projection.h"
@@ -19,7 +19,7 @@ struct TestView {
         clip = clip_from_relative(projection_matrix(curve, perspective ? 1 : 8, perspective ? 1 : 8), glm::dmat3(1),
                                   {115, 0, 0}, origin);
     }
-    /// By how much of w a point lies inside of the view; below 0 outside.
+    /// Returns the distance of a point from the view's border as a share of clip-space w; negative outside.
     double inside(const glm::dvec3& p) const {
         const glm::dvec4 h = clip * glm::dvec4(p - origin, 1);
         const double low = curve.convention.zero_to_one ? h.z : h.w + h.z;

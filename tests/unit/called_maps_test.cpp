@@ -1,4 +1,4 @@
-// Which parts of maps a camera calls for: no point that it sees may be looked up beside them.
+// Tests of needed map parts: every look-up of a visible point is inside them.
 #include <gtest/gtest.h>
 
 #include "renderer/projection/projection.h"
@@ -55,7 +55,7 @@ TEST(Clusters, HoldEveryTriangle) {
     EXPECT_GT(build_clusters(*large).size(), 500u);
 }
 
-// Whatever side a cluster is said to show, each of its triangles does, at each of its corners.
+// Each triangle of a cluster shows the cluster's side at each corner.
 TEST(Clusters, FaceOneSideOnlyIfEachTriangleDoes) {
     Random random(7);
     int fronts = 0, backs = 0, either = 0;
@@ -79,7 +79,7 @@ TEST(Clusters, FaceOneSideOnlyIfEachTriangleDoes) {
                     Bounds box;
                     for (const glm::dvec3& p : {a, b, d, c.box.lo, c.box.hi}) box.add(p);
                     const glm::dvec3 n = glm::normalize(glm::cross(b - a, d - a));
-                    // Only those that the cluster may hold.
+                    // Directions that the cluster may hold.
                     if (box.lo != c.box.lo || box.hi != c.box.hi || glm::dot(n, c.axis) < std::cos(c.spread)) continue;
                     for (const glm::dvec3& p : {a, b, d}) {
                         const double at = glm::dot(n, parallel ? way : there - p);
@@ -93,7 +93,7 @@ TEST(Clusters, FaceOneSideOnlyIfEachTriangleDoes) {
     EXPECT_GT(backs, 30);
     EXPECT_GT(either, 10);
     EXPECT_EQ(visible_side({}, {0, 1, 0, 0}), VisibleSide::Either);
-    // A floor is seen from one side wherever one stands over it, also near its middle.
+    // A floor shows one side to every point above it, also near its middle.
     Mesh plane = make_plane(40, 40);
     for (const auto& p : plane.positions) plane.bounds.add(p);
     const std::vector<Cluster> floor = build_clusters(plane);
@@ -126,7 +126,7 @@ TEST(MapCells, IntersectTheirContents) {
 struct Kind {
     const char* name;
     Sets sets;
-    bool whole = false;  ///< or nothing of each map
+    bool whole = false;  ///< whole maps; otherwise nothing of each map
 };
 
 const Kind kKinds[] = {
@@ -147,7 +147,7 @@ const Kind kKinds[] = {
     {"warped", {{"light.fit", "lispsm"}}, true},
 };
 
-/// As shaders find it: the side that the camera sees does not face the light.
+/// Returns whether shaders treat the side towards the camera as facing away from the light.
 bool is_turned_away(const Object& object, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                     const glm::dvec3& at_ws, const Camera& camera, const FittedLight& light) {
     const glm::dmat3 m(object.world);
@@ -157,8 +157,8 @@ bool is_turned_away(const Object& object, const glm::dvec3& a, const glm::dvec3&
     return glm::dot(n, to_eye) * glm::dot(n, to_light) < 0;
 }
 
-/// Boxes among balls that are large enough to be seen in clusters, one of them mirrored and skewed.
-/// @param alone without the boxes
+/// Makes boxes among balls that are large enough for clusters, one mirrored and skewed.
+/// @param alone leaves out the boxes
 Scene boxes_and_balls(bool alone) {
     Scene scene = load_scene("boxes");
     if (alone) scene.objects.clear();
@@ -169,7 +169,7 @@ Scene boxes_and_balls(bool alone) {
     return scene;
 }
 
-// Points of triangles that the camera sees, looked up as choose_view() has it, lie within what is called for.
+// Look-ups of visible triangle points, as set up by choose_view(), are inside the needed cells.
 TEST(NeededMaps, HoldAllVisibleReceivers) {
     const Scene scenes[] = {boxes_and_balls(false), boxes_and_balls(true)};
     const std::vector<std::vector<Cluster>> of_scenes[] = {all_clusters(scenes[0]), all_clusters(scenes[1])};
@@ -229,7 +229,7 @@ TEST(NeededMaps, HoldAllVisibleReceivers) {
                             const LightView& view = light.views[v];
                             const glm::dvec4 h = (uvd_from_clip(view.curve.convention) * view.clip_from_relative(p))[3];
                             if (!(h.w > 0)) continue;
-                            // In its cone alone does a spot light bring anything.
+                            // A spot light lights only its cone.
                             if (light_alone && light.type == LightType::Spot &&
                                 glm::dot(glm::normalize(light.position - p), light.to_light) < light.cos_cone_outer)
                                 continue;

@@ -41,7 +41,7 @@ TEST(Camera, OrbitPositionFollowsTheAngles) {
     const glm::dvec4 at = c.project({1, 2, 3}, 300, 200);
     EXPECT_NEAR(at.x, 149.5, 1e-9);
     EXPECT_NEAR(at.y, 99.5, 1e-9);
-    // 1 m above the target appears above it, 1 m to the right (towards -z) right of it.
+    // A point 1 m above the target appears above it, a point 1 m to the right (towards -z) to its right.
     EXPECT_LT(c.project({1, 3, 3}, 300, 200).y, at.y);
     EXPECT_GT(c.project({1, 2, 2}, 300, 200).x, at.x);
 }
@@ -98,7 +98,7 @@ TEST(Camera, AutomaticViewFramesTheBounds) {
     for (double aspect : {0.4, 1.0, 1.78, 4.0})
         for (double scale : {1e-6, 1.0, 1e7}) {
             Settings s;
-            s.camera.orthographic = true;  // acts by hand only
+            s.camera.orthographic = true;  // has an effect with a manual camera only
             const Scene scene = test::box_scene({{glm::dvec3(-3, 0, -2) * scale, glm::dvec3(4, 1.5, 2) * scale}},
                                                 glm::dvec3(7, -2, 1) * scale);
             const Camera c = make_camera(scene, s, aspect);
@@ -119,7 +119,7 @@ TEST(Camera, AutomaticViewFramesTheBounds) {
         }
 }
 
-/// A box 1 x 2 x 1 m on a floor of 40 x 40 m, as if from a file.
+/// Makes a box of 1 x 2 x 1 m on a floor of 40 x 40 m, as if from a file.
 Scene box_on_wide_floor() {
     Scene scene = test::box_scene({{{-0.5, 0, -0.5}, {0.5, 2, 0.5}}, {{-20, -0.01, -20}, {20, 0, 20}}});
     scene.file_scenes = {""};
@@ -127,7 +127,7 @@ Scene box_on_wide_floor() {
     return scene;
 }
 
-/// How far out of the picture's middle a point is seen, 1 at its rim.
+/// Returns the distance of a point from the picture's centre, 1 at the border.
 double out_of_middle(const Camera& c, const glm::dvec3& p) {
     const glm::dvec4 q = c.clip_from_relative(c.eye) * glm::dvec4(p - c.eye, 1);
     return q.w > 0 ? std::max(std::abs(q.x / q.w), std::abs(q.y / q.w)) : INFINITY;
@@ -188,7 +188,7 @@ TEST(Camera, AutomaticViewShowsTheShadowOverItsCaster) {
     EXPECT_GT(over.axes[2].y, std::sin(usual) + 0.05);
     for (const double aspect : {0.3, 1.0, 5.0})
         EXPECT_EQ(make_camera(scene, Settings(), aspect).axes, over.axes) << "from one side in windows of any shape";
-    // Turned about, its shadow falls to where it is seen.
+    // Turned round, its shadow falls on the visible side.
     place(scene, glm::rotate(glm::dmat4(1), 1.5, glm::dvec3(0, 1, 0)));
     EXPECT_NEAR(make_camera(scene, Settings(), 1.5).axes[2].y, std::sin(usual), 1e-9);
 }

@@ -1,4 +1,4 @@
-// Cascades: where the camera's depth is divided, what each map holds, and how one goes over into the next.
+// Tests of cascades: splits of the camera's depth, contents of each map, and blending.
 #include "renderer/view/cascades/cascades.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ Settings looking(const glm::dvec3& target, double azimuth, double elevation, dou
     return s;
 }
 
-/// Whether the camera sees a place between two of its depths.
+/// Returns whether the camera sees a point between two of its depths.
 bool sees(const Camera& c, const glm::dvec3& p, double from_m, double to_m, double slack = 0) {
     const glm::dvec3 v = glm::transpose(c.axes) * (p - c.eye);
     const double half = c.orthographic ? 0.5 * c.height : std::tan(0.5 * c.fov_y_rad) * -v.z;
@@ -64,7 +64,7 @@ bool sees(const Camera& c, const glm::dvec3& p, double from_m, double to_m, doub
            std::abs(v.x) <= half * c.aspect + slack;
 }
 
-// The hull of the corners holds every place of the box that the camera sees, and none of them lies outside.
+// The hull of the corners holds every visible point of the box, and no corner is outside.
 TEST(Cascades, VisibleCornersEncloseTheFrustum) {
     int seen = 0, empty = 0;
     for (int i = 0; i < 300; ++i) {
@@ -105,7 +105,7 @@ TEST(Cascades, VisibleCornersEncloseTheFrustum) {
 
 struct Case {
     glm::dvec3 at;
-    double azimuth, elevation;  // of the light
+    double azimuth, elevation;  // direction of the light
     double camera_azimuth, camera_elevation, camera_distance;
     bool orthographic;
     CascadeChoice choice;
@@ -122,7 +122,7 @@ std::vector<Case> cases() {
     return all;
 }
 
-/// Boxes on long land.
+/// Makes boxes on a long ground.
 Scene long_scene(const glm::dvec3& at) {
     std::vector<BoxExtent> boxes{{at + glm::dvec3(-40, -1, -40), at + glm::dvec3(40, 0, 40)}};
     for (int x = -3; x < 4; ++x)
@@ -155,11 +155,11 @@ struct Cascaded {
         const glm::dvec4 h = light.views[view].clip_from_relative(p) * glm::dvec4(0, 0, 0, 1);
         return {0.5 * h.x + 0.5, 0.5 * h.y + 0.5, h.z};
     }
-    /// How far a look-up leads from the point itself: the kernel and the normal offset, half a texel besides.
+    /// Returns the reach of a look-up around its point: kernel, normal offset and half a texel.
     double reach() const { return (reach_of(settings).read + settings.bias.normal + 0.5) / 512; }
 };
 
-// Whatever a look-up within a cascade's interval reads lies inside of its map, the band's second map included.
+// Every read of a look-up within a cascade's interval is inside its map, the band's second map included.
 TEST(Cascades, HoldAllLookUps) {
     std::size_t points = 0, blended = 0;
     for (const Case& c : cases()) {
@@ -192,8 +192,7 @@ TEST(Cascades, HoldAllLookUps) {
     EXPECT_GT(blended, 1000u);
 }
 
-// A caster outside of the view, but between it and the light, lies behind the near plane of each map that it falls
-// into.
+// A caster outside the view, but between the view and the light, is behind the near plane of each map that it covers.
 TEST(Cascades, ReachToTheFirstCaster) {
     std::size_t held = 0;
     for (const Case& c : cases()) {
@@ -225,11 +224,11 @@ TEST(Cascades, NearCascadesAreFinerThanTheSceneMap) {
     }
 }
 
-// Along a line away from the camera the share grows from 0 to 1 within the band, and the next view takes over there.
+// Along a line away from the camera the share grows from 0 to 1 within the band, and the next view continues there.
 TEST(Cascades, BlendIntoEachOther) {
     for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
         const Cascaded scene({{0, 0, 0}, -40, 45, 30, 8, 30, false, choice});
-        // What is blended of view k at a point: its weight.
+        // Returns the blend weight of view k at a point.
         const auto weights = [&](const glm::dvec3& p) {
             std::array<double, 4> w{};
             const ChosenView chosen = scene.light.chooser.choose(scene.light.views, p);
@@ -244,7 +243,7 @@ TEST(Cascades, BlendIntoEachOther) {
         std::set<std::size_t> met;
         auto before = weights(scene.camera.eye);
         for (int i = 1; i < kSteps; ++i) {
-            // Through the land, where maps hold it.
+            // A line through the ground, where maps hold it.
             const auto now = weights(scene.camera.eye - scene.camera.axes[2] * (length * i / kSteps));
             for (std::size_t k = 0; k < 4; ++k) {
                 if (choice == CascadeChoice::Interval) {
@@ -273,7 +272,7 @@ TEST(Cascades, ReadTheCameraOnlyUnderCascadedFits) {
     s.lights[0].type = LightType::Directional;
     s.lights[0].cascades = 1;
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    // A camera that looks away from everything still gets maps.
+    // A camera that looks away from the scene still gets maps.
     Cascaded away({{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval});
     away.settings.camera.target_y = 1e4;
     away.settings.camera.elevation = -80;

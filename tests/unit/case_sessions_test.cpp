@@ -1,4 +1,4 @@
-// What an axis of a sweep does is what --set does, for every setting: the same settings and scene, or the same error.
+// Tests of sweep axes: for every setting an axis gives the settings and scene, or the error, of --set.
 #include "app/sweep/case_sessions.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Scene 0: a triangle, two cameras. Scene 1: two triangles, a spot light that an animation moves, one camera.
+/// Makes two scenes. 0: a triangle and two cameras. 1: two triangles, an animated spot light, one camera.
 std::string two_scenes() {
     test::GltfFile f;
     f.json["extensionsUsed"] = {"KHR_lights_punctual"};
@@ -59,7 +59,7 @@ protected:
     test::TemporaryFolder folder;
     std::string file = folder.write("two.glb", two_scenes()).string();
 
-    /// The command line with these sets, and a sweep over them as axes of one value.
+    /// Expects the same session from a command line with these sets and from a sweep with them as axes of one value.
     void expect_same(const std::string& scene, const std::vector<std::string>& sets) {
         std::string what = scene;
         for (const std::string& s : sets) what += " " + s;
@@ -93,7 +93,7 @@ protected:
     int refused = 0;
 };
 
-/// Values to try: ends, a middle one, and what is no value.
+/// Returns values to try: both ends, a middle one, and an invalid one.
 std::vector<std::string> texts_of(const Param& p, const Value& like) {
     std::vector<std::string> texts = {"nonsense"};
     if (p.choices) {
@@ -112,7 +112,7 @@ std::vector<std::string> texts_of(const Param& p, const Value& like) {
 SI_TEST_IS(Repeated, CaseSessionsTest, AxisEqualsSetForEverySetting);
 TEST_F(CaseSessionsTest, AxisEqualsSetForEverySetting) {
     for (const Param& p : params()) {
-        if (is_text(p)) continue;  // what things are called is no axis
+        if (is_text(p)) continue;  // names are no axis
         std::vector<std::string> keys = {std::string(p.key)};
         if (p.scope == Scope::Light) keys.push_back("light.1." + std::string(p.key.substr(6)));
         if (p.scope == Scope::Object)

@@ -15,7 +15,7 @@ TEST(DiskSamplesTest, SpiralTurnsByTheGoldenAngleAndCoversEqualAreas) {
         for (int i = 0; i < n; ++i) {
             const double angle = std::fmod(i * (3 - std::sqrt(5.0)) * std::numbers::pi, 2 * std::numbers::pi);
             const double radius = std::sqrt((i + 0.5) / n);
-            // 2^32 parts of a turn, whose rounding adds up.
+            // 2^32 parts of a turn, with accumulated rounding.
             EXPECT_NEAR(places[std::size_t(i)].x, radius * std::cos(-angle), 1e-5) << i << " of " << n;
             EXPECT_NEAR(places[std::size_t(i)].y, radius * std::sin(-angle), 1e-5) << i << " of " << n;
         }

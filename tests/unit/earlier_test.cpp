@@ -1,4 +1,5 @@
-// Files of earlier versions are read with the defaults of those versions; sized kernels' names set size and sampling.
+// Tests of files of earlier versions, read with the defaults of those versions, and of names that set kernel size and
+// sampling.
 #include "renderer/settings/earlier.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Defaults that no release had: light.fit changed once, map.resolution twice.
+/// Made-up defaults: light.fit changed once, map.resolution twice.
 constexpr EarlierDefault kTrialRows[] = {
     {.version = 0, .key = "map.resolution", .value = "256"},
     {.version = 1, .key = "light.fit", .value = "scene"},

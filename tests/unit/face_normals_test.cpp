@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-/// The mesh's triangles, each turned so that its least corner comes first: turning about keeps it, mirroring does not.
+/// Returns the mesh's triangles, each rotated to start with its least corner: rotation is ignored, mirroring is not.
 std::vector<std::array<std::uint32_t, 3>> triangles(std::span<const std::uint32_t> indices, auto&& vertex_of) {
     std::vector<std::array<std::uint32_t, 3>> out;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {

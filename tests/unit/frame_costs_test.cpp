@@ -1,4 +1,4 @@
-// Scripted motions: each frame is another than the one before it, and nothing else moves.
+// Tests of scripted motions: each frame differs from the previous one, and nothing else moves.
 #include "renderer/measure/frame_costs.h"
 
 #include <gtest/gtest.h>

@@ -34,7 +34,7 @@ TEST(Frontier, NoiseDecidesNoRank) {
     EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false}));
 }
 
-/// What is badly known is no reason to call anything else beaten: here the second may take from 15 to 25.
+/// Uncertain values dominate nothing: here the second may take from 15 to 25.
 TEST(Frontier, UncertainCostBeatsNoCheaperPoint) {
     const std::vector<Dot> dots = {{15, 5, 0.1}, {20, 2, 5}, {20.4, 3, 0.5}};
     EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false}));

@@ -1,4 +1,4 @@
-// What the fuzzers run (tests/fuzz), over what they found before, seeds, and some seeded changes of both.
+// Tests that run the fuzz targets (tests/fuzz) over earlier findings, seeds, and seeded mutations of both.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ std::vector<std::string> files_below(const fs::path& folder) {
     return texts;
 }
 
-/// Some bytes changed, taken out or put in, or the end of another one.
+/// Returns the bytes with some changed, removed or inserted, or with the end of another input.
 std::string changed(std::string text, const std::vector<std::string>& others, std::mt19937& random) {
     static constexpr std::string_view kTelling[] = {"\"", "{",     "}",    "[",   "]", ",", ":",
                                                     "-",  "1e999", "\xff", "nan", "0", "="};

@@ -1,4 +1,4 @@
-// Posing glTF scenes: keyframes, morph targets and skins.
+// Tests of posed glTF scenes: keyframes, morph targets and skins.
 #include <gtest/gtest.h>
 
 #include "renderer/scene/animation.h"
@@ -16,7 +16,7 @@ glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
     return glm::dvec3(m * glm::dvec4(p, 1));
 }
 
-/// Where vertex `i` of the scene's first object is.
+/// Returns the position of vertex `i` of the scene's first object.
 glm::dvec3 vertex(const Scene& scene, std::size_t i) {
     const Object& o = scene.objects.at(0);
     return moved(o.world, glm::dvec3(scene.meshes[static_cast<std::size_t>(o.mesh)].positions.all().at(i)));
@@ -64,7 +64,7 @@ TEST(Animation, RotationsTakeTheShortestArc) {
     }
 }
 
-/// A triangle whose node is moved from (0,0,0) to (4,0,0) within two seconds.
+/// Makes a triangle whose node moves from (0,0,0) to (4,0,0) within two seconds.
 GltfFile moving_triangle() {
     GltfFile file;
     file.add_triangle();
@@ -154,8 +154,8 @@ TEST(Animation, CollapsedTriangleReturns) {
     expect_near(vertex(scene, 1), {1, 0, 0});
 }
 
-/// A triangle bound to two joints: corner 0 to the first, corner 1 to the second, corner 2 to both. The mesh's own node
-/// is far away, which a skin ignores.
+/// Makes a triangle bound to two joints: corner 0 to the first, corner 1 to the second, corner 2 to both. The mesh's
+/// own node is far away, which a skin ignores.
 GltfFile skinned_triangle() {
     GltfFile file;
     const Json attributes = {

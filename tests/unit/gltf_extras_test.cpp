@@ -1,4 +1,4 @@
-// What the exporter keeps in extras comes back; what others put there harms nothing.
+// Tests of glTF extras: exported ones are read back, and foreign ones do no harm.
 #include <gtest/gtest.h>
 
 #include <cmath>

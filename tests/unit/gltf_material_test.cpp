@@ -1,4 +1,4 @@
-// Materials, textures and texture coordinates of glTF files.
+// Tests of materials, textures and texture coordinates of glTF files.
 #include <gtest/gtest.h>
 
 #include "tests/unit/gltf_test_file.h"
@@ -6,8 +6,8 @@
 namespace si::test {
 namespace {
 
-/// A PNG of 2 x 1 pixels: red, then green half transparent. Deflate with one stored block; checksums are not checked by
-/// the decoder but are right all the same.
+/// Returns a PNG of 2 x 1 pixels: red, then green half transparent. Deflate with one stored block and correct
+/// checksums.
 std::vector<std::uint8_t> png() {
     const auto crc = [](std::string_view bytes) {
         std::uint32_t c = 0xffffffff;
@@ -37,7 +37,7 @@ std::vector<std::uint8_t> png() {
     return {out.begin(), out.end()};
 }
 
-/// A triangle whose material reads a texture; TEXCOORD_0 and TEXCOORD_1 differ.
+/// Triangle whose material reads a texture; TEXCOORD_0 and TEXCOORD_1 differ.
 struct Textured : GltfFile {
     Textured() {
         const Json attributes = {{"POSITION", triangle_positions()},

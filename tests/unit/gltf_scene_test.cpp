@@ -1,4 +1,4 @@
-// Hierarchy, instances, cameras and lights of glTF files.
+// Tests of hierarchy, instances, cameras and lights of glTF files.
 #include <gtest/gtest.h>
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// Who holds memory: what is told of holders, and what they let go.
+// Tests of tracked memory: reports of holders, and released memory.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -41,9 +41,9 @@ TEST(TrackedMemory, IsReportedUntilReleased) {
     EXPECT_EQ(nobody.bytes(), 0u);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
+#if !defined(__SANITIZE_ADDRESS__)  // which keeps freed memory
 TEST(ProcessMemory, FreedMemoryReturnsToTheSystem) {
-    // Below what malloc() maps by itself, with holes that end no page from above.
+    // Sizes below malloc()'s mmap threshold, with holes that end no page from above.
     constexpr std::size_t kBlock = 64 << 10, kBlocks = 1600;
     std::vector<std::vector<char>> blocks, kept;
     for (std::size_t i = 0; i < kBlocks; ++i) {
@@ -73,7 +73,7 @@ TEST(TrackedMemory, ThreadsAddUp) {
 }
 
 TEST(TrackedMemory, ScenesAndHierarchiesReportTheirSize) {
-    ray_scenes().clear();  // what tests before have left
+    ray_scenes().clear();  // left by earlier tests
     const std::uint64_t scenes = of("scenes").bytes;
     {
         const Scene scene = load_scene("teapot");

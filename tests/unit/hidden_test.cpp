@@ -1,4 +1,4 @@
-// hide_objects(): what is left out keeps its place, its share of the bounds and its pose.
+// Tests of hide_objects(): hidden objects keep their place, their share of the bounds and their pose.
 #include <gtest/gtest.h>
 
 #include "app/session/session.h"

@@ -1,4 +1,4 @@
-// Mouse and keys as frames are shown them: in order, and as few frames as that takes.
+// Tests of the input queue: mouse and keys reach frames in order, in as few frames as possible.
 #include "app/context/input_queue.h"
 
 #define GLFW_INCLUDE_NONE
@@ -80,13 +80,13 @@ TEST_F(InputQueueTest, TypedTextIsOneStepInAField) {
     up('H', GLFW_MOD_SHIFT);
     up(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT);
     type("el");
-    queue.move({300, 300});  // which no field minds
+    queue.move({300, 300});  // ignored by fields
     type("lo");
     down('X');
     queue.character('x');
     queue.character('x');
-    queue.character('x');                               // it repeats
-    down('Y'), queue.character('y'), up('X'), up('Y');  // the next before the last is up
+    queue.character('x');                               // key repeat
+    down('Y'), queue.character('y'), up('X'), up('Y');  // the next key before the last is released
     const auto all = steps();
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].text(), "Helloxxxy");

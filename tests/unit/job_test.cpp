@@ -1,4 +1,4 @@
-// One job at a time in the background: what is heard of it, and what is not. Threads meet by promises, never by the
+// Tests of background jobs, one at a time: reported results and suppressed ones. Threads meet by promises, never by the
 // clock.
 #include "app/base/job.h"
 
@@ -12,11 +12,11 @@
 namespace si {
 namespace {
 
-/// Work that says when it began and goes on until it is let.
-/// Outlives the job that it works for: declared before it.
+/// Work that reports its start and continues until released.
+/// Declared before its job, which it must outlive.
 struct Puppet {
     std::promise<void> begun, let;
-    std::atomic<bool> stopped{false};  ///< seen when it ended
+    std::atomic<bool> stopped{false};  ///< set at its end
 
     Job<int>::Work work(int value, bool heeds = true) {
         return [this, value, heeds](const Workers& workers, const auto&) {

@@ -1,4 +1,4 @@
-// JSON from elsewhere: bounded, unambiguous, and read in time that grows with its length.
+// Tests of foreign JSON: bounded, unambiguous, and read in time that grows with its length.
 #include "app/base/json_text.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(JsonText, DuplicatesAreNamedAtEveryLevel) {
     EXPECT_EQ(refusal_of_text(R"([{"a":1},{"a":1}])"), "");
 }
 
-// By an object that looks every new member up among all before it, minutes.
+// An object that compares every new member with all earlier ones would take minutes.
 TEST(JsonText, TwoHundredThousandMembersAreReadQuickly) {
     std::string text = "{", settings;
     for (int i = 0; i < 200'000; ++i) text += (i ? ",\"k" : "\"k") + std::to_string(i) + "\":{}";

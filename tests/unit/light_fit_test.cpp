@@ -34,7 +34,7 @@ bool all_finite(const FittedLight& light) {
             for (int j = 0; j < 4; ++j) ok = ok && std::isfinite(m[i][j]);
         ok = ok && std::isfinite(v.half_width) && v.half_width > 0 && v.curve.far > v.curve.near;
         ok = ok && (!v.curve.perspective || v.curve.near > 0);
-        ok = ok && float(v.curve.far) > float(v.curve.near);  // as shaders know them
+        ok = ok && float(v.curve.far) > float(v.curve.near);  // in the precision of shaders
     }
     return ok && !light.views.empty();
 }
@@ -49,7 +49,7 @@ void expect_basis(const glm::dvec3& n) {
 }
 
 TEST(LightFit, FarDirectionalLightHasARangeForShaders) {
-    // Its target, or itself along its rays; found by random settings.
+    // The target, or the light along its rays, is far off; found by random settings.
     for (const auto& [distance, aside] : {std::pair{0.0, 6.2e7}, {1e7, 0.0}, {1e7, -1e8}}) {
         Settings s = one_light(LightType::Directional);
         s.lights[0].distance = distance;
@@ -62,7 +62,7 @@ TEST(LightFit, FarDirectionalLightHasARangeForShaders) {
         const float near = float(view.curve.near), far = float(view.curve.far);
         EXPECT_GT(far - near, 1) << "near " << near;
         EXPECT_TRUE(std::isfinite(1 / (far - near)));
-        // What lies in the scene still lies in the map.
+        // Points of the scene are still inside the map.
         const glm::dvec4 clip = view.clip_from_relative({0, 0, 0}) * glm::dvec4(0, 1, 0, 1);
         EXPECT_LT(std::abs(clip.x), 1);
         EXPECT_LT(std::abs(clip.y), 1);
@@ -95,7 +95,8 @@ TEST(Basis, AnglesGiveTheirDirection) {
     EXPECT_TRUE(near_to(direction_from_angles(180, -45), {0, -std::sqrt(0.5), -std::sqrt(0.5)}));
 }
 
-/// Largest |x|, |y| of the scene's corners in the map and the range of their depths, through the given views.
+/// Largest |x|, |y| of the scene's corners in the map and the range of their depths, through the given
+/// views.
 struct Coverage {
     double aside = 0, lo = 1, hi = 0;
 };
@@ -152,7 +153,7 @@ TEST(LightFit, SceneFitHoldsTheScene) {
         ASSERT_LE(c.hi, 1) << i;
         EXPECT_EQ(light.clipped_casters, 0) << i;
         if (light.type != LightType::Directional) continue;
-        // Tight: no more than the margin is wasted across, next to nothing in depth.
+        // Tight: only the margin is added across, and almost nothing in depth.
         ASSERT_GT(c.aside, 1 - 5.0 / s.map.resolution) << i;
         ASSERT_LT(c.lo, 1e-3);
         ASSERT_GT(c.hi, 0.999);
@@ -188,7 +189,7 @@ TEST(LightFit, FacesOfAPointLightCoverEveryDirection) {
         EXPECT_EQ(glm::determinant(v.axes), 1);
         EXPECT_EQ(v.curve.near, light.views[0].curve.near);  // shaders know one range per light
         EXPECT_EQ(v.curve.far, light.views[0].curve.far);
-        // A corner direction shared with two other faces lies inside, with texels to spare for kernels.
+        // A corner direction shared with two other faces is inside, with spare texels for kernels.
         const glm::dvec3 corner = forward[f] + v.axes[0] + v.axes[1];
         const glm::dvec4 q = v.clip_from_relative(light.position + corner)[3];
         EXPECT_NEAR(q.x / q.w, 1 - 12.0 / s.map.resolution, 1e-6);
@@ -286,7 +287,7 @@ TEST(LightFit, StaysFiniteForDegenerateScenes) {
                                 ASSERT_TRUE(all_finite(light))
                                     << i << " " << index_of(type) << " " << index_of(projection) << " " << distance;
                                 const LightView& v = light.views[0];
-                                // A wide perspective map of one texel has none that is shorter than its range.
+                                // A wide perspective map of one texel has no shorter range.
                                 const double texel = v.texel_size(v.curve.far, resolution);
                                 const double least =
                                     v.curve.perspective ? std::min(2 * texel, 1e-4 * v.curve.far) : 2 * texel;
@@ -349,7 +350,7 @@ TEST(LightFit, RangeEndsTheMap) {
             const FittedLight light = fit_lights(scene, s)[0];
             ASSERT_TRUE(all_finite(light)) << int(type) << " " << range;
             EXPECT_EQ(light.range_m, range);
-            // By parallel rays the wall's box reaches past the light.
+            // Parallel rays let the wall's box reach behind the light.
             EXPECT_EQ(!light.notes.empty(), range < 10 && projection == LightProjection::Automatic)
                 << "which says that it reaches nothing";
             EXPECT_EQ(light.radiance, endless.radiance) << "a range changes no brightness near the light";

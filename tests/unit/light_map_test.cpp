@@ -1,4 +1,4 @@
-// Light maps without a GPU: charts and how they are packed, what a map is known by, and what is kept on disk.
+// Tests of light maps without a GPU: charts, packing, keys, and the disk cache.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -27,7 +27,7 @@ LightMapTask task_of(const Scene& scene, int side = 128, const glm::dvec3& to_li
     return {geometry_of(scene), {.type = LightType::Directional, .to_light = to_light}, side, 1, scene.id};
 }
 
-/// A floor of 10 m with a box of 1 m at (x, 0).
+/// Makes a floor of 10 m with a box of 1 m at (x, 0).
 Scene floor_with_box(double x = 0) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
@@ -37,7 +37,7 @@ Scene floor_with_box(double x = 0) {
     return scene;
 }
 
-/// A spiral ramp, twice around, that rises half a metre a turn: nowhere steep, and above itself.
+/// Makes a spiral ramp of two turns that rises half a metre a turn: nowhere steep, and above itself.
 Mesh make_spiral() {
     std::vector<std::vector<glm::dvec3>> faces;
     constexpr int kSteps = 48;
@@ -52,7 +52,7 @@ Mesh make_spiral() {
     return make_polygons("spiral", faces);
 }
 
-/// Demands that charts lie apart and their triangles within them.
+/// Expects separate charts with their triangles inside.
 void expect_sound(const ReferenceGeometry& geometry, const LightMapLayout& layout) {
     std::vector<std::uint32_t> owner(std::size_t(layout.side) * std::size_t(layout.side), 0);
     for (std::uint32_t c = 0; c < layout.charts.size(); ++c) {
@@ -114,7 +114,7 @@ TEST(LightMapLayout, SplitsOverlappingCharts) {
     const auto geometry = geometry_of(scene);
     const LightMapLayout layout = light_map_layout(*geometry, 256);
     expect_sound(*geometry, layout);
-    // No texel's middle lies in two triangles of one chart that are half a metre apart.
+    // No texel centre is in two triangles of one chart that are half a metre apart.
     for (const LightMapChart& chart : layout.charts) {
         const auto height = [&](std::uint32_t i) {
             const TriangleWs t = geometry->triangle(chart.object, layout.triangles[chart.first + i]);
@@ -142,7 +142,7 @@ TEST(LightMapLayout, RefusesAnUnfittingSizeAndNamesAFittingOne) {
 
 TEST(LightMapBake, IsTheSameForAnyNumberOfThreads) {
     const Scene scene = load_scene("boxes");
-    LightMapTask task = task_of(scene, 200);  // no multiple of what is traced at once
+    LightMapTask task = task_of(scene, 200);  // no multiple of the traced batch
     task.emitter.size = 2;
     for (const int samples : {1, 64}) {
         task.samples = samples;
@@ -208,7 +208,7 @@ protected:
         for (const auto& e : fs::directory_iterator(folder, none)) out.push_back(e.path());
         return out;
     }
-    /// What an instance that knows nothing yet finds.
+    /// Returns the light map as a fresh instance finds it.
     std::shared_ptr<const LightMap> get(const LightMapTask& task, std::size_t baked,
                                         std::uint64_t most = LightMapCache::kMostOnDisk) {
         LightMapCache maps;
@@ -295,7 +295,7 @@ TEST_F(LightMapFiles, StayBelowTheirSizeLimit) {
         ::usleep(20'000);  // so that times differ
     }
     EXPECT_EQ(files().size(), 2u);
-    get(task_of(floor_with_box(1)), 0, most);  // used: now the newest
+    get(task_of(floor_with_box(1)), 0, most);  // used, so now the newest
     ::usleep(20'000);
     get(task_of(floor_with_box(3)), 1, most);
     get(task_of(floor_with_box(1)), 0, most);

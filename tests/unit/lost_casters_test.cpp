@@ -25,7 +25,7 @@ Mesh closed_box() {
     return mesh;
 }
 
-/// A floor and a closed box above it, each under a transform of its own.
+/// Makes a floor and a closed box above it, each under a transform of its own.
 Scene floor_and_box(const glm::dmat4& floor = glm::dmat4(1), const glm::dmat4& box = glm::dmat4(1)) {
     Scene scene;
     scene.meshes = {quad(), closed_box()};

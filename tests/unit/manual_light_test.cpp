@@ -1,4 +1,4 @@
-// What a fit chose, written out by hand, gives the same maps.
+// Tests of manual lights: the numbers of a fit, set by hand, give the same maps.
 #include "renderer/view/fits/manual_light.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 namespace si {
 namespace {
 
-/// Largest difference of the two views' clip space positions over the corners of the second one's map, in units of the
-/// map's size and depth range.
+/// Returns the largest difference of the two views' clip space positions over the corners of the second one's map, as a
+/// share of the map's size and depth range.
 double apart(const LightView& a, const LightView& b) {
     double most = 0;
     for (int i = 0; i < 8; ++i) {
@@ -47,7 +47,7 @@ std::vector<Settings> lights_to_try() {
                         all.push_back(s);
                         l.fit = LightFit::Scene;
                         all.push_back(s);
-                        l.fit = LightFit::Manual;  // zeros are the fit's values
+                        l.fit = LightFit::Manual;  // zeros select the fit's values
                         all.push_back(s);
                         l.near = 0.25;
                         all.push_back(s);

@@ -1,4 +1,4 @@
-// What a map cannot resolve is told with its light: steps of depth and texels against closed forms.
+// Tests of a map's limits: steps of depth and texels, compared with closed forms.
 #include "renderer/view/fits/map_limits.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-/// A box 4 m wide, 2 m high and 6 m deep, away from the origin.
+/// Makes a box 4 m wide, 2 m high and 6 m deep, away from the origin.
 Scene box() {
     return test::box_scene({{{100, 50, -30}, {104, 52, -24}}});
 }
@@ -38,7 +38,7 @@ TEST(MapLimits, OrdinaryMapsHaveNone) {
 }
 
 TEST(MapLimits, DepthRangeInOneStepIsReported) {
-    // From overhead the box is 2 m deep. 16 bits over 0 ... far step by far / 65535.
+    // A light from overhead sees a depth of 2 m. 16 bits over 0 ... far step by far / 65535.
     const auto overhead = [](const char* format, const char* far, const char* reversed = "false") {
         return fitted({{"light.elevation", "90"},
                        {"light.azimuth", "0"},

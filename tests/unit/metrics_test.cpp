@@ -1,4 +1,4 @@
-// Error metrics over pictures made by hand, and the distances that they rest on.
+// Tests of error metrics over pictures made by hand, and of their distances.
 #include "renderer/reference/metrics.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// A truth from rows of characters: '.' lit, '#' dark, '+' half lit, ' ' background, 'o' turned away.
+/// Makes a reference from rows of characters: '.' lit, '#' dark, '+' half lit, ' ' background, 'o' turned away.
 Reference reference_of(const std::vector<std::string>& rows) {
     Reference t;
     t.width = int(rows[0].size());
@@ -35,7 +35,7 @@ Reference reference_of(const std::vector<std::string>& rows) {
     return t;
 }
 
-/// What a frame shows by the same characters; every wrong pixel has the cause.
+/// Makes a frame's visibility from the same characters; every wrong pixel has the cause.
 std::vector<ClassifiedPixel> classified_of(const std::vector<std::string>& rows, const Reference& reference,
                                            Artefact cause = Artefact::EdgeAliasing) {
     const Reference drawn = reference_of(rows);
@@ -141,14 +141,14 @@ TEST(Metrics, MeasureContourDistance) {
     const ErrorMetrics none = error_metrics(
         classified_of(std::vector<std::string>(8, "............"), reference_of(rows)), reference_of(rows));
     EXPECT_TRUE(std::isnan(none.boundary_px_mean));
-    // Every fourth pixel of a picture: the same contours are four times as far apart in it.
+    // Every fourth pixel of a picture: contour distances are four times as large.
     Reference coarse = reference_of(rows);
     coarse.step = 4;
     const ErrorMetrics far = error_metrics(classified_of(moved, coarse), coarse);
     EXPECT_DOUBLE_EQ(far.boundary_px_mean, 6);
     EXPECT_EQ(far.boundary_px_max, 8);
     EXPECT_EQ(far.boundary_px_p95, 8);
-    // Where two surfaces meet in the picture there is no contour.
+    // Borders between two surfaces of the picture are no contours.
     std::vector<std::uint8_t> joins(96, 3);
     for (std::size_t y = 0; y < 8; ++y) joins[y * 12 + 3] = 2;
     EXPECT_TRUE(std::isnan(
@@ -173,7 +173,7 @@ TEST(MetricRows, DefineEachNumberOnce) {
 }
 
 TEST(MetricRows, CountEveryWrongPixelOnce) {
-    // One pixel of each cause on the side that it can have, 2^k of them: sums tell which were counted.
+    // Each cause has 2^k pixels on each possible side: sums identify the counted causes.
     Reference reference;
     reference.state.assign(1 << 16, PixelState::Counted);
     reference.pixels[0] = reference.state.size();

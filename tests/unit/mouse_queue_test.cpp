@@ -1,4 +1,4 @@
-// The mouse as frames are shown it, however long they take.
+// Tests of the mouse queue: mouse events in frames of any duration.
 #include "app/context/mouse_queue.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// Every step until nothing waits.
+/// Returns every step until the queue is empty.
 std::vector<MouseQueue::Step> steps_of(MouseQueue& mouse) {
     std::vector<MouseQueue::Step> steps;
     while (!mouse.empty()) steps.push_back(mouse.next());
@@ -25,7 +25,7 @@ TEST(MouseQueue, DoubleClickDuringASlowFrameIsRecognised) {
     MouseQueue mouse;
     mouse.move({10, 20});
     mouse.next();
-    // A frame took from 1.0 to 1.7 s, and all of this is told of after it.
+    // A frame took from 1.0 to 1.7 s, and all events are queued after it.
     for (int click = 0; click < 2; ++click) {
         mouse.button(0, true, 0, {1.0, 1.7});
         mouse.button(0, false, 0, {1.0, 1.7});

@@ -1,4 +1,4 @@
-// Files that the program writes: whole or not at all, whatever stands in their place.
+// Tests of written files: complete or absent, whatever is in their place.
 #include "app/base/output.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,7 @@ TEST(OutputFiles, ReadOnlyOnesAreRefused) {
 TEST(OutputFiles, TemporariesAreUnpredictableAndFollowNoLinks) {
     const fs::path folder = fresh_test_folder(), mine = folder / "mine.txt";
     std::ofstream(mine) << "mine";
-    // What a foreseeable name would be, as a link to another file.
+    // A link to another file under a predictable temporary name.
     for (int i = 0; i < 50; ++i)
         fs::create_symlink("mine.txt",
                            folder / ("a.json." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp"));
@@ -134,7 +134,7 @@ TEST(OutputFiles, KillAtAnyTimeLeavesTheOldOrTheNewFile) {
     std::mt19937 random(1);
     for (int i = 0; i < kills; ++i) {
         write_file(file, one);
-        int written[2];  // a byte once the first new one is whole
+        int written[2];  // a byte after the first complete new file
         ASSERT_EQ(::pipe(written), 0);
         const pid_t child = ::fork();
         ASSERT_GE(child, 0);
@@ -146,7 +146,7 @@ TEST(OutputFiles, KillAtAnyTimeLeavesTheOldOrTheNewFile) {
                     ::close(std::exchange(written[1], -1));
             }
         ::close(written[1]);
-        // Every other kill comes among later writes, however slow the machine is, the others at any time.
+        // Every other kill comes during later writes, however slow the machine is, the others at any time.
         char byte = 0;
         if (i % 2 == 0) {
             EXPECT_EQ(::read(written[0], &byte, 1), 1) << "it does not write";

@@ -1,4 +1,4 @@
-// The split view's grid, and colour scales fitted to values.
+// Tests of the split view's grid, and of colour scales fitted to values.
 #include "renderer/frame/pane_grid.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The order in which a camera draws objects, against orders that a few boxes leave no doubt of, and by chance.
+// Tests of the drawing order of objects, by a few boxes with a known order and by random ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(PictureOrder, TouchingObjectsKeepTheirOrder) {
     std::vector<DrawnBox> boxes = {{.far_m = 9, .seen = true}, {.far_m = 3, .seen = true}, {.far_m = 5, .seen = true}};
     const std::vector<BoxPair> touching = {{0, 1}};
     EXPECT_EQ(nearest_first(boxes, touching), (std::vector<std::uint32_t>{2, 0, 1}));
-    boxes[0].seen = false;  // nothing waits for what is not drawn
+    boxes[0].seen = false;  // hidden boxes delay nothing
     EXPECT_EQ(nearest_first(boxes, touching), (std::vector<std::uint32_t>{1, 2}));
 }
 

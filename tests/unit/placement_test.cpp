@@ -1,4 +1,4 @@
-// Scenes put elsewhere, and settings that go along.
+// Tests of placed scenes and of settings that move with them.
 #include "renderer/scene/placement.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ TEST(Placement, MovesAndScalesTheWholeScene) {
     EXPECT_NE(scene.id, id);
     EXPECT_NEAR(scene.bounds.centre().x, 1e6 + 100 * home.centre().x, 1e-6);
     EXPECT_NEAR(scene.bounds.radius(), 100 * home.radius(), 1e-6);
-    pose_scene(scene, far);  // not once more
+    pose_scene(scene, far);  // a second call does not move the scene again
     EXPECT_NEAR(scene.bounds.radius(), 100 * home.radius(), 1e-6);
     pose_scene(scene, {});
     EXPECT_EQ(scene.bounds.lo, home.lo);
@@ -46,7 +46,7 @@ TEST(Placement, MovesCamerasAndLightsOfTheScene) {
     EXPECT_EQ(scene.cameras[0].world[3], glm::dvec4(1, 2, 3, 1));
 }
 
-// The same picture from there: the camera by hand sees each corner at the same pixel, at any distance and scale.
+// The same picture from the new place: a manual camera sees each corner at the same pixel, at any distance and scale.
 TEST(Placement, MovesSettings) {
     const std::vector<std::string> by_hand = {"camera.source=manual",     "camera.target_x=1", "camera.target_y=0.5",
                                               "camera.target_z=-2",       "camera.distance=9", "bias.unit=metres",
@@ -77,7 +77,7 @@ TEST(Placement, MovesSettings) {
         }
 }
 
-// What a preset or scene says in metres grows along, what --set says is taken as it is.
+// Metres of presets and scenes are scaled; values of --set are not.
 TEST(Placement, ScalesLengthsOfPresetsButNotOfSetArguments) {
     const Session s = placed({"scene.scale=10", "light.contact=0.5"});
     EXPECT_EQ(s.settings.lights[0].contact, 0.5);

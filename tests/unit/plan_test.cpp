@@ -1,4 +1,4 @@
-// The plan of a frame: what runs follows from what is wanted, and each decision says why.
+// Tests of the frame plan: passes follow from requested results, and each decision has a reason.
 #include "renderer/frame/plan.h"
 
 #include <gtest/gtest.h>

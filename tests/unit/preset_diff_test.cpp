@@ -1,4 +1,4 @@
-// Differences in words: nothing missed, nothing invented, units and headings right.
+// Tests of differences in words: complete, without additions, with correct units and headings.
 #include "app/session/preset_diff.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ TEST(PresetDiff, DescribesChoicesSwitchesAnglesLightsObjectsAndScenes) {
 }
 
 TEST(PresetDiff, FindsExactlyTheChangedSettings) {
-    // Each setting by itself, whatever its kind.
+    // Each setting alone, of every type.
     for (const Param& p : params()) {
         const SettingRef ref{&p, p.scope == Scope::Light ? 3 : 0, p.scope == Scope::Object ? "Root/Box" : ""};
         const Preset a;
@@ -88,7 +88,7 @@ TEST(PresetDiff, FindsExactlyTheChangedSettings) {
         ASSERT_EQ(found.size(), 1u) << setting_key(ref);
         EXPECT_EQ(found[0].key, setting_key(ref));
         EXPECT_NE(found[0].text.find("→"), std::string::npos);
-        // Without the arrow's two sides being the same words.
+        // The two sides of the arrow must differ.
         const std::string change = change_text(a.settings, b.settings, ref);
         const auto arrow = change.find(" → ");
         EXPECT_NE(change.substr(0, arrow), change.substr(arrow + 5)) << setting_key(ref) << ": " << change;

@@ -1,4 +1,4 @@
-// Presets: what is written is read back; what is wrong is refused with file, place and remedy.
+// Tests of presets: written ones are read back; wrong ones are refused with file, place and fix.
 #include "app/session/presets.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ Preset sample() {
     return p;
 }
 
-/// A preset with these claims.
+/// Makes a preset with these claims.
 std::string with_claims(const std::string& list) {
     return R"({"format":"shadow-inspector-preset","version":2,"settings":{},"claims":)" + list + "}";
 }

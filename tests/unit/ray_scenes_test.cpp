@@ -1,4 +1,4 @@
-// One hierarchy of rays for all who ask: the same object, built once, gone when nobody needs it.
+// Tests of the shared ray hierarchy: one object, built once, freed without users.
 #include "renderer/reference/ray_scenes.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(RaySceneCache, KeepsAtMostOneUnusedScene) {
     RaySceneCache scenes;
     std::vector<Weak> weak;
     std::vector<Scene> all;
-    for (int i = 0; i < 5; ++i) all.push_back(load_scene("boxes"));  // each its own, by its id
+    for (int i = 0; i < 5; ++i) all.push_back(load_scene("boxes"));  // each with its own id
     const auto held = scenes.get(geometry_of(all[0]));
     for (const Scene& scene : all) weak.push_back(scenes.get(geometry_of(scene)));
     EXPECT_EQ(scenes.size(), 2u);
@@ -78,7 +78,7 @@ TEST(RaySceneCache, ConcurrentRequestsWaitForOneBuild) {
                            }});
     });
     building.get_future().wait();
-    // Who waits may be stopped.
+    // A waiting request can be stopped.
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(scenes.get(geometry, {.stop = stop.get_token()}), Cancelled);

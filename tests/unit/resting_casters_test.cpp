@@ -1,4 +1,4 @@
-// Which casters are taken to rest, from frame to frame.
+// Tests of the choice of static casters, from frame to frame.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -10,7 +10,7 @@ namespace {
 
 using Draws = StaticCasters::Draws;
 
-/// Of contents, each of so many triangles.
+/// Makes casters of these contents, each of so many triangles.
 std::vector<WeighedCaster> casters(std::vector<std::uint64_t> contents, std::uint64_t triangles = 10) {
     return weighed_casters(contents, std::vector<std::uint64_t>(contents.size(), triangles));
 }
@@ -68,7 +68,7 @@ TEST(StaticCasters, StoppedCastersAreAddedOnceTheirCostIsEqual) {
     r.choose(1, casters(all), reason);
     for (int i = 0; i < 5; ++i) all[std::size_t(i)] += 50;
     ASSERT_EQ(r.choose(1, casters(all), reason), Draws::Anew);
-    // The five rest from now on, of ten; another one moves.
+    // The five are static from now on, of ten; another one moves.
     int moved = 0;
     for (;; ++moved) {
         ASSERT_LT(moved, 10);
@@ -89,7 +89,7 @@ TEST(MapCells, CoverTexelsByFewRectangles) {
     EXPECT_EQ(cells.texels(640), (std::vector<TexelRect>{{{320, 160}, {340, 180}}}));
     EXPECT_EQ(MapCells::whole().texels(100), (std::vector<TexelRect>{{{0, 0}, {100, 100}}}));
     cells.add({{0.9, 0.26}, {1.2, 0.26}}, false);
-    // Every texel of each cell that is held, at sizes that cells do not divide too.
+    // Covers every texel of each held cell, also at sizes that cells do not divide.
     for (const int n : {1, 7, 64, 100, 511}) {
         const std::vector<TexelRect> rects = cells.texels(n);
         for (int y = 0; y < n; ++y)

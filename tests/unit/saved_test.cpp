@@ -1,4 +1,4 @@
-// What savings are worth: paired differences of frames in turns, by a clock that is made up.
+// Tests of measured savings: paired differences of alternating frames, by a made-up clock.
 #include <gtest/gtest.h>
 
 #include "renderer/measure/optimisation_times.h"
@@ -10,7 +10,7 @@ constexpr Optimisation kOptimisation = Optimisation::Uncalled;
 const std::vector<Optimisation> kOne = {kOptimisation};
 
 TEST(MeasuredSaving, IsTheDifferenceUnderChangingLoad) {
-    double drift = 0;  // of a machine that gets slower, three times what is saved in each frame
+    double drift = 0;  // drift of a machine that slows down, three times the saving in each frame
     const auto saved = saved_in_turns(kOne, 16, [&](OptimisationSet forced) {
         drift += 3;
         return 100 + drift + (forced.contains(kOptimisation) ? 5 : 0);

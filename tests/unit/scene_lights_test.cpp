@@ -1,4 +1,4 @@
-// The lights of a file as settings: places, directions, cones and colours come back out of the fit.
+// Tests of a file's lights as settings: positions, directions, cones and colours are preserved by the fit.
 #include "renderer/scene/scene_lights.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ SceneLight light_of(LightType type, const glm::dvec3& position, const glm::dvec3
     SceneLight light;
     light.type = type;
     const glm::dvec3 up = std::abs(glm::normalize(towards).y) > 0.99 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    // Scaled, as nodes are: only place and direction count.
+    // Nodes may be scaled: only position and direction count.
     light.world =
         glm::inverse(glm::lookAt(position, position + towards, up)) * glm::scale(glm::dmat4(1), glm::dvec3(3));
     return light;
@@ -85,7 +85,7 @@ TEST(SceneLights, RangesRoundTripThroughAFile) {
     SceneLight vast = endless;
     vast.range = 1e30;
     SceneLight sun = light_of(LightType::Directional, {0, 0, 0}, {0, -1, 0.1});
-    sun.range = 3;  // which has no meaning
+    sun.range = 3;  // ignored for this type
     const Scene scene = lit_scene({ranged, endless, vast, sun});
     const auto file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "ranges.glb";
     save_gltf(scene, file);

@@ -1,5 +1,4 @@
-// The drawing of a cross-section: words that keep apart, colours that can be read on either ground, and SVG that is
-// XML.
+// Tests of cross-section drawings: separate and readable texts, and SVG that is XML.
 #include "renderer/inspect/section_drawing.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Acne on a plane of 45 degrees, ten texels of 40 mm, as no driver need draw it.
+/// Returns a cross-section with acne on a plane of 45 degrees and ten texels of 40 mm, made by hand.
 Section acne() {
     Section s;
     s.shadowed = true;
@@ -51,7 +50,8 @@ Section acne() {
     return s;
 }
 
-/// The bias has lifted what is compared past a box 0.3 m above, which fills the map to the right.
+/// Returns a cross-section whose bias has shifted the compared point past a box 0.3 m above, which fills the map to the
+/// right.
 Section peter_panning() {
     Section s = acne();
     s.lit = true;
@@ -75,7 +75,8 @@ Section peter_panning() {
     return s;
 }
 
-/// A normal offset leads the look-up two and a half texels aside; one tap meets another surface.
+/// Returns a cross-section whose normal offset leads the look-up two and a half texels aside; one tap hits another
+/// surface.
 Section led_aside() {
     Section s = acne();
     s.artefact = "peter-panning by normal offset";
@@ -100,7 +101,7 @@ Section light_bleeding() {
     return s;
 }
 
-/// Words of its legend.
+/// Returns the texts of the legend.
 std::vector<std::string> legend_texts(const SectionDrawing& d) {
     std::vector<std::string> out;
     for (const LegendRow& row : d.legend) out.emplace_back(row.text);
@@ -138,7 +139,7 @@ TEST(SectionDrawing, TextIsReadableOnBothBackgrounds) {
 
 TEST(SectionDrawing, TextDoesNotOverlapAndStaysInside) {
     Section crowded = acne();
-    // Everything at one height.
+    // All parts at one height.
     crowded.window_from = 0.005, crowded.window_to = 0.0052, crowded.has_window = true;
     crowded.occluder = glm::dvec2(0, 0.0051);
     crowded.occluder_m = 0.0051;
@@ -196,7 +197,7 @@ TEST(SectionDrawing, LegendListsExactlyTheDrawnMarks) {
                 const auto first_words =
                     std::ranges::find_if(d.marks, [&](const Mark& m) { return m.text == d.legend[0].text; });
                 ASSERT_NE(first_words, end);
-                end = first_words - 1;  // its swatch
+                end = first_words - 1;  // the swatch
             }
             std::set<std::pair<Mark::Kind, Ink>> drawn, listed;
             for (auto m = d.marks.begin(); m != end; ++m)
@@ -204,7 +205,7 @@ TEST(SectionDrawing, LegendListsExactlyTheDrawnMarks) {
             for (const LegendRow& row : d.legend) EXPECT_TRUE(listed.emplace(row.kind, row.ink).second) << row.text;
             EXPECT_EQ(drawn, listed);
             seen.insert(listed.begin(), listed.end());
-            // Swatch and words of each row in turn, and of no other.
+            // Swatch and text of each row in turn, and of no other.
             for (const LegendRow& row : d.legend) {
                 if (!captions) break;
                 EXPECT_TRUE(row.explains(*end) && end->dashed == row.dashed) << row.text;
@@ -291,7 +292,7 @@ TEST(SectionDrawing, PositionsMatchTheSection) {
     EXPECT_GE(found, 3) << "each step that the page holds, where it lies";
 }
 
-/// Middles of the lines that mark the ends of the window, the near one first, counted from the ring.
+/// Returns the centres of the lines that mark the ends of the bias window, the near one first, relative to the ring.
 std::vector<glm::dvec2> ends_of_window(const SectionDrawing& d) {
     std::vector<glm::dvec2> out;
     for (const Mark& m : d.marks)
@@ -305,7 +306,7 @@ const Mark* words_of(const SectionDrawing& d, std::string_view text) {
     return m == d.marks.end() ? nullptr : &*m;
 }
 
-/// The note, and the other less important words.
+/// Returns the note and the other muted texts.
 std::string muted_words(const SectionDrawing& d) {
     std::string out;
     for (const Mark& m : d.marks)
@@ -335,7 +336,7 @@ TEST(SectionDrawing, BiasWindowIsNextToTheRingAlongItsRay) {
             EXPECT_NEAR(-end.y, metres * s.light_ray.y * d.along, 1e-6);
         }
         EXPECT_TRUE(words_of(d, "needs 0.6 texels of bias"));
-        // The bar between them.
+        // The bar between the two lines.
         const auto bar = std::ranges::find_if(
             d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Area && m.ink == Ink::Window; });
         ASSERT_NE(bar, d.marks.end());

@@ -1,4 +1,4 @@
-// The settings table: every member has a row, keys round-trip, values are read, refused and repaired.
+// Tests of the settings table: every member has a row, keys round-trip, values are read, refused and repaired.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ bool mentions(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
 }
 
-/// A value in range that differs from the default.
+/// Returns a value in range that differs from the default.
 Value other_value(const SettingRef& ref) {
     const Value v = default_value(ref);
     if (const bool* b = std::get_if<bool>(&v)) return !*b;
@@ -156,7 +156,7 @@ TEST(SettingsKeys, SuggestTheNearestKey) {
     EXPECT_EQ(nearest_key("light.16.azimuth"), "light.15.azimuth");
     EXPECT_EQ(nearest_key("object.Root/Fence.cul"), "object.Root/Fence.cull");
     EXPECT_EQ(nearest_name("pcf4", {}), "");
-    // The beginning of names leads to the first of them; what is like none is near to none.
+    // A prefix suggests the first name with it; unlike words suggest nothing.
     EXPECT_EQ(nearest_key("filter"), "filter.kernel");
     EXPECT_EQ(nearest_key("fliter"), "filter.kernel");
     EXPECT_EQ(nearest_key("filter.kern"), "filter.kernel");
@@ -361,7 +361,7 @@ TEST(SettingsIdle, GivesReasons) {
     EXPECT_TRUE(idle("camera.fov").empty());
 }
 
-/// A few values that a setting may have.
+/// Returns a few possible values of a setting.
 std::vector<Value> some_values(const SettingRef& ref) {
     const Param& p = *ref.param;
     const Value like = default_value(ref);
@@ -387,7 +387,7 @@ TEST(SettingsIdle, EveryReasonCanBeRemoved) {
     for (const SettingRef& ref : all_settings(Settings{}))
         if (ref.light == 0)
             for (const Value& v : some_values(ref)) changes.emplace_back(ref, v);
-    // Where each change brings up another reason.
+    // Follows changes that lead to another reason.
     const std::function<bool(const SettingRef&, const Settings&, int)> ends_one_by_one =
         [&](const SettingRef& ref, const Settings& from, int most) {
             if (idle_reason(from, ref).empty() || most == 0) return idle_reason(from, ref).empty();

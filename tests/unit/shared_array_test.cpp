@@ -1,4 +1,4 @@
-// Arrays that copies share until one of them is changed.
+// Tests of arrays that copies share until one changes.
 #include "renderer/base/shared_array.h"
 
 #include <gtest/gtest.h>

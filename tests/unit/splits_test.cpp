@@ -1,4 +1,4 @@
-// Where cascades end under each way to divide the camera's depth, and how splits by hand keep their order.
+// Tests of cascade ends under each way to divide the camera's depth, and of the order of manual splits.
 #include "renderer/settings/splits.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct Divided {
     std::vector<std::string> notes;
 };
 
-/// Boxes before a camera that looks along -z, and the borders of the cascades of a sun.
+/// Makes boxes in front of a camera that looks along -z, and returns the cascade borders of a sun.
 Divided divided(const LightSettings& light, const glm::dvec3& at = glm::dvec3(0), bool orthographic = false) {
     Settings s;
     s.camera.source = CameraSource::Manual;
@@ -101,7 +101,7 @@ TEST(Splits, MovingOnePushesItsNeighbours) {
 TEST(Splits, UnorderedSplitsAreRepairedWithANote) {
     Settings s;
     set_setting(s, "light.cascades", "4");
-    set_setting(s, "light.split_1", "0.5");  // beyond the second, 0.2, and the third, 0.45
+    set_setting(s, "light.split_1", "0.5");  // behind the second, 0.2, and the third, 0.45
     Settings unused = s;
     EXPECT_TRUE(sanitise(unused).empty()) << "they do not divide";
     EXPECT_EQ(unused, s);
@@ -111,7 +111,7 @@ TEST(Splits, UnorderedSplitsAreRepairedWithANote) {
     EXPECT_EQ(notes[0], "light.split_2 0.2 lies before light.split_1 0.5: moved up to it");
     EXPECT_EQ(manual_splits(s.lights[0]), (std::array{0.5, 0.5, 0.5, 0.6, 0.7, 0.8, 0.9}));
     EXPECT_TRUE(sanitise(s).empty());
-    // Equal ones leave an interval of no depth, in which nothing is looked up.
+    // Equal splits leave an interval of no depth, which nothing looks up.
     const Divided d = divided(s.lights[0]);
     EXPECT_TRUE(std::ranges::is_sorted(d.ends));
 }

@@ -58,7 +58,7 @@ TEST(SweepAxes, CrossProductVariesTheLastAxisFastest) {
 
 TEST(SweepAxes, SettingsWithoutEffectCollapse) {
     Settings base;
-    base.shading.specular = 0;  // shininess has nothing to shape
+    base.shading.specular = 0;  // shininess has no effect
     const SweepPlan plan = plan_sweep(base, {parse_axis("shading.specular=0,1"), parse_axis("shading.shininess=8,64")});
     EXPECT_EQ(plan.product, 4u);
     EXPECT_EQ(plan.cases.size(), 3u);

@@ -1,4 +1,4 @@
-// Sweeps without a GPU: the journal, continuing, rounds, shards and merging, over a meter that makes numbers up.
+// Tests of sweeps without a GPU: the journal, continuing, rounds, shards and merging, over a meter of made-up numbers.
 
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(Sweep, ContinuesWithoutLoss) {
         const OrderedJson r = part.results();
         EXPECT_EQ(r["rounds"], 4) << steps;
         EXPECT_EQ(r["finished"], 8) << steps;
-        // Whole rounds count whoever drew them; a round cut short is drawn again, in one run.
+        // Complete rounds count from any run; a partial round is drawn again, in one run.
         const int whole = std::max(0, std::min(steps - 8, 32)) / 8;
         EXPECT_EQ(second.timed.size(), std::size_t(4 - whole) * 8) << steps;
         for (const OrderedJson& run : r["runs"])
@@ -140,7 +140,7 @@ TEST(Sweep, BadLineLosesOnlyItsCase) {
     FakeMeter again;
     EXPECT_EQ(f.run(again, 10'000, {.on = false}).notes.size(), 2u);
     EXPECT_TRUE(again.measured.empty());
-    // Of a journal that is damaged all over, a few lines are named.
+    // Errors name a few lines of a badly damaged journal.
     changed = lines[0] + "\n";
     for (int i = 0; i < 1000; ++i) changed += "x\n";
     std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
@@ -173,7 +173,7 @@ TEST(Sweep, ImpossibleNumbersAreMeasuredAgain) {
     auto line = good_line;
     line["error"]["signed_mean"] = -0.5;
     EXPECT_TRUE(with(line).notes.empty()) << "which may be negative";
-    // Of two lines of one case that say different things, the first counts.
+    // The first of two contradicting lines of one case counts.
     std::ofstream(f.folder / kJournalFile, std::ios::binary) << text << line.dump() << '\n';
     const SweepState state = read_journal(f.folder);
     ASSERT_EQ(state.notes.size(), 1u);
@@ -196,7 +196,7 @@ TEST(Sweep, JournalMayBeDamagedAtItsStart) {
         EXPECT_EQ(f.run(again, 10'000, {.on = false}).notes.size(), 1u) << before;
         EXPECT_TRUE(again.measured.empty()) << before;
     }
-    // What is swept is not known any more; that a sweep wrote it is.
+    // The axes are lost, but the file is recognised as a sweep's.
     write("x" + text);
     EXPECT_THROW(read_journal(f.folder), Error);
     forget_sweep(f.folder);
@@ -280,7 +280,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
             EXPECT_NE(said.find(std::string("holds ") + name), std::string::npos) << name << ": " << said;
         EXPECT_EQ(file_bytes(file), "mine") << name;
     }
-    // Beside a sweep of ours.
+    // A foreign file next to a sweep.
     const FakeSweep f(root / "ours");
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -291,7 +291,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
     EXPECT_TRUE(lacks_pictures(f.folder, 0));
     for (const char* name : {"pictures/2026-holiday.jpg", "pictures/007.jpg", "notes.txt", "pictures/0001-mine.png"})
         EXPECT_EQ(file_bytes(f.folder / name), "mine") << name;
-    // A journal that was killed in its first line is ours; its sweep begins anew.
+    // A journal killed in its first line is recognised; its sweep starts again.
     const FakeSweep killed(root / "killed");
     fs::create_directories(killed.folder);
     std::ofstream(killed.folder / kJournalFile) << "{\"format\":\"shadow-insp";
@@ -406,7 +406,7 @@ TEST(Sweep, ErrorsOfAnotherDefinitionAreNotMixed) {
             t.replace(at, number.size(), by);
         return t;
     };
-    // Without a number, with another one, and a journal that has both.
+    // A journal without a number, with another one, and with both.
     for (const std::string& changed : {replaced(text, "\"other\":0", true), replaced(text, "\"meaning\":7", true),
                                        replaced(text, "\"meaning\":1", false)}) {
         ASSERT_NE(changed, text);
@@ -526,7 +526,7 @@ TEST(Results, ContentDecidesWhetherScenesAreEqual) {
 }
 
 TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
-    // Every number its own, some of them unknown: what is read is what was written.
+    // Every number differs, some are unknown: read values equal written ones.
     CaseState c;
     double v = 0.1;
     for (const Metric& m : metrics())
@@ -554,7 +554,7 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
     EXPECT_EQ(read.error.metrics.counted, c.error.metrics.pixels[0]);
     EXPECT_EQ(read.cost.map_bytes, c.cost.map_bytes);
     EXPECT_EQ(read.error.noise, c.error.noise);
-    // A column says of the typed numbers what results.json holds under its key.
+    // A column maps typed numbers to their key in results.json.
     TimeSamples samples;
     for (const double ms : {3.0, 4.0, 5.0, 9.0}) {
         samples.total_ms.push_back(ms);

@@ -1,4 +1,4 @@
-// docs/techniques.md has a row and a picture of each technique. Its figures are tested where the program draws.
+// Tests of docs/techniques.md: a row and a picture for each technique. Its figures are tested with the drawing tests.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Where texels stand as slabs, against the light's own transform.
+// Tests of texels drawn as slabs, compared with the light's own transform.
 #include "renderer/passes/texel_slabs.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTexels = 256;
 
-/// Map coordinates and depth of a world point by the view's projection.
+/// Returns the map coordinates and depth of a world point by the view's projection.
 glm::dvec3 uvd_of(const LightView& view, const glm::dvec3& p) {
     const glm::dvec4 clip = view.clip_from_relative(p) * glm::dvec4(0, 0, 0, 1);
     const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
@@ -52,7 +52,7 @@ TEST(TexelSlabs, LieAtTheirStoredDepthOnTheirTexel) {
     }
 }
 
-/// The bias that receiver.glsl subtracts at distance z, in depth.
+/// Returns the bias, in depth, that receiver.glsl subtracts at distance z.
 double bias_at(const LightView& view, const BiasSettings& bias, double z) {
     const double per_m = view.curve.slope(z);
     if (bias.unit == BiasUnit::Texels) return bias.constant * view.texel_size(z, kTexels) * per_m;
@@ -104,7 +104,7 @@ TEST(TexelSlabs, RegionIsCentredAndClippedToTheMap) {
     v.slabs_u = v.slabs_v = 10.5 / 256;
     EXPECT_EQ(slab_region(v, 256), (TexelRegion{{10, 10}, {1, 1}}));
     v.slabs_texels = 32;
-    v.slabs_u = 100.7 / 256;  // the square that is centred nearest to it
+    v.slabs_u = 100.7 / 256;  // the nearest centred square
     EXPECT_EQ(slab_region(v, 256).first, glm::ivec2(85, 0));
     v.slabs_texels = 256;
     EXPECT_EQ(slab_region(v, 4), (TexelRegion{{0, 0}, {4, 4}}));

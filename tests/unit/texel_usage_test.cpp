@@ -1,4 +1,4 @@
-// Which texels a picture reads, in cases that can be counted by hand.
+// Tests of the texels that a picture reads, in cases countable by hand.
 #include "renderer/inspect/texel_usage.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@
 namespace si {
 namespace {
 
-/// A picture of one row whose pixels look up the given map coordinates.
+/// Makes a picture of one row whose pixels look up the given map coordinates.
 FloatImage looks_up(const std::vector<glm::vec4>& pixels) {
     FloatImage image{int(pixels.size()), 1, 4, {}};
     for (const glm::vec4& p : pixels) image.data.insert(image.data.end(), {p.x, p.y, p.z, p.w});
     return image;
 }
 
-/// Map coordinates of the centre of a texel.
+/// Returns the map coordinates of a texel's centre.
 glm::vec4 centre_of(int x, int y, int n, float layer = 0) {
     return {(float(x) + 0.5f) / float(n), (float(y) + 0.5f) / float(n), layer, 1};
 }

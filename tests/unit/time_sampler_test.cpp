@@ -20,7 +20,7 @@ FrameResult frame_of(double shadow_ms, double shade_ms, bool reused = false) {
     return f;
 }
 
-/// Time that passes as frames and pauses say.
+/// Clock that advances with frames and pauses.
 struct FakeTime {
     double now = 1000;
     std::vector<double> pauses;
@@ -92,7 +92,7 @@ TEST(TimeSampler, BurstsAreSpreadOverASecond) {
     EXPECT_NEAR(quick.seconds, 0.8 + 4 * 0.004, 1e-9);
     EXPECT_NEAR(time.now - start, 1 + 0.004, 0.2);
     EXPECT_EQ(time.pauses.size(), 4u);
-    // Slow frames need no pauses, nor bursts of several.
+    // Slow frames need neither pauses nor bursts of several.
     time.pauses.clear();
     const TimeMeasurement slow = sample_times(
         {}, [&] { return time.now += 0.5, frame_of(100, 400); }, time.clock());
@@ -103,7 +103,7 @@ TEST(TimeSampler, BurstsAreSpreadOverASecond) {
 }
 
 TEST(TimeSampler, NoiseIsMeasuredBetweenBursts) {
-    // A machine that stays in one mood for a burst: each burst by itself stands still.
+    // A machine with a constant speed for one burst: each burst alone is stable.
     FakeTime time;
     const std::vector<double> moods = {29, 31, 33, 35, 40};
     std::size_t burst = 0;
@@ -117,7 +117,7 @@ TEST(TimeSampler, NoiseIsMeasuredBetweenBursts) {
     EXPECT_EQ(m.total_ms.samples, 15);
     EXPECT_EQ(m.total_ms.bursts, 5);
     EXPECT_DOUBLE_EQ(m.total_ms.median, 33);
-    // Student's t of four degrees of freedom; the standard deviation of the moods is 4.219.
+    // Student's t of four degrees of freedom; the standard deviation of the burst means is 4.219.
     EXPECT_NEAR(0.5 * (m.total_ms.median_high - m.total_ms.median_low), 2.776 * 4.2190 / std::sqrt(5), 1e-3);
     EXPECT_FALSE(m.settled) << "by the ranks of fifteen frames alone it would be";
     EXPECT_NEAR(0.5 * (m.maps_ms.median_high - m.maps_ms.median_low), 5.238, 1e-3) << "of its parts likewise";
@@ -158,7 +158,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     s.filter.method = FilterMethod::Sampler;
     s.map.format = MapFormat::D16;
     EXPECT_EQ(work_cost(s, f).map_bytes, 2 * cost.map_texels);
-    // Blurred depths are a second set of maps, and one map blurred along x alone as floats.
+    // Blurred depths are a second set of maps, plus one map blurred along x as floats.
     s.map.blur_texels = 3;
     EXPECT_EQ(work_cost(s, f).map_bytes, 2 * 2 * cost.map_texels + 4 * 512 * 512);
     s.map.format = MapFormat::Colour;
@@ -177,7 +177,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
         EXPECT_EQ(work_cost(s, f).taps_per_pixel, across * across * (f2.bilinear ? 4 : 1)) << f2.key;
     }
     s.filter.kernel = Settings{}.filter.kernel;
-    s.map.format = MapFormat::Colour;  // which no sampler can compare
+    s.map.format = MapFormat::Colour;  // samplers cannot compare it
     EXPECT_EQ(work_cost(s, f).taps_per_pixel, 4.0 * gathers);
 }
 

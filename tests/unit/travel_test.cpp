@@ -1,4 +1,4 @@
-// Fits over a whole animation: maps that neither move nor change while it plays, and that nothing leaves.
+// Tests of fits over a whole animation: maps that stay unchanged during playback and hold all moving objects.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using test::Json;
 
 constexpr int kTimes = 20;
 
-/// A floor and a box that is turned by `key_values` about y, far from its axis.
+/// Makes a floor and a box that is rotated by `key_values` about y, far from its axis.
 Scene swinging_box(Interpolation how) {
     Scene scene;
     scene.name = "swinging box";
@@ -52,7 +52,7 @@ Scene swinging_box(Interpolation how) {
     return scene;
 }
 
-/// A triangle that grows by a morph target, in the file of a light that hangs still.
+/// Makes a triangle that grows by a morph target, in a file with a fixed light.
 GltfFile growing_triangle() {
     GltfFile file;
     const int grown = file.floats({0, 0, 0, 4, 0, 0, 0, 0, -3}, "VEC3");
@@ -93,7 +93,7 @@ double time_of(const Scene& scene, int i) {
     return scene.rig->animations[0].duration_s * i / (kTimes - 1);
 }
 
-/// Every number that a light's maps are drawn by.
+/// Returns every number that affects the drawing of a light's maps.
 std::vector<double> numbers_of(const std::vector<FittedLight>& lights) {
     std::vector<double> out;
     const auto add = [&](const auto& matrix, int columns, int rows) {
@@ -110,7 +110,7 @@ std::vector<double> numbers_of(const std::vector<FittedLight>& lights) {
     return out;
 }
 
-/// Vertices of what moves that are beside a view, or before or behind its range.
+/// Returns the number of moving vertices outside a view or its depth range.
 std::size_t outside(const Scene& scene, const FittedLight& light) {
     std::size_t count = 0;
     const LightView& view = light.views[0];
@@ -155,7 +155,7 @@ TEST(AnimatedBounds, KeepMapsSteadyAroundMovingObjects) {
             }
 }
 
-// No wider than what moves makes them: for what swings about an axis, the circle that its corner draws.
+// No wider than the moving parts: for a swinging box, the circle of its corner.
 TEST(AnimatedBounds, EncloseEachTimeTightly) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const Session session = at(scene, 0, {"scene.fit_animation=on"});
@@ -181,7 +181,7 @@ TEST(AnimatedBounds, AreCachedPerAnimationAndDroppedWithTheSetting) {
     SceneSettings at_time{.fit_animation = true};
     pose_scene(scene, at_time);
     ASSERT_FALSE(scene.objects[1].animation_bounds.empty());
-    scene.objects[1].animation_bounds.hi.x = 1000;  // would be put right if it were found again
+    scene.objects[1].animation_bounds.hi.x = 1000;  // a new search would repair it
     at_time.time = 0.3;
     pose_scene(scene, at_time);
     EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "not once a frame";
@@ -189,7 +189,7 @@ TEST(AnimatedBounds, AreCachedPerAnimationAndDroppedWithTheSetting) {
     pose_scene(scene, at_time);
     hide_objects(scene, {});
     EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "nor for what is hidden";
-    at_time.animation = 1;  // of no keys
+    at_time.animation = 1;  // an animation without keys
     pose_scene(scene, at_time);
     EXPECT_TRUE(scene.objects[1].animation_bounds.empty());
     at_time.animation = 0;
@@ -245,7 +245,7 @@ TEST(AnimatedBounds, ChangeNothingInStaticScenes) {
     EXPECT_NE(idle_reason(s, *find_setting("scene.fit_animation")).find("rest pose"), std::string_view::npos);
 }
 
-// A picture that moves with what it shows cannot be compared with itself.
+// A picture that moves with its subject cannot be compared with itself.
 TEST(AnimatedBounds, KeepTheAutomaticCameraOfTheFirstTime) {
     Scene scene = swinging_box(Interpolation::Linear);
     scene.file_scenes = {""};

@@ -1,5 +1,5 @@
-// What casts in the ray-traced truth: masks, blended surfaces, culled faces, shared meshes; and that a trace can be
-// stopped and does not depend on who computes it.
+// Tests of casters in the ray-traced reference: masks, blended surfaces, culled faces, shared meshes. A trace can be
+// stopped, and its result does not depend on threads.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -19,7 +19,7 @@ using test::receiver_on;
 using test::row_of;
 using test::sun;
 
-/// A picture of floor points over [-half, half]^2 at y = 0; object 0 is the floor.
+/// Makes a picture of floor points over [-half, half]^2 at y = 0; object 0 is the floor.
 Receivers floor_points(double half, int size) {
     Receivers receivers{size, size, {}};
     for (int z = 0; z < size; ++z)
@@ -152,7 +152,7 @@ struct CullCase {
     const char* cull;
     const char* object_cull;
     bool mirrored, from_below;
-    bool casts;  ///< a plane that faces up, under a light from above
+    bool casts;  ///< whether a plane casts that faces up, under a light from above
 };
 
 TEST(Casters, CulledFacesCastUnlessAsRasterised) {

@@ -1,5 +1,5 @@
-// The ray-traced truth without a GPU: no surface shadows itself, known shadows and penumbrae come out, and what scenes
-// ask for (masks, culling, instances) is done.
+// Tests of the ray-traced reference without a GPU: no self-shadowing, known shadows and penumbrae, and scene options
+// (masks, culling, instances).
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -29,7 +29,7 @@ std::size_t dark(const Reference& reference) {
     return count;
 }
 
-/// A body alone in the world: receivers all over each triangle, its corners and edges included.
+/// Returns receivers all over each triangle of a single body, corners and edges included.
 Receivers all_over(const ReferenceGeometry& geometry) {
     std::vector<Receiver> pixels;
     constexpr double kEps = 1e-7;
@@ -98,7 +98,7 @@ TEST(ConvexCaster, IsFullyLitByALargeLight) {
     EXPECT_GT(reference.counted(), 1000u);
 }
 
-/// A floor, and a box of 1.5 x 1 x 2 m that floats over it.
+/// Distance in metres between a floor and a box of 1.5 x 1 x 2 m that floats over it.
 constexpr double kGap = 0.4;
 Scene floor_and_box(double scale, const glm::dvec3& at) {
     Scene scene;
@@ -111,7 +111,7 @@ Scene floor_and_box(double scale, const glm::dvec3& at) {
     return scene;
 }
 
-/// Whether the ray from `p` along `d` (up to parameter `most`) meets the box; the slab test.
+/// Returns whether the ray from `p` along `d` (up to parameter `most`) hits the box, by the slab test.
 bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi) {
     double from = 0, to = most;
     for (int axis = 0; axis < 3; ++axis) {
@@ -254,7 +254,7 @@ TEST(Reference, CountsReasonsOfExcludedPixels) {
     EXPECT_GT(counted[std::size_t(PixelState::NotReceiving)], 20u);
     EXPECT_EQ(counted[std::size_t(PixelState::BeyondRange)], 0u);
 
-    // A light straight overhead reaches a circle of the floor, and shadows beyond it are still traced.
+    // A light straight overhead reaches a circle of the floor, and shadows outside it are still traced.
     set_setting(settings, "light.0.elevation", "90");
     const double height = fit_lights(scene, settings)[0].position.y, range = std::hypot(height, 1.75);
     settings.lights[0].range = range;

@@ -1,4 +1,4 @@
-// The searches for the least bias and the best setting, on made-up frames whose answer is known.
+// Tests of the searches for the minimum bias and the best setting, on made-up frames with a known answer.
 #include "renderer/advise/tuner.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 namespace si {
 namespace {
 
-/// A frame of tilted planes: what each needs, and what a bias is worth to it, in texels.
+/// Frame of tilted planes: the bias that each needs, and the equivalent bias of settings, in texels.
 struct MadeUpFrame {
-    double harder = 1;          ///< the surfaces need this many times what theory says
-    double lost_by_normal = 0;  ///< pixels that a texel of normal offset loses
+    double harder = 1;          ///< factor by which the surfaces need more than theory says
+    double lost_by_normal = 0;  ///< pixels lost per texel of normal offset
     double kappa = 1;
 
     static double theta(int i) { return (0.02 + 0.95 * i / 99.0) * M_PI / 2; }
@@ -114,7 +114,8 @@ TEST(BiasSearch, ReportsFailure) {
     EXPECT_TRUE(dark.done()) << "nothing is lit";
 }
 
-/// Errors and times of kernels and resolutions: finer maps are more accurate and slower, wider kernels too.
+/// World of made-up errors and times of kernels and resolutions: finer maps and wider kernels are more accurate and
+/// slower.
 struct MadeUpWorld {
     static double ms(const Settings& s) {
         return 1 + 1e-6 * s.map.resolution * s.map.resolution + 0.5 * cost_of(s).sampler_taps / 9.0;
@@ -144,7 +145,7 @@ struct MadeUpWorld {
         EXPECT_EQ(tuner.progress(), 1);
         return tuner;
     }
-    /// By trying all.
+    /// Returns the optimum by exhaustive search.
     static std::optional<Settings> best(const TuneGoals& goals) {
         std::optional<Settings> best;
         for (const std::string_view kernel : swept_kernels())

@@ -1,4 +1,4 @@
-// What is remembered between runs, and that no file there can hinder the editor.
+// Tests of the editor's memory between runs: no stored file can break the editor.
 #include "app/session/workspace.h"
 
 #include <gtest/gtest.h>
