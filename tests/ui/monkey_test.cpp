@@ -35,8 +35,7 @@ constexpr int kPrintedEvents = 40;  ///< printed events before an end
 constexpr int kMaxPrograms = 150;   ///< limit for the editor's renderers: one keeps 64 programs, or all of its frame
 constexpr auto kDropped = 20s;      ///< time limit of a drop: a modal loop of X may take none
 /// Bytes by which idle editors may differ: a probe with texels (up to 32 MiB of this map), overlays (30 MiB), a
-/// compared picture (15 MiB), the last reference with its surfaces (80 MiB). picture held against another (15), the
-/// truth of the last picture that asked for it with its surfaces (80).
+/// compared picture (15 MiB), the last reference with its surfaces (80 MiB).
 constexpr std::uint64_t kLeftOver = 160u << 20;
 constexpr int kEventsBetweenChecks = 2000;  ///< events between two checks of the idle editor
 /// Limit of resident bytes of an idle editor: the program and its driver (some 250 MiB), 64 programs of 4 MiB each,

@@ -101,7 +101,7 @@ TEST(Screenshot, SectionDrawingIsSavedAsPngAndSvg) {
     state.shots.next = Shot::Drawing;
     for (int i = 0; i < 3; ++i) editor.frame();
     const ByteImage drawing = read_back(folder / "boxes-drawing-2.png");
-    // As large as the SVG, with verdict and legend, whatever the size of the panel.
+    // The picture is as large as the SVG, with verdict and legend, whatever the size of the panel.
     EXPECT_GT(drawing.width, 600) << state.log.lines().back().text;
     EXPECT_GT(drawing.height, int(1.5f * state.shots.drawing_rect.size.y));
     std::set<std::uint32_t> colours;

@@ -364,7 +364,7 @@ TEST(EditorPictureComparison, PinIsFlickeredAndCompared) {
     expect_calm(editor);
 }
 
-// Light maps are baked beside the frames; maps of another light are not shown.
+// Light maps are baked in parallel to frames; maps of another light are not shown.
 TEST(EditorLightMap, IsBakedInTheBackgroundAndAgainAfterLightMoves) {
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=256", "view.frustum=false"}));
     const auto need = [&] { return editor.model().facts().result->light_maps.at(0); };
