@@ -201,7 +201,8 @@ void FrameLoop::report_smoothing(const FrameResult& more) {
     const auto told = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
     if (!did || told == result_.passes.end() || told->reason == did->reason) return;
     // All other passes keep the states and times of the frame itself.
-    told->state = did->state, told->reason = did->reason;
+    told->state = did->state;
+    told->reason = did->reason;
     frame_effects_.clear();
 }
 

@@ -91,7 +91,8 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
         const Scene scene = under(m);
         SCOPED_TRACE(testing::Message() << m[0].x << " " << m[1].y << " " << m[3].x);
         Settings s;  // the automatic camera and light
-        s.lights[0].azimuth = 20, s.lights[0].elevation = 35;
+        s.lights[0].azimuth = 20;
+        s.lights[0].elevation = 35;
         const std::vector<float> shown = values(scene, s, "n-dot-l");
         const test::RayReference rays(scene);
         int checked = 0, off = 0, facing = 0;

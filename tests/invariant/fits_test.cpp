@@ -66,7 +66,8 @@ protected:
         }
         move_camera(s, c.place.at);
         // Enough for any of these maps: in metres, so that it is the same for all fits.
-        s.bias.unit = BiasUnit::Metres, s.bias.constant = 0.6;
+        s.bias.unit = BiasUnit::Metres;
+        s.bias.constant = 0.6;
         return s;
     }
 };

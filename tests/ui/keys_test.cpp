@@ -135,7 +135,8 @@ TEST_F(Keys, PComparesWithThePinIfNothingIsCompared) {
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
     EXPECT_FALSE(ui.state.comparison.reference);
     key('P');  // off
-    ui.state.comparison.view = ComparisonView::Swipe, ui.state.comparison.reference = true;
+    ui.state.comparison.view = ComparisonView::Swipe;
+    ui.state.comparison.reference = true;
     key('P');
     EXPECT_TRUE(ui.state.comparison.reference) << "what is compared stays";
 }

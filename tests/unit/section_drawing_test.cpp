@@ -140,7 +140,9 @@ TEST(SectionDrawing, TextIsReadableOnBothBackgrounds) {
 TEST(SectionDrawing, TextDoesNotOverlapAndStaysInside) {
     Section crowded = acne();
     // All parts at one height.
-    crowded.window_from = 0.005, crowded.window_to = 0.0052, crowded.has_window = true;
+    crowded.window_from = 0.005;
+    crowded.window_to = 0.0052;
+    crowded.has_window = true;
     crowded.occluder = glm::dvec2(0, 0.0051);
     crowded.occluder_m = 0.0051;
     crowded.moved = {0.02, 0.004};

@@ -38,7 +38,8 @@ Settings level_view(double angle_deg) {
     s.camera.distance = 10;
     s.camera.near = 0.5;
     s.bias.normal = 0;  // otherwise the map holds its offset, too
-    s.lights[0].azimuth = 0, s.lights[0].elevation = angle_deg;
+    s.lights[0].azimuth = 0;
+    s.lights[0].elevation = angle_deg;
     return s;
 }
 
