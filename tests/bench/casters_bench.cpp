@@ -21,7 +21,7 @@ namespace {
 
 /// Times two ways in turn and reports the ratio of the second to the first with its middle half of the rounds.
 template <typename A, typename B>
-void in_turn(benchmark::State& state, A&& first, B&& second) {
+void time_in_turns(benchmark::State& state, A&& first, B&& second) {
     for (int i = 0; i < 3; ++i) {
         first();
         second();
@@ -79,7 +79,7 @@ void light_turns(benchmark::State& state) {
     Settings s = around_it();
     FrameResult facts = renderer.render(scene, s, {});
     BareForward bare(scene, BareOptions{}, s.map.resolution, 1280, 720);
-    in_turn(
+    time_in_turns(
         state, [&] { bare.draw(facts.camera, facts.lights[0]); },
         [&] {
             s.lights[0].azimuth += 0.5;
@@ -98,7 +98,7 @@ void agreed_map(benchmark::State& state, const Settings& all) {
     forced.forced = {Optimisation::Casters};
     Settings both_sides = all;
     both_sides.bias.raster_units = 1e-30;  // closed meshes keep their back faces under an offset
-    in_turn(
+    time_in_turns(
         state, [&] { renderer.render(scene, both_sides, forced); }, [&] { renderer.render(scene, all, request); });
 }
 
@@ -109,7 +109,7 @@ void visible_map(benchmark::State& state, const Scene& scene, Settings s) {
     FrameRequest request{.width = 160, .height = 90}, whole = request;
     whole.forced = {Optimisation::Views};
     const auto turn = [&] { s.lights[0].azimuth += 0.5; };
-    in_turn(
+    time_in_turns(
         state,
         [&] {
             turn();
@@ -130,7 +130,7 @@ void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
     FrameRequest request{.width = 160, .height = 90}, all = request;
     all.forced = {Optimisation::InSight};
     const auto turn = [&] { s.camera.azimuth += 0.5; };
-    in_turn(
+    time_in_turns(
         state,
         [&] {
             turn();
@@ -226,7 +226,7 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
 }
 
 /// Turns the camera to look from a corner of the scene along one of its sides.
-Settings seeing_a_part(Settings s) {
+Settings with_partial_view(Settings s) {
     s.camera.source = CameraSource::Manual;
     s.camera.target_x = s.camera.target_z = -40;
     s.camera.azimuth = 0;
@@ -267,18 +267,18 @@ const int kRegistered = [] {
     add("casters/seen/10000_objects_all",
         [=](benchmark::State& s) { visible_map(s, ten_thousand_objects(), directional); });
     add("casters/seen/10000_objects_part",
-        [=](benchmark::State& s) { visible_map(s, ten_thousand_objects(), seeing_a_part(directional)); });
+        [=](benchmark::State& s) { visible_map(s, ten_thousand_objects(), with_partial_view(directional)); });
     add("casters/seen/100k_triangles_all",
         [=](benchmark::State& s) { visible_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
-    Settings above = seeing_a_part(directional);
+    Settings above = with_partial_view(directional);
     above.camera.target_x = above.camera.target_z = 0;
     above.camera.distance = 150;
     above.camera.elevation = 60;
     add("casters/in_sight/10000_objects_all",
         [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), above); });
     add("casters/in_sight/10000_objects_part",
-        [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), seeing_a_part(directional)); });
-    Settings blurred = seeing_a_part(directional);
+        [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), with_partial_view(directional)); });
+    Settings blurred = with_partial_view(directional);
     blurred.camera.target_x = blurred.camera.target_z = -3;
     set_setting(blurred, "filter.kernel", "vsm");
     add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { visible_map(s, balls_on_a_floor(64), blurred); });

@@ -24,7 +24,7 @@ Json run(const char* command, std::vector<std::string> more) {
     return Json::parse(r.out, nullptr, false);
 }
 
-long long wrong(const Json& measured) {
+long long wrong_pixel_count(const Json& measured) {
     long long n = 0;
     for (const auto& [cause, pixels] : measured["error"]["artefacts"].items())
         if (cause != "none") n += pixels.get<long long>();
@@ -43,8 +43,8 @@ TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
         sets.push_back("--set");
         sets.push_back(key + "=" + value.get<std::string>());
     }
-    EXPECT_EQ(wrong(run("measure", sets)),
-              wrong(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
+    EXPECT_EQ(wrong_pixel_count(run("measure", sets)),
+              wrong_pixel_count(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
 }
 
 TEST(FixesInJson, CureTheProbedPixel) {

@@ -17,13 +17,13 @@ using Json = nlohmann::json;
 const std::vector<std::string> kSearched = {
     "--size", "64x48", "--set", "map.resolution=64", "--set", "map.format=colour", "--check-numeric"};
 
-std::vector<std::string> with_small(std::vector<std::string> arguments) {
+std::vector<std::string> with_small_sizes(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), kSearched.begin(), kSearched.end());
     return arguments;
 }
 
 TEST(CheckNumeric, ReportsFiniteNumbers) {
-    const ProcessResult r = run_program(with_small({"measure", "boxes", "--no-time", "--json"}));
+    const ProcessResult r = run_program(with_small_sizes({"measure", "boxes", "--no-time", "--json"}));
     ASSERT_EQ(r.code, 0) << r.err;
     const Json health = Json::parse(r.out)["numeric_health"];
     EXPECT_EQ(health["sound"], true);
@@ -67,7 +67,7 @@ TEST(CheckNumeric, NamesThePlaceAndFailsForEveryPicture) {
              {"probe", "boxes", "--pixel", "30,30", "--no-truth"},
              {"truth", "boxes", "-o", (folder / "t.png").string()}}) {
         std::string out, err;
-        EXPECT_EQ(run_here(with_small(command), out, err), 1) << command[0];
+        EXPECT_EQ(run_here(with_small_sizes(command), out, err), 1) << command[0];
         EXPECT_NE(err.find("--check-numeric: " + place), std::string::npos) << command[0] << ": " << err;
     }
     EXPECT_TRUE(std::filesystem::exists(folder / "t.png")) << "what was asked for is written all the same";
@@ -88,7 +88,7 @@ TEST(CheckNumeric, NamesTheFirstFaultyCaseOfMany) {
         std::vector<std::string> line = {"sweep",     "boxes",   "--vary", "map.resolution=64,128,256",
                                          "--no-time", "--fresh", "-o",     sweep};
         line.insert(line.end(), more.begin(), more.end());
-        return with_small(line);
+        return with_small_sizes(line);
     };
     EXPECT_EQ(run_here(swept({}), out, err, 1000), 0) << err;
     EXPECT_EQ(run_here(swept({}), out, err, 128), 1);
@@ -97,13 +97,13 @@ TEST(CheckNumeric, NamesTheFirstFaultyCaseOfMany) {
     EXPECT_TRUE(std::filesystem::exists(folder / "sweep/results.csv")) << "the sweep is lost";
 
     const std::string tuned = (folder / "tuned.json").string();
-    EXPECT_EQ(run_here(with_small({"tune", "boxes", "-o", tuned}), out, err), 1);
+    EXPECT_EQ(run_here(with_small_sizes({"tune", "boxes", "-o", tuned}), out, err), 1);
     EXPECT_NE(err.find("--check-numeric: the settings as given: " + place), std::string::npos) << err;
     EXPECT_TRUE(std::filesystem::exists(tuned));
-    EXPECT_EQ(
-        run_here(with_small({"advise", "boxes", "--max-error", "1", "--vary", "filter.kernel=hard", "--seconds", "1"}),
-                 out, err),
-        1);
+    EXPECT_EQ(run_here(with_small_sizes(
+                           {"advise", "boxes", "--max-error", "1", "--vary", "filter.kernel=hard", "--seconds", "1"}),
+                       out, err),
+              1);
     EXPECT_NE(err.find("--check-numeric: the settings as given: " + place), std::string::npos) << err;
 }
 

@@ -14,21 +14,21 @@ namespace si::test {
 namespace {
 
 /// Returns whether the frame shows a text. @param text without its spaces
-bool prints(const UiHarness& ui, const std::u32string& text) {
+bool shows_text(const UiHarness& ui, const std::u32string& text) {
     return ui.printed().find(text) != std::u32string::npos;
 }
 
 TEST(CascadeMarks, MapViewerNamesTheShownCascade) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
-    EXPECT_FALSE(prints(ui, U"cascade"));
+    EXPECT_FALSE(shows_text(ui, U"cascade"));
     ui.state.settings.lights[0].cascades = 3;
     ui.state.settings.view.face = 1;
     ui.frames(3);
-    EXPECT_TRUE(prints(ui, U"cascade2of3"));
+    EXPECT_TRUE(shows_text(ui, U"cascade2of3"));
     ui.state.settings.view.face = 5;
     ui.frames(3);
-    EXPECT_TRUE(prints(ui, U"cascade3of3")) << "past the last is the last";
+    EXPECT_TRUE(shows_text(ui, U"cascade3of3")) << "past the last is the last";
 }
 
 // Views are listed among the maps of the shown light, in every place of the choice.

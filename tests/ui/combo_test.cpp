@@ -20,7 +20,7 @@ ImGuiID combo_in_map(const char* key) {
     return 0;
 }
 
-bool only_open(ImGuiID combo) {
+bool is_only_open(ImGuiID combo) {
     const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
     return open.Size == 1 && open[0].PopupId == ImHashStr("##ComboPopup", 0, combo);
 }
@@ -37,18 +37,18 @@ TEST(Combo, PressThatClosesOneOpensTheNext) {
                at_shown = ui.find("editor/map", "view.map", "##value");
     ASSERT_TRUE(at_source && at_shown);
     ui.click(*at_source);
-    EXPECT_TRUE(only_open(source));
+    EXPECT_TRUE(is_only_open(source));
     ui.click(*at_shown);
-    EXPECT_TRUE(only_open(shown)) << "which is drawn after it";
+    EXPECT_TRUE(is_only_open(shown)) << "which is drawn after it";
     ui.click(*at_source);
-    EXPECT_TRUE(only_open(source)) << "which is drawn before it";
+    EXPECT_TRUE(is_only_open(source)) << "which is drawn before it";
     ui.click(*at_source);
     EXPECT_TRUE(none_open()) << "a press on its own combo closes a list";
     const auto file = ui.find("editor/top", "", "File");
     ASSERT_TRUE(file);
     ui.click(*file);
     ui.click(*at_shown);
-    EXPECT_TRUE(only_open(shown)) << "a menu was open";
+    EXPECT_TRUE(is_only_open(shown)) << "a menu was open";
     // The pressed row is selected.
     const MapView before = ui.state.settings.view.map;
     ui.frames(2);

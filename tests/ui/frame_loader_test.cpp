@@ -30,11 +30,11 @@ std::unique_ptr<HeadlessEditor> editor_of(std::optional<std::chrono::millisecond
 std::unique_ptr<HeadlessEditor> hasty_editor() {
     return editor_of(std::chrono::milliseconds(0));
 }
-void choose(HeadlessEditor& editor, const char* kernel) {
+void select_kernel(HeadlessEditor& editor, const char* kernel) {
     set_setting(editor.model().state.settings, "filter.kernel", kernel);
 }
 /// Returns the shown picture of the scene.
-Bytes shown(HeadlessEditor& editor) {
+Bytes shown_picture(HeadlessEditor& editor) {
     const Image image = editor.model().facts().result->panes.front().picture;
     Bytes out(std::size_t(image.width) * std::size_t(image.height) * 4);
     gl::prepare_read_back();
@@ -66,7 +66,7 @@ TEST(FrameLoader, FirstPictureReportsItsProgress) {
     }
     EXPECT_GE(passes.size(), 2u);
     EXPECT_GT(furthest, 0);
-    choose(editor, "pcf7");
+    select_kernel(editor, "pcf7");
     editor.frame();
     EXPECT_FALSE(model.facts().drawing) << "there is a picture meanwhile";
     editor.settle();
@@ -74,15 +74,15 @@ TEST(FrameLoader, FirstPictureReportsItsProgress) {
 
 TEST(FrameLoader, OldPictureStaysUntilTheNextIsShown) {
     const auto editor = hasty_editor();
-    const Bytes before = shown(*editor);
-    choose(*editor, "pcss");
+    const Bytes before = shown_picture(*editor);
+    select_kernel(*editor, "pcss");
     editor->frame();
     ASSERT_TRUE(editor->model().drawing());
-    EXPECT_TRUE(shown(*editor) == before) << "while it is drawn";
+    EXPECT_TRUE(shown_picture(*editor) == before) << "while it is drawn";
     editor->model().finish_tracing();
-    EXPECT_TRUE(shown(*editor) == before) << "it is there, and nobody took it";
+    EXPECT_TRUE(shown_picture(*editor) == before) << "it is there, and nobody took it";
     editor->frame();
-    EXPECT_FALSE(shown(*editor) == before);
+    EXPECT_FALSE(shown_picture(*editor) == before);
     editor->settle();
     EXPECT_FALSE(editor->model().drawing());
 }
@@ -94,9 +94,9 @@ TEST(FrameLoader, PicturesAndNumbersEqualThoseOfABlockingDraw) {
     for (const int hasty : {0, 1}) {
         const auto editor = hasty ? hasty_editor() : editor_of({});
         for (const char* kernel : {"pcf5", "vsm", "pcf3"}) {
-            choose(*editor, kernel);
+            select_kernel(*editor, kernel);
             editor->settle();
-            pictures[hasty].push_back(shown(*editor));
+            pictures[hasty].push_back(shown_picture(*editor));
         }
         editor->model().state.probe_pixel = glm::ivec2(150, 140);
         editor->settle();
@@ -112,7 +112,7 @@ TEST(FrameLoader, PicturesAndNumbersEqualThoseOfABlockingDraw) {
 
 TEST(FrameLoader, RequestDuringAFrameIsServedAfterIt) {
     const auto editor = hasty_editor();
-    choose(*editor, "pcf5");
+    select_kernel(*editor, "pcf5");
     EditorRequests requests = editor->frame();
     ASSERT_TRUE(editor->model().drawing());
     requests.save_error = "/nowhere/error.json";
@@ -125,14 +125,14 @@ TEST(FrameLoader, RequestDuringAFrameIsServedAfterIt) {
 
 TEST(FrameLoader, SceneThatArrivesDuringAFrameIsShownNext) {
     const auto editor = hasty_editor();
-    const Bytes before = shown(*editor);
-    choose(*editor, "pcf7");
+    const Bytes before = shown_picture(*editor);
+    select_kernel(*editor, "pcf7");
     editor->frame();
     ASSERT_TRUE(editor->model().drawing());
     editor->model().open("plane");
     editor->settle();
     EXPECT_EQ(editor->model().state.scene_name, "plane");
-    EXPECT_FALSE(shown(*editor) == before);
+    EXPECT_FALSE(shown_picture(*editor) == before);
 }
 
 TEST(FrameLoader, FailedFrameIsALineInTheLog) {

@@ -9,7 +9,7 @@
 namespace si::test {
 namespace {
 
-std::string shown_by(const UiHarness& ui) {
+std::string shown_text(const UiHarness& ui) {
     std::string out;
     for (const char32_t c : ui.printed())
         if (c != U' ') out += c < 128 ? char(c) : '?';
@@ -41,7 +41,7 @@ TEST_F(LabPanelTest, ShowsMeasurements) {
     ui.lab.pipelines = errors;
     ui.lab.shimmer = shimmer;
     ui.frames(2);
-    const std::string text = shown_by(ui);
+    const std::string text = shown_text(ui);
     for (const char* wanted :
          {"12.5", "46.2", "577", "4711", "theworld'sorigin,fromtheeye", "96.12", "357", "40514", "Ofothersettings"})
         EXPECT_NE(text.find(wanted), std::string::npos) << wanted;
@@ -63,7 +63,7 @@ TEST_F(LabPanelTest, ButtonsRequestMeasurements) {
     EXPECT_EQ(ui.last_requests.measure_shimmer->steps, 5);
     ui.lab.measuring_shimmer = SearchProgress{"As set", 0.4};
     ui.frames(2);
-    EXPECT_NE(shown_by(ui).find("40%"), std::string::npos);
+    EXPECT_NE(shown_text(ui).find("40%"), std::string::npos);
 }
 
 TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {

@@ -144,7 +144,7 @@ struct MadeUp {
     std::uint64_t bytes = 100;
 };
 
-std::vector<TriedAdvice> tried(const std::vector<MadeUp>& world, const std::vector<Claim>& claims) {
+std::vector<TriedAdvice> tried_ideas(const std::vector<MadeUp>& world, const std::vector<Claim>& claims) {
     std::vector<AdviceIdea> ideas;
     for (std::size_t i = 1; i < world.size(); ++i) {
         AdviceIdea idea{.rule = "made up", .claim = claims[i - 1], .sentence = std::to_string(i)};
@@ -179,7 +179,7 @@ TEST(Advice, IsRankedBySavedTimePerAddedError) {
         {0.010, 12},             // 8: slower
         {0.010, 9.95, 0.1, 100}  // 9: no effect
     };
-    const auto all = tried(world, {kSame, kTrade, kTrade, kSame, kRight, kSame, kSame, kTrade, kSame});
+    const auto all = tried_ideas(world, {kSame, kTrade, kTrade, kSame, kRight, kSame, kSame, kTrade, kSame});
     std::vector<std::string> holds, fails;
     for (const TriedAdvice& t : all) (t.why_not.empty() ? holds : fails).push_back(t.idea.sentence);
     EXPECT_EQ(holds, (std::vector<std::string>{"4", "1", "3", "2", "5", "6"}));
@@ -216,7 +216,7 @@ TEST(Advice, ChangeWithARefutedClaimIsOfferedAsATrade) {
 }
 
 TEST(Advice, ClaimsOfCuredPixelsAreVerified) {
-    const auto all = tried({{0.010, 10}, {0.010, 5}, {0.002, 20}}, {Claim::Right, Claim::Right});
+    const auto all = tried_ideas({{0.010, 10}, {0.010, 5}, {0.002, 20}}, {Claim::Right, Claim::Right});
     EXPECT_TRUE(all[0].why_not.empty()) << "right, at whatever cost";
     EXPECT_EQ(all[0].idea.sentence, "2");
     EXPECT_NE(all[1].why_not.find("does not fall"), std::string::npos);

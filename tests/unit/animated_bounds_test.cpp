@@ -84,7 +84,7 @@ std::vector<std::pair<std::string, Scene>> moving_scenes() {
     return all;
 }
 
-Session at(const Scene& scene, double time_s, std::vector<std::string> sets) {
+Session session_at(const Scene& scene, double time_s, std::vector<std::string> sets) {
     sets.push_back("scene.time=" + std::to_string(time_s));
     return compose_session(plan_session({.scene = "moving", .sets = std::move(sets)}), scene);
 }
@@ -111,7 +111,7 @@ std::vector<double> numbers_of(const std::vector<FittedLight>& lights) {
 }
 
 /// Returns the number of moving vertices outside a view or its depth range.
-std::size_t outside(const Scene& scene, const FittedLight& light) {
+std::size_t count_outside(const Scene& scene, const FittedLight& light) {
     std::size_t count = 0;
     const LightView& view = light.views[0];
     const glm::dmat4 clip = view.clip_from_relative(light.map_origin);
@@ -139,15 +139,15 @@ TEST(AnimatedBounds, KeepMapsSteadyAroundMovingObjects) {
                 std::vector<double> first;
                 bool follows = false;
                 for (int i = 0; i < kTimes; ++i) {
-                    const Session session = at(scene, time_of(scene, i), over);
+                    const Session session = session_at(scene, time_of(scene, i), over);
                     const auto lights = fit_lights(session.scene, session.settings);
                     if (i == 0) first = numbers_of(lights);
                     EXPECT_EQ(numbers_of(lights), first) << i;
                     EXPECT_EQ(lights[0].clipped_casters, 0) << i;
                     if (std::string_view(type) == "directional") {
-                        EXPECT_EQ(outside(session.scene, lights[0]), 0u) << i;
+                        EXPECT_EQ(count_outside(session.scene, lights[0]), 0u) << i;
                     }
-                    const Session off = at(scene, time_of(scene, i), sets), start = at(scene, 0, sets);
+                    const Session off = session_at(scene, time_of(scene, i), sets), start = session_at(scene, 0, sets);
                     follows |= numbers_of(fit_lights(off.scene, off.settings)) !=
                                numbers_of(fit_lights(start.scene, start.settings));
                 }
@@ -158,7 +158,7 @@ TEST(AnimatedBounds, KeepMapsSteadyAroundMovingObjects) {
 // No wider than the moving parts: for a swinging box, the circle of its corner.
 TEST(AnimatedBounds, EncloseEachTimeTightly) {
     const Scene scene = swinging_box(Interpolation::Linear);
-    const Session session = at(scene, 0, {"scene.fit_animation=on"});
+    const Session session = session_at(scene, 0, {"scene.fit_animation=on"});
     const Bounds& animation_bounds = session.scene.objects[1].animation_bounds;
     const double corner = std::hypot(4.5, 0.5);
     Bounds all;
@@ -204,12 +204,12 @@ TEST(AnimatedBounds, AreCachedPerAnimationAndDroppedWithTheSetting) {
 TEST(AnimatedBounds, FollowThePlacement) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const std::vector<std::string> sets{"scene.fit_animation=on", "scene.scale=4", "scene.distance=1000"};
-    const auto first = at(scene, 0, sets);
+    const auto first = session_at(scene, 0, sets);
     const auto lights = fit_lights(first.scene, first.settings);
     for (int i = 0; i < kTimes; ++i) {
-        const Session session = at(scene, time_of(scene, i), sets);
+        const Session session = session_at(scene, time_of(scene, i), sets);
         EXPECT_EQ(numbers_of(fit_lights(session.scene, session.settings)), numbers_of(lights)) << i;
-        EXPECT_EQ(outside(session.scene, lights[0]), 0u) << i;
+        EXPECT_EQ(count_outside(session.scene, lights[0]), 0u) << i;
     }
 }
 
@@ -218,7 +218,7 @@ TEST(AnimatedBounds, KeepLightsOfAFile) {
     for (const char* over : {"off", "on"})
         for (int i = 0; i < kTimes; ++i) {
             const Session session =
-                at(scene, time_of(scene, i), {std::string("scene.fit_animation=") + over, "scene.ground=off"});
+                session_at(scene, time_of(scene, i), {std::string("scene.fit_animation=") + over, "scene.ground=off"});
             const auto lights = fit_lights(session.scene, session.settings);
             EXPECT_LT(glm::distance(lights[0].position, glm::dvec3(1, 6, 2)), 1e-6) << over << " " << i;
         }
@@ -235,7 +235,7 @@ TEST(AnimatedBounds, ChangeNothingInStaticScenes) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const auto rest = [&](std::vector<std::string> sets) {
         sets.push_back("scene.animation=-1");
-        const Session session = at(scene, 0.5, std::move(sets));
+        const Session session = session_at(scene, 0.5, std::move(sets));
         return numbers_of(fit_lights(session.scene, session.settings));
     };
     EXPECT_EQ(rest({}), rest({"scene.fit_animation=on"}));

@@ -88,8 +88,8 @@ using Units = std::map<std::string, std::set<std::string>>;
 /// Returns the first include cycle on a walk from `unit`, from a unit to itself; empty without one.
 /// @param path units from the start of the walk to `unit`
 /// @param done units that reach no cycle
-std::vector<std::string> circle_from(const Units& units, const std::string& unit, std::vector<std::string>& path,
-                                     std::set<std::string>& done) {
+std::vector<std::string> include_cycle_from(const Units& units, const std::string& unit, std::vector<std::string>& path,
+                                            std::set<std::string>& done) {
     if (done.contains(unit)) return {};
     const auto met = std::ranges::find(path, unit);
     if (met != path.end()) {
@@ -100,18 +100,20 @@ std::vector<std::string> circle_from(const Units& units, const std::string& unit
     path.push_back(unit);
     if (const auto found = units.find(unit); found != units.end())
         for (const std::string& next : found->second)
-            if (std::vector<std::string> circle = circle_from(units, next, path, done); !circle.empty()) return circle;
+            if (std::vector<std::string> circle = include_cycle_from(units, next, path, done); !circle.empty())
+                return circle;
     path.pop_back();
     done.insert(unit);
     return {};
 }
 
 /// Returns an include cycle of the units; empty without one.
-std::vector<std::string> circle_of(const Units& units) {
+std::vector<std::string> include_cycle(const Units& units) {
     std::set<std::string> done;
     for (const auto& [unit, included] : units) {
         std::vector<std::string> path;
-        if (std::vector<std::string> circle = circle_from(units, unit, path, done); !circle.empty()) return circle;
+        if (std::vector<std::string> circle = include_cycle_from(units, unit, path, done); !circle.empty())
+            return circle;
     }
     return {};
 }
@@ -169,9 +171,9 @@ TEST(Architecture, UnitsOfTheRendererHaveNoIncludeCycle) {
     for (const Include& include : renderer_includes())
         if (unit_of(include.by) != unit_of(include.of)) units[unit_of(include.by)].insert(unit_of(include.of));
     EXPECT_GT(units.size(), 200u);
-    EXPECT_EQ(circle_of(units), std::vector<std::string>{});
-    EXPECT_EQ(circle_of({{"a", {"b", "c"}}, {"b", {"d"}}, {"c", {"d"}}}), std::vector<std::string>{});
-    EXPECT_EQ(circle_of({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), (std::vector<std::string>{"b", "c", "b"}));
+    EXPECT_EQ(include_cycle(units), std::vector<std::string>{});
+    EXPECT_EQ(include_cycle({{"a", {"b", "c"}}, {"b", {"d"}}, {"c", {"d"}}}), std::vector<std::string>{});
+    EXPECT_EQ(include_cycle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), (std::vector<std::string>{"b", "c", "b"}));
 }
 
 TEST(Architecture, PanelsCallNoGl) {

@@ -65,8 +65,8 @@ std::vector<SweepAxis> axes_of(bool many) {
 }
 
 /// Returns the optimum by exhaustive search; nothing if no setting is within the bound.
-std::optional<Settings> exhausted(const Settings& start, const std::vector<SweepAxis>& axes,
-                                  const AutopilotGoals& goals) {
+std::optional<Settings> best_by_exhaustion(const Settings& start, const std::vector<SweepAxis>& axes,
+                                           const AutopilotGoals& goals) {
     std::vector<Settings> all = {start};
     for (const SweepAxis& axis : axes) {
         std::vector<Settings> more;
@@ -99,7 +99,7 @@ TEST(Autopilot, FindsTheOptimumOfASmallSpace) {
           AutopilotGoals{.most_ms = 2.5}, AutopilotGoals{.most_error = 0.002, .most_ms = 4}}) {
         World world;
         const AutopilotResult r = run_autopilot(with_contact(), axes_of(false), goals, world.meter());
-        const std::optional<Settings> best = exhausted(with_contact(), axes_of(false), goals);
+        const std::optional<Settings> best = best_by_exhaustion(with_contact(), axes_of(false), goals);
         ASSERT_EQ(r.held, best.has_value());
         const auto value = [&](const Settings& s) { return goals.most_error ? World::ms(s) : World::error(s); };
         EXPECT_NEAR(value(r.best.settings), value(*best), 1e-12) << r.summary;
@@ -115,7 +115,8 @@ TEST(Autopilot, ComesWithinTenPercentInALargeSpace) {
         World world;
         const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
         ASSERT_TRUE(r.held) << r.summary;
-        EXPECT_LE(World::ms(r.best.settings), 1.1 * World::ms(*exhausted(with_contact(), axes_of(true), goals)))
+        EXPECT_LE(World::ms(r.best.settings),
+                  1.1 * World::ms(*best_by_exhaustion(with_contact(), axes_of(true), goals)))
             << r.summary;
         EXPECT_EQ(r.combinations, 240u);
         ASSERT_EQ(r.untried.size(), 1u) << "it says what it left out";

@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-Settings of_kind(std::string_view kind) {
+Settings settings_of_kind(std::string_view kind) {
     Settings s;
     set_setting(s, "bias.kind", kind);
     return s;
@@ -29,7 +29,8 @@ TEST(Biases, KindsAreTheRowsOfTheComparedDepth) {
     }
     EXPECT_EQ(kinds, bias_choices().size());
     EXPECT_EQ(bias_of(Settings{}).key, "slope") << "the lectures'";
-    EXPECT_EQ(&bias_of(of_kind("receiver-plane")), &*std::ranges::find(biases(), "receiver-plane", &Bias::key));
+    EXPECT_EQ(&bias_of(settings_of_kind("receiver-plane")),
+              &*std::ranges::find(biases(), "receiver-plane", &Bias::key));
     EXPECT_EQ(bias_at(BiasStage::LookUp).key, "normal-offset");
 }
 
@@ -67,23 +68,23 @@ TEST(Biases, ListTheirIdleSettings) {
     const auto idle = [](const Settings& s, const char* key) {
         return std::string(idle_reason(s, *find_setting(key)));
     };
-    Settings s = of_kind("slope");
+    Settings s = settings_of_kind("slope");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "");
     EXPECT_EQ(idle(s, "bias.plane_clamp"),
               "without effect: only bias.kind receiver-plane or receiver-plane-derivatives reads it");
-    s = of_kind("receiver-plane");
+    s = settings_of_kind("receiver-plane");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "without effect: only bias.kind slope reads it");
     EXPECT_EQ(idle(s, "bias.plane_clamp"), "");
     EXPECT_EQ(idle(s, "bias.constant"), "");
-    s = of_kind("adaptive");
+    s = settings_of_kind("adaptive");
     EXPECT_NE(idle(s, "bias.constant"), "") << "it has no number to turn";
     EXPECT_NE(idle(s, "bias.unit"), "");
-    s = of_kind("receiver-plane");
+    s = settings_of_kind("receiver-plane");
     s.bias.normal = 0;
     EXPECT_NE(idle(s, "bias.normal_source"), "");
-    s = of_kind("constant");
+    s = settings_of_kind("constant");
     s.bias.slope = 3;
     EXPECT_NE(idle(s, "bias.slope"), "");
     EXPECT_EQ(idle(s, "bias.raster_slope"), "") << "what acts beside is never idle by kind";
@@ -97,7 +98,7 @@ TEST(Biases, ListOnlyTheirOwnSettings) {
             ASSERT_TRUE(find_setting(key)) << key;
             if (row.stage != BiasStage::Compare || find_setting(key)->param->choices) continue;
             for (const Choice& kind : bias_choices()) {
-                Settings s = of_kind(kind.key);
+                Settings s = settings_of_kind(kind.key);
                 const auto account = [&] {
                     return bias_breakdown(light, s, 512, {{1, 0, 2}, {0, 1, 0}, {0, 1, 0}, {}}, {.subpixel_bits = 8});
                 };

@@ -128,7 +128,7 @@ Scene box_on_wide_floor() {
 }
 
 /// Returns the distance of a point from the picture's centre, 1 at the border.
-double out_of_middle(const Camera& c, const glm::dvec3& p) {
+double distance_from_centre(const Camera& c, const glm::dvec3& p) {
     const glm::dvec4 q = c.clip_from_relative(c.eye) * glm::dvec4(p - c.eye, 1);
     return q.w > 0 ? std::max(std::abs(q.x / q.w), std::abs(q.y / q.w)) : INFINITY;
 }
@@ -144,17 +144,18 @@ TEST(Camera, AutomaticViewFramesObjectsOnAFloorWithTheirShadow) {
         for (int i = 0; i < 8; ++i) {
             const glm::dvec3 corner(i & 1 ? 0.5 : -0.5, i & 2 ? 2 : 0, i & 4 ? 0.5 : -0.5);
             for (const glm::dvec3& p : {corner, corner - to_light * (corner.y / to_light.y)})
-                farthest = std::max(farthest, out_of_middle(c, p));
+                farthest = std::max(farthest, distance_from_centre(c, p));
         }
         EXPECT_NEAR(farthest, 0.85, 0.01);
-        EXPECT_GT(out_of_middle(c, {20, 0, 20}), 1) << "the floor goes on beyond the picture";
+        EXPECT_GT(distance_from_centre(c, {20, 0, 20}), 1) << "the floor goes on beyond the picture";
         Settings bare = s;
         bare.scene.ground = Ground::Off;
-        EXPECT_LE(out_of_middle(make_camera(scene, bare, aspect), {20, 0, 20}), 1) << "all of the scene";
+        EXPECT_LE(distance_from_centre(make_camera(scene, bare, aspect), {20, 0, 20}), 1) << "all of the scene";
     }
     Scene built_in = scene;
     built_in.file_scenes.clear();
-    EXPECT_LE(out_of_middle(make_camera(built_in, s, 1), {20, 0, 20}), 1) << "what no file brings is shown whole";
+    EXPECT_LE(distance_from_centre(make_camera(built_in, s, 1), {20, 0, 20}), 1)
+        << "what no file brings is shown whole";
 }
 
 TEST(Camera, AutomaticViewLooksDownOnFlatAndAcrossLongScenes) {

@@ -21,12 +21,12 @@ std::mt19937& numbers() {
     static std::mt19937 engine(7);
     return engine;
 }
-double between(double lo, double hi) {
+double random_between(double lo, double hi) {
     return std::uniform_real_distribution<double>(lo, hi)(numbers());
 }
 glm::dvec3 within(const Box& box) {
-    return box[0] + (box[1] - box[0]) * between(0, 1) + (box[2] - box[0]) * between(0, 1) +
-           (box[4] - box[0]) * between(0, 1);
+    return box[0] + (box[1] - box[0]) * random_between(0, 1) + (box[2] - box[0]) * random_between(0, 1) +
+           (box[4] - box[0]) * random_between(0, 1);
 }
 
 TEST(Cascades, SplitsAreTheClosedForm) {
@@ -69,13 +69,14 @@ TEST(Cascades, VisibleCornersEncloseTheFrustum) {
     int seen = 0, empty = 0;
     for (int i = 0; i < 300; ++i) {
         const glm::dvec3 at = i % 2 ? glm::dvec3(0) : glm::dvec3(1e4, 30, -2e4);
-        const glm::dvec3 half(between(0.1, 20), i % 3 ? between(0.1, 9) : 0, between(0.1, 20));  // some are flat
+        const glm::dvec3 half(random_between(0.1, 20), i % 3 ? random_between(0.1, 9) : 0,
+                              random_between(0.1, 20));  // some are flat
         const BoxExtent extent{at - half, at + half};
         const Scene scene = test::box_scene({extent});
-        Settings s = looking(at + glm::dvec3(between(-9, 9), between(-3, 9), between(-9, 9)), between(0, 360),
-                             between(-80, 80), between(0.1, 25), i % 5 == 0);
+        Settings s = looking(at + glm::dvec3(random_between(-9, 9), random_between(-3, 9), random_between(-9, 9)),
+                             random_between(0, 360), random_between(-80, 80), random_between(0.1, 25), i % 5 == 0);
         const Camera camera = make_camera(scene, s, 1.5);
-        const double from = between(0.1, 9), to = from + between(0.1, 20);
+        const double from = random_between(0.1, 9), to = from + random_between(0.1, 20);
         Box box;
         for (std::size_t k = 0; k < 8; ++k)
             box[k] = at + half * glm::dvec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
@@ -85,7 +86,7 @@ TEST(Cascades, VisibleCornersEncloseTheFrustum) {
             EXPECT_LE(glm::length(glm::max(glm::abs(p - at) - half, 0.0)), 1e-9 * 3e4) << i;
         }
         std::array<glm::dvec3, 20> ways;
-        for (glm::dvec3& way : ways) way = {between(-1, 1), between(-1, 1), between(-1, 1)};
+        for (glm::dvec3& way : ways) way = {random_between(-1, 1), random_between(-1, 1), random_between(-1, 1)};
         for (int k = 0; k < 400; ++k) {
             const glm::dvec3 p = within(box);
             if (!sees(camera, p, from, to)) continue;
@@ -117,8 +118,8 @@ std::vector<Case> cases() {
         for (const auto& [azimuth, elevation] : {std::pair{0., 90.}, {90., 0.}, {180., 45.}, {-40., 30.}, {0., -90.}})
             for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map})
                 for (const bool orthographic : {false, true})
-                    all.push_back({at, azimuth, elevation, between(0, 360), between(-20, 60), between(1, 40),
-                                   orthographic, choice});
+                    all.push_back({at, azimuth, elevation, random_between(0, 360), random_between(-20, 60),
+                                   random_between(1, 40), orthographic, choice});
     return all;
 }
 

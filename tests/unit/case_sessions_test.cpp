@@ -43,7 +43,7 @@ struct Outcome {
     std::vector<std::string> notes;
 };
 
-Outcome attempt(const std::function<void(Outcome&)>& way) {
+Outcome outcome_of(const std::function<void(Outcome&)>& way) {
     Outcome out;
     try {
         way(out);
@@ -63,13 +63,13 @@ protected:
     void expect_same(const std::string& scene, const std::vector<std::string>& sets) {
         std::string what = scene;
         for (const std::string& s : sets) what += " " + s;
-        const Outcome set = attempt([&](Outcome& out) {
+        const Outcome set = outcome_of([&](Outcome& out) {
             const Session session = open_session({.scene = scene, .preset = {}, .sets = sets});
             out.settings = session.settings;
             out.content = scene_content_key(session.scene);
             out.notes = session.notes;
         });
-        const Outcome axis = attempt([&](Outcome& out) {
+        const Outcome axis = outcome_of([&](Outcome& out) {
             std::vector<SweepAxis> axes;
             for (const std::string& s : sets) axes.push_back(parse_axis(s));
             const SessionPlan opened = plan_session({.scene = scene, .preset = {}, .sets = {}});

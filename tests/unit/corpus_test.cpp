@@ -46,18 +46,18 @@ std::string verdict(const std::filesystem::path& file, std::string& why) {
 }
 
 /// Returns the resources that the process has used so far.
-rusage used() {
+rusage resource_usage() {
     rusage usage{};
     EXPECT_EQ(getrusage(RUSAGE_SELF, &usage), 0);
     return usage;
 }
 /// Returns the peak memory of the process, KiB.
 long peak_kib() {
-    return used().ru_maxrss;
+    return resource_usage().ru_maxrss;
 }
 /// Returns the processor seconds of all threads so far: waits for other processes do not count.
 double processor_seconds() {
-    const rusage usage = used();
+    const rusage usage = resource_usage();
     return double(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
            double(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1e-6;
 }

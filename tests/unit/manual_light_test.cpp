@@ -13,7 +13,7 @@ namespace {
 
 /// Returns the largest difference of the two views' clip space positions over the corners of the second one's map, as a
 /// share of the map's size and depth range.
-double apart(const LightView& a, const LightView& b) {
+double clip_space_difference(const LightView& a, const LightView& b) {
     double most = 0;
     for (int i = 0; i < 8; ++i) {
         const double z = i & 4 ? b.curve.far : b.curve.near, half = b.half_width * (b.curve.perspective ? z : 1.0);
@@ -73,7 +73,7 @@ TEST(ManualLight, GivesTheMapsOfTheFit) {
             const FittedLight after = fit_lights(scene, by_hand)[0];
             ASSERT_EQ(after.views.size(), before.views.size());
             for (std::size_t i = 0; i < after.views.size(); ++i)
-                EXPECT_LT(apart(after.views[i], before.views[i]), 1e-9)
+                EXPECT_LT(clip_space_difference(after.views[i], before.views[i]), 1e-9)
                     << "type " << index_of(l.type) << " projection " << index_of(l.projection) << " cone " << l.cone
                     << " distance " << automatic.lights[0].distance << " elevation " << l.elevation;
             EXPECT_EQ(manual_light(l, after), l) << "a light by hand stays as it is";

@@ -11,12 +11,12 @@
 namespace si {
 namespace {
 
-Session placed(const std::vector<std::string>& sets) {
+Session placed_session(const std::vector<std::string>& sets) {
     return open_session({.scene = "boxes", .sets = sets});
 }
 
 TEST(Placement, MovesAndScalesTheWholeScene) {
-    Scene scene = placed({}).scene;
+    Scene scene = placed_session({}).scene;
     const Bounds home = scene.bounds;
     const std::uint64_t id = scene.id;
     SceneSettings far{.distance = 1e6, .direction = PlacedAlong::X, .scale = 100};
@@ -52,7 +52,7 @@ TEST(Placement, MovesSettings) {
                                               "camera.target_z=-2",       "camera.distance=9", "bias.unit=metres",
                                               "bias.constant=0.02",       "light.type=spot",   "light.size=0.5",
                                               "filter.radius_unit=texels"};
-    const Session home = placed(by_hand);
+    const Session home = placed_session(by_hand);
     Scene scene = home.scene;
     const Camera before = make_camera(scene, home.settings, 1.5);
     for (const double scale : {1e-3, 1.0, 1e3})
@@ -79,10 +79,10 @@ TEST(Placement, MovesSettings) {
 
 // Metres of presets and scenes are scaled; values of --set are not.
 TEST(Placement, ScalesLengthsOfPresetsButNotOfSetArguments) {
-    const Session s = placed({"scene.scale=10", "light.contact=0.5"});
+    const Session s = placed_session({"scene.scale=10", "light.contact=0.5"});
     EXPECT_EQ(s.settings.lights[0].contact, 0.5);
     EXPECT_EQ(s.settings.scene.scale, 10);
-    EXPECT_NEAR(s.scene.bounds.radius(), 10 * placed({}).scene.bounds.radius(), 1e-9);
+    EXPECT_NEAR(s.scene.bounds.radius(), 10 * placed_session({}).scene.bounds.radius(), 1e-9);
 }
 
 }  // namespace

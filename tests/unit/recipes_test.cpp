@@ -181,8 +181,8 @@ bool is_word(char c) {
 }
 
 /// Returns the places where a source compares a row's key: "file:line".
-std::vector<std::string> places_that_know(const std::string& name, const std::string& text,
-                                          const std::vector<Table>& all) {
+std::vector<std::string> places_with_key(const std::string& name, const std::string& text,
+                                         const std::vector<Table>& all) {
     std::vector<std::string> out;
     std::istringstream in(text);
     int number = 0;
@@ -219,15 +219,15 @@ TEST(Recipes, TechniqueKeysStandOnlyInListedFiles) {
             if (!entry.is_regular_file()) continue;
             const std::string name = fs::relative(entry.path(), kRoot).generic_string();
             ++read;
-            for (const std::string& place : places_that_know(name, whole_text(entry.path()), all))
+            for (const std::string& place : places_with_key(name, whole_text(entry.path()), all))
                 ADD_FAILURE() << place;
         }
     EXPECT_GT(read, 200u);
     // The search finds a planted comparison.
-    EXPECT_EQ(places_that_know("renderer/a.cpp", "if (filter.key == \"hard\") return;", all).size(), 1u);
-    EXPECT_EQ(places_that_know("app/a.cpp", "const char* kBest = \"pcf\";", all).size(), 1u);
-    EXPECT_EQ(places_that_know("shaders/lib/a.glsl", "#if bias_kind == bias_kind_receiver_plane", all).size(), 1u);
-    EXPECT_EQ(places_that_know("app/a.cpp", "json[\"visibility\"] = p.visibility;", all).size(), 0u);
+    EXPECT_EQ(places_with_key("renderer/a.cpp", "if (filter.key == \"hard\") return;", all).size(), 1u);
+    EXPECT_EQ(places_with_key("app/a.cpp", "const char* kBest = \"pcf\";", all).size(), 1u);
+    EXPECT_EQ(places_with_key("shaders/lib/a.glsl", "#if bias_kind == bias_kind_receiver_plane", all).size(), 1u);
+    EXPECT_EQ(places_with_key("app/a.cpp", "json[\"visibility\"] = p.visibility;", all).size(), 0u);
     // Words that are no longer keys need no exception.
     for (const std::string& word : kOtherWords) {
         bool known = false;

@@ -22,7 +22,7 @@ using test::receiver_on;
 using test::row_of;
 using test::sun;
 
-std::size_t dark(const Reference& reference) {
+std::size_t count_dark(const Reference& reference) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < reference.state.size(); ++i)
         count += reference.state[i] == PixelState::Counted && reference.hard().data[i] < 0.5f;
@@ -61,14 +61,14 @@ TEST_P(ConvexCaster, NeverShadowsItself) {
         for (const glm::dvec3& to_light : directions) {
             const Reference reference = trace_visibility(casters, receivers, query_for(scene, sun(to_light)), {});
             facing += reference.counted();
-            EXPECT_EQ(dark(reference), 0u)
+            EXPECT_EQ(count_dark(reference), 0u)
                 << scene.nodes[0].path << " towards " << to_light.x << ' ' << to_light.y << ' ' << to_light.z;
         }
         Emitter lamp = sun({0, 1, 0});
         lamp.type = LightType::Point;
         lamp.position_ws = glm::dvec3(centre, -0.7 * centre, centre) + glm::dvec3(3, 4, -2) * radius;
         const Reference reference = trace_visibility(casters, receivers, query_for(scene, lamp), {});
-        EXPECT_EQ(dark(reference), 0u) << scene.nodes[0].path << ", point light";
+        EXPECT_EQ(count_dark(reference), 0u) << scene.nodes[0].path << ", point light";
         EXPECT_GT(facing + reference.counted(), receivers.pixels.size() * 4) << "too little was asked";
     }
 }
@@ -288,7 +288,7 @@ TEST(Reference, CountsReasonsOfExcludedPixels) {
     set_setting(settings, "light.0.cast", "false");
     reference = trace_visibility(ReferenceScene(geometry), receivers,
                                  reference_query(scene, settings, fit_lights(scene, settings), 0), {});
-    EXPECT_EQ(dark(reference), 0u) << "a light that casts nothing";
+    EXPECT_EQ(count_dark(reference), 0u) << "a light that casts nothing";
     EXPECT_THROW(reference_query(scene, settings, fit_lights(scene, settings), 1), Error);
 }
 

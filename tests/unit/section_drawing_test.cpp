@@ -77,7 +77,7 @@ Section peter_panning() {
 
 /// Returns a cross-section whose normal offset leads the look-up two and a half texels aside; one tap hits another
 /// surface.
-Section led_aside() {
+Section offset_look_up() {
     Section s = acne();
     s.artefact = "peter-panning by normal offset";
     s.moved = {0.1, 0.06};
@@ -190,7 +190,7 @@ TEST(SectionDrawing, LegendListsExactlyTheDrawnMarks) {
     hopeless.window_to = 0.01;
     Section no_map;
     std::set<std::pair<Mark::Kind, Ink>> seen;
-    for (const Section& s : {acne(), peter_panning(), led_aside(), light_bleeding(), untraced, hopeless, no_map})
+    for (const Section& s : {acne(), peter_panning(), offset_look_up(), light_bleeding(), untraced, hopeless, no_map})
         for (const bool captions : {false, true}) {
             SCOPED_TRACE((s.artefact.empty() ? "no artefact" : s.artefact) + (captions ? ", captions" : ""));
             const SectionDrawing d = draw_section(s, {.captions = captions});
@@ -234,7 +234,7 @@ TEST(SectionDrawing, LegendDescribesTheProbedPixel) {
     const SectionDrawing shifted = draw_section(peter_panning(), {});
     EXPECT_TRUE(legend_has(shifted, "tap lit"));
     EXPECT_FALSE(legend_has(shifted, "tap in shadow") || legend_has(shifted, "tap in shadow by the surface itself"));
-    EXPECT_TRUE(legend_has(draw_section(led_aside(), {}), "tap in shadow"));
+    EXPECT_TRUE(legend_has(draw_section(offset_look_up(), {}), "tap in shadow"));
     Section s = light_bleeding();
     const SectionDrawing spread = draw_section(s, {});
     EXPECT_TRUE(legend_has(spread, "mean of the depths"));
@@ -317,11 +317,11 @@ std::string muted_words(const SectionDrawing& d) {
 }
 
 TEST(SectionDrawing, BiasWindowIsNextToTheRingAlongItsRay) {
-    Section right = led_aside();
+    Section right = offset_look_up();
     right.artefact.clear();
     Section slanted = acne();
     slanted.light_ray = glm::normalize(glm::dvec2(0.3, 1));
-    for (Section s : {acne(), led_aside(), right, slanted}) {
+    for (Section s : {acne(), offset_look_up(), right, slanted}) {
         s.window_to = 0.05;
         SCOPED_TRACE(s.artefact + (s.light_ray.x > 0 ? ", slanted" : ""));
         const SectionPage page{.height = 640};
@@ -350,7 +350,7 @@ TEST(SectionDrawing, BiasWindowIsNextToTheRingAlongItsRay) {
 
 TEST(SectionDrawing, EquivalentBiasOfAnOffsetIsMarked) {
     EXPECT_FALSE(words_of(draw_section(acne(), {}), "has 0.1 texels")) << "that is the disk's height";
-    Section s = led_aside();
+    Section s = offset_look_up();
     s.has = {0.005, 0.5, 0.02};
     const SectionDrawing d = draw_section(s, {});
     EXPECT_TRUE(words_of(d, "has 0.5 texels"));
@@ -378,11 +378,11 @@ TEST(SectionDrawing, TexelBarHasTheWidthOfTexels) {
 }
 
 TEST(SectionDrawing, ArrowHasTheLengthOfItsLabel) {
-    Section leaves = led_aside();
+    Section leaves = offset_look_up();
     leaves.normal_offset_m = 0.15;
     leaves.surface_aside = 2.35;
     leaves.surface_at = {0, -0.08};
-    for (const Section& s : {led_aside(), leaves}) {
+    for (const Section& s : {offset_look_up(), leaves}) {
         const SectionDrawing d = draw_section(s, {});
         const auto arrow = std::ranges::find_if(
             d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Line && m.ink == Ink::Offset; });
@@ -396,7 +396,7 @@ TEST(SectionDrawing, ArrowHasTheLengthOfItsLabel) {
 }
 
 TEST(SectionDrawing, SurfaceOffTheCutHasItsOwnPlaneAndANote) {
-    Section s = led_aside();
+    Section s = offset_look_up();
     s.row_aside = 0.49;
     const auto planes = [](const SectionDrawing& d) {
         std::vector<const Mark*> out;

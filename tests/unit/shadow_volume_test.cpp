@@ -86,7 +86,7 @@ Mesh inside_out(Mesh mesh) {
     return mesh;
 }
 
-Mesh both(Mesh a, const Mesh& b) {
+Mesh joined_meshes(Mesh a, const Mesh& b) {
     append(a, b);
     return a;
 }
@@ -114,7 +114,7 @@ std::vector<Case> cases() {
             {"sheet", make_plane(2, 3, 2, 2), 8, true},
             {"box without a side", lidless, 10, true},
             {"sheets that share an edge", fan(), 6, true},
-            {"box and sheet", both(make_box({1, 1, 1}), make_plane(4, 4)), 2, false}};
+            {"box and sheet", joined_meshes(make_box({1, 1, 1}), make_plane(4, 4)), 2, false}};
 }
 
 TEST(ShadowVolume, EnclosesAPointOncePerOccluder) {

@@ -52,7 +52,7 @@ TEST(SharedArray, MovedFromArrayIsEmptyAndUsable) {
     EXPECT_TRUE(Ints().empty()) << "what is empty is nobody's own";
 }
 
-std::uint64_t told() {
+std::uint64_t reported_bytes() {
     for (const MemoryUse& h : memory_report().holders)
         if (h.holder == "tests' arrays") return h.bytes;
     return 0;
@@ -62,24 +62,24 @@ TEST(SharedArray, IsCountedOnceForAllCopies) {
     {
         Ints a = std::vector<int>(100, 1);
         a.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 400u);
+        EXPECT_EQ(reported_bytes(), 400u);
         Ints b = a;
         b.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 400u);
+        EXPECT_EQ(reported_bytes(), 400u);
         Ints first = std::vector<int>(10, 1), second = first;
         first.track_memory("tests' arrays");
         second.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 440u) << "shared before it was told of";
+        EXPECT_EQ(reported_bytes(), 440u) << "shared before it was told of";
         first.clear();
         second.clear();
         b.push_back(2);
         b.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 804u);
+        EXPECT_EQ(reported_bytes(), 804u);
         b.resize(10);
         b.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 440u);
+        EXPECT_EQ(reported_bytes(), 440u);
     }
-    EXPECT_EQ(told(), 0u);
+    EXPECT_EQ(reported_bytes(), 0u);
 }
 
 TEST(SharedArray, ThreadsChangeOnlyTheirCopies) {

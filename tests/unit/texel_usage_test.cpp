@@ -12,7 +12,7 @@ namespace si {
 namespace {
 
 /// Makes a picture of one row whose pixels look up the given map coordinates.
-FloatImage looks_up(const std::vector<glm::vec4>& pixels) {
+FloatImage look_up_picture(const std::vector<glm::vec4>& pixels) {
     FloatImage image{int(pixels.size()), 1, 4, {}};
     for (const glm::vec4& p : pixels) image.data.insert(image.data.end(), {p.x, p.y, p.z, p.w});
     return image;
@@ -47,7 +47,7 @@ TEST(TexelUsage, FootprintsMatchTheFetchesOfKernels) {
 TEST(TexelUsage, OnePixelReadsTheSquareOfItsKernel) {
     const int n = 16;
     for (const auto& [reach, side] : {std::pair{0.5, 1}, {1.5, 3}, {2.5, 5}}) {
-        const TexelUsage usage(looks_up({centre_of(7, 4, n)}), n, reach, MapWrap::Border);
+        const TexelUsage usage(look_up_picture({centre_of(7, 4, n)}), n, reach, MapWrap::Border);
         EXPECT_DOUBLE_EQ(usage.utilisation(), double(side * side) / (n * n));
         EXPECT_EQ(usage.pixels({7, 4}), 1u);
         const int r = side / 2;
@@ -58,7 +58,7 @@ TEST(TexelUsage, OnePixelReadsTheSquareOfItsKernel) {
 }
 
 TEST(TexelUsage, BilinearTapReadsFourTexels) {
-    const TexelUsage usage(looks_up({{8.0f / 16, 8.0f / 16, 0, 1}}), 16, 1, MapWrap::Border);
+    const TexelUsage usage(look_up_picture({{8.0f / 16, 8.0f / 16, 0, 1}}), 16, 1, MapWrap::Border);
     for (const glm::ivec2 t : {glm::ivec2(7, 7), {8, 7}, {7, 8}, {8, 8}}) EXPECT_EQ(usage.pixels(t), 1u);
     EXPECT_DOUBLE_EQ(usage.utilisation(), 4.0 / 256);
 }
@@ -70,7 +70,7 @@ TEST(TexelUsage, CountsAndReadersMatchBruteForce) {
     const auto random = [&] { return float((seed = seed * 1664525u + 1013904223u) >> 8) / float(1 << 24); };
     for (int i = 0; i < 300; ++i)
         pixels.push_back({random() * 1.6f - 0.3f, random() * 1.6f - 0.3f, float(i % 3 == 0), float(i % 7 != 0)});
-    const FloatImage image = looks_up(pixels);
+    const FloatImage image = look_up_picture(pixels);
     for (const MapWrap wrap : {MapWrap::Border, MapWrap::Clamp, MapWrap::Repeat, MapWrap::Range})
         for (const double reach : {0.5, 1.0, 2.0, 5.0, 8.0}) {
             const TexelUsage usage(image, n, reach, wrap, 0);
@@ -104,7 +104,7 @@ TEST(TexelUsage, OnlyTheSelectedLayerAndReadingPixelsCount) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     glm::vec4 silent = centre_of(5, 5, n);
     silent.w = 0;
-    const FloatImage image = looks_up({centre_of(1, 1, n, 0), centre_of(2, 2, n, 3), silent, {nan, 0.5f, 0, 1}});
+    const FloatImage image = look_up_picture({centre_of(1, 1, n, 0), centre_of(2, 2, n, 3), silent, {nan, 0.5f, 0, 1}});
     EXPECT_DOUBLE_EQ(TexelUsage(image, n, 0.5, MapWrap::Border, 0).utilisation(), 1.0 / 64);
     EXPECT_EQ(TexelUsage(image, n, 0.5, MapWrap::Border, 3).pixels({2, 2}), 1u);
     EXPECT_DOUBLE_EQ(TexelUsage(image, n, 0.5, MapWrap::Border, 1).utilisation(), 0);
