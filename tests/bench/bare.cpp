@@ -1,3 +1,4 @@
+// Minimal OpenGL renderer of benchmarks: geometry, programs, targets and passes.
 #include "tests/bench/bare.h"
 
 #include <algorithm>

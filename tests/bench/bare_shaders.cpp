@@ -1,3 +1,4 @@
+// GLSL sources of the minimal renderer, put together from its options.
 #include "tests/bench/bare_shaders.h"
 
 #include <fmt/format.h>

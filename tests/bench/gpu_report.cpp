@@ -1,3 +1,4 @@
+// Report of driver choices: alternative settings and programs, timed in turns and written as JSON.
 #include "tests/bench/gpu_report.h"
 
 #include <epoxy/gl.h>

@@ -1,3 +1,4 @@
+// Registration of the benchmarks that other files define.
 #pragma once
 
 namespace si {

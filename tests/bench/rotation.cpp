@@ -1,3 +1,4 @@
+// Alternating timing of contenders, with bootstrap intervals of their ratios.
 #include "tests/bench/rotation.h"
 
 #include <epoxy/gl.h>

@@ -1,3 +1,4 @@
+// Fuzz targets for models, presets and setting values.
 #include "tests/fuzz/targets.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Reader for text on the screen, from glyph quads of Dear ImGui.
 #include "tests/ui/drawn_text.h"
 
 #include "renderer/base/key.h"

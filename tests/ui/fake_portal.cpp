@@ -1,3 +1,4 @@
+// Private message bus and fake desktop portal.
 #if defined(SI_FILE_PORTAL)
 #include "tests/ui/fake_portal.h"
 

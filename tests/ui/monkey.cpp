@@ -1,3 +1,4 @@
+// Random events and files for the editor, from a seed.
 #include "tests/ui/monkey.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Harness for panels: made-up frames, synthetic input, ImGui without a backend.
 #include "tests/ui/ui_harness.h"
 
 #include <gtest/gtest.h>

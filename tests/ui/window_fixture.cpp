@@ -1,3 +1,4 @@
+// Fixture for window tests: X server, child processes, xdotool, screenshots.
 #include "tests/ui/window_fixture.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Drag-and-drop source by the XDND protocol.
 #include "tests/ui/xdnd.h"
 
 #include <X11/Xatom.h>

@@ -1,3 +1,4 @@
+// Tests of angles and directions in degrees.
 #include "renderer/base/angles.h"
 
 #include <gtest/gtest.h>

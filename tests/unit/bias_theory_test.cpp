@@ -1,3 +1,4 @@
+// Tests of the bias theory, compared with brute force over texels and with closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>

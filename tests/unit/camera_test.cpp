@@ -1,3 +1,4 @@
+// Tests of cameras: orbit, rays of pixels, automatic framing.
 #include <gtest/gtest.h>
 
 #include <cmath>

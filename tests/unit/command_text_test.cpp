@@ -1,3 +1,4 @@
+// Tests of command lines as text.
 #include "renderer/base/command_text.h"
 
 #include <gtest/gtest.h>

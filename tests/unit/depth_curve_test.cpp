@@ -1,3 +1,4 @@
+// Tests of depth curves: stored depth over distance, steps and slopes.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Tests of sample positions on a disk.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Tests of face normals carried by the last corner of each triangle.
 #include "renderer/scene/face_normals.h"
 
 #include <gtest/gtest.h>

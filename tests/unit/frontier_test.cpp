@@ -1,3 +1,4 @@
+// Tests of the frontier of cost and error, and of its statistics.
 #include "renderer/measure/frontier.h"
 
 #include <gtest/gtest.h>

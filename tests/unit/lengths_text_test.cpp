@@ -1,3 +1,4 @@
+// Tests of lengths as text with metric prefixes.
 #include "renderer/base/lengths_text.h"
 
 #include <gtest/gtest.h>

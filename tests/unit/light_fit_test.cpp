@@ -1,3 +1,4 @@
+// Tests of light views and their fits to a scene.
 #include "renderer/view/fits/light_fit.h"
 
 #include <gtest/gtest.h>

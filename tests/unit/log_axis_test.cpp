@@ -1,3 +1,4 @@
+// Tests of logarithmic axes of plots.
 #include "ui/widgets/log_axis.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Tests of casters that face culling removes from a map.
 #include "renderer/inspect/lost_casters.h"
 
 #include <gtest/gtest.h>

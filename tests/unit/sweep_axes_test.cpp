@@ -1,3 +1,4 @@
+// Tests of sweep axes: lists of values, errors, and the cross product.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Tests of time measurement over bursts of frames, and of counted work.
 #include "renderer/measure/time_sampler.h"
 
 #include <gtest/gtest.h>
