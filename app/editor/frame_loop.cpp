@@ -202,7 +202,8 @@ void FrameLoop::report_smoothing(const FrameResult& more) {
     const auto shown = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
     if (!did || shown == result_.passes.end() || shown->reason == did->reason) return;
     // Other passes keep the states and times of the frame.
-    shown->state = did->state, shown->reason = did->reason;
+    shown->state = did->state;
+    shown->reason = did->reason;
     frame_effects_.clear();
 }
 

@@ -268,7 +268,8 @@ void add_static(const EffectFacts& f, int animation, Effects& out) {
         why = "no light has its shadows from a map";
     else if (!is_animated(f.scene, animation))
         why = "nothing moves in the scene: maps are cached, or drawn whole";
-    out.push_back({.name = "static casters", .reason = as_sentence(why), .optimisation = Optimisation::StaticCasterCache});
+    out.push_back(
+        {.name = "static casters", .reason = as_sentence(why), .optimisation = Optimisation::StaticCasterCache});
 }
 
 void count_casters(EffectFacts& f) {

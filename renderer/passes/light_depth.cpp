@@ -344,7 +344,8 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& wor
 /// Returns true when some light's static map is still valid.
 bool keeps_static(const FrameState& f, const DrawnMaps& t) {
     for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
-        if (f.gl.fitted[i].casts && t.static_states[i].casters.has_cache_for(light_views_key(f, i).value())) return true;
+        if (f.gl.fitted[i].casts && t.static_states[i].casters.has_cache_for(light_views_key(f, i).value()))
+            return true;
     return false;
 }
 

@@ -1,5 +1,5 @@
-// How near the autopilot's pick comes to the best of all combinations by the clock: each is judged by the truth, those
-// that hold the bound are timed in turns, and the pick is drawn in turns with the quickest of them.
+// Benchmarks of the autopilot: its result compared with the best of all combinations. All are classified against the
+// reference, those within the bound are timed in turns, and the result is drawn in turns with the fastest.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
@@ -19,7 +19,7 @@ double steady_wall_ms() {
     return BurstClock::steady().now_s() * 1e3;
 }
 
-/// Milliseconds a frame while the camera moves, of frames after such as warm up.
+/// Returns the milliseconds a frame while the camera moves, after warm-up frames.
 double moving_frame_ms(TimedFrames& frames, double (*clock)()) {
     constexpr int kFrames = 4;
     frames.warm_up();
@@ -37,7 +37,8 @@ const std::vector<SweepAxis>& searched_axes() {
     return all;
 }
 
-/// @param max_combinations that the autopilot tries all of; of more it searches by parts
+/// Compares the autopilot's result with the best combination by time. @param max_combinations limit for exhaustive
+/// search; larger spaces are searched by parts
 void autopilot_by_clock(benchmark::State& state, const char* name, double share, std::size_t max_combinations) {
     const HeadlessContext context;
     Renderer renderer;

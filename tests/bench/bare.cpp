@@ -1,3 +1,4 @@
+// Minimal OpenGL renderer of benchmarks: geometry, programs, targets and passes.
 #include "tests/bench/bare.h"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ GLenum wrap(TextureWrap w) {
     return w == TextureWrap::Clamp ? GL_CLAMP_TO_EDGE : w == TextureWrap::Mirror ? GL_MIRRORED_REPEAT : GL_REPEAT;
 }
 
-/// As the renderer uploads and samples them.
+/// Uploads a texture as the renderer does.
 gl::Texture upload(const Texture& t) {
     auto texture = gl::Texture::create("bare texture", GLenum(GL_TEXTURE_2D));
     const int levels = t.mipmaps ? int(std::log2(std::max(t.width, t.height))) + 1 : 1;
@@ -76,7 +77,7 @@ gl::Texture upload(const Texture& t) {
     return texture;
 }
 
-/// The scene's objects in the order in which they are drawn.
+/// Returns the scene's objects in drawing order.
 std::vector<const Object*> drawing_order(const Scene& scene, bool large_last) {
     std::vector<const Object*> order;
     for (const Object& o : scene.objects) order.push_back(&o);

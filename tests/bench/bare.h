@@ -1,6 +1,6 @@
-// The measuring sticks: the least OpenGL that draws the same scene with the same kernel. All vertices lie in world
-// space in one buffer, a pass is one draw (with textures one for each texture and mask), and nothing is asked for or
-// set that a frame does not need. See BareOptions for which stick is which.
+// Minimal OpenGL programs that draw a scene with a shadow map. Benchmarks compare the renderer with them. All vertices
+// are in world space in one buffer. A pass is one draw, or one a texture and mask. No query and no redundant state
+// change is made.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,13 @@
 
 namespace si {
 
-/// What a BareForward draws of the materials.
+/// Material features that a BareForward draws.
 enum class BareMaterials {
-    Colours,   ///< their base colours; masks are solid
-    Textures,  ///< base colour textures and masks too, sampled as the renderer does; no normal maps, no blending
+    Colours,   ///< base colours; masks are solid
+    Textures,  ///< base colour textures and masks, sampled as the renderer does; no normal maps, no blending
 };
 
+/// Shadow filter of a BareForward.
 enum class BareKernel {
     None,     ///< no shadows: the camera's pass alone
     Nearest,  ///< one nearest tap
@@ -27,41 +28,46 @@ enum class BareKernel {
     Pcss,     ///< 16 taps search for blockers, 16 compare, on a disk that each pixel turns
 };
 
+/// Light model of a BareForward.
 enum class BareLight {
-    Lambert,  ///< written as it is: the least that any light costs
+    Lambert,  ///< Lambert without encoding: the cheapest light
     Ours,     ///< Blinn-Phong, encoded as sRGB: the renderer's light model
 };
 
+/// Configuration of a BareForward: shadow filter, light model, materials and draw order.
 struct BareOptions {
     BareKernel kernel = BareKernel::Gather;
     int size = 3;
     BareLight light = BareLight::Ours;
     BareMaterials materials = BareMaterials::Colours;
-    bool cull_casters = true;          ///< back faces stay out of the map
+    bool cull_casters = true;          ///< back faces are left out of the map
     bool large_last = true;            ///< large objects are drawn after the small ones that they lie behind
-    bool separate_visibility = false;  ///< visibility into a texture of its own (R32F), which the shading pass reads
+    bool separate_visibility = false;  ///< visibility has a texture of its own (R32F), which the shading pass reads
 };
 
+/// Minimal forward renderer with one shadow map, the baseline of benchmarks. Needs a current OpenGL 4.5 context.
 class BareForward {
 public:
-    /// @throws Error when a material has what Textures leaves out
+    /// Uploads the scene and compiles the programs. Sizes are in texels and pixels. @throws Error if a material has
+    /// features that BareMaterials leaves out
     BareForward(const Scene& scene, const BareOptions& options, int map_resolution, int width, int height);
-    /// Draws a frame with the camera and light that the renderer found; `depth_pass` off leaves the map as it is.
+    /// Draws a frame with the renderer's camera and fitted light. Without `depth_pass` the map stays as it is; without
+    /// `shade_pass` no picture is drawn.
     void draw(const Camera& camera, const FittedLight& light, bool depth_pass = true, bool shade_pass = true);
 
-    /// What was drawn last, bottom row first, as RGBA.
+    /// Returns the last drawn picture as RGBA, 8 bits a channel, bottom row first.
     std::vector<std::uint8_t> picture() const;
 
 private:
-    /// Triangles of one look, one draw.
+    /// Triangles of one texture and mask, drawn by one call.
     struct Group {
-        int texture = -1;  ///< of the scene
+        int texture = -1;  ///< index of a texture of the scene; -1: none
         bool masked = false, double_sided = false;
         float cutoff = 0;
         std::vector<std::uint32_t> indices;
         std::size_t first = 0;
     };
-    /// Programs of the three looks: plain, textured, masked.
+    /// Programs for plain, textured and masked triangles.
     struct Programs {
         gl::Program looks[3];
         const gl::Program& of(const Group& g) const { return looks[g.masked ? 2 : g.texture >= 0 ? 1 : 0]; }

@@ -1,3 +1,4 @@
+// GLSL sources of the minimal renderer, put together from its options.
 #include "tests/bench/bare_shaders.h"
 
 #include <fmt/format.h>
@@ -5,7 +6,7 @@
 namespace si {
 namespace {
 
-/// visible(s): 1 lit to 0 in shadow at map coordinates and depth s.
+/// visible(s): visibility at map coordinates and depth s, 1 lit to 0 in shadow.
 constexpr const char* kVisible = R"(
 #if KERNEL == SAMPLER
 layout(binding=0) uniform sampler2DShadow map;
@@ -14,7 +15,7 @@ layout(binding=0) uniform sampler2D map;
 #endif
 const float T=1.0/float(N);
 #if KERNEL == PCSS
-uniform vec2 penumbra; // texels per depth past a blocker, and before every one
+uniform vec2 penumbra; // texels per depth behind a blocker, and before every one
 float noise(vec2 p){ return 6.2831853*fract(52.9829189*fract(dot(p,vec2(0.06711056,0.00583715)))); }
 const int TAPS=16;
 vec2 place(int i){ float a=2.3999632*float(i); return sqrt((float(i)+0.5)/float(TAPS))*vec2(cos(a),sin(a)); }

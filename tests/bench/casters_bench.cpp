@@ -1,5 +1,5 @@
-// What drawing casters costs: very many of them under a light that turns against the least OpenGL that draws the same,
-// and each saving against the same map with it forced.
+// Benchmarks of casters: many casters under a turning light compared with minimal OpenGL, and each optimisation
+// compared with the same map drawn without it.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -19,9 +19,9 @@
 namespace si {
 namespace {
 
-/// Times in turn, and says how the second relates to the first in the middle half of the rounds.
+/// Times two ways in turn and reports the ratio of the second to the first with its middle half of the rounds.
 template <typename A, typename B>
-void in_turn(benchmark::State& state, A&& first, B&& second) {
+void time_in_turns(benchmark::State& state, A&& first, B&& second) {
     for (int i = 0; i < 3; ++i) {
         first();
         second();
@@ -40,7 +40,7 @@ void in_turn(benchmark::State& state, A&& first, B&& second) {
     state.counters["ratio_p75"] = ratio.p75;
 }
 
-/// Boxes, balls and rings, each on a node of its own, over a floor.
+/// Makes boxes, balls and rings, each on a node of its own, over a floor.
 Scene ten_thousand_objects() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -54,7 +54,7 @@ Scene ten_thousand_objects() {
     return scene;
 }
 
-/// Each of 960 triangles.
+/// Makes balls of 960 triangles each.
 Scene balls_on_a_floor(int count) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -71,7 +71,7 @@ Settings around_it() {
     return s;
 }
 
-/// A frame whose light has turned, drawn by the bare program (first) and by the renderer.
+/// Times a frame after the light has turned: the minimal program (first) and the renderer.
 void light_turns(benchmark::State& state) {
     HeadlessContext context;
     Renderer renderer;
@@ -79,7 +79,7 @@ void light_turns(benchmark::State& state) {
     Settings s = around_it();
     FrameResult facts = renderer.render(scene, s, {});
     BareForward bare(scene, BareOptions{}, s.map.resolution, 1280, 720);
-    in_turn(
+    time_in_turns(
         state, [&] { bare.draw(facts.camera, facts.lights[0]); },
         [&] {
             s.lights[0].azimuth += 0.5;
@@ -87,7 +87,7 @@ void light_turns(benchmark::State& state) {
         });
 }
 
-/// The map of the agreed scene, all of it drawn (first) and with what is saved.
+/// Times the map of the agreed scene without optimisations (first) and with them.
 void agreed_map(benchmark::State& state, const Settings& all) {
     HeadlessContext context;
     Renderer renderer;
@@ -98,18 +98,18 @@ void agreed_map(benchmark::State& state, const Settings& all) {
     forced.forced = {Optimisation::CasterCulling};
     Settings both_sides = all;
     both_sides.bias.raster_units = 1e-30;  // closed meshes keep their back faces under an offset
-    in_turn(
+    time_in_turns(
         state, [&] { renderer.render(scene, both_sides, forced); }, [&] { renderer.render(scene, all, request); });
 }
 
-/// Frames of a light that turns, with maps drawn whole (first) and as far as the camera reads them.
-void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
+/// Times frames of a turning light: maps drawn whole (first) and only where the camera reads them.
+void visible_map(benchmark::State& state, const Scene& scene, Settings s) {
     HeadlessContext context;
     Renderer renderer;
     FrameRequest request{.width = 160, .height = 90}, whole = request;
     whole.forced = {Optimisation::UnreadViews};
     const auto turn = [&] { s.lights[0].azimuth += 0.5; };
-    in_turn(
+    time_in_turns(
         state,
         [&] {
             turn();
@@ -121,8 +121,8 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
         });
 }
 
-/// Frames of a camera that goes round what it looks at, without shadows, with all objects handed to the driver (first)
-/// and those that the picture may show.
+/// Times frames of a camera that orbits its target, without shadows: all objects drawn (first) and only objects in the
+/// view frustum.
 void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
     HeadlessContext context;
     Renderer renderer;
@@ -130,7 +130,7 @@ void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
     FrameRequest request{.width = 160, .height = 90}, all = request;
     all.forced = {Optimisation::FrustumCulling};
     const auto turn = [&] { s.camera.azimuth += 0.5; };
-    in_turn(
+    time_in_turns(
         state,
         [&] {
             turn();
@@ -142,8 +142,8 @@ void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
         });
 }
 
-/// What it takes to find what the camera reads of a map: what it sees ("seen_ms", once a camera), and where that lies
-/// in the map ("called_ms").
+/// Times the search for read map parts: visible surfaces ("seen_ms", once a camera) and their places in the map
+/// ("called_ms").
 void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
     HeadlessContext context;
     Renderer renderer;
@@ -163,8 +163,8 @@ void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
     state.counters["called_ms"] = median(called_ms);
 }
 
-/// Frames in which small boxes of a scene move on, of maps drawn whole (first) and with what rests kept. The scene
-/// is laid out anew for each: what that takes is no part of the times.
+/// Times frames in which small boxes move: maps drawn whole (first) and with cached static casters. Scene set-up is not
+/// timed.
 void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) {
     HeadlessContext context;
     Renderer renderer, others;
@@ -185,11 +185,11 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
     nothing.outputs.colour = false;
     double turn = 0;
     int kept = 0;
-    const auto map_ms = [&](Renderer& by, const FrameRequest& asked) {
-        nothing.forced = asked.forced;
+    const auto map_ms = [&](Renderer& by, const FrameRequest& variant) {
+        nothing.forced = variant.forced;
         by.render(scene, s, nothing);
         FrameResult frame;
-        const double ms = finished_ms([&] { frame = by.render(scene, s, asked); });
+        const double ms = finished_ms([&] { frame = by.render(scene, s, variant); });
         for (const PassInfo& pass : frame.passes)
             for (const PartInfo& part : pass.parts)
                 kept += part.by == Optimisation::StaticCasterCache && part.left_out > 0;
@@ -226,8 +226,8 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
     state.counters["ratio_p75"] = ratio.p75;
 }
 
-/// From a corner of the scene, along one of its sides.
-Settings seeing_a_part(Settings s) {
+/// Turns the camera to look from a corner of the scene along one of its sides.
+Settings with_partial_view(Settings s) {
     s.camera.source = CameraSource::Manual;
     s.camera.target_x = s.camera.target_z = -40;
     s.camera.azimuth = 0;
@@ -266,28 +266,28 @@ const int kRegistered = [] {
     add("casters/analysis/100k_triangles",
         [=](benchmark::State& s) { analysis(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
     add("casters/seen/10000_objects_all",
-        [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), directional); });
+        [=](benchmark::State& s) { visible_map(s, ten_thousand_objects(), directional); });
     add("casters/seen/10000_objects_part",
-        [=](benchmark::State& s) { seen_map(s, ten_thousand_objects(), seeing_a_part(directional)); });
+        [=](benchmark::State& s) { visible_map(s, ten_thousand_objects(), with_partial_view(directional)); });
     add("casters/seen/100k_triangles_all",
-        [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
-    Settings above = seeing_a_part(directional);
+        [=](benchmark::State& s) { visible_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
+    Settings above = with_partial_view(directional);
     above.camera.target_x = above.camera.target_z = 0;
     above.camera.distance = 150;
     above.camera.elevation = 60;
     add("casters/in_sight/10000_objects_all",
         [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), above); });
     add("casters/in_sight/10000_objects_part",
-        [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), seeing_a_part(directional)); });
-    Settings blurred = seeing_a_part(directional);
+        [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), with_partial_view(directional)); });
+    Settings blurred = with_partial_view(directional);
     blurred.camera.target_x = blurred.camera.target_z = -3;
     set_setting(blurred, "filter.kernel", "vsm");
-    add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
+    add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { visible_map(s, balls_on_a_floor(64), blurred); });
     blurred.camera.distance = 2.5;
     blurred.camera.elevation = 40;
-    add("casters/seen/64_balls_vsm_close", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
+    add("casters/seen/64_balls_vsm_close", [=](benchmark::State& s) { visible_map(s, balls_on_a_floor(64), blurred); });
     add("casters/seen/100k_triangles_point",
-        [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), point); });
+        [=](benchmark::State& s) { visible_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), point); });
     return 0;
 }();
 

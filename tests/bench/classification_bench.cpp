@@ -1,6 +1,6 @@
-// What judging a frame costs: comparing every pixel with the truth and making the trials of the wrong ones, against
-// drawing the visibility that is judged, in the same frames. Read the ratio: of what runs while a bias or a kernel is
-// changed, and of all with what is kept while camera and light rest.
+// Benchmarks of classification: comparing every pixel with the reference and trying causes for wrong pixels, relative
+// to drawing visibility in the same frames. Compare the ratios: for changes of bias or kernel, and with everything that
+// is cached for a fixed camera and light.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 namespace si {
 namespace {
 
-void judge_against_visibility(benchmark::State& state, const char* scene_name,
+void classify_over_visibility(benchmark::State& state, const char* scene_name,
                               std::vector<std::pair<const char*, const char*>> sets) {
     const HeadlessContext context;
     Renderer renderer;
     const Scene scene = load_scene(scene_name);
     Settings s;
     for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
-    set_setting(s, "light.fit", "scene");  // a map in which enough is wrong
+    set_setting(s, "light.fit", "scene");  // a map with enough wrong pixels
     for (const auto& [key, value] : sets) set_setting(s, key, value);
     FrameRequest request{.width = 1280, .height = 720, .outputs = {.colour = false, .error = true}};
     ReferenceCache cache;
@@ -54,14 +54,14 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name,
     state.counters["wrong_share"] = wrong;
 }
 
-BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf3, "stage", std::vector<std::pair<const char*, const char*>>{})
+BENCHMARK_CAPTURE(classify_over_visibility, stage_pcf3, "stage", std::vector<std::pair<const char*, const char*>>{})
     ->Iterations(15)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge_against_visibility, stage_pcf9, "stage",
+BENCHMARK_CAPTURE(classify_over_visibility, stage_pcf9, "stage",
                   std::vector<std::pair<const char*, const char*>>{{"filter.kernel", "pcf9"}})
     ->Iterations(15)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judge_against_visibility, boxes_pcf3, "boxes", std::vector<std::pair<const char*, const char*>>{})
+BENCHMARK_CAPTURE(classify_over_visibility, boxes_pcf3, "boxes", std::vector<std::pair<const char*, const char*>>{})
     ->Iterations(15)
     ->Unit(benchmark::kMillisecond);
 

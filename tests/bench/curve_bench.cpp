@@ -1,6 +1,6 @@
-// Curves: frames and what belongs to them over triangles, lights, objects, cascades, taps and texels. `slope` is the
-// exponent of the power law nearest to the last half of the points, where fixed costs weigh least; `expected` is that
-// of the work. Points of more than a minute or several gigabytes are left out unless SI_BENCH_LONG is set.
+// Benchmarks of growth: times over triangles, lights, objects, cascades, taps and texels. `slope` is the exponent of
+// the power law through the last half of the points, where fixed costs matter least. `expected` is the exponent of the
+// work. Points above a minute or several gigabytes run only with SI_BENCH_LONG.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -39,10 +39,10 @@ double power_law(std::span<const double> x, std::span<const double> y) {
 
 namespace {
 
-constexpr double kLeastMs = 0.05;  ///< below it clocks and keys are measured, no growth
+constexpr double kMinMs = 0.05;  ///< shorter times measure clocks and keys instead of growth
 const FrameRequest kCurveFrame{.width = 640, .height = 360};
 
-/// A wavy ground of about that many triangles.
+/// Makes a wavy ground of about so many triangles.
 Scene wavy_ground(double triangles) {
     const int cells = std::max(1, int(std::lround(std::sqrt(triangles / 2))));
     Mesh mesh = make_plane(20, 20, cells, cells);
@@ -55,7 +55,7 @@ Scene wavy_ground(double triangles) {
     return scene;
 }
 
-/// Boxes on nodes of their own, in a square of the same size for any number.
+/// Makes boxes on nodes of their own in a square whose size does not depend on their number.
 Scene many_boxes(double objects) {
     Scene scene;
     scene.name = fmt::format("{} boxes", objects);
@@ -92,13 +92,13 @@ void set_taps(Settings& s, double taps) {
     set_setting(s, "filter.taps", fmt::format("{}", int(taps)));
 }
 
-/// Something that grows, and the times that may grow with it.
+/// A varied size and the times that may grow with it.
 struct Axis {
     const char* name;
-    std::vector<double> at, at_length;  ///< ordinary ones; only where SI_BENCH_LONG asks for them
-    Scene (*scene)(double);             ///< before finalise() where it grows
+    std::vector<double> at, at_length;  ///< sizes of an ordinary run; further sizes for SI_BENCH_LONG
+    Scene (*scene)(double);             ///< maker of the scene of a size, before finalise()
     void (*set)(Settings&, double);
-    double expected;  ///< exponent of the work
+    double expected;  ///< expected exponent of the work
     bool scene_grows = false;
 };
 
@@ -124,7 +124,7 @@ const std::vector<Axis>& axes() {
     return all;
 }
 
-/// One point of a curve, with a renderer of its own.
+/// Measures one point of a curve with a renderer of its own.
 class CurvePoint {
 public:
     CurvePoint(const Axis& axis, double x, std::map<std::string, std::vector<double>>& ms) : ms_(ms) {
@@ -215,7 +215,7 @@ void curve(benchmark::State& state, const Axis& axis) {
     for (const auto& [name, first] : times.front()) {
         std::vector<double> ms;
         for (std::size_t i = 0; i < at.size(); ++i) {
-            ms.push_back(std::max(median(times[i][name]), kLeastMs));
+            ms.push_back(std::max(median(times[i][name]), kMinMs));
             state.counters[fmt::format("{}@{:g}", name, at[i])] = ms.back();
         }
         const std::size_t half = at.size() / 2;

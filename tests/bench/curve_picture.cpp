@@ -1,4 +1,4 @@
-// The plots of measured curves, drawn with the editor's own means.
+// Plots of measured curves, drawn with the editor's plotting code.
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kAcross = 3, kPlotWidth = 520, kPlotHeight = 400;
 constexpr ImU32 kInk = IM_COL32(210, 210, 210, 255), kFaint = IM_COL32(90, 90, 90, 255);
-/// Okabe and Ito's colours, which nobody confuses.
+/// Colours of Okabe and Ito, safe for colour-blind readers.
 constexpr ImU32 kColours[] = {IM_COL32(230, 159, 0, 255),   IM_COL32(86, 180, 233, 255),  IM_COL32(0, 158, 115, 255),
                               IM_COL32(240, 228, 66, 255),  IM_COL32(0, 114, 178, 255),   IM_COL32(213, 94, 0, 255),
                               IM_COL32(204, 121, 167, 255), IM_COL32(200, 200, 200, 255), IM_COL32(160, 120, 90, 255)};
@@ -75,7 +75,7 @@ std::vector<Plot> read_plots(const std::filesystem::path& file) {
     return plots;
 }
 
-/// Whole decades around values.
+/// Whole decades that enclose the values.
 struct Decades {
     double lo = 1e300, hi = -1e300;
     void add(double v) {

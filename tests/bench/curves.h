@@ -1,4 +1,4 @@
-// How times grow with what a scene and its settings ask for.
+// Power laws and plots of times over the size of scenes and settings.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,18 @@
 
 namespace si {
 
-/// Times over amounts of one thing, both positive.
+/// Milliseconds `ms` of one operation over sizes `x`, both positive.
 struct Curve {
-    std::string name;  ///< what takes the time
+    std::string name;  ///< name of the timed operation
     std::vector<double> x, ms;
 };
 
-/// The exponent k of the power law a x^k nearest to the points, by least squares of the logarithms; NaN below two.
+/// Returns the exponent k of the power law a x^k nearest to the points, by least squares of the logarithms; NaN for
+/// fewer than two points.
 double power_law(std::span<const double> x, std::span<const double> y);
 
-/// Reads what `bench --benchmark_filter=^curve/ --benchmark_out=JSON` wrote and draws it, a plot for each thing that
-/// grows. @throws Error
+/// Reads the JSON of `bench --benchmark_filter=^curve/ --benchmark_out=JSON` and draws one plot a varied size. @throws
+/// Error if a file cannot be read or written
 void draw_curves(const std::filesystem::path& json, const std::filesystem::path& png);
 
 }  // namespace si

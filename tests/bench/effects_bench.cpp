@@ -1,5 +1,5 @@
-// What telling the effects of a frame costs, and deciding what to leave out (an unchanged frame is nothing but that),
-// as shares of the frame, in turns with it.
+// Benchmarks of effect reports and of planning: their times as shares of a frame, in turns with frames. An unchanged
+// frame is planning alone.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The renderer against the least OpenGL that draws the same, frame by frame in turn.
+// Benchmarks of frames: the renderer and minimal OpenGL that draws the same, in turn.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -27,17 +27,16 @@ constexpr int kWidth = 1280, kHeight = 720;
 bool is_file(const std::string& name) {
     return name.ends_with(".glb") || name.ends_with(".gltf");
 }
-std::filesystem::path beside_project(const std::string& name) {
+std::filesystem::path shared_file(const std::string& name) {
     return std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name;
 }
 
-/// Nothing stands in for a scene that is missing.
+/// Returns an error text for a missing scene; no proxy scene replaces it.
 std::string missing_file(const std::string& name) {
-    return !is_file(name) || std::filesystem::exists(beside_project(name)) ? "" : "../shared/" + name + " is missing";
+    return !is_file(name) || std::filesystem::exists(shared_file(name)) ? "" : "../shared/" + name + " is missing";
 }
 
-/// Without normal maps, and solid where it is blended, for both: the bare program draws neither, and no downloaded
-/// model has masks but such as have these, too.
+/// Removes normal maps and blending, which the minimal program does not draw. No downloaded model needs more.
 Scene plainly_textured(Scene scene) {
     for (Material& m : scene.materials) {
         m.normal_texture = -1;
@@ -47,11 +46,11 @@ Scene plainly_textured(Scene scene) {
     return scene;
 }
 
-/// "100k" or "1M": the agreed scenes; a file of ../shared; a built-in scene.
+/// Loads "100k" or "1M" (agreed scenes), a file of ../shared, or a built-in scene.
 Scene bench_scene(const std::string& name) {
     if (name == "100k") return test::agreed_scene(test::AgreedSize::Triangles100k);
     if (name == "1M") return test::agreed_scene(test::AgreedSize::Triangles1M);
-    if (is_file(name)) return plainly_textured(load_scene(beside_project(name).string()));
+    if (is_file(name)) return plainly_textured(load_scene(shared_file(name).string()));
     return load_scene(name);
 }
 
@@ -69,7 +68,7 @@ struct Machine {
     }
 };
 
-/// The bare program knows of no map that holds less than the scene, and of no sky and no curve.
+/// Sets a fit over the whole scene, a plain sky and no tone curve: the minimal program has no others.
 Settings around_the_scene() {
     Settings s;
     s.lights[0].fit = LightFit::Scene;
@@ -78,7 +77,7 @@ Settings around_the_scene() {
     return s;
 }
 
-/// A kernel of the renderer, and what BareForward calls it.
+/// A kernel of the renderer with the BareForward configuration that matches it.
 struct Row {
     const char* name;
     const char* kernel;
@@ -89,17 +88,17 @@ constexpr Row kRows[] = {{"none", "hard", BareKernel::None, 1},     {"hard", "ha
                          {"hw2x2", "hw2x2", BareKernel::Gather, 1}, {"pcf3", "pcf3", BareKernel::Gather, 3},
                          {"pcf5", "pcf5", BareKernel::Gather, 5},   {"pcf7", "pcf7", BareKernel::Gather, 7},
                          {"vsm", "vsm", BareKernel::Vsm, 1},        {"pcss", "pcss", BareKernel::Pcss, 1}};
-/// 1.00 of all ratios named _of_sampler: the plain way, whose kernel is 3 x 3 filtered taps.
+/// Baseline of the ratios named _of_sampler: the plain way, 3 x 3 filtered taps.
 constexpr BareOptions kSampler{
     .kernel = BareKernel::Sampler, .size = 3, .light = BareLight::Lambert, .large_last = false};
 
-/// One scene, kernel and resolution for the renderer and the bare programs beside it.
+/// One scene, kernel and resolution for the renderer and the minimal programs.
 struct Match {
     Machine& machine;
     Settings settings;
     FrameRequest request{.width = kWidth, .height = kHeight};
-    FrameResult facts;  ///< of a frame of the renderer's
-    FittedLight light;  ///< as it is where it casts
+    FrameResult facts;  ///< result of one frame of the renderer
+    FittedLight light;  ///< fitted light of a frame in which it casts
     int resolution;
 
     Match(Machine& m, Settings base, const Row& row, int map_resolution)
@@ -118,8 +117,8 @@ struct Match {
     void draw_ours() const { machine.renderer.render(machine.scene, settings, request); }
 };
 
-/// The renderer against the least that any program takes ("floor"), the least that draws the same light ("like": with
-/// `separate` in the same passes), and bare PCF 3 x 3 by a shadow sampler.
+/// Times the renderer, the cheapest minimal program ("floor"), the minimal program with the same light ("like";
+/// `separate`: in the same passes) and bare PCF 3 x 3 with a shadow sampler.
 void whole_frame(benchmark::State& state, const char* file, const Row& row, int resolution, bool separate,
                  Settings s = around_the_scene()) {
     s.shading.separate_visibility = separate;
@@ -138,7 +137,7 @@ void whole_frame(benchmark::State& state, const char* file, const Row& row, int 
         rotation.ratio(state, std::string(who) + "_of_sampler", who, "sampler");
 }
 
-/// The frame with sky, ambient light by it and filmic curve, against the same without.
+/// Times frames with sky, ambient sky light and filmic curve, and without.
 void look(benchmark::State& state, const char* file, const Row& row) {
     Match match(Machine::get(file), around_the_scene(), row, 2048);
     Rotation rotation;
@@ -152,7 +151,7 @@ void look(benchmark::State& state, const char* file, const Row& row) {
     rotation.ratio(state, "look_of_plain", "look", "plain");
 }
 
-/// Numbers read from images against numbers read from uniform blocks, the same picture.
+/// Times numbers read from images and from uniform blocks for the same picture.
 void blocks_as_images(benchmark::State& state, const char* file, const Row& row) {
     Match match(Machine::get(file), around_the_scene(), row, 2048);
     Rotation rotation;
@@ -165,7 +164,7 @@ void blocks_as_images(benchmark::State& state, const char* file, const Row& row)
     rotation.ratio(state, "ratio", "images", "blocks");
 }
 
-/// The camera moves, so that the map is kept: the picture alone, against what the bare programs take for theirs.
+/// Times pictures alone while the camera moves and the map is cached, for the renderer and the minimal programs.
 void moving_camera(benchmark::State& state, const Row& row) {
     Settings s = around_the_scene();
     s.camera = {.source = CameraSource::Manual, .target_y = 0.5, .azimuth = 42, .elevation = 23.8, .distance = 31};
@@ -190,7 +189,7 @@ void moving_camera(benchmark::State& state, const Row& row) {
     rotation.ratio(state, "like_of_floor", "like", "floor");
 }
 
-/// Mean |A - B| of the channels, 0..1, of the bare program's picture and the renderer's.
+/// Returns the mean |A - B| of the channels, 0 ... 1, of the minimal program's and the renderer's pictures.
 double picture_difference(const BareForward& bare, const ByteImage& ours) {
     const std::vector<std::uint8_t> a = bare.picture();
     const std::size_t row = std::size_t(ours.width) * 4;
@@ -200,7 +199,7 @@ double picture_difference(const BareForward& bare, const ByteImage& ours) {
     return sum / double(a.size()) / 255;
 }
 
-/// As the scene suggests, but as bright as the bare program has it.
+/// Applies the scene's suggestions with the brightness of the minimal program.
 Settings textured_settings(const Scene& scene) {
     Settings s = around_the_scene();
     apply_suggested(scene, s);
@@ -209,8 +208,8 @@ Settings textured_settings(const Scene& scene) {
     return s;
 }
 
-/// A scene with textures and masks against the bare program that draws them ("like": with `separate` in the same
-/// passes) and the one that draws neither ("plain"); fused, the depth pass by itself likewise.
+/// Times a scene with textures and masks: the minimal program that draws them ("like"; `separate`: in the same passes)
+/// and one that draws neither ("plain"); also fused, and the depth pass alone.
 void textured_frame(benchmark::State& state, const std::string& name, const Row& row, int resolution, bool separate) {
     if (const std::string why = missing_file(name); !why.empty()) return state.SkipWithError(why.c_str());
     Machine& m = Machine::get(name);
@@ -225,12 +224,12 @@ void textured_frame(benchmark::State& state, const std::string& name, const Row&
     match.draw(like);
     const double difference = picture_difference(like, m.renderer.read_colour(match.facts.colour));
     state.counters["picture_difference"] = difference;
-    // Biases differ, and so do the edges of shadows.
+    // Biases differ, and so do shadow edges.
     if (difference > 0.02) return state.SkipWithError("the bare program draws another picture");
     FrameRequest map = match.request;
     map.outputs = {.colour = false, .shadow_map = true};
     map.timing = true;
-    // Of moments the bare program draws all in its depth pass, ours in passes of their own.
+    // The minimal program draws all moments in its depth pass, the renderer in separate passes.
     const bool times_map = row.bare != BareKernel::None && row.bare != BareKernel::Vsm && !separate;
     Rotation rotation;
     rotation.add_draw("ours", [&] { match.draw_ours(); });
@@ -246,8 +245,8 @@ void textured_frame(benchmark::State& state, const std::string& name, const Row&
     if (times_map) rotation.ratio(state, "depth_ratio", "depth_ours", "depth_like");
 }
 
-/// The shadow map by itself against the bare program's, which leaves back faces out ("culled") or not; and with
-/// fragments of all casters looked at ("looked_at").
+/// Times the shadow map alone: the minimal program with culled back faces ("culled") or without, and the renderer with
+/// a fragment shader for all casters ("looked_at").
 void depth_pass(benchmark::State& state, const char* file) {
     const Match match(Machine::get(file), around_the_scene(), kRows[2], 2048);
     BareForward culled = match.bare({}), whole = match.bare({.cull_casters = false});
@@ -271,7 +270,7 @@ void depth_pass(benchmark::State& state, const char* file) {
             if (part.by == Optimisation::CasterFragments) state.counters["not_looked_at"] += double(part.left_out);
 }
 
-/// The shadow sampler against gathers with own comparison, the same kernel and picture.
+/// Times the shadow sampler and gathers with own comparison, for the same kernel and picture.
 void gather_against_sampler(benchmark::State& state, const char* kernel) {
     Machine& m = Machine::get("100k");
     Settings sampler = around_the_scene(), gather;
@@ -301,7 +300,7 @@ void unchanged_frame(benchmark::State& state, const std::string& name) {
     rotation.ratio(state, "ratio", "cached", "forced");
 }
 
-/// The agreed scene as ../shared has it, which others' programs draw.
+/// Loads the agreed scene from ../shared, which other programs draw too.
 void shared_scene(benchmark::State& state, const Row& row) {
     const std::string name = "perf/scene100k.glb";
     if (const std::string why = missing_file(name); !why.empty()) return state.SkipWithError(why.c_str());
@@ -318,14 +317,15 @@ void first_frame_of_a_scene(benchmark::State& state, const char* name) {
     }
 }
 
-/// Rounds per benchmark: SI_BENCH_ROUNDS, 30 unless told.
+/// Returns the rounds a benchmark: SI_BENCH_ROUNDS, else 30.
 int rounds() {
     const char* text = std::getenv("SI_BENCH_ROUNDS");
     return text ? std::clamp(std::atoi(text), 1, 10000) : 30;
 }
 
-/// The stage is always there. Downloaded are the flowers, 7,636 triangles of masked leaves in vases of 6,400, and the
-/// graveyard, 84,413 textured ones in 637 nodes. The forest is 10,000 trees of masked leaves.
+/// Scenes of textured benchmarks. The stage is built in. Downloaded are the flowers (7,636 triangles of masked leaves
+/// in vases of 6,400) and the graveyard (84,413 textured triangles in 637 nodes). The forest is 10,000 trees of masked
+/// leaves.
 void register_textured(const auto& add) {
     for (const auto& [scene, file] : {std::pair{"stage", "stage"},
                                       {"flowers", "models/khr_GlassVaseFlowers/glTF/GlassVaseFlowers.gltf"},
@@ -365,7 +365,7 @@ void register_all() {
     for (const Row& row : kRows)
         add(fmt::format("moving_camera/{}/2048", row.name), [row](benchmark::State& s) { moving_camera(s, row); });
     register_textured(add);
-    // scripts/beside_bare.sh runs these beside others' programs.
+    // scripts/beside_bare.sh runs these together with other programs.
     for (const Row& row : {kRows[1], kRows[3], kRows[4]})
         add(fmt::format("shared_scene/{}/2048", row.name), [row](benchmark::State& s) { shared_scene(s, row); });
     for (const Row& row : {kRows[0], kRows[1], kRows[3]}) {

@@ -1,3 +1,4 @@
+// Report of driver choices: alternative settings and programs, timed in turns and written as JSON.
 #include "tests/bench/gpu_report.h"
 
 #include <epoxy/gl.h>
@@ -25,7 +26,7 @@ using Sets = std::vector<std::pair<std::string, std::string>>;
 
 struct Way {
     std::string name;
-    std::function<double()> gpu_ms;  ///< draws once
+    std::function<double()> gpu_ms;  ///< function that draws once and returns GPU milliseconds
 };
 
 Json spread_json(const std::vector<double>& ms) {
@@ -33,7 +34,7 @@ Json spread_json(const std::vector<double>& ms) {
     return {{"median", s.median}, {"p25", s.p25}, {"p75", s.p75}};
 }
 
-/// Two ways in turn. Whose quarters lie wholly below the other's is preferred.
+/// Times two ways in turn. A way is preferred if its quartiles lie wholly below the other's.
 Json choice(const std::string& key, const std::string& question, const Way& a, const Way& b, int rounds) {
     for (int i = 0; i < 3; ++i) {
         a.gpu_ms();
@@ -65,7 +66,7 @@ Json choice(const std::string& key, const std::string& question, const Way& a, c
             {"rounds", rounds}};
 }
 
-/// Those that are asked for.
+/// Measurement of the requested choices.
 class Choices {
 public:
     explicit Choices(const GpuReportOptions& options) : options_(options), met_(options.choices.size(), false) {}
@@ -77,7 +78,7 @@ public:
         keys_ += (keys_.empty() ? "" : ", ") + key;
         if (wanted) rows_.push_back(choice(key, question, a, b, options_.rounds));
     }
-    /// @throws UsageError when something was asked for that there is not
+    /// Returns the rows of the report. @throws UsageError for a requested choice that does not exist
     Json rows() const {
         for (std::size_t i = 0; i < met_.size(); ++i)
             if (!met_[i])
@@ -89,12 +90,12 @@ public:
 
 private:
     const GpuReportOptions& options_;
-    std::vector<bool> met_;  ///< of options_.choices
-    std::string keys_;       ///< of all there are
+    std::vector<bool> met_;  ///< whether each of options_.choices exists
+    std::string keys_;       ///< all existing keys
     Json rows_ = Json::array();
 };
 
-/// The renderer's choices on the agreed scene: two sets of settings, or a saving made and not.
+/// Choices of the renderer on the agreed scene: two sets of settings, or an optimisation on and off.
 class RendererChoices {
 public:
     RendererChoices(Renderer& renderer, Choices& to) : renderer_(renderer), to_(to) {}
@@ -102,8 +103,9 @@ public:
     void add(const std::string& key, const std::string& question, const Sets& common, const Sets& a, const Sets& b) {
         to_.add(key, question, way(common, a, {}), way(common, b, {}));
     }
-    void add_optimisation(const OptimisationRow& row, Optimisation saving) {
-        Way made = way({{"filter.kernel", "pcf3"}}, {}, {}), forced = way({{"filter.kernel", "pcf3"}}, {}, {saving});
+    void add_optimisation(const OptimisationRow& row, Optimisation optimisation) {
+        Way made = way({{"filter.kernel", "pcf3"}}, {}, {}),
+            forced = way({{"filter.kernel", "pcf3"}}, {}, {optimisation});
         made.name = "made";
         forced.name = "not made";
         to_.add(fmt::format("saving/{}", row.key), std::string(row.help), made, forced);
@@ -162,7 +164,8 @@ gl::Program program_of(const std::string& fragment) {
     return program;
 }
 
-/// Lambert and a highlight for each light at each pixel: lights as constants unrolled, or counted by a uniform.
+/// Returns a fragment shader with Lambert and a highlight for each light at each pixel, with lights as unrolled
+/// constants or counted by a uniform.
 std::string light_loop(bool by_uniform, int lights) {
     const std::string count = by_uniform ? "uniform int count;\nuniform int kind[16];\n"
                                          : fmt::format(
@@ -183,14 +186,14 @@ void main() {
 )";
 }
 
-/// A picture that full-screen programs draw into.
+/// Target picture of full-screen programs.
 class Screen {
 public:
     Screen(int width, int height) : width_(width), height_(height) {
         glTextureStorage2D(colour_.id(), 1, GL_RGBA8, width_, height_);
         glNamedFramebufferTexture(framebuffer_.id(), GL_COLOR_ATTACHMENT0, colour_.id(), 0);
     }
-    /// Finished wall time: one draw is too little for a frame's clock.
+    /// Returns finished wall time, since one draw is too short for the clock of frames.
     double ms(GLuint program) const {
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
         glViewport(0, 0, width_, height_);

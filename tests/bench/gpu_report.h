@@ -1,4 +1,4 @@
-// What the program believes about drivers, measured on the one at hand.
+// Report of driver choices: times of alternative ways to draw on the driver at hand.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,15 @@
 
 namespace si {
 
+/// Scope of a GPU report: rounds, picture size and choices.
 struct GpuReportOptions {
-    int rounds = 15;                   ///< of both ways in turn
-    int width = 1280, height = 720;    ///< of the pictures
-    std::vector<std::string> choices;  ///< what the keys of those wanted begin with; empty: all
+    int rounds = 15;                   ///< timed rounds of both ways
+    int width = 1280, height = 720;    ///< picture size, pixels
+    std::vector<std::string> choices;  ///< prefixes of the keys of measured choices; empty: all
 };
 
-/// Writes one JSON file: the driver, how its clock was calibrated, and for each choice the times of both ways in turn.
-/// @throws Error when the file cannot be written or there is no OpenGL 4.5, UsageError for a choice that there is not
+/// Writes a JSON file with the driver, the calibration of its clock, and for each choice the alternating times of both
+/// ways. @throws Error when the file cannot be written or there is no OpenGL 4.5, UsageError for an unknown choice
 void write_gpu_report(const std::filesystem::path& file, const GpuReportOptions& options);
 
 }  // namespace si

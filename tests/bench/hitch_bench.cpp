@@ -1,6 +1,6 @@
-// What a person waits for in the editor, drawn without a window: the longest frame of the editor while something is
-// done for the first time, with frames drawn on a thread of their own and without, and when it is done again; and each
-// tool's first use. Each with an empty shader cache of its own.
+// Benchmarks of waiting times in the editor, drawn without a window: the longest frame of a first action, with and
+// without a thread for frames, and of the second; and the first use of each tool. Each has an empty shader cache of its
+// own.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -26,8 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Mesa keeps what it compiled in a folder, by which the process goes from its first context on. Emptied, it has
-/// nothing.
+/// Empty folder for Mesa's shader cache. The process keeps the folder of its first context, so the folder is emptied.
 struct EmptyShaderCache {
     EmptyShaderCache() {
         static const fs::path folder = [] {
@@ -42,11 +41,11 @@ struct EmptyShaderCache {
     }
 };
 
-/// What a first use was like, milliseconds.
+/// Times of a first use, milliseconds.
 struct Use {
-    double took = 0;     ///< longest frame in which the hand did something, or of the two after: what it chose is shown
-    double longest = 0;  ///< longest frame until all was shown
-    double until = 0;    ///< from the beginning until then
+    double took = 0;     ///< longest frame in which the mouse or a key acted, or of the two after
+    double longest = 0;  ///< longest frame until everything was shown
+    double until = 0;    ///< time from the beginning until everything was shown
 };
 
 struct Hands {
@@ -54,7 +53,7 @@ struct Hands {
     double start_ms = 0;
     std::unique_ptr<HeadlessEditor> editor;
 
-    /// @param tab in front at the start; empty: the first
+    /// Starts an editor. @param tab front tab at the start; empty: the first
     explicit Hands(bool apart, const std::string& tab = {}) {
         EditorOptions options;
         options.session.scene = "stage";
@@ -71,7 +70,7 @@ struct Hands {
         });
         editor->settle();
     }
-    /// One of the editor's, finished.
+    /// Draws one frame of the editor to its end and returns its milliseconds.
     double frame() {
         return wall_ms([&] {
             editor->frame();
@@ -83,7 +82,8 @@ struct Hands {
         if (const ShaderWarmup* r = editor->model().warmup()) r->wait();
         for (int i = 0; i < 4; ++i) frame();
     }
-    /// The longest frame until what `act` changed is shown, while a mouse moves. @param until adds how long that took
+    /// Returns the longest frame until the effect of `act` is shown, while the mouse moves. @param until gets the sum
+    /// of the frames
     double longest(const std::function<void()>& act, std::vector<double>* until = nullptr) {
         act();
         double ms = 0, shown_ms = 0;
@@ -100,7 +100,7 @@ struct Hands {
         if (until) until->push_back(shown_ms);
         return ms;
     }
-    /// Does one thing a frame, then waits for what it calls for, rays too.
+    /// Performs one step a frame and waits for all results, rays too.
     Use use(const std::vector<std::function<void(Hands&)>>& steps) {
         Use u;
         const auto begin = std::chrono::steady_clock::now(), end = begin + std::chrono::seconds(20);
@@ -122,19 +122,19 @@ struct Hands {
         }
         return u;
     }
-    /// Of an editor that rests.
+    /// Times a frame of an idle editor.
     double usual_ms() {
         std::vector<double> ms;
         for (int i = 0; i < 9; ++i) ms.push_back(frame());
         return median(ms);
     }
     EditorState& state() { return editor->model().state; }
-    /// Of the shown light's, which take presses.
+    /// Returns handles of the shown light that take presses.
     std::vector<PlacedHandle> handles() {
         const FittedLight& fitted = editor->model().facts().result->lights[0];
         return place_handles(light_pose(state().settings.lights[0], fitted, 0), *state().viewport.view);
     }
-    /// A place in the lower half of the scene's picture, where surfaces are, as far from handles as there is one.
+    /// Returns a point on surfaces in the lower half of the scene's picture, as far from handles as possible.
     glm::vec2 free_place() {
         const PictureView& view = *state().viewport.view;
         const std::vector<PlacedHandle> taken = handles();
@@ -154,13 +154,13 @@ struct Hands {
     }
 };
 
-/// A tool's first use.
+/// First use of one tool.
 struct Tool {
     using Step = std::function<void(Hands&)>;
     std::string name;
-    std::vector<Step> steps;  ///< one a frame
-    Step before = {};         ///< done and waited for before
-    std::string tab = {};     ///< in front at the start; empty: the first
+    std::vector<Step> steps;  ///< steps, one a frame
+    Step before = {};         ///< preparing step, performed and waited for
+    std::string tab = {};     ///< front tab at the start; empty: the first
 };
 
 void over_scene(Hands& h) {
@@ -176,15 +176,15 @@ Tool::Step left_button(bool down) {
 Tool::Step move_by(float x, float y) {
     return [x, y](Hands& h) { *h.editor->mouse.at += glm::vec2(x, y); };
 }
-/// The window feeds codes that equal ASCII's.
+/// Presses a key. The window's key codes equal ASCII.
 Tool::Step hold_key(int code, bool down) {
     return [code, down](Hands&) { ImGui::GetIO().KeysDown[code] = down; };
 }
-/// A key while the mouse is over the scene.
+/// Presses a key while the mouse is over the scene.
 Tool press_key(const std::string& name, int code, Tool::Step before = over_scene) {
     return {.name = name, .steps = {hold_key(code, true), hold_key(code, false)}, .before = std::move(before)};
 }
-/// The mouse on the handle that turns the light, or on another that is in the picture.
+/// Moves the mouse to the handle that turns the light, or to another visible handle.
 void over_handle(Hands& h) {
     const std::vector<PlacedHandle> all = h.handles();
     const auto turns = std::ranges::find(all, LightHandle::Direction, &PlacedHandle::handle);
@@ -196,7 +196,7 @@ void pin_and_change(Hands& h) {
     h.state().pinned = PinnedSettings{h.state().settings, h.state().scene_name};
     h.state().settings.bias.normal += 1;
 }
-/// As a click on a tab does, which may make the pictures smaller.
+/// Shows a tab as a click does; the pictures may shrink.
 Tool::Step open_tab(BottomTab tab) {
     return [tab](Hands& h) { h.state().window.open_tab = h.state().window.fitted_tab = tab; };
 }
@@ -259,8 +259,7 @@ std::vector<Tool> all_tools() {
     return all;
 }
 
-/// A tool's first use in an editor that nobody has touched, against that editor's usual frame: over_ms is to be
-/// below 50.
+/// Times a tool's first use in a fresh editor, compared with the usual frame: over_ms should be below 50.
 void first_use(benchmark::State& state, const Tool& tool) {
     std::vector<double> usual, took, over, longest, until;
     for (auto _ : state) {
@@ -290,7 +289,7 @@ void first_use(benchmark::State& state, const Tool& tool) {
     state.counters["until_ms"] = median(until);
 }
 
-/// The first time, each kernel of a few; then each again.
+/// Times each of a few kernels for the first time, then each again.
 void switch_filter(benchmark::State& state, bool apart) {
     std::vector<double> first, again, until;
     for (auto _ : state) {
@@ -309,13 +308,13 @@ void switch_filter(benchmark::State& state, bool apart) {
     state.counters["again_worst_ms"] = *std::max_element(again.begin(), again.end());
 }
 
-/// From nothing to the first picture; then the first and the second hover and click in the picture.
+/// Times the start until the first picture, then the first and second hover and click.
 void first_touch(benchmark::State& state, bool apart) {
     std::vector<double> start, hover, hover_again, click, click_again, hover_until, click_until;
     for (auto _ : state) {
         Hands hands(apart);
         start.push_back(hands.start_ms);
-        hands.settle();  // a person who looks before touching
+        hands.settle();  // a person looks before touching
         const auto move = [&](float x) { return [&hands, x] { hands.editor->mouse.at = {x, 380.f}; }; };
         hover.push_back(hands.longest(move(700), &hover_until));
         hover_again.push_back(hands.longest(move(720)));
@@ -333,10 +332,9 @@ void first_touch(benchmark::State& state, bool apart) {
     state.counters["click_again_ms"] = median(click_again);
 }
 
-/// The editor's own work: a frame in which the light turned, with each tab in front, less the same picture drawn by a
-/// renderer alone; a frame in which nothing changes; and what a still editor's threads take while nobody asks for a
-/// frame. Processor time. What follows in the background (rays, the frontier's dot) is waited for; what of it falls
-/// into the frame that began it is counted.
+/// Times the editor's own work in processor time. A frame after the light turned, with each tab in front, minus the
+/// renderer's time for the same picture. A frame without changes. The threads of an idle editor. Background work (rays,
+/// the frontier's dot) is waited for; its part inside the measured frame counts.
 void editor_overhead(benchmark::State& state) {
     Hands hands(false);
     std::vector<double> idle, over;

@@ -1,5 +1,5 @@
-// Loading against the least that any loader must do: read the bytes and copy them once. And the frames of scenes of
-// very many objects.
+// Benchmarks of loading, compared with reading the bytes and copying them once, and of frames of scenes with many
+// objects.
 #include "tests/bench/load_bench.h"
 
 #include <benchmark/benchmark.h>
@@ -31,7 +31,7 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Reads a file into one buffer and copies it into another: a loader's least work. Returns milliseconds, -1 on failure.
+/// Reads a file into one buffer and copies the buffer: a lower bound for loaders. Returns milliseconds, -1 on failure.
 double read_and_copy_ms(const std::filesystem::path& path) {
     const auto start = Clock::now();
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -52,8 +52,8 @@ std::filesystem::path shared_file(const char* name) {
     return std::filesystem::path(SI_SOURCE_DIR) / "../shared" / name;
 }
 
-/// Loads a file against read_and_copy_ms() of it, the two in turns, each in memory fresh from the system, as when the
-/// program starts. (By itself malloc would keep what the one frees for the other.)
+/// Times loading and read_and_copy_ms() of a file in turns, each in fresh memory, as at program start. Otherwise malloc
+/// would reuse freed memory.
 void load(benchmark::State& state, const std::filesystem::path& path) {
     mallopt(M_MMAP_THRESHOLD, 128 << 10);
     double bare = 0, ours = 0;
@@ -70,15 +70,15 @@ void load(benchmark::State& state, const std::filesystem::path& path) {
     state.counters["ratio"] = ours / bare;
 }
 
-/// A million triangles in 61 meshes, most of them shown several times.
+/// Makes a million triangles in 61 meshes, most of them instanced.
 void load_shared_million(benchmark::State& state) {
     const auto path = shared_file("perf/scene1m.glb");
     if (!std::filesystem::exists(path)) return state.SkipWithError("../shared/perf/scene1m.glb is missing");
     load(state, path);
 }
 
-/// A million triangles of one indexed mesh: 24 MB with normals. Without, 18 MB become 84: each triangle gets vertices
-/// of its own.
+/// Makes a million triangles of one indexed mesh: 24 MB with normals. Without normals, 18 MB become 84 since triangles
+/// share no vertices.
 void load_plain_million(benchmark::State& state, bool normals) {
     const auto path = std::filesystem::path(SI_TEST_OUTPUT_DIR) / (normals ? "plain_1m.glb" : "flat_1m.glb");
     Mesh mesh = make_plane(20, 20, 708, 708);
@@ -90,7 +90,7 @@ void load_plain_million(benchmark::State& state, bool normals) {
     std::filesystem::remove(path);
 }
 
-/// 50,000 boxes of one mesh on nodes of their own, in a square.
+/// Makes 50,000 boxes of one mesh on nodes of their own, in a square.
 Scene make_instances() {
     Scene scene;
     scene.name = "50,000 instances";
@@ -107,9 +107,9 @@ Scene make_instances() {
     return scene;
 }
 
-/// What a person waits for in a scene of many objects, each as one frame of 1280 x 720: drawn for the first time
-/// (upload, arrangement, programs), with nothing changed, another bias, the light turned, one node moved, one object's
-/// culling changed, and all of it drawn anew.
+/// Times waits in a scene of many objects, each as one frame of 1280 x 720. Cases: first frame (upload, arrangement,
+/// programs), no change, another bias, a turned light, a moved node, changed culling of one object, everything drawn
+/// again.
 void many_objects(benchmark::State& state, Scene (*make)()) {
     std::map<std::string, double> sum;
     for (auto _ : state) {

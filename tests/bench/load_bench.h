@@ -1,13 +1,15 @@
+// Registration of the benchmarks that other files define.
 #pragma once
 
 namespace si {
 
-/// Loading and scenes of many objects; called by the benchmarks' main().
+/// Registers the benchmarks of loading and of scenes with many objects. Called by main(). @param rounds timed rounds a
+/// benchmark
 void register_load_benchmarks(int rounds);
 
-/// What look-ups save.
+/// Registers the benchmarks of optimised shadow look-ups. Called by main(). @param rounds timed rounds a benchmark
 void register_lookup_benchmarks(int rounds);
-/// Frames, whole and by passes, and loading; called once by main().
+/// Registers the benchmarks of whole frames, single passes and loading. Called once by main().
 void register_frame_benchmarks();
 
 }  // namespace si

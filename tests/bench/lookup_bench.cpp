@@ -1,5 +1,5 @@
-// What look-ups cost with a saving and with it forced, in turn: where maps and their bounds are kept, as when the
-// camera moves, and where all is drawn anew, as when the light moves.
+// Benchmarks of look-ups with an optimisation and without, in turn: with cached maps and bounds (moving camera) and
+// with everything drawn again (moving light).
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -44,8 +44,8 @@ void lookups(benchmark::State& state, const LookupCase& c, bool again) {
     std::vector<double> ratios, ms;
     int round = 0;
     const auto both = [&] {
-        s.shading.ambient += 1e-4;            // the picture is another, and the maps stay, as where the camera moves
-        const bool first = ++round % 2 != 0;  // either begins
+        s.shading.ambient += 1e-4;            // changes the picture and keeps the maps, as a moving camera does
+        const bool first = ++round % 2 != 0;  // the order alternates
         const double a = first ? drawn_ms(saving, scene, s, request) : 0;
         const double b = drawn_ms(forced, scene, s, all);
         ms.push_back(first ? a : drawn_ms(saving, scene, s, request));
@@ -87,7 +87,7 @@ void register_lookup_benchmarks(int rounds) {
                           {"light.1.intensity", "0"},
                           {"light.2.intensity", "0"},
                           {"light.3.intensity", "0"}}});
-    for (const char* kernel : {"hard", "pcf5"})  // below three of four lights nothing casts
+    for (const char* kernel : {"hard", "pcf5"})  // nothing casts below three of four lights
         cases.push_back({kernel,
                          Optimisation::DeadPasses,
                          {{"light.count", "4"},

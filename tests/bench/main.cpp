@@ -1,6 +1,6 @@
-// bench [--benchmark_...]          measures, see README
-// bench --gpu-report FILE ...      which way of each choice this driver prefers, as JSON; see kUsage
-// bench --draw-curves JSON PNG     the picture of docs/lab/performance.md, of what curve/ wrote
+// bench [--benchmark_...]          runs benchmarks, see README
+// bench --gpu-report FILE ...      writes the preferred choices of this driver as JSON; see kUsage
+// bench --draw-curves JSON PNG     draws the picture of docs/lab/performance.md from the results of curve/
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -27,7 +27,7 @@ constexpr const char* kUsage =
     "bench --draw-curves JSON PNG\n"
     "    Draws what --benchmark_filter=^curve/ wrote.\n";
 
-/// @throws UsageError
+/// Parses the options of --gpu-report. @throws UsageError for wrong arguments
 si::GpuReportOptions report_options(std::span<char*> arguments) {
     si::GpuReportOptions options{.rounds = si::bench_rounds(15)};
     for (std::size_t i = 0; i < arguments.size(); i += 2) {
@@ -46,7 +46,7 @@ si::GpuReportOptions report_options(std::span<char*> arguments) {
     return options;
 }
 
-/// Exit code, or -1 where benchmarks are to be run. @throws si::Error
+/// Returns the exit code, or -1 if benchmarks are to be run. @throws si::Error
 int run_command(std::span<char*> arguments) {
     const std::string_view first = arguments.empty() ? "" : arguments[0];
     if (first != "--gpu-report" && first != "--draw-curves") return -1;

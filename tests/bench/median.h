@@ -1,4 +1,4 @@
-// The middle of measured values.
+// Median of measured values.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// @param v not empty
+/// Returns the median of `v`, the upper one of two. @param v not empty
 inline double median(std::vector<double> v) {
     std::sort(v.begin(), v.end());
     return v[v.size() / 2];

@@ -1,4 +1,4 @@
-// Who holds how much of a scene of a million triangles: bytes a triangle that the process grew by at each step.
+// Benchmarks of memory for a scene of a million triangles: growth of the process at each step, bytes a triangle.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 #include <malloc.h>
@@ -18,7 +18,7 @@
 namespace si {
 namespace {
 
-/// Of this process, without what was freed.
+/// Returns the memory of this process without freed blocks, bytes.
 double resident_bytes() {
     malloc_trim(0);
     std::ifstream in("/proc/self/statm");
@@ -27,8 +27,8 @@ double resident_bytes() {
     return resident * double(sysconf(_SC_PAGESIZE));
 }
 
-/// Bytes by the holder's own account.
-double told(std::string_view holder) {
+/// Returns the bytes that a holder reports.
+double reported_bytes(std::string_view holder) {
     for (const MemoryUse& h : memory_report().holders)
         if (h.holder == holder) return double(h.bytes);
     return 0;
@@ -39,7 +39,7 @@ void memory_by_holder(benchmark::State& state) {
         const HeadlessContext context;
         Renderer renderer;
         FrameRequest request{.width = 640, .height = 360};
-        // What programs and images take is no part of a scene.
+        // Programs and images are not counted as memory of the scene.
         const Scene small = test::agreed_scene(test::AgreedSize::Triangles100k);
         renderer.render(small, {}, request);
         { ReferenceCache().trace(reference_task(renderer, small, {}, request, 0, {.nearest = false})); }
@@ -54,24 +54,25 @@ void memory_by_holder(benchmark::State& state) {
         for (const Mesh& m : scene.meshes) meshes += m.indices.size() / 3;
         state.counters["scene"] = grown() / triangles;
         {
-            const Scene copy = scene;  // as each search in the background takes
+            const Scene copy = scene;  // as background searches do
             state.counters["scene_copy"] = grown() / triangles;
         }
         grown();
         renderer.render(scene, {}, request);
         glFinish();
         state.counters["driver"] = grown() / triangles;
-        state.counters["told_vertices"] = told("scene's vertices") / triangles;
+        state.counters["told_vertices"] = reported_bytes("scene's vertices") / triangles;
         ReferenceCache cache;
         ReferenceTask task = reference_task(renderer, scene, {}, request, 0, {.nearest = false});
         state.counters["truth_copy"] = grown() / triangles;
-        state.counters["told_scenes"] = told("scenes") / triangles;
+        state.counters["told_scenes"] = reported_bytes("scenes") / triangles;
         const TracedReference traced = cache.trace(task);
         task = {};
         state.counters["hierarchy_and_truth"] = grown() / triangles;
-        state.counters["told_hierarchies"] = told("hierarchies of rays") / triangles;
-        state.counters["told_receivers_and_truths"] = (told("receivers") + told("truths")) / triangles;
-        // Another frame, light and truth of the same casters must not hold them again.
+        state.counters["told_hierarchies"] = reported_bytes("hierarchies of rays") / triangles;
+        state.counters["told_receivers_and_truths"] =
+            (reported_bytes("receivers") + reported_bytes("truths")) / triangles;
+        // Another frame, light and reference of the same casters must share the caster data.
         Settings turned;
         turned.lights[0].azimuth += 30;
         renderer.render(scene, turned, request);

@@ -1,8 +1,7 @@
-// The ray-traced truth against the quickest bare loop over prepared rays, in turn, on the same number of threads. Read
-// the ratios; the milliseconds hold for this machine and minute only. `rate_share` is that of the quickest loop there
-// is, `robust_share` that of the quickest that no ray slips through between triangles, as the truth demands;
-// `prepared_share` that of the quickest whose rays are made from receivers as it goes, as the truth's are. Those that
-// end with `_cpu` are of processor time.
+// Benchmarks of the ray-traced reference, in turn with fast loops over rays on the same number of threads. Compare the
+// ratios; milliseconds hold for one machine and run only. `rate_share` compares with the fastest loop, `robust_share`
+// with the fastest watertight loop, which the reference demands. `prepared_share` compares with the fastest loop that
+// makes rays from receivers, as the reference does. Names with `_cpu` use processor time.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@
 namespace si {
 namespace {
 
-/// By the wall, and of all threads of the process, which others on the machine blur far less.
+/// Times of both kinds: wall time, and processor time of all threads, which other processes disturb less.
 struct TakenMs {
     double wall = 0, cpu = 0;
 };
@@ -42,7 +41,7 @@ struct Taken {
     }
 };
 
-/// The view to be traced, and the same rays for a hierarchy without any of our care.
+/// View to trace, and the same rays for a plain hierarchy.
 struct Bench {
     ReferenceTask task;
     std::unique_ptr<ReferenceScene> casters;
@@ -50,9 +49,9 @@ struct Bench {
     embree::Device device{rtcNewDevice(nullptr)};
     embree::Scene scene{rtcNewScene(device.get())}, robust{rtcNewScene(device.get())};
     std::vector<RTCRay> rays;
-    std::vector<const Receiver*> facing;  ///< what the rays start from
+    std::vector<const Receiver*> facing;  ///< receivers that face the light
     glm::dvec3 centre{0};
-    double lift = 0;
+    double ray_offset = 0;
 
     explicit Bench(test::AgreedSize size) {
         const HeadlessContext context;
@@ -64,7 +63,7 @@ struct Bench {
         casters = std::make_unique<ReferenceScene>(task.geometry);
         receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, {});
         centre = loaded.bounds.centre();
-        lift = 1e-4 * loaded.bounds.radius();
+        ray_offset = 1e-4 * loaded.bounds.radius();
         rtcSetSceneFlags(robust.get(), RTC_SCENE_FLAG_ROBUST);
         for (std::uint32_t o = 0; o < task.geometry->objects.size(); ++o) add(o);
         rtcCommitScene(scene.get());
@@ -77,7 +76,7 @@ struct Bench {
     }
 
     RTCRay ray_of(const Receiver& r) const {
-        const glm::vec3 d(task.query.emitter.to_light), p(r.position_ws - centre + lift * r.normal_ws);
+        const glm::vec3 d(task.query.emitter.to_light), p(r.position_ws - centre + ray_offset * r.normal_ws);
         return {p.x, p.y, p.z, 0, d.x, d.y, d.z, 0, std::numeric_limits<float>::infinity(), ~0u, 0, 0};
     }
 
@@ -103,7 +102,7 @@ struct Bench {
         rtcOccluded1M(through.get(), &context, first, unsigned(count), sizeof(RTCRay));
     }
 
-    /// Makes rays of receivers and traces them, `at_once` a call.
+    /// Makes rays from receivers and traces them, `at_once` a call.
     TakenMs prepared_ms(std::size_t at_once, const Workers& workers) {
         return ms_of([&] {
             parallel_for_blocks((facing.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
@@ -116,7 +115,7 @@ struct Bench {
         });
     }
 
-    /// Traces prepared rays `at_once` a call.
+    /// Traces prepared rays, `at_once` a call.
     TakenMs bare_ms(const embree::Scene& through, std::size_t at_once, RTCIntersectContextFlags flags,
                     const Workers& workers) {
         std::vector<RTCRay> prepared = rays;
@@ -174,7 +173,7 @@ void reference_against_bare(benchmark::State& state, test::AgreedSize size) {
         const auto report = [&](const std::string& name, const Taken& t) {
             state.counters[name + (cpu ? "_cpu_ms" : "_ms")] = median(of(t));
         };
-        // Round by round, so that drift of the machine falls on both.
+        // Rounds alternate, so that drift of the machine affects both.
         const auto share = [&](const std::string& name, const Taken& t) {
             std::vector<double> shares;
             for (std::size_t i = 0; i < of(t).size(); ++i) shares.push_back(of(t)[i] / of(ours)[i]);

@@ -1,3 +1,4 @@
+// Alternating timing of contenders, with bootstrap intervals of their ratios.
 #include "tests/bench/rotation.h"
 
 #include <epoxy/gl.h>
@@ -13,10 +14,10 @@ namespace si {
 namespace {
 
 struct Interval {
-    double median, low, high;  ///< of 95 %
+    double median, low, high;  ///< median and its 95 % interval
 };
 
-/// Of a median by bootstrap.
+/// Returns a bootstrap interval of a median.
 Interval bootstrapped(const std::vector<double>& values) {
     std::mt19937 dice(1);
     std::uniform_int_distribution<std::size_t> any(0, values.size() - 1);

@@ -1,5 +1,5 @@
-// Contenders timed in turn: what the machine does besides falls on all alike. Read ratios within one run; milliseconds
-// hold for this machine and minute only.
+// Alternating timing of several contenders, so that drift of the machine affects all equally. Compare ratios within one
+// run; milliseconds hold for one machine and run only.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -10,21 +10,21 @@
 
 namespace si {
 
-/// Milliseconds of a draw that is finished before and after.
+/// Returns the milliseconds of a draw, with glFinish() before and after.
 double finished_ms(const std::function<void()>& draw);
 
+/// Contenders of one benchmark, timed in turns.
 class Rotation {
 public:
-    /// The first contender is the benchmark's own time.
+    /// Adds a contender by a function that returns its milliseconds. The first contender is the benchmark's own time.
     void add(std::string name, std::function<double()> ms);
-    /// The same of a draw, by finished_ms().
+    /// Adds a draw as a contender, timed by finished_ms().
     void add_draw(std::string name, std::function<void()> draw);
-    /// Warms all up, then times each once in every round, starting with another each time.
+    /// Warms up all contenders, then times each once a round. Each round starts with another contender.
     void run(benchmark::State& state);
-    /// Reports a's time by b's, round by round: NAME the median, NAME_low and NAME_high its 95 % interval by bootstrap,
-    /// NAME_p25 and NAME_p75 the middle half of the rounds. Of draws also NAME_cpu with its interval, the ratio of the
-    /// time that all threads of the process worked: where the driver draws on the CPU, others on the machine blur that
-    /// far less.
+    /// Reports the time of contender `a` divided by that of `b`, round by round. Counter NAME is the median, NAME_low
+    /// and NAME_high its 95 % bootstrap interval, NAME_p25 and NAME_p75 the quartiles. Draws also report NAME_cpu with
+    /// its interval: the ratio of processor times of all threads, which is less noisy on a CPU driver.
     void ratio(benchmark::State& state, const std::string& name, const std::string& a, const std::string& b) const;
 
 private:

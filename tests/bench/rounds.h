@@ -1,4 +1,4 @@
-// Measured in turn, round by round, so that drift of the machine falls on all alike.
+// Rounds, quartiles and clocks of alternating measurements.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 
 namespace si {
 
-/// Rounds per benchmark: SI_BENCH_ROUNDS, else `otherwise`.
+/// Returns the rounds a benchmark: $SI_BENCH_ROUNDS, clamped to 1 ... 10000, else `otherwise`.
 inline int bench_rounds(int otherwise) {
     const char* text = std::getenv("SI_BENCH_ROUNDS");
     return text ? std::clamp(std::atoi(text), 1, 10000) : otherwise;
 }
 
-/// What many measurements say.
+/// Median and quartiles of a set of measurements.
 struct Quartiles {
     double median = 0, p25 = 0, p75 = 0;
 
     Quartiles() = default;
-    /// @param v not empty
+    /// Computes the quartiles of `v`. @param v not empty
     explicit Quartiles(std::vector<double> v) {
         std::sort(v.begin(), v.end());
         median = v[v.size() / 2];
@@ -32,14 +32,14 @@ struct Quartiles {
     }
 };
 
-/// Time that all threads of the process have worked, milliseconds.
+/// Returns the processor time of all threads of the process, milliseconds.
 inline double processor_ms() {
     timespec t{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
 }
 
-/// Wall time of a call, milliseconds.
+/// Returns the wall time of one call of `work`, milliseconds.
 template <typename Work>
 double wall_ms(Work&& work) {
     const auto start = std::chrono::steady_clock::now();

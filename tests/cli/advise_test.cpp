@@ -1,4 +1,4 @@
-// `advise` as a person calls it: what it shows is what one gets, and the autopilot's preset holds its bound.
+// Tests of `advise`: its figures hold, and the autopilot's preset stays within the bound.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ Json measured(std::vector<std::string> args) {
     return Json::parse(r.out, nullptr, false);
 }
 
-TEST(Advise, ShowsOnlyWhatHoldsAndOneGetsIt) {
+TEST(AdviseCommand, PrintsOnlyAdviceThatHoldsAndAppliesOne) {
     const std::vector<std::string> scene = {"boxes", "--set", "map.samples=4", "--set", "filter.kernel=pcf7"};
     std::vector<std::string> args = {"advise", "--size", "160x90", "--json", "--cost", "forced"};
     args.insert(args.begin() + 1, scene.begin(), scene.end());
@@ -50,7 +50,7 @@ TEST(Advise, ShowsOnlyWhatHoldsAndOneGetsIt) {
         EXPECT_TRUE(row["severity"] == "error" || row["severity"] == "warning" || row["severity"] == "hint");
 }
 
-TEST(Advise, TheAutopilotWritesAPresetThatHoldsItsBound) {
+TEST(AdviseCommand, AutopilotWritesAPresetWithinItsBound) {
     const fs::path preset = fresh_test_folder() / "cheap.json";
     const auto r = run_program({"advise", "boxes", "--max-error", "0.02", "--vary", "filter.kernel=hard,pcf3", "--vary",
                                 "map.resolution=256,512", "--size", "160x90", "-o", preset.string(), "--json"});
@@ -65,7 +65,7 @@ TEST(Advise, TheAutopilotWritesAPresetThatHoldsItsBound) {
     for (const Json& d : json["dropped"]) EXPECT_NE(d["was"], d["is"]);
 }
 
-TEST(Advise, SaysWhatCannotBeHeldAndWritesNothing) {
+TEST(AdviseCommand, ReportsAnUnreachableBoundAndWritesNothing) {
     const fs::path preset = fresh_test_folder() / "none.json";
     const auto r = run_program({"advise", "boxes", "--max-error", "1e-9", "--vary", "map.resolution=256", "--size",
                                 "64x36", "-o", preset.string()});
@@ -74,7 +74,7 @@ TEST(Advise, SaysWhatCannotBeHeldAndWritesNothing) {
     EXPECT_FALSE(fs::exists(preset));
 }
 
-TEST(Advise, SaysWhatIsWrong) {
+TEST(AdviseCommand, RefusesWrongArguments) {
     const std::string preset = (fresh_test_folder() / "p.json").string();
     const auto refused = [&](std::vector<std::string> args, int code, const std::string& about) {
         args.insert(args.begin(), {"advise", "boxes"});
@@ -93,7 +93,7 @@ TEST(Advise, SaysWhatIsWrong) {
     refused({"--max-ms", "5", "--vary", "map.resolution=many"}, 2, "map.resolution");
 }
 
-TEST(Cost, IsNamedByWhatTimesAreOf) {
+TEST(CostLabel, NamesTheTimedFrames) {
     const auto measure = [](const std::string& cost) {
         const auto r = run_program({"measure", "boxes", "--size", "64x36", "--json", "--cost", cost});
         EXPECT_EQ(r.code, 0) << r.err;

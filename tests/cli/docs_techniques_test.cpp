@@ -1,4 +1,4 @@
-// `docs techniques --only`: one row of docs/techniques.md drawn again is the row of the page, all others stay.
+// Tests of `docs techniques --only`: a redrawn row equals the row of the page, and all others stay.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ std::pair<std::string, std::vector<double>> parts_of(const std::string& line) {
     return {m[1], {std::stod(m[2]), std::stod(m[3]), std::stod(m[4]), std::stod(m[5])}};
 }
 
-TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
+TEST(DocsTechniques, RedrawnRowEqualsTheRowOfThePage) {
     if (run_program({"info"}).out.find("llvmpipe") == std::string::npos)
         GTEST_SKIP() << "the page's pictures are llvmpipe's";
     const fs::path folder = copied_page();
@@ -63,7 +63,7 @@ TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
             EXPECT_EQ(after[i], before[i]);
             continue;
         }
-        // llvmpipe of another machine may round otherwise.
+        // Another machine's llvmpipe may round differently.
         const auto [text, figures] = parts_of(before[i]);
         const auto [now_text, now_figures] = parts_of(after[i]);
         EXPECT_EQ(now_text, text);
@@ -85,15 +85,15 @@ TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
                         file_bytes(test::source_tree() / "docs/techniques" / entry.path().filename()))
                 << entry.path();
         }
-    // The same program on the same driver writes the same bytes.
+    // The same program and driver write the same bytes.
     std::vector<std::string> check = arguments;
     check.push_back("--check");
     const ProcessResult again = run_program(check, folder);
     EXPECT_EQ(again.code, 0) << again.err;
 }
 
-// Without drawing: the page's words are those of the tables.
-TEST(DocsTechniques, HasTheTextsOfTheTables) {
+// Texts of the page equal those of the tables; nothing is drawn.
+TEST(DocsTechniques, ShowsTheTextsOfTheTables) {
     const std::string page = file_bytes(test::source_tree() / "docs/techniques.md");
     const auto expect_text = [&](std::string_view key, std::string_view help, std::string_view paper) {
         const std::string text = fmt::format("`{}`<br>{}{} | ", key, markdown_cell(help),

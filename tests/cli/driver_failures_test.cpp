@@ -1,4 +1,4 @@
-// Drivers in trouble, on the command line and in the editor: a sentence, exit code 1, and settings that stay.
+// Tests of driver failures, on the command line and in the editor: a message, exit code 1, and kept settings.
 #include <gtest/gtest.h>
 
 #include "app/cli/cli.h"
@@ -16,7 +16,7 @@ void fail_always(DriverFailure kind) {
     gl::fault_injection().fails = [kind](DriverFailure of, std::string_view) { return of == kind; };
 }
 
-TEST(DriverTrouble, EndsCommandsWithOneAndASentence) {
+TEST(DriverTrouble, EndsCommandsWithStatusOneAndAMessage) {
     const auto folder = fresh_test_folder();
     const std::string out = (folder / "x.png").string();
     const std::vector<const char*> argv = {"shadow-inspector", "render", "boxes", "-o", out.c_str(), "--size", "64x48"};
@@ -34,7 +34,7 @@ TEST(DriverTrouble, EndsCommandsWithOneAndASentence) {
     }
 }
 
-TEST(DriverTrouble, AnOlderOpenGlIsNamed) {
+TEST(DriverTrouble, NamesAnOlderOpenGl) {
     for (const char* command : {"info", "render boxes -o x.png"}) {
         const ProcessResult r =
             run_shell(std::string("MESA_GL_VERSION_OVERRIDE=4.4 $SI ") + command, fresh_test_folder());
@@ -45,7 +45,7 @@ TEST(DriverTrouble, AnOlderOpenGlIsNamed) {
     }
 }
 
-TEST(DriverTrouble, TheEditorKeepsItsSettingsAndDrawsAgain) {
+TEST(DriverTrouble, EditorKeepsItsSettingsAndDrawsAgain) {
     EditorOptions options;
     options.session.scene = "boxes";
     options.width = 800;

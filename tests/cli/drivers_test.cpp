@@ -1,4 +1,4 @@
-// The same presets on two drivers: the one at hand, and zink over lavapipe.
+// Tests of presets on two drivers: the one at hand, and zink over lavapipe.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Has every preset drawn into `folder`. @returns the driver's name.
+/// Draws every preset into `folder`. Returns the driver's name.
 std::string draw_presets(const std::string& launcher, const fs::path& folder) {
     fs::create_directories(folder);
     const std::string command =
@@ -34,7 +34,7 @@ std::vector<float> floats(const fs::path& file) {
     return out;
 }
 
-TEST(Drivers, PresetsLookAlikeOnTwo) {
+TEST(Drivers, PresetsLookAlikeOnTwoDrivers) {
     const fs::path folder = fresh_test_folder();
     const std::string one = draw_presets("env -u MESA_LOADER_DRIVER_OVERRIDE", folder / "one");
     const std::string other = draw_presets("'" SI_SOURCE_DIR "/scripts/on_zink.sh'", folder / "other");
@@ -42,7 +42,7 @@ TEST(Drivers, PresetsLookAlikeOnTwo) {
     ASSERT_EQ(one.find("zink"), std::string::npos) << "both are " << one;
     for (const BuiltinPreset& preset : builtin_presets()) {
         SCOPED_TRACE(preset.key);
-        // What these show is what single precision leaves, which is each driver's own.
+        // Presets that show limits of single precision differ by driver.
         if (preset.key == "texture-matrix" || preset.key == "savsm-float-sums") continue;
         const std::string a = file_bytes(folder / "one" / (preset.key + ".rgba"));
         const std::string b = file_bytes(folder / "other" / (preset.key + ".rgba"));
@@ -62,9 +62,9 @@ TEST(Drivers, PresetsLookAlikeOnTwo) {
         }
         for (std::size_t i = 0; i < va.size(); ++i) turned += std::abs(va[i] - vb[i]) > 0.02f;
         EXPECT_GT(std::set<char>(a.begin(), a.end()).size(), 6u) << "hardly a picture";
-        // Colours round differently. Where rounding decides whether a tap is lit (on edges; where a preset shows what
-        // too few depth steps do) a pixel may turn. Most are seen of receiver-plane, 1.1 %: its bias is that of
-        // rounding alone.
+        // Colours round differently. A pixel may change where rounding decides whether a tap is lit: on edges, and in
+        // presets about too few depth steps. Most such pixels, 1.1 %, are in receiver-plane: its bias compensates
+        // rounding only.
         const double pixels = double(a.size()) / 4;
         EXPECT_LE(double(rounded), 0.05 * pixels);
         EXPECT_LE(double(far), 0.01 * pixels) << "more than 2/255";

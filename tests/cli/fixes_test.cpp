@@ -1,4 +1,5 @@
-// Cures on the command line: a row's settings, given to `measure`, cure and break exactly as many pixels as it says.
+// Tests of fixes on the command line: a row's settings, given to `measure`, cure and break exactly the reported number
+// of pixels.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -23,14 +24,14 @@ Json run(const char* command, std::vector<std::string> more) {
     return Json::parse(r.out, nullptr, false);
 }
 
-long long wrong(const Json& measured) {
+long long wrong_pixel_count(const Json& measured) {
     long long n = 0;
     for (const auto& [cause, pixels] : measured["error"]["artefacts"].items())
         if (cause != "none") n += pixels.get<long long>();
     return n;
 }
 
-TEST(FixesPanel_, AreNullUnlessAskedForAndKeepTheirWord) {
+TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
     EXPECT_TRUE(run("measure", {"--no-time"})["cures"].is_null());
     const Json all = run("measure", {"--no-time", "--cures"});
     ASSERT_TRUE(all["cures"].is_array());
@@ -42,11 +43,11 @@ TEST(FixesPanel_, AreNullUnlessAskedForAndKeepTheirWord) {
         sets.push_back("--set");
         sets.push_back(key + "=" + value.get<std::string>());
     }
-    EXPECT_EQ(wrong(run("measure", sets)),
-              wrong(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
+    EXPECT_EQ(wrong_pixel_count(run("measure", sets)),
+              wrong_pixel_count(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
 }
 
-TEST(FixesPanel_, OfAProbedPixelPutItRight) {
+TEST(FixesInJson, CureTheProbedPixel) {
     for (int x = 60; x < 260; x += 7) {
         const Json probe = run("probe", {"--pixel", std::to_string(x) + ",120"});
         ASSERT_TRUE(probe["hit"].is_boolean());

@@ -1,4 +1,4 @@
-// The report that a person with another graphics card is asked for: `bench --gpu-report`.
+// Tests of `bench --gpu-report`, the report for other graphics cards.
 #ifdef SI_BENCH  // only where benchmarks are built
 #include <gtest/gtest.h>
 
@@ -11,12 +11,12 @@
 namespace si {
 namespace {
 
-/// Of one round and small pictures.
+/// Runs a report of one round and small pictures.
 ProcessResult run_gpu_report(const std::string& arguments, const std::filesystem::path& folder) {
     return run_shell("SI_BENCH_ROUNDS=1 '" SI_BENCH "' --gpu-report " + arguments + " --size 96x54", folder);
 }
 
-TEST(GpuReport, NamesTheDriverItsClockAndBothWaysTimes) {
+TEST(GpuReport, NamesTheDriverItsClockAndTheTimesOfBothWays) {
     const std::filesystem::path folder = fresh_test_folder();
     const ProcessResult r = run_gpu_report("report.json --choices map_format,back_faces,light_loop/4", folder);
     ASSERT_EQ(r.code, 0) << r.err;
@@ -49,7 +49,7 @@ TEST(GpuReport, NamesTheDriverItsClockAndBothWaysTimes) {
     EXPECT_EQ(keys, (std::set<std::string>{"map_format", "back_faces", "light_loop/4"}));
 }
 
-TEST(GpuReport, RefusesAFolderThatIsNotThere) {
+TEST(GpuReport, RefusesAMissingFolder) {
     const std::filesystem::path folder = fresh_test_folder();
     const ProcessResult r = run_gpu_report("no/such/folder/report.json", folder);
     EXPECT_EQ(r.code, 1);
@@ -57,7 +57,7 @@ TEST(GpuReport, RefusesAFolderThatIsNotThere) {
     EXPECT_FALSE(std::filesystem::exists(folder / "no"));
 }
 
-TEST(GpuReport, RefusesWhatItDoesNotKnow) {
+TEST(GpuReport, RefusesUnknownArguments) {
     const std::filesystem::path folder = fresh_test_folder();
     const ProcessResult choice = run_gpu_report("report.json --choices no_such_choice", folder);
     EXPECT_EQ(choice.code, 2);

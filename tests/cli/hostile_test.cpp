@@ -1,4 +1,4 @@
-// What stands around the program is hostile: closed and full streams, full disks, files that are in the way.
+// Tests in a hostile environment: closed and full streams, full disks, obstructing files.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -18,7 +18,7 @@ bool is_png(const fs::path& file) {
     return bytes.starts_with("\x89PNG") && bytes.substr(bytes.size() - 8, 4) == "IEND";
 }
 
-TEST(Streams, AClosedStderrTakesNoFilesNumber) {
+TEST(Streams, ClosedStderrTakesNoNumberOfAFile) {
     const fs::path folder = fresh_test_folder();
     const ProcessResult r = run_shell(kSweep + "2>&-", folder);
     EXPECT_EQ(r.code, 0) << r.out;
@@ -28,7 +28,7 @@ TEST(Streams, AClosedStderrTakesNoFilesNumber) {
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile).find("error and cost"), std::string::npos);
 }
 
-TEST(Streams, WithAllOfThemClosedThePictureIsWhole) {
+TEST(Streams, PictureIsWholeWithAllStreamsClosed) {
     const fs::path folder = fresh_test_folder();
     EXPECT_EQ(run_shell("\"$SI\" render boxes -o a.png --size 32x32 <&- >&- 2>&-", folder).code, 0);
     EXPECT_TRUE(is_png(folder / "a.png"));
@@ -39,16 +39,16 @@ TEST(Streams, NoMessageEndsTheProgram) {
     const fs::path folder = fresh_test_folder();
     EXPECT_EQ(run_shell(kSweep + "2>/dev/full", folder).code, 0);
     EXPECT_EQ(run_shell("\"$SI\" render nothing -o a.png 2>/dev/full", folder).code, 2);
-    // Its note tells of the one texel.
+    // Its note reports the single texel.
     EXPECT_EQ(run_shell("\"$SI\" render boxes -o a.png --size 32x32 --set map.resolution=1 2>/dev/full", folder).code,
               0);
     EXPECT_TRUE(is_png(folder / "a.png"));
 }
 
-TEST(FullDisk, LeavesTheOldFileAndNothingElse) {
+TEST(FullDisk, LeavesOnlyTheOldFile) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "a.png") << "old";
-    // No file may grow beyond a block: as on a full disk, the first bytes are taken and the rest is not.
+    // A file size limit of one block acts like a full disk: the first bytes are written and the rest is not.
     const ProcessResult r = run_shell("ulimit -f 1; exec \"$SI\" render boxes -o a.png --size 200x200 2>&1", folder);
     EXPECT_EQ(r.code, 1);
     EXPECT_NE(r.out.find("a.png: cannot be written: File too large"), std::string::npos) << r.out;
@@ -59,21 +59,21 @@ TEST(FullDisk, LeavesTheOldFileAndNothingElse) {
     EXPECT_NE(full.err.find("/dev/full: cannot be written: No space left on device"), std::string::npos) << full.err;
 }
 
-TEST(HostileWords, AnUnknownOneIsToldBeforeWhatItLeavesOut) {
-    const auto told = [](const std::vector<std::string>& words) {
+TEST(HostileWords, UnknownWordIsReportedBeforeMissingArguments) {
+    const auto error_of = [](const std::vector<std::string>& words) {
         const ProcessResult r = run_program(words);
         EXPECT_EQ(r.code, 2);
         return r.err;
     };
-    EXPECT_NE(told({"render", "boxes", "--ouput", "x.png"}).find("no option '--ouput'; did you mean --output?"),
+    EXPECT_NE(error_of({"render", "boxes", "--ouput", "x.png"}).find("no option '--ouput'; did you mean --output?"),
               std::string::npos);
-    EXPECT_NE(told({"measure", "boxes", "--size=3x3", "--nope=1"}).find("no option '--nope'"), std::string::npos);
-    EXPECT_NE(told({"render", "boxes"}).find("--output is required"), std::string::npos);
-    EXPECT_NE(told({"render", "boxes", "-o", "x.png", "--against", "tuth"}).find("did you mean truth?"),
+    EXPECT_NE(error_of({"measure", "boxes", "--size=3x3", "--nope=1"}).find("no option '--nope'"), std::string::npos);
+    EXPECT_NE(error_of({"render", "boxes"}).find("--output is required"), std::string::npos);
+    EXPECT_NE(error_of({"render", "boxes", "-o", "x.png", "--against", "tuth"}).find("did you mean truth?"),
               std::string::npos);
 }
 
-TEST(HostilePresets, OfAnotherSceneOrOfNoneAreTold) {
+TEST(HostilePresets, ForAnotherOrNoSceneAreReported) {
     const fs::path folder = fresh_test_folder();
     const auto write = [&](const char* scene, const char* settings) {
         std::ofstream(folder / "p.json") << R"({"format":"shadow-inspector-preset","version":2,"scene":")" << scene
@@ -100,7 +100,7 @@ TEST(HostilePresets, OfAnotherSceneOrOfNoneAreTold) {
     EXPECT_EQ(named.out.find('\x1b'), std::string::npos) << named.out;
 }
 
-TEST(HostilePresets, EscapesAreShownNotObeyed) {
+TEST(HostilePresets, EscapesArePrintedNotObeyed) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":2,"title":"\u001b[31mred",)"
                                      << R"("topic":"\u009b2J","about":"a\u202eb","scene":"\u0007",)"
@@ -115,7 +115,7 @@ TEST(HostilePresets, EscapesAreShownNotObeyed) {
     EXPECT_NE(run_program({"preset", "show", "e.json"}, folder).out.find("\\x1b[31mred"), std::string::npos);
 }
 
-TEST(HostilePresets, DeepJsonIsRefusedInAMoment) {
+TEST(HostilePresets, DeepJsonIsRefusedQuickly) {
     const fs::path folder = fresh_test_folder();
     const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
     std::ofstream(folder / "deep.json")

@@ -1,4 +1,4 @@
-// The JSON that scripts rely on: lists, reports, probes.
+// Tests of the JSON for scripts: lists, reports, probes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ TEST(Lists, RowsHaveKeyLabelAndHelp) {
     EXPECT_EQ(json_of({"list", "scenes", "--json"})[0]["key"], "stage");
 }
 
-TEST(Lists, TechniquesSayWhereTheyComeFromAndWhatIsTheirs) {
+TEST(Lists, TechniquesNameTheirSourceAndTheirSettings) {
     const Json settings = json_of({"list", "settings", "--json"});
     for (const char* kind : {"filters", "biases", "overlays"}) {
         std::size_t papers = 0;
@@ -64,7 +64,7 @@ TEST(Lists, TechniquesSayWhereTheyComeFromAndWhatIsTheirs) {
     EXPECT_EQ((*plane)["per_texel"], true);
     EXPECT_EQ((*plane)["settings"], Json({"bias.constant", "bias.unit", "bias.plane_clamp"}));
     EXPECT_NE((*plane)["paper"].get<std::string>().find("Isidoro"), std::string::npos);
-    // Of bias.kind exactly the rows of that stage can be chosen.
+    // bias.kind offers exactly the rows of that stage.
     for (const Json& r : list) {
         bool choice = false;
         for (const Json& c : (*row(settings, "bias.kind"))["choices"]) choice |= c["key"] == r["key"];
@@ -73,7 +73,7 @@ TEST(Lists, TechniquesSayWhereTheyComeFromAndWhatIsTheirs) {
     EXPECT_NE(run_program({"list", "biases"}).out.find("Isidoro"), std::string::npos);
 }
 
-TEST(Lists, SettingsSayWhatTheyTake) {
+TEST(Lists, SettingsNameTheirValues) {
     const Json list = json_of({"list", "settings", "--json"});
     ASSERT_EQ(list.size(), params().size());
     for (const char* key :
@@ -102,21 +102,21 @@ TEST(Lists, SettingsSayWhatTheyTake) {
     EXPECT_EQ(name["default"], "");
 }
 
-TEST(Lists, PrefixNarrows) {
+TEST(Lists, PrefixNarrowsTheList) {
     const Json list = json_of({"list", "settings", "bias.", "--json"});
     EXPECT_EQ(list.size(), 10u);
-    // Keys as --set takes them, too: rows speak of all lights and all objects.
+    // Keys in the form of --set are found too: rows cover all lights and all objects.
     const Json fit = json_of({"list", "settings", "light.0.fit", "--json"});
     ASSERT_EQ(fit.size(), 1u);
     EXPECT_EQ(fit[0]["key"], "light.fit");
     EXPECT_EQ(json_of({"list", "settings", "light.15.", "--json"}), json_of({"list", "settings", "light.", "--json"}));
     EXPECT_EQ(json_of({"list", "settings", "object.Root/Box.cast", "--json"})[0]["key"], "object.PATH.cast");
-    const ProcessResult beyond = run_program({"list", "settings", "light.16.fit"});
-    EXPECT_EQ(beyond.code, 2);
-    EXPECT_NE(beyond.err.find("no key starts with 'light.16.fit'"), std::string::npos) << beyond.err;
+    const ProcessResult out_of_range = run_program({"list", "settings", "light.16.fit"});
+    EXPECT_EQ(out_of_range.code, 2);
+    EXPECT_NE(out_of_range.err.find("no key starts with 'light.16.fit'"), std::string::npos) << out_of_range.err;
 }
 
-TEST(Lists, SettingsAreFoundByWordsWhereNoKeyStartsSo) {
+TEST(Lists, SettingsAreFoundByWordsIfNoKeyHasThePrefix) {
     for (const auto& [words, key] : {std::pair{"normal bias", "bias.normal"},
                                      {"softness", "filter.radius"},
                                      {"cascade", "light.split"},
@@ -137,7 +137,7 @@ TEST(Lists, SettingsAreFoundByWordsWhereNoKeyStartsSo) {
     EXPECT_EQ(run_program({"list", "filters", "normal bias"}).code, 2) << "of settings alone";
 }
 
-TEST(Help, IsEverywhereAndComesFromTheTable) {
+TEST(Help, IsPrintedByEveryCommandFromTheTable) {
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{},
                                                                                          {"edit"},
                                                                                          {"render"},
@@ -167,7 +167,7 @@ TEST(Help, IsEverywhereAndComesFromTheTable) {
     }
 }
 
-TEST(Report, TellsSceneSettingsFitAndPasses) {
+TEST(Report, HoldsSceneSettingsFitAndPasses) {
     const auto folder = fresh_test_folder();
     const ProcessResult r =
         run_program({"render", "boxes", "-o", "a.png", "--size", "64x48", "--report", "r.json", "--set",
@@ -186,7 +186,7 @@ TEST(Report, TellsSceneSettingsFitAndPasses) {
     ASSERT_EQ(report["fit"].size(), 1u);
     const Json& fit = report["fit"][0];
     EXPECT_LT(fit["depth_range_m"][0], fit["depth_range_m"][1]);
-    // An orthographic map holds the whole floor: width over resolution, with the fit's margin.
+    // An orthographic map holds the whole floor: width over resolution, with the margin of the fit.
     const double width = bounds["max"][0].get<double>() - bounds["min"][0].get<double>();
     EXPECT_GT(fit["texel_size_m"].get<double>(), width / 256);
     EXPECT_LT(fit["texel_size_m"].get<double>(), 2 * width / 256);
@@ -228,8 +228,8 @@ TEST(Report, MatricesAreRowsAndAgreeWithTheProbe) {
     }
 }
 
-// The light sees the tower's side edge-on: amounts without end are null in JSON and have a word in text.
-TEST(Probe, SaysInWordsWhatHasNoNumber) {
+// The light is edge-on to the tower's side: infinite amounts are null in JSON and a word in text.
+TEST(Probe, PrintsWordsForMissingNumbers) {
     const std::vector<std::string> probe = {"probe",   "boxes",
                                             "--pixel", "32,24",
                                             "--size",  "64x48",
@@ -255,7 +255,7 @@ TEST(Probe, SaysInWordsWhatHasNoNumber) {
     EXPECT_EQ(text.out.find("inf "), std::string::npos) << text.out;
 }
 
-TEST(Probe, WritesTheTestOut) {
+TEST(Probe, PrintsTheDepthTestInFull) {
     const Json probe = json_of({"probe", "boxes", "--pixel", "32,40", "--size", "64x48", "--json"});
     ASSERT_TRUE(probe["hit"]);
     EXPECT_FALSE(probe["object"].get<std::string>().empty());
@@ -277,7 +277,7 @@ TEST(Probe, WritesTheTestOut) {
     EXPECT_NE(text.out.find(light["verdict"].get<std::string>()), std::string::npos);
 }
 
-TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
+TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     const std::vector<std::string> scene = {"probe",  "boxes",           "--pixel", "160,130",
                                             "--size", "320x180",         "--set",   "bias.normal=0",
                                             "--set",  "bias.constant=0", "--set",   "filter.kernel=pcf5"};
@@ -306,7 +306,7 @@ TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
     }
     EXPECT_NEAR(lit, light["visibility"].get<double>(), 1e-3);
     EXPECT_GT(own, 0);
-    // What it says puts the pixel right does so.
+    // The reported fix cures the pixel.
     ASSERT_TRUE(d["remedy"].is_object());
     const std::string fix = d["remedy"]["key"].get<std::string>() + "=" + d["remedy"]["value"].get<std::string>();
     const Json cured = json_of(with({"--set", fix, "--json"}))["lights"][0];
@@ -318,7 +318,7 @@ TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
         EXPECT_NE(text.out.find(part), std::string::npos) << part;
 }
 
-TEST(Info, LargeArraysGetLargePagesWhereTheSystemHasThem) {
+TEST(Info, LargeArraysUseLargePagesIfTheSystemHasThem) {
     const std::string mode = file_bytes("/sys/kernel/mm/transparent_hugepage/enabled");
     const bool has = mode.find("[always]") != mode.npos || mode.find("[madvise]") != mode.npos;
     EXPECT_EQ(json_of({"info", "--json"})["memory_pages"], has ? "large" : "small") << mode;
@@ -337,14 +337,14 @@ TEST(Info, NamesTheDriver) {
     }
 }
 
-TEST(List, PresetsStandInColumns) {
+TEST(List, PrintsPresetsInColumns) {
     const auto presets = builtin_presets();
     std::istringstream lines(run_program({"list", "presets"}).out);
     std::size_t column = 0, found = 0;
     for (std::string line; std::getline(lines, line);)
         for (const BuiltinPreset& p : presets) {
             if (!line.starts_with("  " + p.key + " ")) continue;
-            const std::size_t at = line.find("  " + p.title + " (");  // apart from the key by two spaces
+            const std::size_t at = line.find("  " + p.title + " (");  // two spaces separate the title from the key
             ASSERT_NE(at, std::string::npos) << line;
             if (column == 0) column = at;
             EXPECT_EQ(at, column) << line;

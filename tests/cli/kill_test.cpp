@@ -1,4 +1,4 @@
-// Commands that are killed while they write: what they leave is old or new, never half.
+// Tests of killed commands: the file is the old or the new one, never half.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using Words = std::vector<std::string>;
 
-/// Of presets, which take the least time; of the others a part. SI_KILLS=200 for a thorough run.
+/// Returns the number of kills for presets, which are fastest; other files get a part. SI_KILLS=200 for a thorough run.
 int kills() {
     return int(test::environment_number("SI_KILLS", 12));
 }
@@ -33,7 +33,7 @@ protected:
     const fs::path folder_ = fresh_test_folder();
     std::mt19937 random_{1};
     int killed_ = 0;
-    std::chrono::duration<double> window_{};  ///< in which it writes, as far as is known
+    std::chrono::duration<double> window_{};  ///< estimated time window of the write
 
     void TearDown() override { EXPECT_GT(killed_, 0) << "each had ended before"; }
 
@@ -41,20 +41,20 @@ protected:
         const ProcessResult r = run_program(words, folder_);
         EXPECT_EQ(r.code, 0) << r.err;
     }
-    /// Runs the command, undisturbed and a second time with its programs made, for how long it takes.
+    /// Runs the command twice, the second time with cached programs, and measures its duration.
     void time(const Words& first, const Words& second) {
         run(first);
         const auto begin = Clock::now();
         run(second);
         window_ = Clock::now() - begin;
     }
-    /// Whether so many attempts are too few yet; one has to have hit at least.
+    /// Returns whether more attempts are needed; at least one kill must hit the write.
     bool wants_more(int attempts, int count) const {
-        constexpr int kMostAttempts = 40;
-        return attempts < count || (killed_ == 0 && attempts < kMostAttempts);
+        constexpr int kMaxAttempts = 40;
+        return attempts < count || (killed_ == 0 && attempts < kMaxAttempts);
     }
 
-    /// Begins the command and kills it about the time when it writes; earlier from then on where it had ended.
+    /// Starts the command and kills it about the time of its write; the delay shrinks if the command has ended before.
     void kill_within(const Words& words) {
         std::vector<char*> arguments{const_cast<char*>(SI_PROGRAM)};
         for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -77,7 +77,7 @@ protected:
             window_ *= 0.7;
     }
 
-    /// Whether all that lies beside the files is what begins like a name of theirs with a dot before.
+    /// Expects that all other files in the folder are temporaries: a dot and the start of an expected name.
     void expect_alone(const std::set<std::string>& files) {
         for (const auto& entry : fs::directory_iterator(folder_)) {
             const std::string name = entry.path().filename().string();
@@ -105,13 +105,13 @@ protected:
     }
 };
 
-TEST_F(Killed, SavingAPresetLeavesAWholeOne) {
+TEST_F(Killed, SavingAPresetLeavesAWholeFile) {
     expect_old_or_new("a.json", kills(), [](int i) {
         return Words{"preset", "save", "boxes", "-o", "a.json", "--set", "map.resolution=" + std::to_string(512 + i)};
     });
 }
 
-TEST_F(Killed, DrawingAPictureLeavesAWholeOne) {
+TEST_F(Killed, DrawingAPictureLeavesAWholeFile) {
     expect_old_or_new("a.png", (kills() + 3) / 4, [](int i) {
         return Words{"render", "boxes",
                      "-o",     "a.png",
@@ -121,7 +121,7 @@ TEST_F(Killed, DrawingAPictureLeavesAWholeOne) {
     });
 }
 
-TEST_F(Killed, AReportIsWhole) {
+TEST_F(Killed, ReportIsWhole) {
     const Words words{"render", "boxes",    "-o",     "a.png", "--size",
                       "64x48",  "--report", "r.json", "--set", "map.resolution=64"};
     time(words, words);
@@ -134,7 +134,7 @@ TEST_F(Killed, AReportIsWhole) {
     }
 }
 
-TEST_F(Killed, ABakedMapIsWholeOrNotThere) {
+TEST_F(Killed, BakedMapIsWholeOrMissing) {
     const auto words = [](int i) {
         return Words{"render", "boxes",
                      "-o",     "v.png",
@@ -152,16 +152,16 @@ TEST_F(Killed, ABakedMapIsWholeOrNotThere) {
     }
 }
 
-TEST_F(Killed, ASweepGoesOnToTheSameNumbers) {
+TEST_F(Killed, ContinuedSweepReachesTheSameNumbers) {
     const auto words = [](const char* folder) {
         return Words{"sweep", "boxes", "--vary", "map.resolution=64,128", "--size", "24x16", "--no-time", "-o", folder};
     };
     time(words("whole"), words("as long"));
     for (int i = 0; wants_more(i, (kills() + 5) / 6); ++i) {
-        if (killed_ == 0) fs::remove_all(folder_ / "killed");  // which is whole
+        if (killed_ == 0) fs::remove_all(folder_ / "killed");  // a whole folder
         ASSERT_NO_FATAL_FAILURE(kill_within(words("killed")));
     }
-    // A case that was not survived three times is given up, until one asks again.
+    // A case that crashes three times is given up until requested again.
     run_program(words("killed"), folder_);
     Words more = words("killed");
     more.push_back("--retry");

@@ -1,4 +1,4 @@
-// Light maps on the command line: baked before the frame, kept on disk, told in the report.
+// Tests of light maps on the command line: baked before the frame, cached on disk, listed in the report.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -19,7 +19,7 @@ class LightMapCommand : public testing::Test {
 protected:
     fs::path folder_ = fresh_test_folder();
     const fs::path cache_ = fs::path(SI_TEST_OUTPUT_DIR) / "cache/shadow-inspector/light-maps";
-    /// No run before had it.
+    /// Azimuth of the light that no earlier run used, so that the disk cache misses.
     const std::string azimuth_ = std::to_string(10 + ::getpid() % 100000 * 1e-3);
 
     std::set<fs::path> kept() const {
@@ -28,7 +28,7 @@ protected:
         for (const auto& e : fs::directory_iterator(cache_, none)) out.insert(e.path());
         return out;
     }
-    /// The report's facts of light 0. @param note stderr
+    /// Returns the report's facts of light 0. @param note expected text on stderr
     Json draw(const std::vector<std::string>& more, std::string* note = nullptr) {
         std::vector<std::string> arguments = {"render",   "boxes",
                                               "-o",       "v.pfm",
@@ -78,7 +78,7 @@ TEST_F(LightMapCommand, BakesOnceAndKeepsItOnDisk) {
     fs::remove(*added.begin());
 }
 
-TEST_F(LightMapCommand, RefusesWhatDoesNotFit) {
+TEST_F(LightMapCommand, RefusesMapsThatDoNotFit) {
     const ProcessResult r = run_program({"render", "stage", "-o", "x.png", "--no-cache", "--set",
                                          "light.source=light-map", "--set", "light_map.resolution=32"},
                                         folder_);

@@ -1,4 +1,4 @@
-// --check-numeric: 0 where all numbers are sound, 1 with the place where one is not.
+// Tests of --check-numeric: exit code 0 for finite numbers, 1 with the place of the first fault.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -17,26 +17,26 @@ using Json = nlohmann::json;
 const std::vector<std::string> kSearched = {
     "--size", "64x48", "--set", "map.resolution=64", "--set", "map.format=colour", "--check-numeric"};
 
-std::vector<std::string> with_small(std::vector<std::string> arguments) {
+std::vector<std::string> with_small_sizes(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), kSearched.begin(), kSearched.end());
     return arguments;
 }
 
-TEST(CheckNumeric, SaysThatAllNumbersAreSound) {
-    const ProcessResult r = run_program(with_small({"measure", "boxes", "--no-time", "--json"}));
+TEST(CheckNumeric, ReportsFiniteNumbers) {
+    const ProcessResult r = run_program(with_small_sizes({"measure", "boxes", "--no-time", "--json"}));
     ASSERT_EQ(r.code, 0) << r.err;
     const Json health = Json::parse(r.out)["numeric_health"];
     EXPECT_EQ(health["sound"], true);
     EXPECT_GE(health["images"], 3);
     EXPECT_GT(health["numbers"], 64 * 64 + 2 * 64 * 48);
     EXPECT_TRUE(health["findings"].empty());
-    const ProcessResult unasked =
+    const ProcessResult without_check =
         run_program({"measure", "boxes", "--no-time", "--json", "--size", "64x48", "--set", "map.resolution=64"});
-    EXPECT_TRUE(Json::parse(unasked.out)["numeric_health"].is_null());
+    EXPECT_TRUE(Json::parse(without_check.out)["numeric_health"].is_null());
 }
 
-/// In this process, where a NaN can be put into a map.
-/// @param spoilt_from maps of so many texels, and larger ones
+/// Runs a command in this process, where a NaN can be put into a map.
+/// @param spoilt_from smallest map, in texels, that gets a NaN
 int run_here(std::vector<std::string> arguments, std::string& out, std::string& err, int spoilt_from = 0) {
     arguments.insert(arguments.begin(), "shadow-inspector");
     std::vector<const char*> argv;
@@ -57,7 +57,7 @@ int run_here(std::vector<std::string> arguments, std::string& out, std::string& 
     return code;
 }
 
-TEST(CheckNumeric, NamesThePlaceAndFailsWhereverAPictureIsDrawn) {
+TEST(CheckNumeric, NamesThePlaceAndFailsForEveryPicture) {
     const auto folder = fresh_test_folder();
     const std::string place = "NaN in 1 texel of the shadow map of light 0: first at texel 12, 40";
     for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
@@ -67,7 +67,7 @@ TEST(CheckNumeric, NamesThePlaceAndFailsWhereverAPictureIsDrawn) {
              {"probe", "boxes", "--pixel", "30,30", "--no-truth"},
              {"truth", "boxes", "-o", (folder / "t.png").string()}}) {
         std::string out, err;
-        EXPECT_EQ(run_here(with_small(command), out, err), 1) << command[0];
+        EXPECT_EQ(run_here(with_small_sizes(command), out, err), 1) << command[0];
         EXPECT_NE(err.find("--check-numeric: " + place), std::string::npos) << command[0] << ": " << err;
     }
     EXPECT_TRUE(std::filesystem::exists(folder / "t.png")) << "what was asked for is written all the same";
@@ -80,7 +80,7 @@ TEST(CheckNumeric, NamesThePlaceAndFailsWhereverAPictureIsDrawn) {
     EXPECT_TRUE(finding["value"].is_null());
 }
 
-TEST(CheckNumeric, NamesTheFirstCaseOfManyThatHasAFault) {
+TEST(CheckNumeric, NamesTheFirstFaultyCaseOfMany) {
     const auto folder = fresh_test_folder();
     const std::string sweep = (folder / "sweep").string(), place = "NaN in 1 texel of the shadow map of light 0";
     std::string out, err;
@@ -88,7 +88,7 @@ TEST(CheckNumeric, NamesTheFirstCaseOfManyThatHasAFault) {
         std::vector<std::string> line = {"sweep",     "boxes",   "--vary", "map.resolution=64,128,256",
                                          "--no-time", "--fresh", "-o",     sweep};
         line.insert(line.end(), more.begin(), more.end());
-        return with_small(line);
+        return with_small_sizes(line);
     };
     EXPECT_EQ(run_here(swept({}), out, err, 1000), 0) << err;
     EXPECT_EQ(run_here(swept({}), out, err, 128), 1);
@@ -97,17 +97,17 @@ TEST(CheckNumeric, NamesTheFirstCaseOfManyThatHasAFault) {
     EXPECT_TRUE(std::filesystem::exists(folder / "sweep/results.csv")) << "the sweep is lost";
 
     const std::string tuned = (folder / "tuned.json").string();
-    EXPECT_EQ(run_here(with_small({"tune", "boxes", "-o", tuned}), out, err), 1);
+    EXPECT_EQ(run_here(with_small_sizes({"tune", "boxes", "-o", tuned}), out, err), 1);
     EXPECT_NE(err.find("--check-numeric: the settings as given: " + place), std::string::npos) << err;
     EXPECT_TRUE(std::filesystem::exists(tuned));
-    EXPECT_EQ(
-        run_here(with_small({"advise", "boxes", "--max-error", "1", "--vary", "filter.kernel=hard", "--seconds", "1"}),
-                 out, err),
-        1);
+    EXPECT_EQ(run_here(with_small_sizes(
+                           {"advise", "boxes", "--max-error", "1", "--vary", "filter.kernel=hard", "--seconds", "1"}),
+                       out, err),
+              1);
     EXPECT_NE(err.find("--check-numeric: the settings as given: " + place), std::string::npos) << err;
 }
 
-TEST(CheckNumeric, TheEditorDrawsAndSaysItAtItsEnd) {
+TEST(CheckNumeric, EditorDrawsAndReportsAtItsEnd) {
     const auto folder = fresh_test_folder();
     const std::string screenshot = (folder / "e.png").string(), report = (folder / "r.json").string();
     const std::vector<std::string> line = {

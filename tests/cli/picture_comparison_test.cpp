@@ -1,4 +1,5 @@
-// Pictures against the truth and against presets, and overlays that need the truth, on the command line.
+// Tests of picture comparison on the command line: with the reference, with presets, and overlays that need the
+// reference.
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
 
@@ -52,7 +53,7 @@ protected:
     std::filesystem::path folder_;
 };
 
-TEST_F(PictureComparison, TheTruthBesideSwipedAndAsADifference) {
+TEST_F(PictureComparison, ReferenceIsDrawnSideBySideSwipedAndAsADifference) {
     draw("plain.png", {});
     const std::string said = draw("beside.png", {"--against", "truth", "--report", "r.json"});
     EXPECT_TRUE(said.starts_with("mean |A - B| 0.")) << said;
@@ -88,7 +89,7 @@ TEST_F(PictureComparison, TheTruthBesideSwipedAndAsADifference) {
     EXPECT_NEAR(report["against"]["mean_difference"], sum / (255.0 * 160 * 90 * 3), 1e-9);
 }
 
-TEST_F(PictureComparison, APresetUnderTheSameCamera) {
+TEST_F(PictureComparison, PresetIsDrawnUnderTheSameCamera) {
     const ProcessResult saved = run_program({"preset", "save", "boxes", "-o", "p.json", "--set", "light.azimuth=100",
                                              "--set", "camera.source=manual", "--set", "camera.distance=3"},
                                             folder_);
@@ -104,7 +105,7 @@ TEST_F(PictureComparison, APresetUnderTheSameCamera) {
     EXPECT_TRUE(same(both, 162, picture("own.png"), 0, 160)) << "its light and bias, our camera";
 }
 
-TEST_F(PictureComparison, OverlaysOfTheTruthAreTracedFor) {
+TEST_F(PictureComparison, OverlaysOfTheReferenceTraceIt) {
     draw("artefacts.png", {"--set", "view.overlay=artefacts"});
     const Picture p = picture("artefacts.png");
     int acne = 0;

@@ -1,4 +1,4 @@
-// The files that the commands draw: sizes, values, and that the same settings give the same bytes.
+// Tests of drawn files: sizes, values, and equal bytes for equal settings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ protected:
     fs::path folder_;
 };
 
-/// Width and height from the header of a PNG (PNG specification, 11.2.2 IHDR).
+/// Returns width and height from the header of a PNG (PNG specification, 11.2.2 IHDR).
 std::pair<unsigned, unsigned> png_size(const std::string& bytes) {
     if (bytes.size() < 24 || bytes.compare(0, 8, "\x89PNG\r\n\x1a\n") != 0) return {0, 0};
     const auto word = [&](std::size_t at) {
@@ -73,7 +73,7 @@ Arguments with(Arguments base, const Arguments& more) {
     return base;
 }
 
-TEST_F(Pictures, EveryViewIsAPictureOfTheAskedSize) {
+TEST_F(Pictures, EveryViewHasTheRequestedSize) {
     const Json views = Json::parse(run_program({"list", "views", "--json"}).out);
     ASSERT_GE(views.size(), 10u);
     for (const Json& view : views) {
@@ -94,12 +94,12 @@ TEST_F(Pictures, EveryViewIsAPictureOfTheAskedSize) {
     }
 }
 
-TEST_F(Pictures, TheViewsDiffer) {
+TEST_F(Pictures, ViewsDiffer) {
     const std::string shaded = render(kSmall, "shaded.png");
     EXPECT_NE(shaded, render(with(kSmall, {"--view", "visibility"}), "visibility.png"));
     EXPECT_NE(shaded, render(with(kSmall, {"--view", "depth-difference"}), "difference.png"));
     EXPECT_NE(shaded, render(with(kSmall, {"--set", "light.azimuth=100"}), "moved.png"));
-    // The setting and the view of one overlay are the same picture; asked for by name the plain picture is plain.
+    // Setting and view of one overlay give the same picture; requested by name the plain picture has no overlay.
     const Arguments overlay = with(kSmall, {"--set", "view.overlay=n-dot-l"});
     EXPECT_EQ(render(overlay, "a.png"), render(with(kSmall, {"--view", "n-dot-l"}), "b.png"));
     EXPECT_EQ(render(with(overlay, {"--view", "shaded"}), "c.png"), shaded);
@@ -114,7 +114,7 @@ TEST_F(Pictures, VisibilityLiesBetweenShadowAndLight) {
     EXPECT_GT(lit, 500);
 }
 
-TEST_F(Pictures, TheLinearShadowMapIsInMetres) {
+TEST_F(Pictures, LinearShadowMapIsInMetres) {
     const Arguments spot = with(kSmall, {"--view", "shadow-map", "--set", "light.type=spot"});
     const Floats raw = read_pfm(render(with(spot, {"--set", "view.map=raw", "--report", "r.json"}), "raw.pfm"));
     const Floats metres = read_pfm(render(with(spot, {"--set", "view.map=linear"}), "metres.pfm"));
@@ -131,7 +131,7 @@ TEST_F(Pictures, TheLinearShadowMapIsInMetres) {
     EXPECT_GT(filled, 100u);
 }
 
-TEST_F(Pictures, TheCamerasDepthIsReversedOrInMetres) {
+TEST_F(Pictures, CameraDepthIsReversedOrInMetres) {
     const Arguments depth = with(kSmall, {"--view", "camera-depth", "--set", "camera.source=manual", "--set",
                                           "camera.near=1", "--set", "camera.far=8"});
     const Floats raw = read_pfm(render(with(depth, {"--set", "view.map=raw"}), "raw.pfm"));
@@ -145,12 +145,12 @@ TEST_F(Pictures, TheCamerasDepthIsReversedOrInMetres) {
     EXPECT_LT(drawn, raw.values.size()) << "beyond 8 m nothing is drawn";
 }
 
-TEST_F(Pictures, AProbeMeansAPixelOfThePictureWithItsPanes) {
+TEST_F(Pictures, ProbeNamesAPixelOfThePictureWithPanes) {
     const Arguments panes = {"boxes", "--size", "322x182", "--set", "view.panes=four", "--set", "view.overlay=n-dot-l"};
     const auto probe = [&](const char* pixel, Arguments of) {
         return run_program(with({"probe", "--pixel", pixel, "--json"}, of), folder_);
     };
-    const Json below = Json::parse(probe("242,152", panes).out);  // 80,60 of the pane at 162,92
+    const Json below = Json::parse(probe("242,152", panes).out);  // pixel 80,60 of the pane at 162,92
     const Json alone = Json::parse(probe("80,60", {"boxes", "--size", "160x90"}).out);
     EXPECT_EQ(below["x"], 242);
     EXPECT_EQ(below["position_ws"], alone["position_ws"]);
@@ -159,7 +159,7 @@ TEST_F(Pictures, AProbeMeansAPixelOfThePictureWithItsPanes) {
     EXPECT_NE(between.err.find("between two panes"), std::string::npos) << between.err;
 }
 
-TEST_F(Pictures, TheReportTellsWhatTheMapHoldsAndHowMuchIsRead) {
+TEST_F(Pictures, ReportHoldsContentsAndReadShareOfTheMap) {
     const auto report = [&](const Arguments& more) {
         render(with(with(kSmall, {"--report", "r.json"}), more), "a.png");
         return Json::parse(file_bytes(folder_ / "r.json"))["shadow_map"];
@@ -176,7 +176,7 @@ TEST_F(Pictures, TheReportTellsWhatTheMapHoldsAndHowMuchIsRead) {
         for (const Json& count : wide[histogram]["counts"]) sum += count.get<int>();
         EXPECT_EQ(sum, wide["drawn_texels"]) << histogram;
     }
-    // A wider kernel reads more, a finer map is read less.
+    // A wider kernel reads a larger share, a finer map is read less.
     EXPECT_GT(report({"--set", "filter.kernel=pcf9"})["utilisation"], share);
     EXPECT_LT(report({"--set", "map.resolution=1024"})["utilisation"], share);
     const Json point = report({"--set", "light.type=point", "--set", "view.face=3"});
@@ -186,7 +186,7 @@ TEST_F(Pictures, TheReportTellsWhatTheMapHoldsAndHowMuchIsRead) {
     EXPECT_TRUE(report({"--set", "light.cast=false"}).is_null());
 }
 
-TEST_F(Pictures, SamePresetSameBytes) {
+TEST_F(Pictures, SamePresetGivesTheSameBytes) {
     ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", "filter.kernel=pcf5", "--set",
                            "bias.slope=2", "--about", "wide kernel"},
                           folder_)
@@ -196,14 +196,14 @@ TEST_F(Pictures, SamePresetSameBytes) {
     const Arguments small = {"stage", "--size", "96x64"};
     const std::string preset = render(with(small, {"--preset", "p.json"}), "a.png");
     EXPECT_EQ(preset, render(with(small, {"--preset", "p.json"}), "b.png"));
-    // What the scene suggested is part of the preset, so that it does not depend on the scene's mood later.
+    // Suggestions of the scene are part of the preset, so that later changes of the scene do not affect it.
     EXPECT_EQ(preset, render(with(small, {"--set", "filter.kernel=pcf5", "--set", "bias.slope=2"}), "c.png"));
     EXPECT_NE(preset, render(small, "d.png"));
     EXPECT_NE(preset, render(with(small, {"--preset", "p.json", "--set", "light.azimuth=0"}), "e.png"));
 }
 
-TEST_F(Pictures, APresetIsNotMixedWithTheScenesSuggestions) {
-    // The stage suggests another azimuth; back at the program's default the preset does not mention it.
+TEST_F(Pictures, PresetIsNotMixedWithSuggestionsOfTheScene) {
+    // The stage suggests another azimuth; set to the program's default the preset does not mention it.
     const std::string azimuth = "light.azimuth=" + Json(Settings{}.lights[0].azimuth).dump();
     ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", azimuth}, folder_).code, 0);
     EXPECT_FALSE(Json::parse(file_bytes(folder_ / "p.json"))["settings"].contains("light.azimuth"));
@@ -213,7 +213,7 @@ TEST_F(Pictures, APresetIsNotMixedWithTheScenesSuggestions) {
     EXPECT_NE(picture, render(small, "c.png"));
 }
 
-TEST_F(Pictures, AnExportedSceneIsTheSameScene) {
+TEST_F(Pictures, ExportedSceneIsTheSameScene) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", "boxes.glb"}, folder_).code, 0);
     render({"boxes", "--size", "32x32", "--report", "a.json"}, "a.png");
     render({"boxes.glb", "--size", "32x32", "--report", "b.json"}, "b.png");
@@ -227,12 +227,12 @@ TEST_F(Pictures, AnExportedSceneIsTheSameScene) {
     }
 }
 
-TEST_F(Pictures, TheEditorIsDrawnWithoutADisplay) {
+TEST_F(Pictures, EditorIsDrawnWithoutADisplay) {
     const ProcessResult r =
         run_program({"edit", "boxes", "--headless", "--screenshot", "e.png", "--size", "1280x720"}, folder_);
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(png_size(file_bytes(folder_ / "e.png")), std::pair(1280u, 720u));
-    // In either theme: the bar on top is its ground.
+    // The top bar has its background colour in both themes.
     const auto ground = [&](const char* theme) {
         const ProcessResult drawn = run_program(
             {"edit", "boxes", "--headless", "--screenshot", "t.png", "--size", "640x360", "--theme", theme}, folder_);
@@ -257,7 +257,7 @@ TEST_F(Pictures, WithoutACommandOrDisplayEverythingIsDrawn) {
     EXPECT_NE(r.out.find("the picture reads"), std::string::npos);
 }
 
-TEST_F(Pictures, NothingIsRepairedSilently) {
+TEST_F(Pictures, EveryRepairIsReported) {
     const ProcessResult r = run_program({"render", "boxes", "-o", "a.png", "--size", "32x32", "--set",
                                          "light.fit=manual", "--set", "light.near=50", "--set", "light.far=2"},
                                         folder_);

@@ -1,4 +1,4 @@
-// `plan` as a person and as a script calls it.
+// Tests of `plan`: text and JSON.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -29,7 +29,7 @@ const Json& effect_of(const Json& plan, const std::string& name) {
     return none;
 }
 
-TEST(PlanCommand, TellsEachEffectWithItsReasonAndNoTimeUnlessMeasured) {
+TEST(PlanCommand, PrintsEffectsWithReasonsAndTimesOnlyIfMeasured) {
     const Json plan = plan_of({});
     EXPECT_EQ(plan["format"], "shadow-inspector-plan");
     EXPECT_GT(plan["effects"].size(), 20u);
@@ -48,21 +48,21 @@ TEST(PlanCommand, TellsEachEffectWithItsReasonAndNoTimeUnlessMeasured) {
               "light.cast is off.");
 }
 
-TEST(PlanCommand, MeasuresWhatEffectsName) {
+TEST(PlanCommand, MeasuresTheNamedEffects) {
     const Json plan = plan_of(
         {"--measure", "--rounds", "4", "--set", "light.cast=false", "--set", "shading.separate_visibility=true"});
     EXPECT_EQ(plan["rounds"], 4);
     EXPECT_GT(plan["frame_ms"], 0);
-    const Json& spared = effect_of(plan, "look-ups of light 0");
-    EXPECT_EQ(spared["saving"], "uncalled");
-    ASSERT_TRUE(spared["saved_ms"].is_number());
-    EXPECT_LE(spared["saved_ms_low"], spared["saved_ms"]);
-    EXPECT_GE(spared["saved_ms_high"], spared["saved_ms"]);
+    const Json& skipped = effect_of(plan, "look-ups of light 0");
+    EXPECT_EQ(skipped["saving"], "uncalled");
+    ASSERT_TRUE(skipped["saved_ms"].is_number());
+    EXPECT_LE(skipped["saved_ms_low"], skipped["saved_ms"]);
+    EXPECT_GE(skipped["saved_ms_high"], skipped["saved_ms"]);
     EXPECT_GT(effect_of(plan, "shading (reads visibility)")["ms"], 0);
     EXPECT_TRUE(effect_of(plan, "depth blur")["saved_ms"].is_null()) << "nothing spares it: never estimated";
 }
 
-TEST(PlanCommand, TellsOfHowManyEffectsATimeIs) {
+TEST(PlanCommand, PrintsTheNumberOfEffectsThatShareATime) {
     const Words measured = {"--measure", "--rounds", "3", "--set", "light.type=point", "--set", "map.resolution=256"};
     const Json plan = plan_of(measured);
     int faces = 0;
@@ -82,7 +82,7 @@ TEST(PlanCommand, TellsOfHowManyEffectsATimeIs) {
     EXPECT_NE(text.out.find("), of " + std::to_string(faces) + " together"), std::string::npos) << text.out;
 }
 
-TEST(PlanCommand, TellsOfTheSearchThatItMakes) {
+TEST(PlanCommand, ListsTheSearchThatItRequests) {
     EXPECT_EQ(effect_of(plan_of({}), "numeric health")["state"], "not called for");
     const Json plan = plan_of({"--check-numeric"});
     EXPECT_EQ(effect_of(plan, "numeric health")["state"], "simulated");
@@ -103,7 +103,7 @@ TEST(PlanCommand, ListsWaste) {
     EXPECT_NE(off.find("not drawn          0 triangles  map of light 0\n"), std::string::npos) << off;
 }
 
-TEST(PlanCommand, WeighsWasteByTimeWhereTimeIsMeasured) {
+TEST(PlanCommand, RanksWasteByMeasuredTime) {
     const Json waste = plan_of({"--waste", "--measure", "--rounds", "3", "--set", "light.intensity=1e-10"})["waste"];
     EXPECT_EQ(waste["share"], 1) << "nobody sees so dim a light";
     EXPECT_GT(waste["maps_ms"], 0);
@@ -111,14 +111,14 @@ TEST(PlanCommand, WeighsWasteByTimeWhereTimeIsMeasured) {
     EXPECT_TRUE(waste["tried"][0]["maps_ms"].is_number());
 }
 
-TEST(PlanCommand, TracesForWhatIsShown) {
+TEST(PlanCommand, TracesRaysForShownOutputs) {
     const Json plan = plan_of({"--set", "view.overlay=artefacts", "--set", "map.resolution=256"});
     EXPECT_EQ(effect_of(plan, "rays of the reference")["state"], "simulated");
     EXPECT_EQ(effect_of(plan, "causes found")["state"], "simulated");
     EXPECT_EQ(effect_of(plan_of({"--set", "light.source=traced"}), "rays of the reference")["state"], "simulated");
 }
 
-TEST(PlanCommand, PrintsADashWhereNothingWasMeasured) {
+TEST(PlanCommand, PrintsADashForMissingMeasurements) {
     const ProcessResult r = run_program({"plan", "boxes", "--size", "64x48"});
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_NE(r.out.find("–"), std::string::npos);

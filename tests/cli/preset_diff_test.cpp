@@ -1,4 +1,4 @@
-// `preset diff`: files, built-in presets and the defaults, in words and as JSON.
+// Tests of `preset diff`: files, built-in presets and the defaults, in words and as JSON.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -24,7 +24,7 @@ protected:
     std::filesystem::path folder_;
 };
 
-TEST_F(PresetDiffCommand, SaysInWordsWhatDiffers) {
+TEST_F(PresetDiffCommand, PrintsDifferencesInWords) {
     const ProcessResult r = run({"preset", "diff", "a.json", "b.json"});
     EXPECT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(r.out, "a.json → b.json: 1 difference\nBias\n  bias.constant: 0.5 → 0 texels (Constant bias)\n");
@@ -52,7 +52,7 @@ TEST_F(PresetDiffCommand, GivesJsonForScripts) {
     EXPECT_EQ(nlohmann::json::parse(run({"preset", "diff", "a.json", "a.json", "--json"}).out)["equal"], true);
 }
 
-TEST_F(PresetDiffCommand, RefusesWhatItCannotRead) {
+TEST_F(PresetDiffCommand, RefusesUnreadableFiles) {
     std::ofstream(folder_ / "bad.json") << "{";
     for (const char* bad : {"bad.json", "missing.json", "no-such-preset"}) {
         const ProcessResult r = run({"preset", "diff", "a.json", bad});
@@ -63,7 +63,7 @@ TEST_F(PresetDiffCommand, RefusesWhatItCannotRead) {
     EXPECT_EQ(run({"preset", "diff", "a.json"}).code, 2);
 }
 
-TEST_F(PresetDiffCommand, TitleAndTopicAreShown) {
+TEST_F(PresetDiffCommand, PrintsTitleAndTopic) {
     const ProcessResult r = run({"preset", "show", "b.json"});
     EXPECT_EQ(r.out.substr(0, r.out.find("scene ")), "Tests: B\nLook.\n");
 }

@@ -1,4 +1,4 @@
-// What the commands print is text: UTF-8, encoded once.
+// Tests of the encoding of printed text: UTF-8, encoded once.
 #include <gtest/gtest.h>
 
 #include "app/commands/commands.h"
@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-TEST(PrintedText, OfEveryCommandIsEncodedOnce) {
+TEST(PrintedText, IsEncodedOnceForEveryCommand) {
     const auto folder = fresh_test_folder();
     std::vector<std::vector<std::string>> commands = {
         {"--help"},

@@ -1,4 +1,4 @@
-// The `truth` command: pictures, reports, mistakes.
+// Tests of the `truth` command: pictures, reports, mistakes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 class ReferenceCommand : public testing::Test {
 protected:
     void SetUp() override { folder_ = fresh_test_folder(); }
-    /// The report; the picture is t.pfm.
+    /// Runs `truth` and returns the report; the picture is t.pfm.
     Json trace(std::vector<std::string> more, const char* scene = "boxes") {
         std::vector<std::string> arguments = {"truth", scene, "-o", "t.pfm", "--size", "160x90", "--report", "t.json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -57,7 +57,7 @@ TEST_F(ReferenceCommand, WritesThePictureAndItsFacts) {
     EXPECT_EQ(area["hard_visibility_mean"], hard["visibility_mean"]);
 }
 
-TEST_F(ReferenceCommand, OfOneSampleHasUnknownNoise) {
+TEST_F(ReferenceCommand, OneSampleHasUnknownNoise) {
     const Json one = trace({"--area", "--set", "light.0.size=5", "--samples", "3"});
     EXPECT_TRUE(one["noise"].is_null()) << one["noise"];
     EXPECT_EQ(one["noise_unknown_px"], one["pixels"]["counted"]);
@@ -74,7 +74,7 @@ TEST_F(ReferenceCommand, OfOneSampleHasUnknownNoise) {
     EXPECT_EQ(m["truth"]["samples_used"]["mean"], 1);
 }
 
-TEST_F(ReferenceCommand, HasTheCulledFacesUnlessAsRasterised) {
+TEST_F(ReferenceCommand, IncludesCulledFacesUnlessAsRasterised) {
     // The stage has a wall of a single plane.
     const double all = trace({}, "stage")["visibility_mean"];
     EXPECT_EQ(trace({"--set", "caster.cull=front"}, "stage")["visibility_mean"], all);
@@ -84,7 +84,7 @@ TEST_F(ReferenceCommand, HasTheCulledFacesUnlessAsRasterised) {
     EXPECT_GT(std::max(front, back), all + 1e-3);
 }
 
-TEST_F(ReferenceCommand, RefusesWhatItCannotWrite) {
+TEST_F(ReferenceCommand, RefusesUnwritableFiles) {
     const auto code = [&](std::vector<std::string> arguments) {
         const ProcessResult r = run_program(arguments, folder_);
         EXPECT_TRUE(r.err.starts_with("shadow-inspector: ")) << r.err;

@@ -1,5 +1,4 @@
-// The report of a sweep in a browser without a window: what it draws, sorts and filters, and that it needs nothing
-// else.
+// Tests of a sweep's report in a headless browser: drawing, sorting, filtering, no external resources.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -19,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Hard is cheap and rough; a wide kernel is dear and smooth; 4096 texels fail.
+/// Made-up times: hard is cheap and inaccurate, a wide kernel is expensive and smooth, 4096 texels fail.
 struct PlausibleMeter : FakeMeter {
     CaseFacts facts(const SweepCase& c) override {
         CaseFacts f = FakeMeter::facts(c);
@@ -47,7 +46,7 @@ struct PlausibleMeter : FakeMeter {
 
 struct Page {
     fs::path file;
-    Json results, seen;  ///< seen: what the page's self-test found
+    Json results, seen;  ///< `seen`: findings of the page's self-test
     std::string console;
 };
 
@@ -59,7 +58,7 @@ std::string quoted(const fs::path& path) {
     return "'" + path.string() + "'";
 }
 
-/// What the browser's tree of the page holds after its scripts ran. `console` gets what they said.
+/// Returns the browser's DOM of the page after its scripts ran. `console` gets their messages.
 std::string dump(const fs::path& folder, const std::string& url, std::string& console) {
     const std::string command =
         "timeout 120 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --v=0 "
@@ -110,7 +109,7 @@ TEST(ReportPage, DrawsSortsAndFiltersInABrowser) {
     EXPECT_TRUE(page.seen["errors"].empty()) << page.seen["errors"];
     EXPECT_EQ(page.console.find("CONSOLE"), std::string::npos) << page.console;
     EXPECT_EQ(numbers(page.seen["order"]), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
-    // By error: pcf3 of 2048, hard of 2048, pcf3 of 1024, ...; what failed comes last both ways.
+    // Order by error: pcf3 of 2048, hard of 2048, pcf3 of 1024, ...; failed cases come last both ways.
     EXPECT_EQ(numbers(page.seen["ascending"]), (std::vector<int>{5, 3, 4, 1, 2, 0, 6, 7}));
     EXPECT_EQ(numbers(page.seen["descending"]), (std::vector<int>{0, 2, 1, 4, 3, 5, 6, 7}));
     EXPECT_EQ(numbers(page.seen["filtered"]).size(), 2u) << "of map.resolution=512";
@@ -145,7 +144,7 @@ TEST(ReportPage, StringsStayStrings) {
     EXPECT_EQ(dom.find("<b id="), std::string::npos);
 }
 
-TEST(ReportPage, PicturesStayWithinTheirRoom) {
+TEST(ReportPage, PicturesStayWithinTheirLimit) {
     FakeSweep sweep(fresh_test_folder());
     FakeMeter meter;
     sweep.run(meter, 8);
@@ -157,7 +156,7 @@ TEST(ReportPage, PicturesStayWithinTheirRoom) {
     EXPECT_EQ(report_html(sweep.results(), sweep.folder), none) << "without its pictures the page is whole";
 }
 
-TEST(ReportPage, Base64OfTheRfc) {
+TEST(ReportPage, Base64MatchesTheRfc) {
     EXPECT_EQ(base64(""), "");
     EXPECT_EQ(base64("f"), "Zg==");
     EXPECT_EQ(base64("fo"), "Zm8=");

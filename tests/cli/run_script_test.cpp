@@ -1,5 +1,4 @@
-// run.sh over a build that is made up: how far it is, what a compiler complains of, and that the program has the last
-// word.
+// Tests of run.sh with a fake build: progress, compiler errors, and the start of the program.
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <sys/wait.h>
@@ -18,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As cmake over ninja, in twelve steps. FAKE names what fails.
+/// Fake cmake over ninja with twelve steps. FAKE names the failing step.
 constexpr const char* kFakeCmake = R"(#!/bin/sh
 build=$(dirname "$0")/../build/release
 if [ "$1" = -S ]; then
@@ -67,11 +66,11 @@ protected:
         return "export PATH=\"$PWD/bin:$PATH\" HOME=\"$PWD/home\" SI_SKIP_PACKAGES=1 FAKE=" + fails +
                "; unset NINJA_STATUS; " + command;
     }
-    /// @param fails what of the build does; empty: nothing
+    /// Runs a command with the fake build. @param fails failing part of the build; empty: none
     ProcessResult run(const std::string& command, const std::string& fails = {}) const {
         return run_shell(among_fakes(command, fails), folder_);
     }
-    /// What the terminal shows, as `out`.
+    /// Runs a command on a terminal; `out` is the text that the terminal shows.
     ProcessResult run_on_terminal(const std::string& command) const {
         const std::string script = "cd '" + folder_.string() + "'; " + among_fakes(command);
         ProcessResult result;
@@ -83,7 +82,7 @@ protected:
         }
         if (child < 0) throw std::runtime_error("no terminal can be made");
         char some[4096];
-        // Once nobody writes to a terminal any more, reading from it fails.
+        // Reading from a terminal fails once all writers have closed it.
         for (ssize_t n; (n = read(terminal, some, sizeof some)) > 0;) result.out.append(some, std::size_t(n));
         close(terminal);
         int status = 0;
@@ -106,7 +105,7 @@ protected:
     }
 };
 
-TEST_F(RunScript, TellsInPercentHowFarTheBuildIsAndThenRunsTheProgram) {
+TEST_F(RunScript, PrintsBuildProgressInPercentAndRunsTheProgram) {
     const ProcessResult built = run("./run.sh list 'two words'");
     EXPECT_EQ(built.code, 7) << "the program's" << built.err;
     EXPECT_EQ(built.out, "told: list two words\n");
@@ -118,7 +117,7 @@ TEST_F(RunScript, TellsInPercentHowFarTheBuildIsAndThenRunsTheProgram) {
     EXPECT_EQ(again.err, "") << "there is nothing to build";
 }
 
-TEST_F(RunScript, TellsItInPlaceOnATerminal) {
+TEST_F(RunScript, UpdatesProgressInPlaceOnATerminal) {
     const ProcessResult built = run_on_terminal("./run.sh");
     EXPECT_EQ(built.code, 7) << built.out;
     expect_rising_to_100(percents(built.out));
@@ -126,7 +125,7 @@ TEST_F(RunScript, TellsItInPlaceOnATerminal) {
     EXPECT_NE(built.out.find("\rBuilding: 100 %\r\ntold: "), std::string::npos) << built.out;
 }
 
-TEST_F(RunScript, ShowsWhatTheCompilerSaysWhereItFails) {
+TEST_F(RunScript, PrintsCompilerErrorsOnFailure) {
     const ProcessResult built = run("./run.sh", "compile");
     EXPECT_EQ(built.code, 1);
     EXPECT_EQ(built.out, "");

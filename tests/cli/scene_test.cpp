@@ -1,4 +1,4 @@
-// What `scene` says of a file, and sheets of a folder of models.
+// Tests of `scene` and of contact sheets for a folder of models.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stb/stb_image.h>
@@ -17,7 +17,7 @@ namespace {
 using test::GltfFile;
 using test::Json;
 
-/// A triangle with a point primitive beside it, a light, a camera and an animation.
+/// Makes a triangle with a point primitive, a light, a camera and an animation.
 std::string rich_model() {
     GltfFile file;
     const int positions = file.triangle_positions();
@@ -46,7 +46,7 @@ void write(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
 }
 
-TEST(SceneCommand, SaysWhatIsInAFileAndWhatWasDropped) {
+TEST(SceneCommand, ListsContentsAndDroppedPartsOfAFile) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
     const ProcessResult json = run_program({"scene", "model.glb", "--json"}, folder);
@@ -70,7 +70,7 @@ TEST(SceneCommand, SaysWhatIsInAFileAndWhatWasDropped) {
     EXPECT_EQ(run_program({"scene", "nothing.glb"}, folder).code, 1);
 }
 
-TEST(SceneCommand, TheLightsOfAFileAreSettingsThatASetReplaces) {
+TEST(SceneCommand, LightsOfAFileAreSettingsThatSetReplaces) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
     const auto report = [&](const std::vector<std::string>& more) {
@@ -84,14 +84,14 @@ TEST(SceneCommand, TheLightsOfAFileAreSettingsThatASetReplaces) {
     const Json own = report({});
     EXPECT_EQ(own["settings"]["light.type"], "spot");
     EXPECT_NEAR(own["fit"][0]["position"][1].get<double>(), 5, 1e-9);
-    // The triangle has moved, so the centre that targets count from has too; the light stays where it is.
+    // The triangle has moved, so the scene's centre, the origin of targets, has moved too; the light stays.
     const Json later = report({"--set", "scene.time=2"});
     EXPECT_NEAR(later["fit"][0]["position"][0].get<double>(), 0, 1e-9);
     EXPECT_NEAR(later["fit"][0]["position"][1].get<double>(), 5, 1e-9);
     EXPECT_EQ(report({"--set", "light.0.type=point"})["settings"]["light.type"], "point");
 }
 
-/// Two scenes: "near" of one triangle with two cameras, "far" of the triangle twice.
+/// Makes two scenes: "near" of one triangle with two cameras, "far" of the triangle twice.
 std::string two_scenes() {
     GltfFile file;
     const int mesh = file.mesh({{"attributes", {{"POSITION", file.triangle_positions()}}}});
@@ -123,7 +123,7 @@ TEST(SceneCommand, ListsTheScenesAndCamerasOfAFileByNumber) {
     EXPECT_EQ(run_program({"scene", "two.glb", "--index", "2"}, folder).code, 1);
 }
 
-TEST(SceneCommand, SettingsChooseSceneAndCamera) {
+TEST(SceneCommand, SettingsSelectSceneAndCamera) {
     const auto folder = fresh_test_folder();
     write(folder / "two.glb", two_scenes());
     const auto run = [&](const std::vector<std::string>& sets) {
@@ -152,7 +152,7 @@ TEST(SceneCommand, SettingsChooseSceneAndCamera) {
               std::string::npos);
 }
 
-TEST(SceneCommand, AnExportHoldsTheMomentAndTheSettings) {
+TEST(SceneCommand, ExportHoldsTheTimeAndTheSettings) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
     const auto exported = [&](const std::vector<std::string>& more) {
@@ -215,7 +215,8 @@ TEST(ContactSheet, ShowsModelsAndNamesFailures) {
     EXPECT_EQ(run_program({"contact-sheet", "models", "-o", "s.jpg"}, folder).code, 2);
 }
 
-/// RGB, below the tile of a model of that name. It cannot be shown, which is quicker and leaves the label as it is.
+/// Returns the RGB pixels below the tile of a model of that name. The model is unreadable, which is faster and keeps
+/// the label.
 std::vector<std::uint8_t> label_below(const std::string& name, int tile_width = 160) {
     constexpr int kTileHeight = 48;
     const auto folder = fresh_test_folder();
@@ -240,7 +241,7 @@ std::string repeated(int times, const std::string& letter) {
     return out;
 }
 
-TEST(ContactSheet, WritesNamesInTheirOwnLetters) {
+TEST(ContactSheet, WritesNamesInTheirOwnScript) {
     const auto name = label_below("Größe_Ω_Ж");
     for (const char* other : {"Grüße_Ω_Ж", "Größe_Σ_Ж", "Größe_Ω_Д", "Gr??e_?_?"})
         EXPECT_NE(label_below(other), name) << other;
@@ -249,11 +250,11 @@ TEST(ContactSheet, WritesNamesInTheirOwnLetters) {
     for (const char* other : {"?", "Ж", "\u00a0"}) EXPECT_NE(label_below(other), lacking) << other;
 }
 
-TEST(ContactSheet, WritesNamesThatAreNoTextAsEscapes) {
+TEST(ContactSheet, WritesInvalidUtf8NamesAsEscapes) {
     EXPECT_EQ(label_below("a\xff\n\u200f"), label_below("a\\xff; \\u200f"));
 }
 
-TEST(ContactSheet, CutsLongNamesBetweenLetters) {
+TEST(ContactSheet, CutsLongNamesBetweenCharacters) {
     constexpr int kNarrow = 64;
     const auto cut = label_below(repeated(40, "Ж"), kNarrow);
     const auto is_cut = [&](int letters) { return label_below(repeated(letters, "Ж") + "…", kNarrow) == cut; };

@@ -1,5 +1,5 @@
-// Cross-sections on the command line: those of docs/accuracy.md are what its commands draw, and nothing that goes wrong
-// leaves half a file.
+// Tests of cross-sections on the command line: the drawings of docs/accuracy.md match their commands, and errors leave
+// no partial file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::vector<std::string> words(const std::string& line) {
     return out;
 }
 
-/// The commands of the page that draw sections, without the program's name.
+/// Returns the commands of the page that draw sections, without the program's name.
 std::vector<std::vector<std::string>> documented() {
     std::istringstream page(file_bytes(kDocs / "accuracy.md"));
     std::vector<std::vector<std::string>> out;
@@ -36,7 +36,8 @@ std::vector<std::vector<std::string>> documented() {
     return out;
 }
 
-/// Words and numbers apart, as drivers may round the last digits of a depth otherwise.
+/// Expects equal drawings. Numbers are compared apart from words, since drivers may round the last digits of a depth
+/// differently.
 void expect_same_drawing(const std::string& a, const std::string& b, const std::string& name) {
     static const std::regex number("-?[0-9]+(\\.[0-9]+)?");
     EXPECT_EQ(std::regex_replace(a, number, "#"), std::regex_replace(b, number, "#")) << name;
@@ -44,7 +45,7 @@ void expect_same_drawing(const std::string& a, const std::string& b, const std::
     for (; x != end && y != end; ++x, ++y) EXPECT_NEAR(std::stod(x->str()), std::stod(y->str()), 0.6) << name;
 }
 
-TEST(SectionCommand, ThePagesDrawingsAreTheirCommands) {
+TEST(SectionCommand, DrawingsOfThePageMatchTheirCommands) {
     const auto commands = documented();
     ASSERT_GE(commands.size(), 5u);
     for (std::vector<std::string> command : commands) {
@@ -57,7 +58,7 @@ TEST(SectionCommand, ThePagesDrawingsAreTheirCommands) {
         const std::string drawn = file_bytes(*(option + 1)), kept = file_bytes(committed);
         EXPECT_EQ(test::xml_fault(kept), "") << committed;
         if (drawn != kept) expect_same_drawing(drawn, kept, committed.filename());
-        // What the page says of it is what the pixel has.
+        // Statements of the page hold for the pixel.
         std::string artefact = committed.stem().string().substr(std::string("section-").size());
         EXPECT_NE(r.out.find("verdict: "), std::string::npos);
         const std::map<std::string, std::string> said{{"acne", "verdict: acne: needs"},
@@ -70,7 +71,7 @@ TEST(SectionCommand, ThePagesDrawingsAreTheirCommands) {
     }
 }
 
-TEST(SectionCommand, GoesWithJsonAndRefusesWhatItCannotDraw) {
+TEST(SectionCommand, WorksWithJsonAndRefusesWrongPixels) {
     const fs::path folder = fresh_test_folder(), file = folder / "one.svg";
     const std::vector<std::string> scene{"probe", "plane", "--size", "160x90", "--set", "map.resolution=256"};
     const auto probe = [&](std::vector<std::string> more) {

@@ -1,4 +1,4 @@
-// sweep and merge as a person calls them: files, continuing, refusing, shards, GNU parallel and the Slurm script.
+// Tests of sweep and merge: files, continuing, refusing, shards, GNU parallel and the Slurm script.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -95,19 +95,19 @@ TEST(SweepCommand, WritesResultsAndReport) {
     const std::string header = csv.substr(0, csv.find('\n')) + ",";
     for (const Column& column : columns())
         EXPECT_NE(header.find("," + std::string(column.key) + ","), std::string::npos) << column.key;
-    // The command that the report shows for a case draws that case.
+    // The command in the report draws the picture of its case.
     EXPECT_EQ(run_program({"render", "boxes", "--preset", "out/base.json", "--set", "filter.kernel=hard", "-o", "a.png",
                            "--size", "96x64"},
                           folder)
                   .code,
               0);
-    // Done already: the same command changes nothing.
+    // A finished sweep: the same command changes nothing.
     const std::string journal = file_bytes(folder / "out" / kJournalFile);
     EXPECT_EQ(run_program(sweep_of("out"), folder).code, 0);
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
 }
 
-TEST(SweepCommand, ASweepOverTheLightsSizeMeasuresEachSize) {
+TEST(SweepCommand, LightSizeAxisMeasuresEachSize) {
     const fs::path folder = fresh_test_folder();
     const Words words = {"sweep",     "boxes", "--vary", "light.size=0.1,2,8", "--size", "96x64",
                          "--no-time", "-o",    "area"};
@@ -158,7 +158,7 @@ TEST(SweepCommand, EachSceneOfAFileIsMeasured) {
         EXPECT_EQ(m["cost"]["triangles"], row["cost"]["triangles"]) << set;
     }
     EXPECT_NE(rows[0]["error"]["pixels"], rows[1]["error"]["pixels"]);
-    // What --set refuses, an axis refuses with the same words, before anything is measured.
+    // An axis refuses values with the words of --set, before anything is measured.
     const std::string before = file_bytes(folder / "out" / kJournalFile);
     for (const char* wrong : {"camera.index=0,9999", "scene.index=0,2", "object.Nowhere.cast=true,false"}) {
         const ProcessResult r = sweep(wrong);
@@ -195,7 +195,7 @@ TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     EXPECT_EQ(run_program(sweep_of("out", {"--no-time"}), folder).code, 1) << "results of who knows what";
 }
 
-TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
+TEST(SweepCommand, ErrorsOfAnotherDefinitionAreNeitherContinuedNorMerged) {
     const fs::path folder = fresh_test_folder();
     for (const char* part : {"1", "2"})
         ASSERT_EQ(run_program(sweep_of(part, {"--no-time", "--shard", std::string(part) + "/2"}), folder).code, 0);
@@ -228,11 +228,11 @@ TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
     EXPECT_EQ(results_of(folder / "merged")["finished"], 4);
 }
 
-TEST(SweepCommand, InterruptedItGoesOn) {
+TEST(SweepCommand, InterruptedSweepContinues) {
     const fs::path folder = fresh_test_folder();
     for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
         const std::string out = std::to_string(signal);
-        // Enough cases that it cannot be done before the signal comes.
+        // Enough cases that the sweep cannot end before the signal.
         Words words = sweep_of(out, {"--no-time", "--vary", "bias.constant=0:3:0.1"});
         const fs::path journal = folder / out / kJournalFile;
         const pid_t child = ::fork();
@@ -277,7 +277,7 @@ TEST(SweepCommand, InterruptedItGoesOn) {
     }
 }
 
-TEST(SweepCommand, AFailingCaseIsARow) {
+TEST(SweepCommand, FailingCaseIsARow) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "leaf.glb", std::ios::binary) << test::falling_leaf(1, {1, -2, 0}, {1, -2, 0});
     const ProcessResult r =
@@ -292,7 +292,7 @@ TEST(SweepCommand, AFailingCaseIsARow) {
     EXPECT_NE(r.out.find("2 of 4 cases failed"), std::string::npos);
 }
 
-TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
+TEST(SweepCommand, ParallelShardsMergeIntoTheWhole) {
     if (!has("parallel")) GTEST_SKIP() << test::kMissingReason << "GNU parallel";
     const fs::path folder = fresh_test_folder();
     ASSERT_EQ(run_program(sweep_of("whole", {"--no-time"}), folder).code, 0);
@@ -313,12 +313,12 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     EXPECT_EQ(whole, merged);
     for (const OrderedJson& row : merged["rows"])
         EXPECT_TRUE(fs::exists(folder / "merged" / row["artefacts"].get<std::string>()));
-    // The whole sweep goes on in the merged folder: only the times are left to take.
+    // The whole sweep continues in the merged folder: only times are missing.
     ASSERT_EQ(run_program(sweep_of("merged"), folder).code, 0);
     EXPECT_EQ(results_of(folder / "merged")["rounds"], 2);
     EXPECT_EQ(results_of(folder / "merged")["rows"][3]["error"], whole["rows"][3]["error"]);
     EXPECT_EQ(run_program(sweep_of("part-1", {"--shard", "2/3"}), folder).code, 1) << "another shard's folder";
-    // Begun anew, the whole would take a part's pictures away.
+    // A restart of the whole would delete a part's pictures.
     const ProcessResult own = run_program({"merge", "part-1", "part-2", "-o", "./part-2", "--fresh"}, folder);
     EXPECT_EQ(own.code, 2) << own.err;
     EXPECT_NE(own.err.find("./part-2: is one of the parts"), std::string::npos) << own.err;
@@ -328,7 +328,7 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     EXPECT_FALSE(fs::exists(folder / "wrong"));
 }
 
-TEST(SweepCommand, AnArrayOfSlurmIsShards) {
+TEST(SweepCommand, SlurmArrayRunsShards) {
     const fs::path folder = fresh_test_folder();
     const std::string script = std::string("'") + SI_SOURCE_DIR + "/scripts/sweep_slurm.sh'";
     const std::string arguments = " boxes --vary filter.kernel=hard,pcf3,pcf5 --size 48x32 -o 'a folder'";

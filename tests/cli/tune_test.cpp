@@ -1,4 +1,4 @@
-// `tune` as a person calls it: what it writes is free of acne and holds no more bias than that takes.
+// Tests of `tune`: its preset is free of acne and holds no more bias than needed.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -23,7 +23,7 @@ Json measured(const fs::path& preset, const std::vector<std::string>& more = {})
     return Json::parse(r.out, nullptr, false);
 }
 
-TEST(Tune, WritesTheLeastBiasWithoutAcne) {
+TEST(TuneCommand, WritesTheMinimumBiasWithoutAcne) {
     const fs::path preset = fresh_test_folder() / "least.json";
     const auto r = run_program({"tune", "boxes", "--set", "map.resolution=512", "--set", "bias.normal=0", "--set",
                                 "bias.constant=0", "--size", "320x180", "-o", preset.string(), "--json"});
@@ -38,7 +38,7 @@ TEST(Tune, WritesTheLeastBiasWithoutAcne) {
         EXPECT_GT(family["gap_p95_m"], 0);
         EXPECT_GE(family["shift_p95_m"], 0);
         if (!family["no_acne"].get<bool>()) continue;
-        // The one taken loses the fewest pixels.
+        // The selected family loses the fewest pixels.
         for (const Json& other : json["families"])
             if (other["chosen"].get<bool>()) {
                 EXPECT_LE(other["lost_px"], family["lost_px"]);
@@ -50,7 +50,7 @@ TEST(Tune, WritesTheLeastBiasWithoutAcne) {
     EXPECT_FALSE(json["settings"].contains("map.resolution"));
     const Json tuned = measured(preset)["error"];
     EXPECT_EQ(tuned["acne"], 0);
-    // A tenth less of whatever acts, and acne is there.
+    // Acne appears with ten percent less of any active bias.
     std::vector<std::string> less;
     for (const char* key : {"bias.normal", "bias.slope", "bias.constant"})
         if (json["settings"].contains(key)) {
@@ -63,7 +63,7 @@ TEST(Tune, WritesTheLeastBiasWithoutAcne) {
     EXPECT_NE(written.dump().find("least bias without acne"), std::string::npos) << "the preset says what it is";
 }
 
-TEST(Tune, TakesTheTruthAsMeasureDoes) {
+TEST(TuneCommand, UsesTheReferenceOptionsOfMeasure) {
     const fs::path preset = fresh_test_folder() / "least.json";
     const std::vector<std::string> common{"boxes", "--set", "map.resolution=512", "--size", "320x180", "--json"};
     const auto tuned = [&](const std::vector<std::string>& sets) {
@@ -84,8 +84,8 @@ TEST(Tune, TakesTheTruthAsMeasureDoes) {
     tuned({"truth.area=true", "light.size=3", "truth.samples=16", "truth.noise=0.1", "truth.step=3"});
 }
 
-SI_TEST_IS(Long, Tune, KeepsToTheErrorThatIsAsked);  // compiles and times all kernels of three families
-TEST(Tune, KeepsToTheErrorThatIsAsked) {
+SI_TEST_IS(Long, TuneCommand, StaysWithinTheRequestedError);  // compiles and times all kernels of three families
+TEST(TuneCommand, StaysWithinTheRequestedError) {
     const fs::path preset = fresh_test_folder() / "accurate.json";
     const auto r =
         run_program({"tune", "boxes", "--max-error", "0.02", "--size", "160x90", "-o", preset.string(), "--json"});
@@ -112,7 +112,7 @@ TEST(Tune, KeepsToTheErrorThatIsAsked) {
     EXPECT_EQ(Json::parse(again.out)["map_resolution"], resolution);
 }
 
-TEST(Tune, SaysWhatIsWrong) {
+TEST(TuneCommand, RefusesWrongArguments) {
     const fs::path folder = fresh_test_folder();
     const std::string preset = (folder / "p.json").string();
     const auto refused = [&](std::vector<std::string> args, int code, const std::string& about) {

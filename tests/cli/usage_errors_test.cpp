@@ -1,4 +1,4 @@
-// Each mistake on the command line is one line on stderr that names it, and the right exit code.
+// Tests of mistakes on the command line: one line on stderr that names the mistake, and the right exit code.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void PrintTo(const Mistake& m, std::ostream* out) {
 
 class Mistakes : public testing::TestWithParam<Mistake> {};
 
-TEST_P(Mistakes, AreOneLine) {
+TEST_P(Mistakes, AreReportedInOneLine) {
     const auto folder = fresh_test_folder();
     std::ofstream(folder / "bad.json")
         << R"({"format":"shadow-inspector-preset","version":2,"settings":{"bias.slop":1}})";

@@ -1,3 +1,4 @@
+// Fuzz targets for models, presets and setting values.
 #include "tests/fuzz/targets.h"
 
 #include <fmt/format.h>
@@ -24,21 +25,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLines = 6;  ///< each may be held against all names that there are
+constexpr int kMaxLines = 6;  ///< limit of lines; each may be compared with all names
 
-void demand(bool holds, const std::string& what) {
+void require(bool holds, const std::string& what) {
     if (!holds) throw std::logic_error(what);
 }
 
-/// Runs what may be refused; other exceptions are findings. Messages are one line of bounded length without controls.
+/// Runs code that may refuse its input; other exceptions are findings. Messages must be one line of bounded length
+/// without control characters.
 template <class Action>
-bool taken(const Action& action) {
+bool is_accepted(const Action& action) {
     try {
         action();
         return true;
     } catch (const Error& e) {
         const std::string_view said = e.what();
-        demand(!said.empty() && said.size() < 4000, fmt::format("a message of {} bytes", said.size()));
+        require(!said.empty() && said.size() < 4000, fmt::format("a message of {} bytes", said.size()));
         return false;
     }
 }
@@ -47,7 +49,7 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// A folder of this process that goes with it.
+/// Temporary folder of this process, removed at its end.
 const fs::path& own_folder() {
     struct Folder {
         fs::path path;
@@ -65,18 +67,18 @@ const fs::path& own_folder() {
     return folder.path;
 }
 
-void demand_sound(const Scene& scene) {
+void require_valid(const Scene& scene) {
     const auto finite = [](const auto& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
     if (!scene.bounds.empty())  // a pose may leave nothing to be drawn
-        demand(finite(scene.bounds.lo) && finite(scene.bounds.hi), "the scene's bounds are not finite");
+        require(finite(scene.bounds.lo) && finite(scene.bounds.hi), "the scene's bounds are not finite");
     for (const Mesh& mesh : scene.meshes) {
-        for (const auto& p : mesh.positions) demand(finite(p), "a position is not finite");
-        for (const std::uint32_t i : mesh.indices) demand(i < mesh.positions.size(), "an index is out of range");
-        demand(mesh.material < int(scene.materials.size()), "a mesh without its material");
+        for (const auto& p : mesh.positions) require(finite(p), "a position is not finite");
+        for (const std::uint32_t i : mesh.indices) require(i < mesh.positions.size(), "an index is out of range");
+        require(mesh.material < int(scene.materials.size()), "a mesh without its material");
     }
     for (const Object& object : scene.objects) {
-        demand(object.mesh >= 0 && std::size_t(object.mesh) < scene.meshes.size(), "an object without a mesh");
-        demand(object.node >= 0 && std::size_t(object.node) < scene.nodes.size(), "an object without a node");
+        require(object.mesh >= 0 && std::size_t(object.mesh) < scene.meshes.size(), "an object without a mesh");
+        require(object.node >= 0 && std::size_t(object.node) < scene.nodes.size(), "an object without a node");
     }
 }
 
@@ -86,51 +88,51 @@ void fuzz_gltf(std::span<const std::uint8_t> bytes) {
         std::ofstream out(file, std::ios::binary);
         out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     }
-    taken([&] {
+    is_accepted([&] {
         Scene scene = load_gltf(file);
-        demand_sound(scene);
-        taken([&] {
+        require_valid(scene);
+        is_accepted([&] {
             Settings settings;
             apply_suggested(scene, settings);
         });
         if (scene.rig && !scene.rig->animations.empty()) {
             pose_scene(scene, {.animation = 0, .time = 0.5});
-            demand_sound(scene);
+            require_valid(scene);
         }
     });
 }
 
 void fuzz_preset(std::span<const std::uint8_t> bytes) {
-    taken([&] {
+    is_accepted([&] {
         Preset preset = parse_preset(text_of(bytes), "p.json");
         const std::string text = preset_text(preset);
         const Preset again = parse_preset(text, "again.json");
-        demand(again.settings == preset.settings, "written and read again, the settings differ");
-        demand(preset_text(again) == text, "written and read again, the text differs");
+        require(again.settings == preset.settings, "written and read again, the settings differ");
+        require(preset_text(again) == text, "written and read again, the text differs");
         sanitise(preset.settings);
-        demand(sanitise(preset.settings).empty(), "repaired settings are repaired again");
+        require(sanitise(preset.settings).empty(), "repaired settings are repaired again");
     });
 }
 
 void fuzz_value(std::span<const std::uint8_t> bytes) {
     std::string_view rest = text_of(bytes);
     Settings settings;
-    for (int lines = 0; lines < kMostLines && !rest.empty(); ++lines) {
+    for (int lines = 0; lines < kMaxLines && !rest.empty(); ++lines) {
         const std::string line(rest.substr(0, rest.find('\n')));
         rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-        if (taken([&] { apply_set(settings, line); })) {
+        if (is_accepted([&] { apply_set(settings, line); })) {
             const auto ref = find_setting(std::string_view(line).substr(0, line.rfind('=')));
-            demand(ref.has_value(), "a setting that was set is not there");
+            require(ref.has_value(), "a setting that was set is not there");
             const Value value = get_value(settings, *ref);
-            demand(parse_value(*ref, value_text(*ref->param, value)) == value, "its text is another value: " + line);
+            require(parse_value(*ref, value_text(*ref->param, value)) == value, "its text is another value: " + line);
         }
-        taken([&] {
+        is_accepted([&] {
             const SweepAxis axis = parse_axis(line);
-            demand(!axis.values.empty(), "an axis without values");
+            require(!axis.values.empty(), "an axis without values");
         });
     }
     sanitise(settings);
-    demand(sanitise(settings).empty(), "repaired settings are repaired again");
+    require(sanitise(settings).empty(), "repaired settings are repaired again");
 }
 
 }  // namespace

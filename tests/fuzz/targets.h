@@ -1,5 +1,5 @@
-// What a fuzzer feeds with bytes: code that reads what strangers wrote. Each target takes anything; it may refuse it
-// with an Error and nothing else, and what it takes has to be sound. A finding throws or aborts.
+// Fuzz targets: code that reads files and texts from strangers. A target may refuse bytes only by an Error, and
+// accepted input must be valid. A finding throws or aborts.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,14 @@
 
 namespace si::fuzz {
 
+/// One fuzz target and its name.
 struct Target {
-    std::string name;  ///< of the fuzzer (fuzz_NAME) and of its folder below tests/data/fuzz
+    std::string name;  ///< name of the fuzzer (fuzz_NAME) and of its folder below tests/data/fuzz
     void (*run)(std::span<const std::uint8_t> bytes);
 };
 
-/// gltf: a model, loaded and posed. preset: its JSON, read, repaired and written again. value: lines of KEY=VALUE, as
-/// --set and --vary take them.
+/// Returns all fuzz targets. gltf: a model, loaded and posed. preset: its JSON, read, repaired and written again.
+/// value: lines of KEY=VALUE, as --set and --vary take them.
 const std::vector<Target>& targets();
 
 }  // namespace si::fuzz

@@ -90,8 +90,9 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
           moved(115, 20, -300) * scaled(3, 1, 1), moved(1e4, 0, 1e4), scaled(1e-5, 1e-5, 1e-5)}) {
         const Scene scene = under(m);
         SCOPED_TRACE(testing::Message() << m[0].x << " " << m[1].y << " " << m[3].x);
-        Settings s;  // default camera and light
-        s.lights[0].azimuth = 20, s.lights[0].elevation = 35;
+        Settings s;  // the automatic camera and light
+        s.lights[0].azimuth = 20;
+        s.lights[0].elevation = 35;
         const std::vector<float> shown = values(scene, s, "n-dot-l");
         const test::RayReference rays(scene);
         int checked = 0, off = 0, facing = 0;

@@ -379,8 +379,8 @@ TEST_F(StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove) {
         Renderer again;  // a renderer that has seen no movement
         const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
-        const auto reported =
-            std::ranges::find_if(effects, [](const Effect& e) { return e.optimisation == Optimisation::StaticCasterCache && !e.part; });
+        const auto reported = std::ranges::find_if(
+            effects, [](const Effect& e) { return e.optimisation == Optimisation::StaticCasterCache && !e.part; });
         EXPECT_NE(reported, effects.end());
         if (reported == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
         const std::vector<Optimisation> named = optimisations_of(effects);

@@ -65,8 +65,9 @@ protected:
             s.camera.target_x = 1;
         }
         move_camera(s, c.place.at);
-        // The bias is enough for any of these maps, in metres and so equal for all fits.
-        s.bias.unit = BiasUnit::Metres, s.bias.constant = 0.6;
+        // Enough for any of these maps: in metres, so that it is the same for all fits.
+        s.bias.unit = BiasUnit::Metres;
+        s.bias.constant = 0.6;
         return s;
     }
 };

@@ -61,7 +61,8 @@ const ErrorMetrics& GuidedDrawing::error() const {
 }
 
 const Classification& GuidedDrawing::classification() const {
-    if (!classification_) classification_ = Measurer(hard_renderer(), shot.width, shot.height).classify(scene, settings);
+    if (!classification_)
+        classification_ = Measurer(hard_renderer(), shot.width, shot.height).classify(scene, settings);
     return *classification_;
 }
 

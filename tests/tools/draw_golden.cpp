@@ -1,6 +1,6 @@
-// draw_golden [-o DIR] [ROW...]: draws golden pictures of the tests (tests/golden) on llvmpipe, and prints which
-// changed. ROW is a choice (filter.kernel=tent3) or the picture's name (filters-tent3). Without a ROW it draws all of
-// them. -o DIR writes them to that folder. Look at the pictures before you commit them.
+// draw_golden [-o DIR] [ROW...]: draws golden pictures of the tests (tests/golden) on llvmpipe and prints which
+// changed. ROW is a choice (filter.kernel=tent3) or the picture's name (filters-tent3). Without a ROW all are drawn. -o
+// DIR writes to another folder. Look at the pictures before you commit them.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -27,7 +27,7 @@ std::vector<GoldenPicture> all_pictures() {
     return all;
 }
 
-/// Returns the pictures of the rows, or all where none is named. @throws UsageError naming the nearest row
+/// Returns the pictures of the rows, or all pictures without rows. @throws UsageError naming the nearest row
 std::vector<GoldenPicture> chosen_pictures(const std::vector<std::string>& rows) {
     const std::vector<GoldenPicture> all = all_pictures();
     if (rows.empty()) return all;

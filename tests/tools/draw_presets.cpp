@@ -1,5 +1,5 @@
-// draw_presets FOLDER: draws every built-in preset on the driver at hand, as KEY.rgba (8 bits a channel) and
-// KEY.visibility (floats), top row first, and prints which driver that was and each preset's key.
+// draw_presets FOLDER: draws every built-in preset on the driver at hand and prints the driver's name and each preset's
+// key. Files are KEY.rgba (8 bits a channel) and KEY.visibility (floats), top row first.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -27,7 +27,7 @@ void draw(const std::filesystem::path& folder) {
         request.outputs = {.colour = true, .visibility = true};
         const si::FrameResult frame = renderer.render(session.scene, session.settings, request);
         write(folder / (preset.key + ".rgba"), renderer.read_colour(frame.colour).data);
-        // No visibility texture is made where no light casts.
+        // No visibility texture is made without a casting light.
         write(folder / (preset.key + ".visibility"),
               frame.visibility.texture ? renderer.read_float(frame.visibility, 1).data : std::vector<float>());
         std::printf("%s\n", preset.key.c_str());

@@ -1,4 +1,4 @@
-// The panel of advice: what its buttons wish for, what it shows, and that what is applied is one step of undo.
+// Tests of the advice panel: requests of its buttons, displayed figures, and undo of applied advice.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -60,7 +60,7 @@ protected:
     }
 };
 
-TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
+TEST_F(AdvicePanelTest, RequestsAdviceAndTheAutopilotWithItsBounds) {
     click_on("controls", "", "Run");
     ASSERT_TRUE(ui.last_requests.find_advice);
     EXPECT_FALSE(ui.last_requests.find_advice->max_error);
@@ -82,7 +82,7 @@ TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
     EXPECT_TRUE(ui.last_requests.cancel_advice);
 }
 
-TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
+TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
     ui.advice.advice = &report;
     ui.advice.advice_current = true;
     ui.frames(3);
@@ -108,14 +108,14 @@ TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
     EXPECT_EQ(ui.state.history.undo(), before) << "both settings in one step";
 }
 
-TEST_F(AdvicePanelTest, SaysWhenItIsOfOtherSettings) {
+TEST_F(AdvicePanelTest, MarksAdviceForOtherSettings) {
     ui.advice.advice = &report;
     ui.advice.advice_current = false;
     ui.frames(3);
     EXPECT_NE(printed_by(ui).find(without_spaces("of other settings: run again")), std::string::npos);
 }
 
-TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
+TEST_F(AdvicePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     AutopilotResult flight;
     flight.goals_met = true;
     flight.summary = "hard at 512 holds it";

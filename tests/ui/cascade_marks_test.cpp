@@ -1,4 +1,4 @@
-// What the editor says and draws of a light's cascades.
+// Tests of cascade names and marks in the editor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,26 +13,26 @@
 namespace si::test {
 namespace {
 
-/// @param text without its spaces
-bool prints(const UiHarness& ui, const std::u32string& text) {
+/// Returns whether the frame shows a text. @param text without its spaces
+bool shows_text(const UiHarness& ui, const std::u32string& text) {
     return ui.printed().find(text) != std::u32string::npos;
 }
 
-TEST(CascadeMarks, TheMapViewerNamesTheShownOne) {
+TEST(CascadeMarks, MapViewerNamesTheShownCascade) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
-    EXPECT_FALSE(prints(ui, U"cascade"));
+    EXPECT_FALSE(shows_text(ui, U"cascade"));
     ui.state.settings.lights[0].cascades = 3;
     ui.state.settings.view.face = 1;
     ui.frames(3);
-    EXPECT_TRUE(prints(ui, U"cascade2of3"));
+    EXPECT_TRUE(shows_text(ui, U"cascade2of3"));
     ui.state.settings.view.face = 5;
     ui.frames(3);
-    EXPECT_TRUE(prints(ui, U"cascade3of3")) << "past the last is the last";
+    EXPECT_TRUE(shows_text(ui, U"cascade3of3")) << "past the last is the last";
 }
 
-// The choice is among the maps that the shown light has, wherever it is made.
-TEST(CascadeMarks, ViewsAreChosenByNameAmongThoseThatThereAre) {
+// Views are listed among the maps of the shown light, in every place of the choice.
+TEST(CascadeMarks, OnlyExistingViewsAreListedByName) {
     UiHarness ui(kWidth, kHeight);
     Settings& s = ui.state.settings;
     const Camera camera = make_camera(ui.scene, s, 1.5);
@@ -55,7 +55,7 @@ TEST(CascadeMarks, ViewsAreChosenByNameAmongThoseThatThereAre) {
     s.lights[0].type = LightType::Point;
     EXPECT_EQ(names(), (std::vector<std::string>{"face +x", "face -x", "face +y", "face -y", "face +z", "face -z"}));
     EXPECT_TRUE(view_choices(s, nullptr, "view.face").empty());
-    // In the settings, too.
+    // The settings list the same views.
     s.view.face = 0;
     const auto printed = [&] {
         ui.frames(4);
@@ -69,7 +69,7 @@ TEST(CascadeMarks, ViewsAreChosenByNameAmongThoseThatThereAre) {
     EXPECT_EQ(printed(), in_map_viewer + 1);
 }
 
-TEST(CascadeMarks, OfALightThatIsFittedToTheCameraOnlyTheDirectionIsMoved) {
+TEST(CascadeMarks, OnlyTheDirectionOfACameraFittedLightMoves) {
     UiHarness ui(kWidth, kHeight);
     Settings& s = ui.state.settings;
     const auto pose = [&] {

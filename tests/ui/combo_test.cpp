@@ -1,5 +1,4 @@
-// Combos of the toolbars and settings: one press goes from one to the next, and a text without room ends in an
-// ellipsis.
+// Tests of combo boxes: one press moves from one combo to the next, and long texts end in an ellipsis.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -13,7 +12,7 @@
 namespace si::test {
 namespace {
 
-/// Of the map's header the combo of a setting.
+/// Finds a setting's combo in the map's header.
 ImGuiID combo_in_map(const char* key) {
     for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
         if (w->WasActive && std::string_view(w->Name).starts_with("editor/map_"))
@@ -21,7 +20,7 @@ ImGuiID combo_in_map(const char* key) {
     return 0;
 }
 
-bool only_open(ImGuiID combo) {
+bool is_only_open(ImGuiID combo) {
     const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
     return open.Size == 1 && open[0].PopupId == ImHashStr("##ComboPopup", 0, combo);
 }
@@ -30,7 +29,7 @@ bool none_open() {
     return ImGui::GetCurrentContext()->OpenPopupStack.Size == 0;
 }
 
-TEST(Combo, ThePressThatClosesOneOpensTheNext) {
+TEST(Combo, PressThatClosesOneOpensTheNext) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     const ImGuiID source = combo_in_map("view.map_source"), shown = combo_in_map("view.map");
@@ -38,19 +37,19 @@ TEST(Combo, ThePressThatClosesOneOpensTheNext) {
                at_shown = ui.find("editor/map", "view.map", "##value");
     ASSERT_TRUE(at_source && at_shown);
     ui.click(*at_source);
-    EXPECT_TRUE(only_open(source));
+    EXPECT_TRUE(is_only_open(source));
     ui.click(*at_shown);
-    EXPECT_TRUE(only_open(shown)) << "which is drawn after it";
+    EXPECT_TRUE(is_only_open(shown)) << "which is drawn after it";
     ui.click(*at_source);
-    EXPECT_TRUE(only_open(source)) << "which is drawn before it";
+    EXPECT_TRUE(is_only_open(source)) << "which is drawn before it";
     ui.click(*at_source);
     EXPECT_TRUE(none_open()) << "a press on its own combo closes a list";
     const auto file = ui.find("editor/top", "", "File");
     ASSERT_TRUE(file);
     ui.click(*file);
     ui.click(*at_shown);
-    EXPECT_TRUE(only_open(shown)) << "a menu was open";
-    // What is pressed there is chosen.
+    EXPECT_TRUE(is_only_open(shown)) << "a menu was open";
+    // The pressed row is selected.
     const MapView before = ui.state.settings.view.map;
     ui.frames(2);
     const int wanted = before == MapView::Raw ? 1 : 0;
@@ -64,7 +63,7 @@ TEST(Combo, ThePressThatClosesOneOpensTheNext) {
     EXPECT_TRUE(none_open());
 }
 
-TEST(Combo, OtherPlacesOnlyCloseAList) {
+TEST(Combo, PressElsewhereOnlyClosesTheList) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     const auto at = ui.find("editor/map", "view.map_source", "##value");
@@ -75,7 +74,7 @@ TEST(Combo, OtherPlacesOnlyCloseAList) {
     EXPECT_FALSE(ui.state.probe_pixel) << "the press is not the scene's";
 }
 
-TEST(Combo, ATextWithoutRoomEndsInAnEllipsis) {
+TEST(Combo, LongTextEndsInAnEllipsis) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings.lights[0].cascades = 3;
     ui.frames(3);

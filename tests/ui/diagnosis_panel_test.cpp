@@ -1,4 +1,5 @@
-// The dossier in the probe panel and the search for the least bias: buttons, undo, progress, and both on real frames.
+// Tests of the pixel diagnosis in the probe panel and of the search for the minimum bias: buttons, undo, progress, real
+// frames.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ PixelDiagnosis acne_diagnosis() {
     return d;
 }
 
-TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
+TEST(DiagnosisPanel, FixIsOneUndoStep) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
@@ -42,11 +43,11 @@ TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
-TEST(DiagnosisPanel, TheFixShowsItsEquivalentBiasWhereThereIsRoom) {
+TEST(DiagnosisPanel, FixShowsItsEquivalentBiasIfItFits) {
     const PixelDiagnosis d = acne_diagnosis();
-    SuggestedFix worth = *d.fix;
-    worth.equivalent_bias_texels = 1.804;
-    EXPECT_EQ(fix_text(worth, Settings{}) + equivalent_bias_text(worth),
+    SuggestedFix equivalent = *d.fix;
+    equivalent.equivalent_bias_texels = 1.804;
+    EXPECT_EQ(fix_text(equivalent, Settings{}) + equivalent_bias_text(equivalent),
               "Slope bias 4.5 texels (equivalent depth bias 1.8 texels)");
     EXPECT_EQ(equivalent_bias_text(*d.fix), "");
     const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
@@ -55,13 +56,13 @@ TEST(DiagnosisPanel, TheFixShowsItsEquivalentBiasWhereThereIsRoom) {
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
     ui.diagnoses = {d};
-    ui.diagnoses[0].fix = worth;
+    ui.diagnoses[0].fix = equivalent;
     ui.frames(5);
     EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (equivalent depth bias")) << "with letters that no edge cuts";
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
 }
 
-TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
+TEST(DiagnosisPanel, DrawsDuringReferenceTracingAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -76,7 +77,7 @@ TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
     }
 }
 
-TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
+TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     UiHarness ui(1280, 720);
     ui.frames(4);
     const auto button = ui.find("/rows_", "bias", "Auto bias");
@@ -106,7 +107,7 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     EXPECT_TRUE(ui.last_requests.cancel_tune);
 }
 
-TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
+TEST(TuneControls, SearchIsDisabledWithoutAMap) {
     UiHarness ui(1280, 720);
     ui.state.settings.lights[0].source = 1;
     ASSERT_FALSE(source_of(ui.state.settings, 0).needs.map);
@@ -120,7 +121,7 @@ TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
     }
 }
 
-TEST(KernelMarks, TapsAreColouredByWhatTheyMeet) {
+TEST(KernelMarks, TapsAreColouredByTheirResult) {
     KernelTap lit{.weight = 1, .lit = true}, own{.weight = 1, .lit = false, .meets = KernelTap::Meets::Own},
         dark{.weight = 1, .lit = false, .meets = KernelTap::Meets::Nearer}, light{.weight = 0.1, .lit = true};
     EXPECT_NE(tap_colour(lit, 1), tap_colour(dark, 1));
@@ -138,11 +139,11 @@ EditorOptions boxes() {
     return o;
 }
 
-TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
+TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorState& state = editor.model().state;
-    // A pixel that acne darkens: some on a grid of the picture.
+    // Finds a pixel darkened by acne, on a grid over the picture.
     const PixelDiagnosis* found = nullptr;
     PixelDiagnosis diagnosis;
     for (int y = 100; y < 400 && !found; y += 12)
@@ -168,7 +169,7 @@ TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
     EXPECT_TRUE(after.diagnoses[0].right) << after.diagnoses[0].verdict;
 }
 
-TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
+TEST(EditorTuning, FindsTheMinimumBiasInTheBackgroundAsOneUndoStep) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorModel& model = editor.model();
@@ -208,7 +209,7 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     EXPECT_FALSE(model.facts().tuned_current);
 }
 
-TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
+TEST(EditorTuning, IsNotAppliedToOtherSettings) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorModel& model = editor.model();

@@ -1,3 +1,4 @@
+// Reader for text on the screen, from glyph quads of Dear ImGui.
 #include "tests/ui/drawn_text.h"
 
 #include "renderer/base/key.h"
@@ -5,7 +6,7 @@
 
 namespace si::test {
 
-/// Of a glyph's lower and upper corner together.
+/// Returns a key of a glyph's two opposite corners in the atlas.
 std::uint64_t DrawnText::place(const ImVec2& lo, const ImVec2& hi) {
     Key key;
     return key.add(lo.x).add(lo.y).add(hi.x).add(hi.y).value();
@@ -20,7 +21,7 @@ DrawnText::DrawnText() {
         ImFontGlyph missing = *font->FallbackGlyph;
         missing.Visible = 1;
         missing.U0 = missing.V0 = 2;
-        missing.U1 = missing.V1 = 3;  // no place in the atlas
+        missing.U1 = missing.V1 = 3;  // a position outside the atlas
         missing_.push_back(missing);
         font->FallbackGlyph = &missing_.back();
     }
@@ -42,7 +43,7 @@ std::vector<DrawnText::Letter> DrawnText::letters() const {
             const auto found = lo.x < hi.x ? letters_.find(place(lo, hi)) : letters_.end();
             const ImVec4& clip = clips[std::size_t(i)];
             const ImVec2 a = v[i].pos, b = v[i + 2].pos;
-            constexpr float kOverhang = 1;  // of a letter at the beginning of a line
+            constexpr float kOverhang = 1;  // overhang of the first letter of a line, pixels
             const bool whole = a.x >= clip.x - kOverhang && a.y >= clip.y && b.x <= clip.z + kOverhang && b.y <= clip.w;
             if (found != letters_.end()) out.push_back({found->second, a, b, whole});
             i += found != letters_.end() ? 4 : 1;

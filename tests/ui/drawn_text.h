@@ -1,4 +1,4 @@
-// The text that is on the screen, read back from what Dear ImGui hands to the GPU: every glyph's quad names its letter.
+// Reader for text on the screen. Each glyph quad that Dear ImGui hands to the GPU gives its letter.
 #pragma once
 
 #include <imgui.h>
@@ -12,36 +12,42 @@
 
 namespace si::test {
 
+/// Text of the last ImGui frame, read from glyph quads. Needs a current ImGui context.
 class DrawnText {
 public:
-    /// After the fonts are in the atlas. Letters that a font lacks become ones that can be told.
+    /// Indexes the glyphs of the font atlas, which must be complete. Letters missing in a font get a recognisable
+    /// placeholder.
     DrawnText();
     DrawnText(const DrawnText&) = delete;
     DrawnText& operator=(const DrawnText&) = delete;
 
-    /// Of the last ImGui::Render(): all letters in the order of drawing, without spaces. Letters cut off at an edge are
-    /// left out, ones that the font lacks are U+FFFD.
+    /// Returns all letters of the last ImGui::Render() in drawing order, without spaces. Letters cut off at an edge are
+    /// left out; letters missing in the font are U+FFFD.
     std::u32string read() const;
-    /// The middle of a text on the screen, written without spaces: the `which`-th of all, from 0. Letters that follow
-    /// each other in a line count. Nothing where it is not drawn, or an edge cuts it.
+    /// Returns the centre in pixels of the `which`-th (from 0) occurrence of a text, which is given without spaces.
+    /// Letters must be neighbours in one line. Returns nothing if the text is not drawn or cut off.
     std::optional<ImVec2> find(std::u32string_view text, int which = 0) const;
-    /// What is wrong with it; empty when nothing is.
+    /// Returns an encoding fault of the drawn text; empty without one.
     std::string fault() const;
 
+    /// One drawn letter and its box on the screen.
     struct Letter {
         char32_t letter;
-        ImVec2 lo, hi;  ///< on the screen
-        bool whole;     ///< no edge of a panel, a list or a column cuts it
+        ImVec2 lo, hi;  ///< corners on the screen, pixels
+        bool whole;     ///< true unless an edge of a panel, a list or a column cuts the letter
     };
+    /// Returns all drawn letters, cut ones included.
     std::vector<Letter> letters() const;
-    /// Whether a text, written without spaces, can be read in whole somewhere; it may go on in further lines.
+    /// Returns whether a text is readable in full somewhere. The text is given without spaces and may continue in
+    /// further lines.
     bool shows(std::u32string_view text) const;
+    /// Returns whether an ASCII text, spaces aside, is readable in full somewhere.
     bool shows(const std::string& ascii) const;
 
 private:
     static std::uint64_t place(const ImVec2& lo, const ImVec2& hi);
-    std::unordered_map<std::uint64_t, char32_t> letters_;  ///< by two opposite corners of the glyph in the atlas
-    std::vector<ImFontGlyph> missing_;                     ///< for each font
+    std::unordered_map<std::uint64_t, char32_t> letters_;  ///< letters by two opposite glyph corners in the atlas
+    std::vector<ImFontGlyph> missing_;                     ///< placeholder glyph of each font
 };
 
 }  // namespace si::test

@@ -1,4 +1,4 @@
-// Sweeps behind the editor: on a thread of their own, kept in a journal, cancelled and gone on with.
+// Tests of sweeps in the editor: run in a thread, kept in a journal, cancelled and continued.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -47,7 +47,7 @@ struct Swept {
     }
 };
 
-TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
+TEST(EditorSweep, MeasuresInTheBackground) {
     Swept s(boxes());
     s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
     EXPECT_TRUE(s.editor.model().measuring());
@@ -65,7 +65,7 @@ TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
     EXPECT_NE(s.state().settings.bias.constant, 0.7);
 }
 
-TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
+TEST(EditorSweep, CurrentSettingsAreAMovingDot) {
     Swept s(boxes());
     s.state().sweep.width = 64;
     s.state().sweep.height = 48;
@@ -84,7 +84,7 @@ TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
     EXPECT_EQ(s.facts().view.present->cost, 2048 * 2048);
 }
 
-TEST(EditorSweep, OtherSettingsOfThePictureAreComparedWithThoseBefore) {
+TEST(EditorSweep, ChangedPictureSettingsAreComparedWithThePrevious) {
     Swept s(boxes());
     EditorState& state = s.state();
     state.sweep.width = 64;
@@ -117,14 +117,13 @@ TEST(EditorSweep, OtherSettingsOfThePictureAreComparedWithThoseBefore) {
     EXPECT_FALSE(s.facts().view.before) << "of another picture";
 }
 
-TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
+TEST(EditorSweep, CancelledSweepContinues) {
     const fs::path state = fresh_test_folder();
     std::size_t kept = 0;
     {
         Swept s(boxes(state));
         s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
-        // Cancelled as soon as something is measured. An editor that never rests would keep a software driver's
-        // threads.
+        // Cancelled after the first result. An editor that never idles would starve a software driver's threads.
         while (s.facts().cases.empty() && s.editor.model().measuring()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             s.editor.frame();
@@ -143,7 +142,7 @@ TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
     s.editor.settle();
     EXPECT_EQ(s.facts().cases.size(), 4u);
     EXPECT_TRUE(file_bytes(state / "sweep-1" / kJournalFile).starts_with(journal)) << "nothing is measured twice";
-    // Another sweep takes the place of the finished one.
+    // Another sweep replaces the finished one.
     SweepRequest other = kSweepRequest;
     other.axes = {"bias.constant=0,1"};
     s.ask([&](EditorRequests& a) { a.start_sweep = other; });
@@ -152,10 +151,10 @@ TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
     EXPECT_FALSE(fs::exists(state / "sweep-2"));
 }
 
-TEST(EditorSweep, CancelledBeforeItFoundAnythingItLeavesNothing) {
+TEST(EditorSweep, CancelledBeforeItsFirstResultLeavesNothing) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_left";
     fs::remove_all(state);
-    fs::create_directories(state / "sweep-1");  // somebody else's
+    fs::create_directories(state / "sweep-1");  // somebody else's folder
     Swept s(boxes(state));
     s.ask([](EditorRequests& a) {
         a.start_sweep = kSweepRequest;
@@ -172,7 +171,7 @@ TEST(EditorSweep, CancelledBeforeItFoundAnythingItLeavesNothing) {
     EXPECT_FALSE(fs::exists(state / "sweep-1"));
 }
 
-TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
+TEST(EditorSweep, CasesWithoutTimesArePlottedOverAnotherCost) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_without_times";
     fs::remove_all(state);
     Swept s(boxes(state));
@@ -200,7 +199,7 @@ TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
     EXPECT_TRUE(fs::exists(state / "sweep-1")) << "what was found is worth keeping";
 }
 
-TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
+TEST(EditorSweep, SavedAndOpenedSweepIsTheSame) {
     const fs::path folder = fresh_test_folder();
     {
         Swept s(boxes());
@@ -222,7 +221,7 @@ TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
     EXPECT_EQ(s.state().sweep.axes[1].values, "64,256");
 }
 
-TEST(EditorSweep, ErrorsOfAnotherMeaningAreNotOpened) {
+TEST(EditorSweep, ErrorsOfAnotherDefinitionAreNotOpened) {
     const FakeSweep old(fresh_test_folder());
     FakeMeter meter;
     old.run(meter, 2);
@@ -237,7 +236,7 @@ TEST(EditorSweep, ErrorsOfAnotherMeaningAreNotOpened) {
     EXPECT_THROW(EditorSweep({}).open(old.folder, panel), Error);
 }
 
-TEST(EditorSweep, WhatCannotBeSweptIsSaid) {
+TEST(EditorSweep, ReportsAxesThatCannotBeSwept) {
     Swept s(boxes());
     SweepRequest request = kSweepRequest;
     request.axes = {"no.such=1"};

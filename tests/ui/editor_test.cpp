@@ -1,4 +1,4 @@
-// The whole editor with the real renderer, drawn through EGL: what it shows is what the renderer drew.
+// Tests of the whole editor with the real renderer, drawn through EGL: the shown pictures are the renderer's.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -26,7 +26,7 @@ EditorOptions options(int width, int height, const std::vector<std::string>& set
     return o;
 }
 
-/// The log holds no line worse than information.
+/// Expects no line worse than information in the log.
 void expect_calm(const HeadlessEditor& editor) {
     for (const LogLine& line : const_cast<HeadlessEditor&>(editor).model().state.log.lines())
         EXPECT_EQ(line.kind, LogKind::Info) << line.text;
@@ -49,7 +49,7 @@ TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     HeadlessEditor editor(options(width, height, {"view.overlay=depth-difference"}));
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
     editor.model().state.window.open_tab = BottomTab::Probe;
-    editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read where the mouse is
+    editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read at the mouse position
     editor.settle();
     const ByteImage picture = editor.picture();
     write_png(kOut / ("editor_" + std::to_string(width) + "x" + std::to_string(height) + ".png"), picture);
@@ -65,7 +65,7 @@ TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
 INSTANTIATE_TEST_SUITE_P(Sizes, EditorSizes,
                          testing::Values(std::pair{1280, 720}, std::pair{1920, 1080}, std::pair{3840, 2160}));
 
-TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
+TEST(Editor, ShowsThePixelsOfTheRenderer) {
     HeadlessEditor editor(options(1280, 720, {"view.frustum=false", "view.axes=false"}));
     editor.settle();
     const ByteImage whole = editor.picture();
@@ -76,7 +76,7 @@ TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
     request.height = result.colour.height;
     const Scene scene = load_scene("boxes");
     const ByteImage alone = renderer.read_colour(renderer.render(scene, editor.model().state.settings, request).colour);
-    // Look for the picture near the upper left corner: it must be there to the bit.
+    // Search for the picture near the upper left corner; every bit must match.
     const auto equal_at = [&](int x0, int y0) {
         for (int y = 0; y < alone.height; y += 7)
             for (int x = 0; x < alone.width; x += 7) {
@@ -92,7 +92,7 @@ TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
     EXPECT_TRUE(found);
 }
 
-TEST(Editor, DrawsTheSceneAgainOnlyWhenSomethingChanged) {
+TEST(Editor, RedrawsTheSceneOnlyAfterAChange) {
     HeadlessEditor editor(options(1280, 720));
     editor.settle();
     const EditorRequests still = editor.frame();
@@ -102,9 +102,9 @@ TEST(Editor, DrawsTheSceneAgainOnlyWhenSomethingChanged) {
     EXPECT_FALSE(editor.model().fulfil(still));
 }
 
-TEST(Editor, EveryOverlayAndMapView) {
+TEST(Editor, DrawsEveryOverlayAndMapView) {
     HeadlessEditor editor(options(1280, 720));
-    editor.mouse.at = glm::vec2(200, 250);  // numbers are read where the mouse is
+    editor.mouse.at = glm::vec2(200, 250);  // numbers are read at the mouse position
     editor.settle();
     const std::size_t overlays = find_setting("view.overlay")->param->choices().size();
     for (std::size_t overlay = 0; overlay < overlays; ++overlay) {
@@ -119,7 +119,7 @@ TEST(Editor, EveryOverlayAndMapView) {
     expect_calm(editor);
 }
 
-TEST(Editor, EveryKindOfLightEveryFace) {
+TEST(Editor, DrawsEveryKindOfLightAndEveryFace) {
     HeadlessEditor editor(options(1280, 720));
     editor.settle();
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
@@ -135,7 +135,7 @@ TEST(Editor, EveryKindOfLightEveryFace) {
     expect_calm(editor);
 }
 
-TEST(Editor, APresetSavedAndOpenedIsTheSame) {
+TEST(Editor, SavedAndOpenedPresetIsTheSame) {
     const std::filesystem::path file = kOut / "editor_saved.json";
     std::filesystem::remove(file);
     HeadlessEditor editor(options(1280, 720));
@@ -158,7 +158,7 @@ TEST(Editor, APresetSavedAndOpenedIsTheSame) {
     expect_calm(editor);
 }
 
-TEST(Editor, AFileThatCannotBeOpenedIsALineInTheLog) {
+TEST(Editor, UnreadableFileIsALineInTheLog) {
     const std::filesystem::path broken = kOut / "broken_preset.json";
     std::ofstream(broken) << "{\"format\": 3";
     HeadlessEditor editor(options(1280, 720));
@@ -179,7 +179,7 @@ TEST(Editor, AFileThatCannotBeOpenedIsALineInTheLog) {
     ASSERT_TRUE(editor.model().facts().result) << "the editor goes on with the scene it had";
 }
 
-TEST(Editor, AnotherSceneBringsItsSuggestionsAndKeepsWhatWasChosen) {
+TEST(Editor, AnotherSceneAppliesItsSuggestionsAndKeepsChosenSettings) {
     HeadlessEditor editor(options(1280, 720));
     editor.settle();
     editor.model().state.settings.bias.constant = 7;
@@ -193,7 +193,7 @@ TEST(Editor, AnotherSceneBringsItsSuggestionsAndKeepsWhatWasChosen) {
     expect_calm(editor);
 }
 
-TEST(Editor, TheCommandLineNamesWhatWasChanged) {
+TEST(Editor, CommandLineNamesChangedSettings) {
     const Scene scene = load_scene("boxes");
     Settings s = base_settings(scene);
     EXPECT_EQ(command_line("boxes", scene, s, 640, 480), "shadow-inspector render boxes -o out.png --size 640x480");
@@ -204,7 +204,7 @@ TEST(Editor, TheCommandLineNamesWhatWasChanged) {
               "--set 'object.It'\\''s a node.cast=false'");
 }
 
-TEST(Editor, ProbeMarksTheMapsTexel) {
+TEST(Editor, ProbeMarksItsTexelInTheMap) {
     HeadlessEditor editor(options(1280, 720));
     editor.settle();
     editor.mouse.at = glm::vec2(270, 330);

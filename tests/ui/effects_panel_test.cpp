@@ -1,4 +1,4 @@
-// The effects panel: what it shows and asks for, what a click on a box does, and that hidden it costs nothing.
+// Tests of the effects panel: displayed states, requests, clicks on a checkbox, and no cost while hidden.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ const std::vector<Effect>& made_up_effects() {
     return all;
 }
 
-TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
+TEST(EffectsPanel, ShowsStateReasonAndSavingOfEachEffect) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
@@ -70,7 +70,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_NE(letters(ui).find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
 }
 
-TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
+TEST(EffectsPanel, NarrowWindowDropsSavingsThenReasons) {
     const auto shown = [](UiHarness& ui) {
         ui.state.window.open_tab = BottomTab::Effects;
         ui.effects.effects = made_up_effects();
@@ -98,7 +98,7 @@ TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
     EXPECT_TRUE(ui.drawn().shows("light.7.cast is off.")) << "its name says why";
 }
 
-TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
+TEST(EffectsPanel, ReasonsAreReadableInASmallWindow) {
     for (const int width : {1280, 1600}) {
         UiHarness ui(width, 2600);
         ui.state.layout = {.bottom_height = 130};
@@ -117,7 +117,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
     }
 }
 
-TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
+TEST(EffectsPanel, TimesOfSkippedPassesAreGreyAndFramesAreALine) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     std::vector<Effect> effects = made_up_effects();
@@ -134,7 +134,7 @@ TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
     EXPECT_TRUE(ui.drawn().shows("2 frames in the last 30 s, at most 3 ms"));
 }
 
-TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
+TEST(EffectsPanel, TimesAreKeptForSecondsOnEveryTab) {
     FrameTimes times;
     FrameResult frame;
     frame.passes = {{.name = "map", .state = PassState::Drawn, .gpu_ms = 2, .category = PassCategory::Maps},
@@ -170,7 +170,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
     EXPECT_FALSE(ui.drawn().shows("last timed"));
 }
 
-TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
+TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
@@ -183,7 +183,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     ASSERT_TRUE(reset);
     ui.click(*reset);
     EXPECT_TRUE(ui.state.effects.forced.empty());
-    // By the row's own box, which lies in the last column.
+    // The row's checkbox, in the last column.
     bool clicked = false;
     for (float y = 680; y < 990 && !clicked; y += 6)
         for (float x = 1400; x < 1530 && !clicked; x += 8) {
@@ -197,7 +197,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     EXPECT_EQ(ui.state.settings, before) << "a tool, no setting";
 }
 
-TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
+TEST(EffectsPanel, RequestsAndCancelsAMeasurement) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     ui.frames(4);
@@ -230,7 +230,7 @@ const Effect* shown_effect(const EditorFrame& facts, std::string_view name) {
     return nullptr;
 }
 
-TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
+TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
     HeadlessEditor editor(editor_of("boxes"));
     editor.settle();
     EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
@@ -246,7 +246,7 @@ TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
     EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";
 }
 
-TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
+TEST(EditorEffects, LoupeAndComparisonAreListedWhileShown) {
     HeadlessEditor editor(editor_of("boxes"));
     EditorState& state = editor.model().state;
     const auto state_of = [&](std::string_view name) {
@@ -265,42 +265,42 @@ TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
     EXPECT_EQ(state_of("panel: cross-section"), EffectState::NotNeeded) << "its panel is hidden";
 }
 
-TEST(EditorEffects, TheNextArtefactIsLookedForOnceAndToldOf) {
+TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
     HeadlessEditor editor(editor_of("boxes", {"bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
     EditorState& state = editor.model().state;
-    const auto told = [&] {
+    const auto listed = [&] {
         editor.settle();
         const Effect* e = shown_effect(editor.model().facts(), "panel: next artefact");
         return e ? *e : Effect{};
     };
-    EXPECT_EQ(told().state, EffectState::NotNeeded);
+    EXPECT_EQ(listed().state, EffectState::NotNeeded);
     state.artefacts = {Artefact::Acne, 1};
-    const Effect found = told();
+    const Effect found = listed();
     EXPECT_EQ(found.state, EffectState::Drawn) << found.reason;
     state.settings.shading.exposure += 0.5;
-    const Effect kept = told();
+    const Effect kept = listed();
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
     EXPECT_EQ(kept.reason.substr(0, kept.reason.find(' ')), found.reason.substr(0, found.reason.find(' ')));
     EXPECT_GT(std::stoi(found.reason), 0) << found.reason;
     state.artefacts.number = 2;
-    EXPECT_EQ(told().state, EffectState::Drawn);
+    EXPECT_EQ(listed().state, EffectState::Drawn);
 }
 
-TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
+TEST(EditorEffects, ForcedFrameIsRedrawnAndLooksTheSame) {
     HeadlessEditor editor(editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true"}));
     editor.settle();
-    const auto spared = [&] {
+    const auto skipped = [&] {
         const Effect* e = shown_effect(editor.model().facts(), "look-ups of light 0");
         return e && e->state == EffectState::NotNeeded;
     };
-    EXPECT_TRUE(spared());
+    EXPECT_TRUE(skipped());
     editor.model().state.effects.forced = {Optimisation::DeadPasses};
     editor.settle();
-    EXPECT_FALSE(spared());
+    EXPECT_FALSE(skipped());
     EXPECT_GT(editor.model().facts().result->pass("visibility")->draws, 0u);
 }
 
-TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
+TEST(EditorEffects, SavingsAreMeasuredInTheBackground) {
     HeadlessEditor editor(
         editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));
     editor.settle();

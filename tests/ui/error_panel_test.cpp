@@ -1,5 +1,4 @@
-// The error panel, the artefact legend and the picture against another over made-up facts: that they fit, and what they
-// ask for.
+// Tests of the error panel, the artefact legend and the picture comparison over made-up facts: layout and requests.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -41,7 +40,7 @@ ReferenceFacts made_up_reference() {
             .height = 480};
 }
 
-/// Colours of all vertices of the last frame.
+/// Returns the colours of all vertices of the last frame.
 std::set<ImU32> colours() {
     std::set<ImU32> out;
     const ImDrawData* data = ImGui::GetDrawData();
@@ -85,7 +84,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
     }
 }
 
-TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
+TEST(ErrorPanel, LongTextEndsInAnEllipsis) {
     for (const int width : {1280, 1920}) {
         UiHarness ui(width, 900);
         ui.state.window.open_tab = BottomTab::Error;
@@ -106,7 +105,7 @@ TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
     }
 }
 
-TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
+TEST(ErrorPanel, RequestsNumbersOnlyWhileShown) {
     UiHarness ui(1280, 720);
     EXPECT_FALSE(ui.frames(3).want_error);
     ui.state.window.open_tab = BottomTab::Error;
@@ -119,7 +118,7 @@ TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
     EXPECT_FALSE(ui.frames(2).want_error);
 }
 
-TEST(ErrorPanel, TheLegendHasEveryColour) {
+TEST(ErrorPanel, LegendHasEveryColour) {
     UiHarness ui(1280, 720);
     set_setting(ui.state.settings, "view.overlay", "artefacts");
     ui.reference = made_up_reference();
@@ -130,7 +129,7 @@ TEST(ErrorPanel, TheLegendHasEveryColour) {
     ui.frames(2);
 }
 
-TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
+TEST(PictureComparison, EveryViewFitsAndNamesMissingParts) {
     for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
         ui.reference = made_up_reference();
@@ -155,7 +154,7 @@ TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
     }
 }
 
-TEST(PictureComparison, TheLineIsDraggedAndNothingElse) {
+TEST(PictureComparison, DragMovesOnlyTheLine) {
     UiHarness ui(1280, 720);
     ui.state.comparison = {.view = ComparisonView::Swipe};
     ui.frames(3);

@@ -1,3 +1,4 @@
+// Private message bus and fake desktop portal.
 #if defined(SI_FILE_PORTAL)
 #include "tests/ui/fake_portal.h"
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char *kChooser = "org.freedesktop.portal.FileChooser", *kRequest = "org.freedesktop.portal.Request";
 
-/// There is a socket a moment before anybody listens at it.
+/// Returns whether somebody listens at the socket; the file exists a moment earlier.
 bool takes_clients(const fs::path& socket_file) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -43,7 +44,7 @@ bool within_minutes(const std::function<bool()>& done) {
 
 PrivateBus::PrivateBus(const fs::path& folder)
     : socket_(fs::temp_directory_path() / fmt::format("shadow-inspector-bus-{}", getpid())) {
-    // The desktop's own configuration would start the services of the machine that runs the tests.
+    // The desktop's own configuration would start services of the machine under test.
     std::ofstream(folder / "bus.conf") << fmt::format(
         "<busconfig><type>session</type><listen>unix:path={}</listen><auth>EXTERNAL</auth>\n"
         "<policy context=\"default\"><allow send_destination=\"*\" eavesdrop=\"true\"/><allow eavesdrop=\"true\"/>\n"

@@ -1,4 +1,4 @@
-// A message bus of the test's own, and a desktop's portal on it that does what the test says.
+// Private message bus with a fake desktop portal that tests control.
 #pragma once
 
 #include <sdbus-c++/sdbus-c++.h>
@@ -17,12 +17,13 @@
 
 namespace si::test {
 
-/// Waits until it is so, against a hang only: no machine is so slow.
+/// Waits until `done` returns true. Returns false after minutes, as a bound against hangs.
 bool within_minutes(const std::function<bool()>& done);
 
-/// A bus on which nobody offers anything. $DBUS_SESSION_BUS_ADDRESS names it while it lives.
+/// Message bus without services. $DBUS_SESSION_BUS_ADDRESS names the bus during the lifetime of the object.
 class PrivateBus {
 public:
+    /// Starts the bus with its socket in `folder`.
     explicit PrivateBus(const std::filesystem::path& folder);
     ~PrivateBus();
     PrivateBus(const PrivateBus&) = delete;
@@ -33,12 +34,13 @@ private:
     std::unique_ptr<Process> daemon_;
 };
 
-/// org.freedesktop.portal.Desktop as its documentation describes it, without a person.
+/// Fake of org.freedesktop.portal.Desktop: records file dialogs and answers them as the test says.
 class FakePortal {
 public:
     using Options = std::map<std::string, sdbus::Variant>;
+    /// One request for a file dialog.
     struct Question {
-        std::string method, parent_window, title, request;  ///< `request`: the path of the object that answers
+        std::string method, parent_window, title, request;  ///< `request`: path of the D-Bus object that answers
         Options options;
     };
 
@@ -47,14 +49,15 @@ public:
     FakePortal(const FakePortal&) = delete;
     FakePortal& operator=(const FakePortal&) = delete;
 
-    /// All so far.
+    /// Returns all requests so far.
     std::vector<Question> questions() const;
-    /// Waits until so many were put.
+    /// Waits for `count` requests. Returns false after minutes.
     bool wait_for_questions(std::size_t count) const;
-    /// The answer to one of them: 0 with what was chosen, 1 where the person closed the dialog.
+    /// Answers a request: code 0 with chosen file URIs, code 1 for a closed dialog.
     void answer(const Question& question, std::uint32_t code, const std::vector<std::string>& uris);
-    /// How many dialogs their programs closed.
+    /// Returns how many dialogs were closed by their programs.
     int closed() const;
+    /// Waits for `count` closed dialogs. Returns false after minutes.
     bool wait_for_closed(int count) const;
 
 private:

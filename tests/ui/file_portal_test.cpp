@@ -1,4 +1,4 @@
-// Files chosen in the desktop's own dialog, on a bus of the tests' own.
+// Tests of the desktop's file dialog, on a private bus.
 #if defined(SI_FILE_PORTAL)
 #include "app/editor/file_portal.h"
 
@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 using Answer = FilePortal::Answer;
 
-/// How often wake() was called, and a way to wait for the answer as the editor does, woken by it.
-struct Woken {
+/// Portal that counts calls of wake() and waits for answers as the editor does.
+struct WokenPortal {
     std::atomic<int> times = 0;
     FilePortal portal{[this] { ++times; }};
 
@@ -43,10 +43,10 @@ std::vector<std::string> names(const FakePortal::Options& options) {
     return out;
 }
 
-TEST(FilePortal, AFileIsChosen) {
+TEST(FilePortal, FileIsChosen) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
-    Woken woken;
+    WokenPortal woken;
     woken.portal.open_dialog({FileDialog::Job::Open, FileDialog::Kind::Presets, "/some where", ""}, "x11:2a");
     ASSERT_TRUE(desktop.wait_for_questions(1));
     EXPECT_FALSE(woken.portal.take_answer()) << "a person takes time";
@@ -70,10 +70,10 @@ TEST(FilePortal, AFileIsChosen) {
     EXPECT_FALSE(woken.portal.take_answer()) << "once";
 }
 
-TEST(FilePortal, AClosedDialogChoosesNothingAndANameToSaveUnderIsProposed) {
+TEST(FilePortal, ClosedDialogChoosesNothingAndSavingProposesAName) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
-    Woken woken;
+    WokenPortal woken;
     woken.portal.open_dialog({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
     ASSERT_TRUE(desktop.wait_for_questions(1));
     const FakePortal::Question question = desktop.questions()[0];
@@ -93,8 +93,8 @@ TEST(FilePortal, AClosedDialogChoosesNothingAndANameToSaveUnderIsProposed) {
     EXPECT_EQ(answer->job, FileDialog::Job::SavePreset);
 }
 
-TEST(FilePortal, WithoutADesktopOrABusThatIsSaid) {
-    Woken woken;
+TEST(FilePortal, ReportsAMissingDesktopOrBus) {
+    WokenPortal woken;
     {
         const PrivateBus bus(fresh_test_folder());
         woken.portal.open_dialog({}, "");
@@ -111,11 +111,11 @@ TEST(FilePortal, WithoutADesktopOrABusThatIsSaid) {
     EXPECT_FALSE(answer->problem.empty());
 }
 
-TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
+TEST(FilePortal, SecondRequestOrDestructionClosesTheDialog) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
     {
-        Woken woken;
+        WokenPortal woken;
         woken.portal.open_dialog({.folder = "/first"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(1));
         woken.portal.open_dialog({.folder = "/second"}, "");
@@ -133,8 +133,8 @@ TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
     EXPECT_TRUE(desktop.wait_for_closed(2)) << "with the editor";
 }
 
-TEST(FilePortal, ABusThatBreaksOffIsNoDialog) {
-    Woken woken;
+TEST(FilePortal, LostBusConnectionCountsAsNoDialog) {
+    WokenPortal woken;
     {
         const PrivateBus bus(fresh_test_folder());
         {
@@ -149,16 +149,16 @@ TEST(FilePortal, ABusThatBreaksOffIsNoDialog) {
     EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
 }
 
-TEST(FilePortal, FilesAreThoseOfThisMachine) {
+TEST(FilePortal, AcceptsOnlyFilesOfThisMachine) {
     EXPECT_EQ(path_of_file_uri("file:///a/b%20c"), "/a/b c");
     EXPECT_EQ(path_of_file_uri("file://localhost/a"), "/a");
     for (const char* none : {"", "/a", "http://a/b", "file://elsewhere/a", "file://", "file:///a%00b"})
         EXPECT_EQ(path_of_file_uri(none), "") << none;
 }
 
-TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
+TEST(DesktopDialogs, AreUsedIfAvailableAndEnabled) {
     UiHarness ui(1280, 720);
-    const auto ask = [&] {
+    const auto request_file = [&] {
         open_file_dialog(ui.state.files.dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
         const EditorRequests first = ui.frame();
         ui.frames(2);
@@ -167,7 +167,7 @@ TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
         return std::pair(first.open_desktop_dialog, own);
     };
     ui.desktop_dialogs = true;
-    const auto [request, own] = open_dialog();
+    const auto [request, own] = request_file();
     ASSERT_TRUE(request);
     EXPECT_EQ(request->job, FileDialog::Job::SavePreset);
     EXPECT_EQ(request->folder, "/tmp");
@@ -175,14 +175,14 @@ TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
     EXPECT_FALSE(own);
     EXPECT_FALSE(ui.frame().open_desktop_dialog) << "once";
     ui.state.layout.desktop_dialogs = false;
-    const auto [unwanted, own_then] = open_dialog();
+    const auto [unwanted, own_then] = request_file();
     EXPECT_FALSE(unwanted);
     EXPECT_TRUE(own_then);
 }
 
 class WindowOfADesktop : public Window {};
 
-TEST_F(WindowOfADesktop, OpensAndSavesByItsDialogAndByTheEditorsWhereItEnds) {
+TEST_F(WindowOfADesktop, UsesTheDesktopDialogAndFallsBackToTheEditorsOwn) {
     const PrivateBus bus(folder_);
     const fs::path file = folder_ / "from the desktop.glb";
     ASSERT_EQ(run_program({"export", "boxes", "-o", file.string()}).code, 0);
@@ -218,7 +218,7 @@ TEST_F(WindowOfADesktop, OpensAndSavesByItsDialogAndByTheEditorsWhereItEnds) {
 #else
 #include <gtest/gtest.h>
 
-TEST(FilePortal, NeedsABuildThatAsksTheDesktop) {
+TEST(FilePortal, NeedsABuildWithFilePortal) {
     GTEST_SKIP() << "7 tests: this build has SI_FILE_PORTAL=OFF";
 }
 #endif

@@ -1,5 +1,4 @@
-// The cure table and the table of biases that were tried: what they ask for, what a click does, and both on real
-// frames.
+// Tests of the table of fixes and of the table of tuned biases: requests, clicks, and both on real frames.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -31,7 +30,7 @@ FixTable made_up_fixes() {
     return table;
 }
 
-/// Without spaces, which are no glyphs.
+/// Removes spaces, which have no glyphs.
 std::string packed(std::string_view text) {
     std::string out;
     for (const char c : text)
@@ -44,7 +43,7 @@ std::string printed(const UiHarness& ui) {
     return packed(out);
 }
 
-TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
+TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     const FixTable table = made_up_fixes();
     UiHarness ui(1600, 900);
     ui.state.window.open_tab = BottomTab::Error;
@@ -98,7 +97,7 @@ TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     EXPECT_EQ(printed(ui).find("<noise"), std::string::npos) << "a pixel's table is not the picture's";
 }
 
-TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
+TEST(TunedFamilies, AreShownSideBySideAndAClickAppliesOne) {
     UiHarness ui(1600, 900);
     TunedFamily normal{.name = "normal offset",
                        .bias_text = "bias.normal 3 texels",
@@ -131,7 +130,7 @@ TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
     EXPECT_NE(printed(ui).find(packed("of other settings")), std::string::npos);
 }
 
-TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
+TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     EditorOptions o;
     o.session.scene = "boxes";
     o.session.sets = {"bias.constant=0", "bias.normal=0", "map.resolution=512"};
@@ -159,7 +158,7 @@ TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EXPECT_FALSE(search.running);
     ASSERT_TRUE(search.table);
     EXPECT_TRUE(search.current);
-    for (int i = 0; i < 3; ++i) editor.frame();  // columns take the width of what they hold
+    for (int i = 0; i < 3; ++i) editor.frame();  // columns adapt to their content
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "cures_table.png", editor.picture());
     EditorRequests narrower;
     narrower.scene_width = request.scene_width - 16;

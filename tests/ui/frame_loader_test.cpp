@@ -1,5 +1,5 @@
-// Frames on a thread of their own: the old picture stays with its numbers until the next is there, which is the bytes
-// of who waited.
+// Tests of frames drawn in a thread: the old picture stays with its numbers until the next is ready, and the next has
+// the bytes of a blocking draw.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -26,15 +26,15 @@ std::unique_ptr<HeadlessEditor> editor_of(std::optional<std::chrono::millisecond
     editor->settle();
     return editor;
 }
-/// Who waits for nothing.
+/// Makes an editor that never waits for frames.
 std::unique_ptr<HeadlessEditor> hasty_editor() {
     return editor_of(std::chrono::milliseconds(0));
 }
-void choose(HeadlessEditor& editor, const char* kernel) {
+void select_kernel(HeadlessEditor& editor, const char* kernel) {
     set_setting(editor.model().state.settings, "filter.kernel", kernel);
 }
-/// The scene's picture as it is shown.
-Bytes shown(HeadlessEditor& editor) {
+/// Returns the shown picture of the scene.
+Bytes shown_picture(HeadlessEditor& editor) {
     const Image image = editor.model().facts().result->panes.front().picture;
     Bytes out(std::size_t(image.width) * std::size_t(image.height) * 4);
     gl::prepare_read_back();
@@ -42,7 +42,7 @@ Bytes shown(HeadlessEditor& editor) {
     return out;
 }
 
-TEST(FrameLoader, TheFirstPictureTellsHowFarItIs) {
+TEST(FrameLoader, FirstPictureReportsItsProgress) {
     EditorOptions options;
     options.session.scene = "boxes";
     options.width = 800;
@@ -66,37 +66,37 @@ TEST(FrameLoader, TheFirstPictureTellsHowFarItIs) {
     }
     EXPECT_GE(passes.size(), 2u);
     EXPECT_GT(furthest, 0);
-    choose(editor, "pcf7");
+    select_kernel(editor, "pcf7");
     editor.frame();
     EXPECT_FALSE(model.facts().drawing) << "there is a picture meanwhile";
     editor.settle();
 }
 
-TEST(FrameLoader, TheOldPictureStaysUntilTheNextIsTaken) {
+TEST(FrameLoader, OldPictureStaysUntilTheNextIsShown) {
     const auto editor = hasty_editor();
-    const Bytes before = shown(*editor);
-    choose(*editor, "pcss");
+    const Bytes before = shown_picture(*editor);
+    select_kernel(*editor, "pcss");
     editor->frame();
     ASSERT_TRUE(editor->model().drawing());
-    EXPECT_TRUE(shown(*editor) == before) << "while it is drawn";
+    EXPECT_TRUE(shown_picture(*editor) == before) << "while it is drawn";
     editor->model().finish_tracing();
-    EXPECT_TRUE(shown(*editor) == before) << "it is there, and nobody took it";
+    EXPECT_TRUE(shown_picture(*editor) == before) << "it is there, and nobody took it";
     editor->frame();
-    EXPECT_FALSE(shown(*editor) == before);
+    EXPECT_FALSE(shown_picture(*editor) == before);
     editor->settle();
     EXPECT_FALSE(editor->model().drawing());
 }
 
-TEST(FrameLoader, PicturesAndNumbersAreThoseOfWhoWaits) {
+TEST(FrameLoader, PicturesAndNumbersEqualThoseOfABlockingDraw) {
     std::vector<Bytes> pictures[2];
     double visibility[2] = {-1, -2};
     std::size_t taps[2] = {1, 2};
     for (const int hasty : {0, 1}) {
         const auto editor = hasty ? hasty_editor() : editor_of({});
         for (const char* kernel : {"pcf5", "vsm", "pcf3"}) {
-            choose(*editor, kernel);
+            select_kernel(*editor, kernel);
             editor->settle();
-            pictures[hasty].push_back(shown(*editor));
+            pictures[hasty].push_back(shown_picture(*editor));
         }
         editor->model().state.probe_pixel = glm::ivec2(150, 140);
         editor->settle();
@@ -110,9 +110,9 @@ TEST(FrameLoader, PicturesAndNumbersAreThoseOfWhoWaits) {
     EXPECT_EQ(taps[0], taps[1]);
 }
 
-TEST(FrameLoader, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
+TEST(FrameLoader, RequestDuringAFrameIsServedAfterIt) {
     const auto editor = hasty_editor();
-    choose(*editor, "pcf5");
+    select_kernel(*editor, "pcf5");
     EditorRequests requests = editor->frame();
     ASSERT_TRUE(editor->model().drawing());
     requests.save_error = "/nowhere/error.json";
@@ -123,19 +123,19 @@ TEST(FrameLoader, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
                             [](const LogLine& l) { return l.text.find("Not saved") != std::string::npos; }));
 }
 
-TEST(FrameLoader, ASceneThatArrivesMeanwhileIsShownNext) {
+TEST(FrameLoader, SceneThatArrivesDuringAFrameIsShownNext) {
     const auto editor = hasty_editor();
-    const Bytes before = shown(*editor);
-    choose(*editor, "pcf7");
+    const Bytes before = shown_picture(*editor);
+    select_kernel(*editor, "pcf7");
     editor->frame();
     ASSERT_TRUE(editor->model().drawing());
     editor->model().open("plane");
     editor->settle();
     EXPECT_EQ(editor->model().state.scene_name, "plane");
-    EXPECT_FALSE(shown(*editor) == before);
+    EXPECT_FALSE(shown_picture(*editor) == before);
 }
 
-TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
+TEST(FrameLoader, FailedFrameIsALineInTheLog) {
     const auto editor = hasty_editor();
     EditorRequests requests = editor->frame();
     editor->settle();
@@ -146,7 +146,7 @@ TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
     EXPECT_GT(editor->model().state.log.unseen_errors(), 0);
 }
 
-TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
+TEST(FrameLoader, EditorIdlesAfterShaderWarmUp) {
     const auto editor = hasty_editor();
     const ShaderWarmup& warmup = *editor->model().warmup();
     warmup.wait();
@@ -163,8 +163,8 @@ TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
     EXPECT_EQ(warmup.done(), done);
 }
 
-/// The map fills the window, and there is no picture of the scene.
-TEST(FrameLoader, AMapAloneFollowsItsSettings) {
+// The map fills the window, so that no picture of the scene is drawn.
+TEST(FrameLoader, MapAloneFollowsItsSettings) {
     const auto editor = hasty_editor();
     EditorState& state = editor->model().state;
     state.window.maximised = Panel::Map;

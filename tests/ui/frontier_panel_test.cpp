@@ -1,4 +1,4 @@
-// The frontier panel over made-up cases: what it asks for, what a click on a dot does, and that it fits.
+// Tests of the frontier panel over made-up cases: requests, clicks on dots, layout.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -12,7 +12,7 @@
 namespace si::test {
 namespace {
 
-/// Three cases of which the last is beaten, and present settings between them.
+/// Makes three cases, the last one dominated, with the present settings between them.
 SweepFacts made_up_sweep() {
     SweepFacts facts;
     facts.columns = measured_columns();
@@ -40,7 +40,7 @@ SweepFacts made_up_sweep() {
     return facts;
 }
 
-/// Where the last frame drew a filled circle of this colour: the middle of each run of its vertices.
+/// Returns the centres of filled circles of this colour in the last frame, one for each run of vertices.
 std::vector<glm::vec2> dots_of_colour(ImU32 colour) {
     std::vector<glm::vec2> dots;
     const ImDrawData* data = ImGui::GetDrawData();
@@ -75,7 +75,7 @@ struct Panel {
 
 constexpr ImU32 kBest = IM_COL32(86, 180, 233, 255);
 
-TEST(FrontierPanel, AClickOnADotTakesItsSettingsAndIsUndone) {
+TEST(FrontierPanel, ClickOnADotAppliesItsSettingsAndIsUndone) {
     Panel p;
     ASSERT_EQ(p.ui.state.tab, BottomTab::Frontier);
     const Settings before = p.ui.state.settings;
@@ -91,7 +91,7 @@ TEST(FrontierPanel, AClickOnADotTakesItsSettingsAndIsUndone) {
     EXPECT_EQ(p.ui.state.settings, before) << "one step of undo takes it back";
 }
 
-TEST(FrontierPanel, AdviceNamesWhatBetterCosts) {
+TEST(FrontierPanel, AdviceNamesTheCostOfABetterDot) {
     Panel p;
     const FrontierAdvice& advice = p.ui.sweep->view.advice;
     ASSERT_TRUE(advice.better);
@@ -101,7 +101,7 @@ TEST(FrontierPanel, AdviceNamesWhatBetterCosts) {
     EXPECT_TRUE(p.ui.sweep->view.marks[0].on && p.ui.sweep->view.marks[1].on && !p.ui.sweep->view.marks[2].on);
 }
 
-TEST(FrontierPanel, SaysWhichOfTwoIsWorthItsMoney) {
+TEST(FrontierPanel, ComparesTwoDotsByCostAndError) {
     Panel p(1600, 900);
     SweepFacts& facts = *p.ui.sweep;
     EXPECT_FALSE(p.ui.drawn().shows("Before"));
@@ -138,7 +138,7 @@ TEST(FrontierPanel, SaysWhichOfTwoIsWorthItsMoney) {
     EXPECT_FALSE(shows("A 0.04 at 4 ms.")) << "what is not measured is not compared";
 }
 
-TEST(FrontierPanel, BytesAreWrittenAsPeopleReadThem) {
+TEST(FrontierPanel, BytesHaveReadableUnits) {
     Panel p(1600, 900);
     SweepFacts& facts = *p.ui.sweep;
     facts.cost = "cost.bytes_touched";
@@ -163,7 +163,7 @@ TEST(FrontierPanel, BytesAreWrittenAsPeopleReadThem) {
     EXPECT_FALSE(drawn.shows("e+0"));
 }
 
-TEST(FrontierPanel, WhatIsNotMeasuredYetIsSaidInASentence) {
+TEST(FrontierPanel, MissingMeasurementsAreNamedInASentence) {
     Panel p(1600, 900);
     p.ui.sweep->cost = "cost.bytes_touched";
     p.ui.sweep->running = true;
@@ -175,7 +175,7 @@ TEST(FrontierPanel, WhatIsNotMeasuredYetIsSaidInASentence) {
     EXPECT_TRUE(p.ui.drawn().find(U"×", 1)) << "one between width and height, one for each axis";
 }
 
-TEST(FrontierPanel, AnErrorIsToldWhileItsTimeIsMeasured) {
+TEST(FrontierPanel, ErrorIsShownBeforeItsTimeIsMeasured) {
     Panel p(1600, 900);
     SweepFacts& facts = *p.ui.sweep;
     facts.view.present.reset();
@@ -192,7 +192,7 @@ TEST(FrontierPanel, AnErrorIsToldWhileItsTimeIsMeasured) {
     EXPECT_FALSE(p.ui.drawn().shows("Now 0.04"));
 }
 
-TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
+TEST(FrontierPanel, RequestsASweepOfTheTypedAxes) {
     Panel p;
     p.ui.state.sweep.axes = {{"bias.slope", "0:2:0.5"}};
     p.ui.state.sweep.width = 96;
@@ -221,7 +221,7 @@ TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
     EXPECT_FALSE(press_sweep()) << "values that are none cannot be swept";
 }
 
-TEST(FrontierPanel, WhileItRunsItCanBeCancelled) {
+TEST(FrontierPanel, RunningSweepCanBeCancelled) {
     Panel p;
     p.ui.sweep->running = true;
     p.ui.sweep->progress = 0.4;
@@ -241,7 +241,7 @@ TEST(FrontierPanel, WhileItRunsItCanBeCancelled) {
     EXPECT_TRUE(cancelled);
 }
 
-TEST(FrontierPanel, PresentSettingsAreMeasuredOnlyWhileShown) {
+TEST(FrontierPanel, CurrentSettingsAreMeasuredOnlyWhileShown) {
     Panel p;
     EXPECT_TRUE(p.ui.frame().want_present);
     p.ui.state.sweep.follow = false;
@@ -287,7 +287,7 @@ TEST(FrontierPanel, FitsAtEverySizeWithEveryState) {
     }
 }
 
-TEST(FrontierPanel, ANarrowWindowHasTheControlsAboveThePlot) {
+TEST(FrontierPanel, NarrowWindowHasTheControlsAboveThePlot) {
     for (const int width : {640, 900}) {
         Panel p(width, 900);
         bool seen = false;

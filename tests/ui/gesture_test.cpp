@@ -1,4 +1,4 @@
-// What the mouse does to camera and light, and the lines of a frustum, against projection by hand.
+// Tests of mouse gestures on camera and light, and of frustum lines, compared with projection by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     const Scene scene = test::box_scene({{}});
     Settings s = manual(false);
     const Camera before = make_camera(scene, s, 1.6);
-    // A point in front of the target moves with the mouse.
+    // A point in front of the target follows the mouse.
     const glm::dvec3 front = target(s.camera) + before.axes[2];
     const double x = before.project(front, kPictureWidth, kPictureHeight).x;
     orbit_camera(s.camera, 20, 0);
@@ -64,12 +64,12 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     EXPECT_LE(s.camera.azimuth, 180);
 }
 
-/// The picture as PictureView sees it.
+/// Returns the scene's picture as PictureView defines it.
 PictureView view_of(const Scene& scene, const Settings& s) {
     return {make_camera(scene, s, double(kPictureWidth) / kPictureHeight), {0, 0}, {kPictureWidth, kPictureHeight}, 1};
 }
 
-TEST(Gesture, ZoomingKeepsWhatIsUnderTheCursorAndUndoesItself) {
+TEST(Gesture, ZoomingKeepsThePointUnderTheCursorAndIsReversible) {
     const Scene scene = test::box_scene({{}});
     for (const bool orthographic : {false, true}) {
         Settings s = manual(orthographic);
@@ -100,7 +100,7 @@ TEST(Gesture, LookingAroundKeepsTheEye) {
     EXPECT_LT(glm::dot(-after.axes[2], before.axes[1]), 0) << "mouse down looks down";
 }
 
-TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
+TEST(Gesture, FlyingMovesEyeAndTargetEqually) {
     const Scene scene = test::box_scene({{}});
     Settings s = manual(false);
     const Camera before = make_camera(scene, s, 1.6);
@@ -110,13 +110,13 @@ TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
                      expected = 2.0 * before.axes[0] + glm::dvec3(0, 0.5, 0) - 3.0 * before.axes[2];
     EXPECT_NEAR(glm::distance(moved, expected), 0, 1e-9);
     EXPECT_EQ(after.axes, before.axes);
-    // Under parallel rays things grow only when less is seen.
+    // Objects grow under parallel rays only if the view gets smaller.
     Settings parallel = manual(true);
     move_camera(parallel.camera, {0, 0, 3});
     EXPECT_NEAR(parallel.camera.height, 9 * std::exp(-3.0 / 12), 1e-9);
 }
 
-TEST(Gesture, LookingAlongAnAxisShowsTheOtherTwo) {
+TEST(Gesture, ViewAlongAnAxisShowsTheOtherTwoAxes) {
     const Scene scene = test::box_scene({{}});
     for (int axis = 0; axis < 3; ++axis)
         for (const bool positive : {false, true}) {
@@ -133,7 +133,7 @@ TEST(Gesture, LookingAlongAnAxisShowsTheOtherTwo) {
         }
 }
 
-TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
+TEST(Gesture, FramingFillsThePictureWithTheBounds) {
     const Scene scene = test::box_scene({{{-4, 0, -1}, {9, 3, 5}}}, {1e4, 0, -300});
     for (const bool orthographic : {false, true})
         for (const double aspect : {0.5, 1.6}) {
@@ -159,7 +159,7 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
         }
 }
 
-TEST(Gesture, TheLightFollowsTheMouseOnEitherSide) {
+TEST(Gesture, LightFollowsTheMouseOnBothSides) {
     const Scene scene = test::box_scene({{}});
     const Settings s = manual(false);
     const Camera c = make_camera(scene, s, 1.6);
@@ -194,7 +194,7 @@ TEST(LightLines, EdgesEndAtTheCornersOfClipSpace) {
     }
 }
 
-TEST(LightLines, ASegmentThroughTheCameraKeepsOnlyWhatIsInFront) {
+TEST(LightLines, SegmentThroughTheCameraKeepsThePartInFront) {
     const Scene scene = test::box_scene({{}});
     const Camera c = make_camera(scene, manual(false), 1.6);
     const glm::dvec3 front = c.eye - 5.0 * c.axes[2] + c.axes[0], behind = c.eye + 5.0 * c.axes[2] + c.axes[0];

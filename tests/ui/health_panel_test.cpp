@@ -1,4 +1,4 @@
-// The panel of the frame's numbers: what it asks for and shows, and that a click on a finding shows its texel.
+// Tests of the panel of numeric health: requests, displayed findings, and clicks on a finding.
 #include <gtest/gtest.h>
 
 #include "tests/ui/ui_harness.h"
@@ -35,7 +35,7 @@ NumericHealth made_up_health() {
     return health;
 }
 
-TEST(NumbersPanel, AsksOnlyWhileItIsShownAndSaysWhatIsSound) {
+TEST(NumbersPanel, RequestsNumbersOnlyWhileShownAndReportsFiniteOnes) {
     UiHarness ui(1900, 1000);
     EXPECT_FALSE(ui.frames(3).want_health);
     ui.state.window.open_tab = BottomTab::Numbers;
@@ -50,7 +50,7 @@ TEST(NumbersPanel, AsksOnlyWhileItIsShownAndSaysWhatIsSound) {
     EXPECT_NE(letters_of(ui).find("4321numbersin7images"), std::string::npos);
 }
 
-TEST(NumbersPanel, TellsWhoHoldsMemory) {
+TEST(NumbersPanel, ListsHoldersOfMemory) {
     UiHarness ui(1900, 1000);
     EXPECT_FALSE(ui.frames(3).want_memory);
     ui.state.window.open_tab = BottomTab::Numbers;
@@ -71,7 +71,7 @@ TEST(NumbersPanel, TellsWhoHoldsMemory) {
         EXPECT_NE(letters_of(ui).find(part), std::string::npos) << part << "\n" << letters_of(ui);
 }
 
-TEST(NumbersPanel, AClickShowsTheTexelInTheMapOrProbesThePixel) {
+TEST(NumbersPanel, ClickShowsTheTexelInTheMapOrProbesThePixel) {
     UiHarness ui(1300, 800);
     const NumericHealth health = made_up_health();
     ui.health = &health;

@@ -1,4 +1,4 @@
-// Undo and redo of gestures, and the log.
+// Tests of undo and redo of gestures, and of the log.
 #include "ui/state/history.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ Settings with_bias(double constant) {
     return s;
 }
 
-TEST(History, AGestureIsOneStep) {
+TEST(History, GestureIsOneStep) {
     History h;
     h.reset(with_bias(1));
     h.record(with_bias(2), true);
@@ -28,7 +28,7 @@ TEST(History, AGestureIsOneStep) {
     EXPECT_FALSE(h.can_redo());
 }
 
-TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
+TEST(History, SuccessiveCameraMovesAreOneStepAndStepsHaveNames) {
     History h;
     Settings s = with_bias(1);
     h.set_place({"boxes", {}});
@@ -67,13 +67,13 @@ TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
     EXPECT_EQ(h.go_to(99), more);
 }
 
-TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {
+TEST(History, NoteWithoutAChangeBelongsToTheCurrentStep) {
     History h;
     Settings s;
     h.set_place({"boxes", {}});
     h.reset(s);
     h.set_place({"boxes", {"acne", "Shadow acne", "Look."}});
-    h.record(s, false);  // a preset that is equal to what is shown
+    h.record(s, false);  // a preset equal to the shown settings
     EXPECT_EQ(h.place().guide.key, "acne");
     EXPECT_FALSE(h.can_undo());
     h.set_place({"boxes", {}});
@@ -83,7 +83,7 @@ TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {
     EXPECT_EQ(h.place().guide.key, "acne");
 }
 
-TEST(History, AnUndoThatDoesNotComeAboutStandsWhereItStood) {
+TEST(History, FailedUndoKeepsItsPosition) {
     History h;
     const Settings first;
     Settings second;
@@ -97,7 +97,7 @@ TEST(History, AnUndoThatDoesNotComeAboutStandsWhereItStood) {
     EXPECT_FALSE(h.can_redo());
 }
 
-TEST(History, WhatFollowsByItselfBelongsToTheStepThatMadeIt) {
+TEST(History, ConsequentChangesBelongToTheStepThatCausedThem) {
     History h;
     const Settings first;
     Settings followed, changed;
@@ -112,7 +112,7 @@ TEST(History, WhatFollowsByItselfBelongsToTheStepThatMadeIt) {
     EXPECT_EQ(h.undo(), followed);
 }
 
-TEST(History, AChangeAfterUndoDropsWhatWasUndone) {
+TEST(History, ChangeAfterUndoDropsUndoneSteps) {
     History h;
     h.reset(with_bias(1));
     h.record(with_bias(2), false);

@@ -1,5 +1,5 @@
-// Thirteen jobs as a person does them, each in a real window, in no more presses of buttons, keys and words than it
-// takes today. A double click counts two, a drag or a held key one, a word or a path one, turns of the wheel none.
+// Tests of thirteen user tasks in a real window, with today's number of presses as the limit. A double click counts
+// two, a drag or a held key one, a word or a path one, turns of the wheel none.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -24,7 +24,8 @@ class WindowJobs : public Window {
 protected:
     void TearDown() override { editor_.reset(); }
 
-    /// Window and twin show the same scene, the twin after all that the window was told by press() and turn_wheel().
+    /// Starts the window and its twin: an editor without a window that receives the same events by press() and
+    /// turn_wheel() and shows the same scene.
     void begin(const std::string& scene = "boxes") {
         ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--set", "view.smooth=false"}, scene));
         EditorOptions o;
@@ -42,7 +43,7 @@ protected:
 
     EditorState& twin() { return editor_->model().state; }
 
-    /// A job, its presses counted; afterwards all is as before.
+    /// Runs a task, counts its presses and restores everything.
     void job(const char* name, int presses, const std::function<void()>& done) {
         SCOPED_TRACE(name);
         presses_ = 0;
@@ -59,11 +60,11 @@ protected:
         twin().probe_pixel.reset();
         twin_draws();
     }
-    /// Places settle in two frames, pictures in the next.
+    /// Draws until positions (two frames) and pictures (one more) are stable.
     void twin_draws() {
         for (int i = 0; i < 4; ++i) editor_->frame();
     }
-    /// Not counted: what a job begins with.
+    /// Prepares a task; not counted.
     void open_preset(const std::string& name) {
         keys("ctrl+o");
         wait_until_idle();
@@ -115,7 +116,7 @@ protected:
         hand.left = false;
         twin_draws();
     }
-    /// Where the twin writes it, without spaces.
+    /// Returns the position of a text in the twin, given without spaces.
     glm::ivec2 place(std::u32string_view text, int which = 0) {
         const auto at = text_->find(text, which);
         if (!at) {
@@ -125,7 +126,7 @@ protected:
         return {int(at->x), int(at->y)};
     }
     void press(std::u32string_view text, int which = 0) { press(place(text, which)); }
-    /// Over the settings until they show the text (the `which`-th of its kind); none: back to the top.
+    /// Scrolls the settings until they show the `which`-th text of its kind; none: back to the top.
     void turn_wheel(std::u32string_view text, int which = 0, bool up = false) {
         const glm::ivec2 over = {kWidth - 40, kHeight - 160};
         mouse(over.x, over.y);
@@ -144,29 +145,29 @@ protected:
         }
         wait_until_idle();
     }
-    /// What the panel Frontier measures of the present settings is there, in the window as in its twin.
+    /// Waits until window and twin have measured the present settings in the panel Frontier.
     void measured() {
         editor_->settle();
         ASSERT_TRUE(editor_->model().facts().sweep->view.present) << editor_->model().facts().sweep->present_problem;
         const glm::ivec2 said = place(U"Now");
         EXPECT_TRUE(wait_until([&] { return written_at(said); })) << "the window measures nothing";
     }
-    /// The window has letters around a place.
+    /// Returns whether the window has letters near a position.
     bool written_at(glm::ivec2 at) const {
         const ByteImage image = screen("job_written");
         int bright = 0;
         for (int y = std::max(at.y - 6, 0); y < std::min(at.y + 6, image.height); ++y)
             for (int x = std::max(at.x - 20, 0); x < std::min(at.x + 20, image.width); ++x)
                 bright += image.data[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * 4] >
-                          200;  // what is muted is darker
+                          200;  // muted text is darker
         return bright > 20;
     }
-    /// The twin shows what the window saved last.
+    /// Loads the preset that the window saved last into the twin.
     void twin_opens(const std::string& name) {
         editor_->model().open(folder_ / name);
         editor_->settle();
     }
-    /// Not counted: in the twin alone, until all that it calls for is there.
+    /// Acts in the twin alone and waits for all results; not counted.
     void twin_key(char letter) {
         bool& down = ImGui::GetIO().KeysDown[int(letter)];
         down = true;
@@ -176,12 +177,12 @@ protected:
         for (int i = 0; i < 20 && twin().artefact_tour.waits_for != 0; ++i) editor_->settle();
         editor_->settle();
     }
-    /// The twin's, of the probed pixel.
+    /// Returns the twin's verdict on the probed pixel.
     std::string verdict() {
         const std::span<const PixelDiagnosis> diagnoses = editor_->model().facts().diagnoses;
         return diagnoses.empty() ? std::string() : diagnoses.front().verdict;
     }
-    /// Whether the window shows the pixels that its twin does where that has written a text.
+    /// Returns whether the window shows the twin's pixels around a text.
     bool reads_as_twin(std::u32string_view text) {
         const auto at = text_->find(text);
         const ByteImage seen = screen("job_reads"), meant = editor_->picture();
@@ -199,7 +200,7 @@ protected:
             }
         return others < all / 50;
     }
-    /// The middle of an object in the picture.
+    /// Returns the centre of an object in the picture.
     glm::ivec2 object(const std::string& path) {
         const Bounds b = bounds_of(*editor_->model().facts().scene, path);
         const auto at = twin().viewport.view->point(b.centre());
@@ -211,27 +212,27 @@ protected:
     std::unique_ptr<DrawnText> text_;
 };
 
-constexpr glm::ivec2 kBesideLabel{200, 0};  ///< from a setting's label to its slider
+constexpr glm::ivec2 kSliderFromLabel{200, 0};  ///< from a setting's label to its slider
 
-TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
+TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
     ASSERT_NO_FATAL_FAILURE(begin());
     const json before = saved();
 
     job("undo", 2, [&] {
-        const glm::ivec2 bias = place(U"Constantbias") + kBesideLabel, scene = object("Boxes/Flat");
+        const glm::ivec2 bias = place(U"Constantbias") + kSliderFromLabel, scene = object("Boxes/Flat");
         for (const glm::ivec2 by : {glm::ivec2(40, 0), glm::ivec2(-20, 0)}) {
             pull(bias, by);
             pull(scene, {30, 8});
         }
         EXPECT_TRUE(saved().contains("bias.constant") && saved().contains("camera.source")) << saved();
-        presses_ = 0;  // that was what is to be undone
+        presses_ = 0;  // presses that the undo takes back
         press(U"Steps");
         press(U"thebeginning");
         EXPECT_EQ(saved(), before);
     });
     job("round_trip", 3, [&] {
         key("ctrl+s");
-        pull(place(U"Constantbias") + kBesideLabel, {50, 0});
+        pull(place(U"Constantbias") + kSliderFromLabel, {50, 0});
         key("ctrl+r");
         EXPECT_EQ(saved(), before);
         keys("ctrl+z");
@@ -267,7 +268,7 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
         twin().settings.lights[0].type = LightType::Spot;
         editor_->settle();
         turn_wheel(U"Coneblend");
-        pull(place(U"Cone") + kBesideLabel, {-60, 0});
+        pull(place(U"Cone") + kSliderFromLabel, {-60, 0});
         EXPECT_TRUE(saved().contains("light.cone")) << saved();
         key("l");
         EXPECT_EQ(saved().value("camera.source", ""), "light");
@@ -295,7 +296,7 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
         EXPECT_GT(view.before->cost, 0);
         EXPECT_NE(view.present->error, view.before->error);
         EXPECT_EQ(editor_->model().facts().sweep->change, "Kernel: PCF \u2192 Poisson disk");
-        // Both with their errors and times, and which is worth it; in the window as in its twin.
+        // Window and twin show both with errors, times and the comparison.
         for (const char32_t* part : {U"Now", U"Before", U"Kernel:PCF\u2192Poissondisk:", U"error", U"time"})
             EXPECT_TRUE(text_->find(part)) << "not said";
         const glm::ivec2 said = place(U"Before");
@@ -322,7 +323,7 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
         turn_wheel({});
     });
     job("window_and_its_size", 3, [&] {
-        ++presses_;  // the window's edge is dragged
+        ++presses_;  // drag of the window's edge
         ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1000 600"));
         mouse(200, 300);
         const auto corner = [&] {  // the menu's
@@ -343,13 +344,13 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
     quit();
 }
 
-TEST_F(WindowJobs, OfModelsPresetsAndKeys) {
+TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", (folder_ / "mine.glb").string()}).code, 0);
     std::ofstream(folder_ / "far.json")
         << R"({"format": "shadow-inspector-preset", "version": 2, "scene": "boxes", "settings": {"bias.constant": 60, "bias.normal": 0}})";
     std::ofstream(folder_ / "leaf.glb", std::ios::binary) << falling_leaf(10, {0, 0, 0}, {1, 1, 0});
     ASSERT_NO_FATAL_FAILURE(begin());
-    // The fix is made once the truth is traced, however early the key was pressed.
+    // The fix is applied once the reference is traced, however early the key was pressed.
     const auto fixed = [&](const std::string& file, const auto& is_so) {
         return wait_until([&] { return is_so(saved(file)); });
     };
@@ -443,7 +444,7 @@ TEST_F(WindowJobs, OfModelsPresetsAndKeys) {
         ++presses_;
         const double before = program_->cpu_seconds();
         keys("space");
-        wait_until([&] { return program_->cpu_seconds() > before + 0.5; });  // it draws while it plays
+        wait_until([&] { return program_->cpu_seconds() > before + 0.5; });  // it draws during playback
         key("space");
         EditorRequests open;
         open.load_scene = leaf;

@@ -1,4 +1,4 @@
-// Single keys that change settings, over made-up frames. The real window replays them in its jobs.
+// Tests of single keys that change settings, over made-up frames. The real window replays them in its jobs.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -21,7 +21,7 @@ struct Keys : testing::Test {
     Settings& settings() { return ui.state.settings; }
 };
 
-TEST_F(Keys, CAppliesTheFixOfTheShownLightsVerdictOnly) {
+TEST_F(Keys, CAppliesOnlyTheFixOfTheShownLight) {
     settings().light_count = 2;
     PixelDiagnosis of_other;
     of_other.light = 1;
@@ -49,10 +49,10 @@ TEST_F(Keys, CWithoutAFixChangesNothing) {
     EXPECT_NE(ui.state.log.lines().back().text.find("names none"), std::string::npos) << "but it is said";
 }
 
-TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
+TEST_F(Keys, CPressedBeforeTheVerdictAppliesLater) {
     PixelDiagnosis stale;
     stale.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
-    ui.diagnoses = {stale};  // of the picture before
+    ui.diagnoses = {stale};  // diagnosis of the previous picture
     ui.verdict_follows = true;
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
@@ -73,7 +73,7 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     settings().bias.slope = 1;
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 1) << "once";
-    // While X looks for a pixel, it is of that one.
+    // X's search replaces the pixel.
     ui.state.probe_pixel.reset();
     ui.state.artefact_tour.waits_for = 5;
     key('C');
@@ -85,7 +85,7 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;
     ui.frames(2);
-    // A click chooses another pixel, of which nothing was wished.
+    // A click selects another pixel, without a pending request.
     ui.verdict_follows = true;
     key('C');
     ui.click(ui.state.viewport.view->origin + 0.3 * ui.state.viewport.view->size);
@@ -94,7 +94,7 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     EXPECT_EQ(settings().bias.slope, 1);
 }
 
-TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
+TEST_F(Keys, PageDownOnlyOpensAPreset) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.KeyMap[ImGuiKey_PageUp] = 401;
@@ -104,7 +104,7 @@ TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     ImGui::SetWindowFocus("editor");
     const auto search = ui.find("editor/settings", "search", "##text");
     ASSERT_TRUE(search);
-    ui.click(*search + glm::vec2(0, 60));  // among the settings
+    ui.click(*search + glm::vec2(0, 60));  // a click among the settings
     const ImGuiID focused = ImGui::GetCurrentContext()->NavId;
     io.KeysDown[402] = true;
     const EditorRequests request = ui.frame();
@@ -115,14 +115,14 @@ TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     EXPECT_TRUE(ImGui::GetCurrentContext()->NavDisableHighlight);
 }
 
-TEST_F(Keys, QSaysWhatBecameOfIt) {
+TEST_F(Keys, QReportsItsResult) {
     ui.state.probe_pixel.reset();
     key('Q');
     ASSERT_FALSE(ui.state.log.lines().empty());
     EXPECT_NE(ui.state.log.lines().back().text.find("No stored-depth quads to show"), std::string::npos);
 }
 
-TEST_F(Keys, XSaysThatItLooks) {
+TEST_F(Keys, XReportsItsSearch) {
     key('X');
     ASSERT_FALSE(ui.state.log.lines().empty());
     EXPECT_NE(ui.state.log.lines().back().text.find("Looking"), std::string::npos);
@@ -130,24 +130,25 @@ TEST_F(Keys, XSaysThatItLooks) {
     EXPECT_NE(ui.state.log.lines().back().text.find("Still looking"), std::string::npos);
 }
 
-TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
+TEST_F(Keys, PComparesWithThePinIfNothingIsCompared) {
     key('P');
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
     EXPECT_FALSE(ui.state.comparison.reference);
     key('P');  // off
-    ui.state.comparison.view = ComparisonView::Swipe, ui.state.comparison.reference = true;
+    ui.state.comparison.view = ComparisonView::Swipe;
+    ui.state.comparison.reference = true;
     key('P');
     EXPECT_TRUE(ui.state.comparison.reference) << "what is compared stays";
 }
 
-TEST_F(Keys, UTakesAllBiasAway) {
+TEST_F(Keys, URemovesAllBias) {
     settings().bias = {.constant = 1, .slope = 2, .normal = 3, .raster_slope = 4, .raster_units = 5};
     key('U');
     const BiasSettings& b = settings().bias;
     for (const double left : {b.constant, b.slope, b.normal, b.raster_slope, b.raster_units}) EXPECT_EQ(left, 0);
 }
 
-TEST_F(Keys, TGoesThroughTheTypesOfTheShownLight) {
+TEST_F(Keys, TCyclesThroughTheTypesOfTheShownLight) {
     settings().light_count = 2;
     settings().view.light = 1;
     for (const LightType next : {LightType::Spot, LightType::Point, LightType::Directional}) {
@@ -170,7 +171,7 @@ TEST_F(Keys, BracketsHalveAndDoubleTheResolutionWithinItsRange) {
     EXPECT_EQ(settings().map.resolution, int(find_setting("map.resolution")->param->min));
 }
 
-TEST_F(Keys, QShowsTheTexelsOfTheProbedPixelAsQuadsAndHidesThemAgain) {
+TEST_F(Keys, QTogglesTheTexelQuadsOfTheProbedPixel) {
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     key('Q');
@@ -187,7 +188,7 @@ TEST_F(Keys, QShowsTheTexelsOfTheProbedPixelAsQuadsAndHidesThemAgain) {
     EXPECT_EQ(v.slabs, Slabs::None) << "nothing is pointed at";
 }
 
-TEST_F(Keys, ALetterThatArrivesWithTheClickIntoAFieldIsTypedAndDoesNothingElse) {
+TEST_F(Keys, LetterThatArrivesWithTheClickIntoAFieldIsOnlyTyped) {
     const auto field = ui.drawn().find(U"Searchsettings");
     ASSERT_TRUE(field);
     ui.move({field->x, field->y});
@@ -202,9 +203,9 @@ TEST_F(Keys, ALetterThatArrivesWithTheClickIntoAFieldIsTypedAndDoesNothingElse) 
     ui.frames(2);
     EXPECT_EQ(ui.state.settings_panel.search, "l");
     EXPECT_EQ(settings(), before) << "the view went through the light";
-    // Beside any field the key acts, with a press or without.
+    // Outside fields the key acts, with a press or without.
     ui.state.settings_panel.search.clear();
-    ui.click({4, 4});  // which leaves the field
+    ui.click({4, 4});  // leaves the field
     ui.frames(2);
     ui.press(true);
     ImGui::GetIO().KeysDown['L'] = true;

@@ -1,4 +1,4 @@
-// The lab's sliders, what its buttons wish for and what it shows, and both measurements in a real editor.
+// Tests of the lab: sliders, requests of buttons, displayed results, and both measurements in a real editor.
 #include <gtest/gtest.h>
 
 #include "app/base/output.h"
@@ -9,7 +9,7 @@
 namespace si::test {
 namespace {
 
-std::string shown_by(const UiHarness& ui) {
+std::string shown_text(const UiHarness& ui) {
     std::string out;
     for (const char32_t c : ui.printed())
         if (c != U' ') out += c < 128 ? char(c) : '?';
@@ -28,7 +28,7 @@ protected:
     }
 };
 
-TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
+TEST_F(LabPanelTest, ShowsMeasurements) {
     PipelineError e{.origin = MapOrigin::World, .transform = MapTransform::Eye, .pixels = 10};
     e.texels = {.median = 12.5, .p99 = 46.25, .worst = 99, .worst_at = {1, 2}};
     e.ulps = {.median = 577, .p99 = 2700, .worst = 9999, .worst_at = {1, 2}};
@@ -41,13 +41,13 @@ TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
     ui.lab.pipelines = errors;
     ui.lab.shimmer = shimmer;
     ui.frames(2);
-    const std::string text = shown_by(ui);
+    const std::string text = shown_text(ui);
     for (const char* wanted :
          {"12.5", "46.2", "577", "4711", "theworld'sorigin,fromtheeye", "96.12", "357", "40514", "Ofothersettings"})
         EXPECT_NE(text.find(wanted), std::string::npos) << wanted;
 }
 
-TEST_F(LabPanelTest, ItsButtonsWish) {
+TEST_F(LabPanelTest, ButtonsRequestMeasurements) {
     ui.state.lab.shimmer = {.motion = ShimmerMotion::LightTurns, .steps = 5, .step_texels = 0.5};
     ui.frames(2);
     const auto press = [&](const std::string& window, const std::string& label) {
@@ -63,7 +63,7 @@ TEST_F(LabPanelTest, ItsButtonsWish) {
     EXPECT_EQ(ui.last_requests.measure_shimmer->steps, 5);
     ui.lab.measuring_shimmer = SearchProgress{"As set", 0.4};
     ui.frames(2);
-    EXPECT_NE(shown_by(ui).find("40%"), std::string::npos);
+    EXPECT_NE(shown_text(ui).find("40%"), std::string::npos);
 }
 
 TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {

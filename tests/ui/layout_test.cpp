@@ -1,4 +1,4 @@
-// How the window is divided: the scene first, and nothing moves by itself.
+// Tests of the window's layout: the scene is largest, and nothing moves by itself.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -38,14 +38,14 @@ struct Shown : UiHarness {
     }
 };
 
-TEST(Layout, TheSceneHasHalfOfTheWindowAtFirst) {
+TEST(Layout, SceneHasHalfOfTheWindowAtFirst) {
     EXPECT_GE(scene_share(Shown(1600, 900)), 0.5);
     EXPECT_GE(scene_share(Shown(1920, 1080)), 0.5);
     EXPECT_GE(scene_share(Shown(3840, 2160, 2)), 0.5);
     EXPECT_GE(scene_share(Shown(1280, 720)), 0.4);
 }
 
-TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
+TEST(Layout, PictureKeepsItsPlaceForEveryChoice) {
     for (const int width : {640, 900, 1280, 1600}) {
         Shown ui(width, width * 9 / 16);
         const glm::dvec2 origin = ui.state.viewport.view->origin, size = ui.state.viewport.view->size;
@@ -70,8 +70,8 @@ TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
     }
 }
 
-TEST(Layout, WhatIsNotDrawnKeepsNothingAwake) {
-    // A tab that is to be opened waits until there are tabs again.
+TEST(Layout, HiddenPartsKeepNothingAwake) {
+    // A requested tab waits until tabs are shown.
     Shown ui(1280, 720);
     ui.state.tab = BottomTab::Effects;
     ui.state.window.maximised = si::Panel::Scene;
@@ -91,7 +91,7 @@ TEST(Layout, WhatIsNotDrawnKeepsNothingAwake) {
     EXPECT_FALSE(ui.frame().want_error);
 }
 
-TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
+TEST(Layout, KeyMaximisesAndRestoresAPanel) {
     Shown ui(1280, 720);
     ui.move({300, 300});
     ui.frames(2);
@@ -114,10 +114,10 @@ TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
     EXPECT_FALSE(ui.state.window.maximised);
 }
 
-TEST(Layout, ADoubleClickOnATitleFillsTheWindowAndGivesItBack) {
+TEST(Layout, DoubleClickOnATitleMaximisesAndRestores) {
     Shown ui(1280, 720);
     const auto double_click = [&](glm::vec2 at) {
-        ui.frames(30);  // none of the clicks before counts
+        ui.frames(30);  // earlier clicks no longer count
         ui.click(at);
         ui.click(at);
         ui.frames(2);
@@ -140,13 +140,13 @@ TEST(Layout, ADoubleClickOnATitleFillsTheWindowAndGivesItBack) {
         const ImGuiTabItem& item = bar().Tabs[which];
         return glm::vec2(bar().BarRect.Min.x + item.Offset + item.Width / 2, bar().BarRect.GetCenter().y);
     };
-    const auto beside = [&] { return glm::vec2(bar().BarRect.Max.x - 5, bar().BarRect.GetCenter().y); };
+    const auto right_of_tabs = [&] { return glm::vec2(bar().BarRect.Max.x - 5, bar().BarRect.GetCenter().y); };
     double_click(tab(3));
     EXPECT_EQ(ui.state.window.maximised, si::Panel::Tabs);
     EXPECT_EQ(ui.state.tab, BottomTab::Objects);
-    double_click(beside());
+    double_click(right_of_tabs());
     EXPECT_FALSE(ui.state.window.maximised);
-    double_click(beside());
+    double_click(right_of_tabs());
     EXPECT_EQ(ui.state.window.maximised, si::Panel::Tabs);
     EXPECT_EQ(ui.state.tab, BottomTab::Objects);
     double_click(tab(3));
@@ -159,7 +159,7 @@ TEST(Layout, ADoubleClickOnATitleFillsTheWindowAndGivesItBack) {
     EXPECT_FALSE(ui.state.window.maximised) << "two tabs, a click each";
 }
 
-TEST(Layout, TheSettingsOfANarrowWindowHaveAThirdOfIt) {
+TEST(Layout, SettingsHaveAThirdOfANarrowWindow) {
     for (const auto& [w, h] : {std::pair{640, 480}, {900, 600}}) {
         Shown ui(w, h);
         ASSERT_TRUE(ui.part("settings"));
@@ -176,7 +176,7 @@ TEST(Layout, TheSettingsOfANarrowWindowHaveAThirdOfIt) {
     EXPECT_EQ(ui.part("settings")->Size.x, 800) << "half of a wide one";
 }
 
-TEST(Layout, TheMapStandsWhereItIsPut) {
+TEST(Layout, MapKeepsItsChosenPlace) {
     Shown ui(1280, 720);
     const double above = scene_share(ui);
     ui.state.layout.map_place = MapSpot::NextToScene;
@@ -197,7 +197,7 @@ TEST(Layout, TheMapStandsWhereItIsPut) {
     EXPECT_EQ(ui.state.layout.map_place, MapSpot::AboveSettings);
 }
 
-TEST(Layout, ADoubleClickOnASplitterPutsItBack) {
+TEST(Layout, DoubleClickResetsASplitter) {
     Shown ui(1280, 720);
     const ImGuiWindow* settings = ui.part("settings");
     ASSERT_TRUE(settings);
@@ -210,7 +210,7 @@ TEST(Layout, ADoubleClickOnASplitterPutsItBack) {
     EXPECT_EQ(ui.state.layout.settings_width, EditorLayout{}.settings_width);
 }
 
-TEST(Layout, WhatHasNoRoomInARowWaitsInItsMenu) {
+TEST(Layout, ControlsWithoutRoomMoveToTheMenuOfTheRow) {
     Shown ui(900, 600);
     EXPECT_FALSE(ui.find("editor/scene", "view.frustum", "##value"));
     const auto more = ui.find("editor/scene", "scene tools", "»");
@@ -219,7 +219,7 @@ TEST(Layout, WhatHasNoRoomInARowWaitsInItsMenu) {
     EXPECT_TRUE(ui.find("##Popup", "view.frustum", "##value"));
 }
 
-TEST(Layout, NothingMovesInTheSceneToolsWhateverIsChosen) {
+TEST(Layout, SceneToolsKeepTheirPlacesForEveryChoice) {
     Shown ui(1600, 900);
     const auto places = [&] {
         std::vector<glm::vec2> at;
@@ -244,7 +244,7 @@ TEST(Layout, NothingMovesInTheSceneToolsWhateverIsChosen) {
     EXPECT_EQ(places(), before) << "a comparison";
 }
 
-TEST(Layout, ChoosingTheOtherSideBeginsToCompare) {
+TEST(Layout, ChoosingTheOtherSideStartsAComparison) {
     Shown ui(1600, 900);
     const auto what = ui.find("editor/scene", "", "##against what");
     ASSERT_TRUE(what);
@@ -257,7 +257,7 @@ TEST(Layout, ChoosingTheOtherSideBeginsToCompare) {
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Defaults);
 }
 
-TEST(Layout, ALegendHasOpacityAndScaleInThePicture) {
+TEST(Layout, LegendInThePictureHasOpacityAndScale) {
     Shown ui(1280, 720);
     EXPECT_FALSE(ui.find("/legend_", "view.overlay_opacity", "##value")) << "nothing to turn";
     ui.state.settings.view.overlay = 4;
@@ -300,7 +300,7 @@ TEST(Layout, EveryOverlayHasAKeyOfItsOwn) {
     EXPECT_EQ(overlay_of_digit(9, {.ctrl = true}), overlays().size() >= 36 ? 36 : 0);
 }
 
-TEST(Layout, ADigitChoosesTheOverlayOfThePaneUnderTheMouse) {
+TEST(Layout, DigitSelectsTheOverlayOfThePaneUnderTheMouse) {
     Shown ui(1600, 900);
     ui.state.settings.view.panes = Panes::Four;
     ui.frames(3);
@@ -316,7 +316,7 @@ TEST(Layout, ADigitChoosesTheOverlayOfThePaneUnderTheMouse) {
     EXPECT_EQ(ui.state.settings.view.overlay, 3) << "compared, the picture is one pane";
 }
 
-TEST(Layout, AllOverlaysAreInSightInASmallWindow) {
+TEST(Layout, AllOverlaysAreVisibleInASmallWindow) {
     Shown ui(1280, 720);
     const auto combo = ui.find("editor/scene", "view.overlay", "##value");
     ASSERT_TRUE(combo);
@@ -332,7 +332,7 @@ TEST(Layout, AllOverlaysAreInSightInASmallWindow) {
     EXPECT_LE(list->Pos.y + list->Size.y, 720);
 }
 
-TEST(Layout, TheTabsAreAsHighAsTheOneChosenByHandNeeds) {
+TEST(Layout, TabsAreAsHighAsTheChosenTab) {
     Shown ui(1600, 900);
     const auto height = [&] { return ui.part("bottom")->Size.y; };
     const float at_first = height();
@@ -341,7 +341,7 @@ TEST(Layout, TheTabsAreAsHighAsTheOneChosenByHandNeeds) {
     ASSERT_EQ(ui.state.tab, BottomTab::Probe);
     EXPECT_EQ(height(), at_first) << "what opens a tab besides moves nothing";
     const auto tab = [&](const char* label) {
-        // Tabs are told apart by their bar's ID.
+        // Tabs are identified by their bar's ID.
         return ui.find("editor/bottom",
                        [&](unsigned window) { return ImHashStr(label, 0, ImHashStr("bottom", 0, window)); });
     };
@@ -358,7 +358,7 @@ TEST(Layout, TheTabsAreAsHighAsTheOneChosenByHandNeeds) {
     EXPECT_NEAR(height(), 150, 1) << "dragged by hand";
 }
 
-TEST(Layout, ASecondMenuOpensAtOnce) {
+TEST(Layout, SecondMenuOpensAtOnce) {
     Shown ui(1280, 720);
     const auto open = [&](const char* popup) {
         ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -375,7 +375,7 @@ TEST(Layout, ASecondMenuOpensAtOnce) {
     EXPECT_TRUE(open("file"));
 }
 
-TEST(Layout, WhatHasNoRoomInTheTopBarWaitsInAMenu) {
+TEST(Layout, ControlsWithoutRoomInTheTopBarMoveToAMenu) {
     Shown ui(640, 400);
     EXPECT_TRUE(ui.find("editor/top", "", "Help"));
     EXPECT_TRUE(ui.find("editor/top", "", "View"));
@@ -394,7 +394,7 @@ TEST(Layout, WhatHasNoRoomInTheTopBarWaitsInAMenu) {
     EXPECT_TRUE(ui.frame().save_preset);
 }
 
-TEST(Layout, AWindowSmallerThanItsLeastSizeScrolls) {
+TEST(Layout, WindowBelowItsMinimumSizeScrolls) {
     Shown ui(400, 300);
     const ImGuiWindow* window = ImGui::FindWindowByName("editor");
     ASSERT_TRUE(window);
@@ -402,7 +402,7 @@ TEST(Layout, AWindowSmallerThanItsLeastSizeScrolls) {
     EXPECT_GE(window->ScrollMax.y, kMinWindowHeight - 300);
 }
 
-TEST(Layout, AWindowOfItsLeastSizeNeedsNoScrolling) {
+TEST(Layout, WindowOfItsMinimumSizeNeedsNoScrolling) {
     Shown ui{int(kMinWindowWidth), int(kMinWindowHeight)};
     const ImGuiWindow* window = ImGui::FindWindowByName("editor");
     ASSERT_TRUE(window);
@@ -410,8 +410,8 @@ TEST(Layout, AWindowOfItsLeastSizeNeedsNoScrolling) {
     EXPECT_EQ(window->ScrollMax.y, 0);
 }
 
-/// A search for each is no remedy: what is turned every day is there at a glance.
-TEST(Layout, SettingsOfEveryDayNeedNoScrolling) {
+/// Frequent settings must be visible without a search.
+TEST(Layout, FrequentSettingsNeedNoScrolling) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {2560, 1440, 2.0f}}) {
         Shown ui(w, h, scale);
         for (const char* label : {"Constant bias", "Slope bias", "Normal offset", "Auto bias", "Kernel", "Resolution"})
@@ -422,7 +422,7 @@ TEST(Layout, SettingsOfEveryDayNeedNoScrolling) {
     }
 }
 
-TEST(Layout, TheMapsPlaceIsThePersonsOnceItWasDragged) {
+TEST(Layout, DraggedMapKeepsItsPlace) {
     Shown ui(1280, 720);
     const float first = ui.part("map")->Size.y;
     ui.state.layout.map_height = 0.7f;
@@ -430,7 +430,7 @@ TEST(Layout, TheMapsPlaceIsThePersonsOnceItWasDragged) {
     EXPECT_GT(ui.part("map")->Size.y, first + 80);
 }
 
-TEST(Layout, WhatTheMapsSquareDoesNotFillIsTheSettings) {
+TEST(Layout, SettingsFillTheSpaceBesideTheSquareMap) {
     for (const bool plots : {true, false}) {
         UiHarness ui(1600, 2160);
         ui.state.layout.map_plots = plots;
@@ -442,7 +442,7 @@ TEST(Layout, WhatTheMapsSquareDoesNotFillIsTheSettings) {
     }
 }
 
-TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
+TEST(Layout, RareSettingsAreOneClickAway) {
     Shown ui(1280, 1400);
     const auto shows = [&](const char* label) {
         ui.frames(2);
@@ -474,7 +474,7 @@ TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
     EXPECT_TRUE(shows("Addressing"));
 }
 
-TEST(Layout, HelpIsReadAtAGlance) {
+TEST(Layout, HelpIsShort) {
     for (const auto& [w, h, scale] :
          {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.0f}, {3840, 2160, 2.0f}}) {
         Shown ui(w, h, scale);
@@ -494,8 +494,8 @@ TEST(Layout, HelpIsReadAtAGlance) {
     }
 }
 
-/// Where two columns have no room there is one, which scrolls.
-TEST(Layout, HelpIsWithinASmallWindow) {
+/// Narrow settings have one column, which scrolls.
+TEST(Layout, HelpFitsASmallWindow) {
     Shown ui(640, 400);
     ui.state.window.show_shortcuts = true;
     ui.frames(4);
@@ -508,7 +508,7 @@ TEST(Layout, HelpIsWithinASmallWindow) {
     EXPECT_TRUE(ui.drawn().shows("move the camera sideways"));
 }
 
-TEST(Layout, TheFirstPictureSaysHowFarItIs) {
+TEST(Layout, FirstPictureShowsItsProgress) {
     Shown ui(1280, 720);
     ui.with_facts = false;
     ui.frames(2);
@@ -531,7 +531,7 @@ TEST(Layout, TheFirstPictureSaysHowFarItIs) {
     EXPECT_GT(filled(), quarter + 100);
 }
 
-TEST(Layout, TheViewMenuChangesTheTheme) {
+TEST(Layout, ViewMenuChangesTheTheme) {
     Shown ui(1280, 720);
     const auto choose = [&](const char* item) {
         const auto view = ui.find("editor/top", "", "View");

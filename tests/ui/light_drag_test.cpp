@@ -1,4 +1,4 @@
-// Handles dragged by a known way on the screen against what that way is in the world.
+// Tests of light handles: a known drag on the screen is compared with the change in the world.
 #include "ui/scene_view/light_drag.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMetresPerPixel = 0.05;
 
-/// Looks along -z with parallel rays: x to the right, y up, 5 cm a pixel; (0, 0, 0) at the picture's middle.
+/// Returns a view along -z with parallel rays: x to the right, y up, 5 cm a pixel, the origin in the centre.
 PictureView front_view() {
     PictureView v;
     v.camera.orthographic = true;
@@ -61,7 +61,7 @@ struct Case {
     }
     FittedLight fitted() const { return fit_lights(scene, settings)[0]; }
     LightPose pose() const { return light_pose(light, fitted(), 0); }
-    /// Drags the handle by so many pixels of the screen (y down) and takes the result as the light.
+    /// Drags a handle by screen pixels (y down) and applies the result to the light.
     void drag(LightHandle h, const PictureView& v, glm::dvec2 by, double step = 0) {
         const LightPose start = grab_light(pose(), h, fitted());
         const auto at = v.point(handle_position(start, h, v));
@@ -76,7 +76,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
 }
 
-TEST(LightDrag, APlaceMovesWithTheMouse) {
+TEST(LightDrag, PositionMovesWithTheMouse) {
     for (const LightType type : {LightType::Spot, LightType::Point}) {
         Case c(type, 60, 30);
         const FittedLight before = c.fitted();
@@ -88,7 +88,7 @@ TEST(LightDrag, APlaceMovesWithTheMouse) {
     }
 }
 
-TEST(LightDrag, AnArrowMovesAlongItsAxisOnly) {
+TEST(LightDrag, ArrowMovesOnlyAlongItsAxis) {
     Case c(LightType::Point, 60, 30);
     for (const auto& [handle, way] :
          {std::pair{LightHandle::AxisX, glm::dvec3(1, 0, 0)}, {LightHandle::AxisY, {0, 1, 0}}}) {
@@ -98,7 +98,7 @@ TEST(LightDrag, AnArrowMovesAlongItsAxisOnly) {
     }
 }
 
-TEST(LightDrag, ADirectionalLightTakesItsTargetAlong) {
+TEST(LightDrag, DirectionalLightMovesItsTarget) {
     for (const LightHandle h : {LightHandle::Position, LightHandle::AxisY, LightHandle::Target}) {
         Case c(LightType::Directional, 35, 50);
         const FittedLight before = c.fitted();
@@ -112,7 +112,7 @@ TEST(LightDrag, ADirectionalLightTakesItsTargetAlong) {
     }
 }
 
-TEST(LightDrag, ASpotLightsTargetMovesAndItStays) {
+TEST(LightDrag, TargetOfASpotLightMovesAlone) {
     Case c(LightType::Spot, 60, 30);
     const FittedLight before = c.fitted();
     c.drag(LightHandle::Target, front_view(), {25, 10});
@@ -125,8 +125,7 @@ TEST(LightDrag, ASpotLightsTargetMovesAndItStays) {
 
 TEST(LightDrag, PlanesMoveAlongTheAxis) {
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
-        Case c(
-            type);  // from +x; near and far are to the left of the light. The first face of a point light looks to +x.
+        Case c(type);  // from +x; near and far are to the left of the light. The first face of a point light faces +x.
         const double sign = type == LightType::Point ? 1 : -1;
         const LightView before = c.fitted().views[0];
         c.drag(LightHandle::Near, front_view(), {sign * 8, 31});
@@ -158,10 +157,10 @@ TEST(LightDrag, PlanesStayInOrderAndInFrontOfTheLight) {
     EXPECT_GT(spot.light.near, 0);
 }
 
-TEST(LightDrag, ADirectionalLightStandsBackForItsNearPlane) {
+TEST(LightDrag, DirectionalLightMovesBackForItsNearPlane) {
     Case c(LightType::Directional);
     const LightView before = c.fitted().views[0];
-    const double wanted = before.curve.near + 7;  // metres towards the light, and beyond it
+    const double wanted = before.curve.near + 7;  // metres towards the light, and past it
     c.drag(LightHandle::Near, front_view(), {wanted / kMetresPerPixel, 0});
     const LightView after = c.fitted().views[0];
     EXPECT_GT(c.light.near, 0);
@@ -170,7 +169,7 @@ TEST(LightDrag, ADirectionalLightStandsBackForItsNearPlane) {
     EXPECT_NEAR(plane(after, after.curve.far), plane(before, before.curve.far), 1e-9);
 }
 
-TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
+TEST(LightDrag, ExtentIsTheDistanceFromTheAxis) {
     Case c(LightType::Directional);
     const LightPose pose = c.pose();
     int tried = 0;
@@ -190,8 +189,8 @@ TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
     EXPECT_EQ(tried, 2);
 }
 
-TEST(LightDrag, AConeOpensToTheMouse) {
-    Case c(LightType::Spot);  // from +x: its axis is -x, and the rim's handles up and down lie in the picture's plane
+TEST(LightDrag, ConeOpensToTheMouse) {
+    Case c(LightType::Spot);  // from +x: its axis is -x, and the rim's handles up and down are in the picture plane
     for (const double cone : {50.0, 220.0})
         for (const LightHandle h :
              {LightHandle::ConeRight, LightHandle::ConeTop, LightHandle::ConeLeft, LightHandle::ConeBottom}) {
@@ -214,7 +213,7 @@ TEST(LightDrag, AConeOpensToTheMouse) {
     expect_near(c.fitted().position, before);
 }
 
-TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
+TEST(LightDrag, RangeFollowsTheMouseAndChangesNothingElse) {
     const PictureView v = front_view();
     for (const LightType type : {LightType::Spot, LightType::Point}) {
         Case c(type);
@@ -226,7 +225,7 @@ TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
         const double along = type == LightType::Spot ? std::cos(25 * kDegree) : 0;  // on the rim, or across
         EXPECT_NEAR(glm::dot(way, -c.pose().to_light), along, 1e-12);
         const LightSettings before = c.light;
-        // On the screen the handle moves by the part of its way that lies across the line of sight.
+        // On the screen the handle moves by the component across the line of sight.
         c.drag(LightHandle::Range, v, glm::dvec2(way.x, -way.y) * (2 / kMetresPerPixel));
         EXPECT_NEAR(c.light.range, 10, 1e-6);
         c.drag(LightHandle::Range, v, glm::dvec2(way.x, -way.y) * (1.3 / kMetresPerPixel), 0.5);
@@ -241,7 +240,7 @@ TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
     EXPECT_EQ(std::ranges::count(handles_of(sun.pose()), LightHandle::Range), 0);
 }
 
-TEST(LightDrag, TheConeCanBeOpenedLookingDownTheAxis) {
+TEST(LightDrag, ConeOpensInAViewAlongTheAxis) {
     Case c(LightType::Spot, 0, 0);  // from +z, as the camera
     c.light.cone = 50;
     c.light.distance = 9;
@@ -253,7 +252,7 @@ TEST(LightDrag, TheConeCanBeOpenedLookingDownTheAxis) {
                 1e-9);
 }
 
-TEST(LightDrag, ADirectionFollowsTheMouseOnItsBall) {
+TEST(LightDrag, DirectionFollowsTheMouseOnItsSphere) {
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         Case c(type, 40, 25);
         if (type == LightType::Spot) c.light.distance = 12;
@@ -273,7 +272,7 @@ TEST(LightDrag, ADirectionFollowsTheMouseOnItsBall) {
     }
 }
 
-TEST(LightDrag, BeyondItsOutlineTheBallsFarSideIsReached) {
+TEST(LightDrag, MouseOutsideTheOutlineReachesTheFarSideOfTheSphere) {
     Case c(LightType::Directional, 40, 0);
     const double radius = direction_ball_radius(c.pose(), front_view()) / kMetresPerPixel,
                  x = radius * std::sin(40 * kDegree);
@@ -298,8 +297,7 @@ TEST(LightDrag, HandlesStayUnderTheMouseInPerspective) {
                     c.light = first.light;
                     const LightHandle h = placed.handle;
                     const LightPose start = grab_light(c.pose(), h, c.fitted());
-                    // What moves along a line is dragged along it; a cone's rim may be dragged anywhere, and the rest
-                    // too.
+                    // Handles of a line are dragged along the line; a cone's rim and other handles in any direction.
                     glm::dvec2 to = placed.on_screen + by;
                     if (is_axis(h) || is_extent(h) || h == Near || h == Far) {
                         const glm::dvec3 way = h == Near || h == Far ? start.view.axes[2] : handle_axis(start, h);
@@ -314,7 +312,8 @@ TEST(LightDrag, HandlesStayUnderTheMouseInPerspective) {
                     }
                     const auto now = v.point(handle_position(c.pose(), h, v));
                     ASSERT_TRUE(now);
-                    // An arrow has its length on the screen, so that its tip comes nearer or farther with the light.
+                    // An arrow has a fixed length on the screen, so that the distance of its tip changes with the
+                    // light.
                     const double tolerance = is_axis(h) ? 3 : 1e-6;
                     EXPECT_LT(glm::distance(*now, to), tolerance) << handle_name(h) << " of type " << int(type);
                     ++tried;
@@ -353,7 +352,7 @@ TEST(LightDrag, StepsAreRound) {
     EXPECT_TRUE(multiple(planes.light.far, 0.5)) << planes.light.far;
 }
 
-TEST(LightDrag, ATargetIsCountedFromTheScenesCentre) {
+TEST(LightDrag, TargetIsRelativeToTheSceneCentre) {
     for (const LightType type : {LightType::Spot, LightType::Directional}) {
         Case c(type, 40, 30);
         c.scene = test::box_scene({{{7, -1, -2}, {13, 5, 4}}});
@@ -365,7 +364,7 @@ TEST(LightDrag, ATargetIsCountedFromTheScenesCentre) {
     }
 }
 
-TEST(LightDrag, AcrossItsAxisAConeStaysShutOrWideOpen) {
+TEST(LightDrag, ConeStaysShutOrWideOpenAcrossItsAxis) {
     for (const auto& [cone, wanted] : {std::pair{50.0, 0.2}, {300.0, 360.0}}) {
         Case c(LightType::Spot);
         c.light.cone = cone;
@@ -378,7 +377,7 @@ TEST(LightDrag, AcrossItsAxisAConeStaysShutOrWideOpen) {
     }
 }
 
-TEST(LightHandles, NumbersAreThoseOfWhatIsDragged) {
+TEST(LightHandles, NumbersBelongToTheDraggedHandle) {
     Case c(LightType::Spot, 30, 20);
     c.light.cone = 41;
     c.light.distance = 9;
@@ -394,7 +393,7 @@ TEST(LightHandles, NumbersAreThoseOfWhatIsDragged) {
                                                                metres_text(pose.position.z));
 }
 
-TEST(LightHandles, UnderAFitOnlyALightWithAPlaceHasATarget) {
+TEST(LightHandles, FittedLightHasATargetOnlyIfItHasAPosition) {
     const auto has_target = [](const Case& c) {
         const auto all = handles_of(c.pose());
         return std::find(all.begin(), all.end(), LightHandle::Target) != all.end();
@@ -406,14 +405,14 @@ TEST(LightHandles, UnderAFitOnlyALightWithAPlaceHasATarget) {
     EXPECT_TRUE(has_target(sun));
 }
 
-TEST(LightHandles, AlongTheLineOfSightThereIsNothingToDrag) {
-    Case c(LightType::Directional, 0, 0);  // from +z, where the camera is
+TEST(LightHandles, HandlesAlongTheLineOfSightCannotBeDragged) {
+    Case c(LightType::Directional, 0, 0);  // from +z, the camera's side
     for (const PlacedHandle& h : place_handles(c.pose(), front_view()))
         EXPECT_TRUE(h.handle != LightHandle::Near && h.handle != LightHandle::Far && h.handle != LightHandle::AxisZ)
             << handle_name(h.handle);
 }
 
-TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
+TEST(LightHandles, AreNeitherBehindTheCameraNorOutsideThePicture) {
     Case c(LightType::Spot, 20, 35);
     c.light.distance = 100;  // behind the camera, which looks from about there from 30 m
     const PictureView v = perspective_view(c.scene);
@@ -435,14 +434,14 @@ TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
         EXPECT_TRUE(front_view().contains(h.on_screen)) << handle_name(h.handle);
 }
 
-TEST(LightHandles, ALightWithoutAMapHasNoPlanes) {
+TEST(LightHandles, LightWithoutAMapHasNoPlanes) {
     Case c(LightType::Directional);
     c.light.cast = false;
     for (const LightHandle h : handles_of(c.pose()))
         EXPECT_TRUE(h != LightHandle::Near && h != LightHandle::Far && !is_extent(h));
 }
 
-TEST(PictureView, ARayThroughAPointOfTheScreenMeetsWhatAppearsThere) {
+TEST(PictureView, RayThroughAScreenPointHitsTheShownSurface) {
     const Scene scene = small_scene();
     for (const PictureView& v : {front_view(), perspective_view(scene)}) {
         const glm::dvec3 p(1.5, -0.7, 0.9);
@@ -451,9 +450,9 @@ TEST(PictureView, ARayThroughAPointOfTheScreenMeetsWhatAppearsThere) {
         const auto met = intersect_plane(v.ray(*on), p, v.camera.axes[2]);
         ASSERT_TRUE(met);
         expect_near(*met, p);
-        const auto beside = v.point(p + v.camera.axes[0] * v.metres_per_pixel(p));
-        ASSERT_TRUE(beside);
-        EXPECT_NEAR(beside->x - on->x, 1, 1e-9);
+        const auto one_pixel_right = v.point(p + v.camera.axes[0] * v.metres_per_pixel(p));
+        ASSERT_TRUE(one_pixel_right);
+        EXPECT_NEAR(one_pixel_right->x - on->x, 1, 1e-9);
     }
 }
 

@@ -1,4 +1,4 @@
-// Handles of the shown light and marks of the others under a synthetic mouse, in the whole editor.
+// Tests of light handles and light marks under a synthetic mouse, in the whole editor.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -11,7 +11,7 @@
 namespace si::test {
 namespace {
 
-/// An editor whose camera sees all of the light and its frustum.
+/// Editor whose camera shows all of the light and its frustum.
 struct Gizmo {
     UiHarness ui{kWidth, kHeight};
     Settings& settings = ui.state.settings;
@@ -41,7 +41,7 @@ struct Gizmo {
     void key(int index, bool down) { ImGui::GetIO().KeysDown[ImGui::GetKeyIndex(index)] = down; }
 };
 
-TEST(LightGizmo, EveryHandleChangesTheLightAndIsOneStepOfUndo) {
+TEST(LightGizmo, EveryHandleChangesTheLightInOneUndoStep) {
     int dragged = 0;
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (const PlacedHandle& handle : Gizmo(type).handles()) {
@@ -60,7 +60,7 @@ TEST(LightGizmo, EveryHandleChangesTheLightAndIsOneStepOfUndo) {
     EXPECT_GT(dragged, 18);
 }
 
-TEST(LightGizmo, AClickOnAHandleChangesNothing) {
+TEST(LightGizmo, ClickOnAHandleChangesNothing) {
     Gizmo g(LightType::Spot);
     const Settings before = g.settings;
     for (const LightHandle h : {LightHandle::Near, LightHandle::Target, LightHandle::ConeTop}) g.ui.click(g.place(h));
@@ -68,7 +68,7 @@ TEST(LightGizmo, AClickOnAHandleChangesNothing) {
     EXPECT_FALSE(g.ui.state.probe_pixel);
 }
 
-TEST(LightGizmo, EscapeRestoresAndTheRestOfThePressIsNothing) {
+TEST(LightGizmo, EscapeRestoresAndEndsTheDrag) {
     Gizmo g(LightType::Directional);
     const Settings before = g.settings;
     const glm::vec2 at = g.place(LightHandle::Direction);
@@ -93,7 +93,7 @@ TEST(LightGizmo, EscapeRestoresAndTheRestOfThePressIsNothing) {
     EXPECT_FALSE(g.ui.state.probe_pixel);
 }
 
-TEST(LightGizmo, WithinNinePixelsAHandleIsHit) {
+TEST(LightGizmo, HandleIsHitWithinNinePixels) {
     Gizmo g(LightType::Spot);
     const glm::vec2 at = g.place(LightHandle::Far);
     for (const glm::vec2 off : {glm::vec2(9, 0), glm::vec2(0, -9), glm::vec2(-6, 6)}) {
@@ -111,7 +111,7 @@ TEST(LightGizmo, WithinNinePixelsAHandleIsHit) {
     EXPECT_TRUE(g.ui.state.viewport.hovered_light) << "and again after a click";
 }
 
-TEST(LightGizmo, AHandleTakenBesideItsMiddleDoesNotJump) {
+TEST(LightGizmo, HandleGrabbedOffCentreDoesNotJump) {
     LightSettings moved[2];
     for (const int off : {0, 1}) {
         Gizmo g(LightType::Spot);
@@ -123,7 +123,7 @@ TEST(LightGizmo, AHandleTakenBesideItsMiddleDoesNotJump) {
     EXPECT_NEAR(moved[0].far, moved[1].far, 1e-6);
 }
 
-TEST(LightGizmo, TheArrowToALightOutsideBringsItIn) {
+TEST(LightGizmo, ArrowToALightOutsideThePictureBringsItIn) {
     Gizmo g(LightType::Spot);
     g.light.distance = 9 * g.ui.scene.bounds.radius();
     g.light.elevation = 75;
@@ -137,7 +137,7 @@ TEST(LightGizmo, TheArrowToALightOutsideBringsItIn) {
     EXPECT_FALSE(g.ui.state.probe_pixel) << "the click probed as well";
 }
 
-TEST(LightGizmo, OnlyLightsThatSettingsAndFrameKnowAreThere) {
+TEST(LightGizmo, OnlyLightsOfSettingsAndFrameAreShown) {
     Gizmo g(LightType::Spot);
     g.settings.light_count = 2;
     g.settings.lights[1].type = LightType::Point;
@@ -148,7 +148,7 @@ TEST(LightGizmo, OnlyLightsThatSettingsAndFrameKnowAreThere) {
     g.ui.frames(2);
     ASSERT_TRUE(g.ui.state.viewport.hovered_light);
     EXPECT_EQ(g.ui.state.viewport.hovered_light->light, 1);
-    g.ui.frame_settings = g.settings;  // the frame of a moment ago
+    g.ui.frame_settings = g.settings;  // the previous frame
     g.settings.light_count = 1;
     g.ui.frames(2);
     EXPECT_FALSE(g.ui.state.viewport.hovered_light) << "of a light that is gone";
@@ -159,7 +159,7 @@ TEST(LightGizmo, OnlyLightsThatSettingsAndFrameKnowAreThere) {
     EXPECT_FALSE(g.ui.state.viewport.hovered_light) << "of a light that was not drawn yet";
 }
 
-TEST(LightGizmo, ControlGoesInSteps) {
+TEST(LightGizmo, ControlSnapsToSteps) {
     Gizmo g(LightType::Directional);
     g.light.azimuth = -31.7;
     g.ui.frames(2);
@@ -174,7 +174,7 @@ TEST(LightGizmo, ControlGoesInSteps) {
     EXPECT_EQ(g.settings.camera, camera);
 }
 
-TEST(LightGizmo, AnotherLightIsChosenByItsMark) {
+TEST(LightGizmo, MarkSelectsAnotherLight) {
     Gizmo g(LightType::Spot);
     g.settings.light_count = 3;
     g.settings.lights[2].type = LightType::Point;
@@ -192,7 +192,7 @@ TEST(LightGizmo, AnotherLightIsChosenByItsMark) {
     EXPECT_NE(g.settings.lights[2].azimuth, 120) << "its handles act once it is chosen";
 }
 
-TEST(LightGizmo, WithoutTheFrustumThereIsNothingToDrag) {
+TEST(LightGizmo, HiddenFrustumHasNoHandles) {
     Gizmo g(LightType::Spot);
     const glm::vec2 at = g.place(LightHandle::Far);
     g.settings.view.frustum = false;
@@ -204,7 +204,7 @@ TEST(LightGizmo, WithoutTheFrustumThereIsNothingToDrag) {
     EXPECT_NE(g.settings.camera, camera) << "the camera turns instead";
 }
 
-TEST(LightGizmo, SeenThroughItselfALightHasNoHandles) {
+TEST(LightGizmo, LightHasNoHandlesInItsOwnView) {
     Gizmo g(LightType::Spot);
     g.settings.camera.source = CameraSource::Light;
     g.ui.frames(3);
@@ -219,7 +219,7 @@ TEST(LightGizmo, SeenThroughItselfALightHasNoHandles) {
     EXPECT_EQ(g.settings, before);
 }
 
-TEST(LightGizmo, ALightMayDisappearUnderAHandle) {
+TEST(LightGizmo, LightMayDisappearDuringADrag) {
     Gizmo g(LightType::Spot);
     const glm::vec2 at = g.place(LightHandle::Far);
     g.ui.move(at);

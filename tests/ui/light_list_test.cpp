@@ -1,4 +1,4 @@
-// Lights added, copied, deleted and reordered: as functions on settings, and by their buttons.
+// Tests of adding, copying, deleting and reordering lights, as functions on settings and by buttons.
 #include "ui/state/light_list.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace si::test {
 namespace {
 
-/// Lights with azimuths 10, 20, ...
+/// Makes lights with azimuths 10, 20, ...
 Settings with_lights(int count) {
     Settings s;
     s.light_count = count;
@@ -27,7 +27,7 @@ std::vector<double> azimuths(const Settings& s) {
     return out;
 }
 
-TEST(LightList, CopiesStandRightAfterTheirOriginal) {
+TEST(LightList, CopiesFollowTheirOriginal) {
     Settings s = with_lights(3);
     s.lights[1].cast = false;
     s.lights[1].name = "key";
@@ -47,7 +47,7 @@ TEST(LightList, CopiesStandRightAfterTheirOriginal) {
     EXPECT_EQ(s, with_lights(kMaxLights)) << "there is no room";
 }
 
-TEST(LightList, DeletedOnesLeaveNoTraceAndTheShownOneStays) {
+TEST(LightList, DeletedLightsLeaveNoTraceAndTheShownOneStays) {
     Settings s = with_lights(3);
     s.view.light = 2;
     delete_light(s, 0);
@@ -64,7 +64,7 @@ TEST(LightList, DeletedOnesLeaveNoTraceAndTheShownOneStays) {
     EXPECT_EQ(azimuths(s), std::vector<double>{LightSettings().azimuth});
 }
 
-TEST(LightList, MovesAsFarAsThereAreLights) {
+TEST(LightList, MovesStopAtTheEndsOfTheList) {
     Settings s = with_lights(4);
     move_light(s, 0, 2);
     EXPECT_EQ(azimuths(s), (std::vector<double>{20, 30, 10, 40}));
@@ -74,7 +74,7 @@ TEST(LightList, MovesAsFarAsThereAreLights) {
     EXPECT_EQ(s.view.light, 0);
 }
 
-TEST(LightList, AddedOnesStandApartFromAllOthers) {
+TEST(LightList, AddedLightsAreApartFromAllOthers) {
     Settings s;
     s.light_count = 1;
     for (int i = 0; i < 5; ++i) {
@@ -88,7 +88,7 @@ TEST(LightList, AddedOnesStandApartFromAllOthers) {
                 << a << " and " << b;
 }
 
-TEST(LightList, SoloSwitchesTheOthersOffAndOnAgain) {
+TEST(LightList, SoloTogglesTheOtherLights) {
     Settings s = with_lights(3);
     const Settings all = s;
     solo_light(s, 1);
@@ -104,7 +104,7 @@ TEST(LightList, SoloSwitchesTheOthersOffAndOnAgain) {
 
 constexpr int kF2 = 291;
 
-/// The ID of a widget in a light's line, below the window's.
+/// Returns the ID of a widget in a light's line, below the window's ID.
 auto in_line(int light, const char* label, const char* within = nullptr) {
     return [=](ImGuiID id) {
         id = ImHashStr("lights", 0, ImHashStr("light", 0, id));  // the table
@@ -135,7 +135,7 @@ protected:
     UiHarness ui{700, 600};
 };
 
-TEST_F(LightTable, ChooseSwitchAndSolo) {
+TEST_F(LightTable, SelectsSwitchesAndSolosLights) {
     click(in_line(2, "2 Directional###shown"));
     EXPECT_EQ(ui.state.settings.view.light, 2);
     click(in_line(1, "##on"));
@@ -148,7 +148,7 @@ TEST_F(LightTable, ChooseSwitchAndSolo) {
     EXPECT_TRUE(ui.state.history.can_undo()) << "each click is a step";
 }
 
-TEST_F(LightTable, EveryButtonIsThereInANarrowWindow) {
+TEST_F(LightTable, EveryButtonFitsANarrowWindow) {
     ui.state.settings.view.light = 0;
     ui.state.settings.lights[0].name = "key";
     const auto at = ui.find("rows", [](ImGuiID seed) { return ImHashStr(">", 0, ImHashStr("light", 0, seed)); });
@@ -157,7 +157,7 @@ TEST_F(LightTable, EveryButtonIsThereInANarrowWindow) {
     EXPECT_EQ(light(1).name, "key");
 }
 
-TEST_F(LightTable, F2NamesTheShownLight) {
+TEST_F(LightTable, F2RenamesTheShownLight) {
     ui.state.settings.view.light = 1;
     ui.frames(2);
     key(kF2);
@@ -166,7 +166,7 @@ TEST_F(LightTable, F2NamesTheShownLight) {
     EXPECT_EQ(light(1).name, "key");
     EXPECT_NE(ui.printed().find(U"1key"), std::u32string::npos) << "in the place of its type";
     EXPECT_EQ(ui.state.history.undo().lights[1].name, "") << "one step";
-    // What is typed takes the place of the old name; Escape leaves it.
+    // Typed text replaces the old name; Escape discards it.
     key(kF2);
     ui.type("fill");
     key(ImGui::GetKeyIndex(ImGuiKey_Escape));
@@ -179,7 +179,7 @@ TEST_F(LightTable, F2NamesTheShownLight) {
     EXPECT_EQ(ui.state.log.lines().back().kind, LogKind::Error);
 }
 
-TEST_F(LightTable, ADoubleClickNamesALightAndAClickElsewhereTakesIt) {
+TEST_F(LightTable, DoubleClickRenamesALightAndAClickElsewhereConfirms) {
     const auto at = ui.find("rows", in_line(2, "###shown"));
     ASSERT_TRUE(at);
     ui.click(*at);
@@ -192,7 +192,7 @@ TEST_F(LightTable, ADoubleClickNamesALightAndAClickElsewhereTakesIt) {
     EXPECT_FALSE(ui.state.lights.rename);
 }
 
-TEST_F(LightTable, ASwatchOpensAColourToChoose) {
+TEST_F(LightTable, SwatchOpensAColourPicker) {
     click(in_line(1, "##ColorButton", "##colour"));
     EXPECT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
     const auto square = ui.find("##Popup", [](ImGuiID id) { return ImHashStr("sv", 0, ImHashStr("##picker", 0, id)); });
@@ -204,7 +204,7 @@ TEST_F(LightTable, ASwatchOpensAColourToChoose) {
     EXPECT_EQ(light(0).green, 1);
 }
 
-TEST_F(LightTable, TheCubesCrossChoosesAFace) {
+TEST_F(LightTable, CubeCrossSelectsAFace) {
     ui.state.settings.lights[0].type = LightType::Point;
     ui.move({0, 0});  // no tooltip, which names a face, too
     ui.frames(2);
@@ -231,7 +231,7 @@ TEST_F(LightTable, TheCubesCrossChoosesAFace) {
     EXPECT_FALSE(ui.drawn().find(U"-y", 0)) << "one map has no faces";
 }
 
-TEST(LightList, ComparisonsNameALight) {
+TEST(LightList, ComparisonsNameTheLight) {
     UiHarness ui(1280, 900);
     ui.state.settings.light_count = 2;
     ui.state.settings.lights[1].name = "key";
@@ -243,7 +243,7 @@ TEST(LightList, ComparisonsNameALight) {
     EXPECT_TRUE(ui.drawn().shows("Light 1 (key)"));
 }
 
-TEST(LightList, EachChangeIsOneStepOfUndo) {
+TEST(LightList, EachChangeIsOneUndoStep) {
     UiHarness ui(1280, 900);
     ui.frames(3);
     const Settings one = ui.state.settings;

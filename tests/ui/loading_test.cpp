@@ -1,4 +1,4 @@
-// Scenes read in the background: the reader is a puppet, so that nothing depends on how fast the machine is.
+// Tests of scene loading in the background. The tests control the reader, so nothing depends on the machine's speed.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -28,17 +28,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Reads "boxes" under any name but "plane", as far as the test lets it.
+/// Reader that the test advances. Any name but "plane" reads "boxes".
 class Puppet {
 public:
     SceneReader reader() {
         return [this](const std::string& name, const GltfOptions& options) { return read(name, options); };
     }
-    /// Returns once the reader has reported that much.
+    /// Returns once the reader has reported this progress.
     void advance(double progress) {
         std::unique_lock lock(mutex_);
         wanted_ = progress;
-        EXPECT_TRUE(told_.wait_for(lock, 60s, [&] { return reported_ == progress; })) << "nobody reads";
+        EXPECT_TRUE(changed_.wait_for(lock, 60s, [&] { return reported_ == progress; })) << "nobody reads";
     }
     void release(const std::string& error = {}) {
         const std::lock_guard lock(mutex_);
@@ -61,16 +61,16 @@ private:
         started_.push_back(name);
         most_ = std::max(most_, ++reading_);
         bool finished = false;
-        // A minute at most: an editor that never cancels shall fail its test, not hang it.
+        // A limit of one minute: an editor that never cancels fails its test instead of hanging it.
         for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end;) {
             if (!options.progress(wanted_)) {
                 cancelled_.push_back(name);
                 break;
             }
             reported_ = wanted_;
-            told_.notify_all();
+            changed_.notify_all();
             if (finished = released_; finished) break;
-            told_.wait_for(lock, 1ms);
+            changed_.wait_for(lock, 1ms);
         }
         --reading_;
         if (!finished) throw Error("cancelled");
@@ -79,7 +79,7 @@ private:
     }
 
     mutable std::mutex mutex_;
-    std::condition_variable told_;
+    std::condition_variable changed_;
     double wanted_ = 0, reported_ = -1;
     bool released_ = false;
     std::string error_;
@@ -99,7 +99,7 @@ std::string last_line(HeadlessEditor& editor) {
     return editor.model().state.log.lines().back().text;
 }
 
-/// An editor that shows "plane" and reads `name` under the puppet's hand.
+/// Editor that shows "plane" and reads `name` with the controlled reader.
 struct Loading {
     Puppet puppet;  // outlives the editor, whose thread uses it
     HeadlessEditor editor{plane(), puppet.reader()};
@@ -114,7 +114,7 @@ struct Loading {
     const std::string& shown() { return editor.model().state.scene_name; }
 };
 
-TEST(Loading, TheEditorDrawsTheOldSceneAndTheProgressMeanwhile) {
+TEST(Loading, EditorDrawsTheOldSceneAndTheProgress) {
     Loading l;
     EditorModel& model = l.editor.model();
     ByteImage before;
@@ -134,7 +134,7 @@ TEST(Loading, TheEditorDrawsTheOldSceneAndTheProgressMeanwhile) {
         before = picture;
     }
     const std::uint64_t scene = model.facts().scene->id;
-    model.state.settings.view.overlay = 2;  // the old scene is still worked on
+    model.state.settings.view.overlay = 2;  // the old scene is still in use
     l.editor.frame();
     ASSERT_TRUE(model.facts().result);
     EXPECT_NE(model.facts().result->overlay.texture, 0u);
@@ -150,7 +150,7 @@ TEST(Loading, TheEditorDrawsTheOldSceneAndTheProgressMeanwhile) {
     EXPECT_EQ(model.state.settings.view.overlay, 2);
 }
 
-TEST(Loading, CancelKeepsTheSceneThatIsShown) {
+TEST(Loading, CancelKeepsTheShownScene) {
     Loading l;
     l.puppet.advance(0.5);
     const Settings before = l.editor.model().state.settings;
@@ -167,7 +167,7 @@ TEST(Loading, CancelKeepsTheSceneThatIsShown) {
     EXPECT_EQ(l.editor.model().state.log.unseen_errors(), 0) << last_line(l.editor);
 }
 
-TEST(Loading, ASceneReadBeforeItsCancelWasNoticedIsDropped) {
+TEST(Loading, SceneReadBeforeItsCancelIsDropped) {
     Puppet puppet;
     puppet.release();
     SceneLoading loading(puppet.reader());
@@ -178,7 +178,7 @@ TEST(Loading, ASceneReadBeforeItsCancelWasNoticedIsDropped) {
     EXPECT_FALSE(loading.busy());
 }
 
-TEST(Loading, AFailureKeepsTheSceneAndIsALineInTheLog) {
+TEST(Loading, FailureKeepsTheSceneAndIsALineInTheLog) {
     Loading l;
     l.puppet.advance(0.7);
     l.puppet.release("city.gltf: it is broken; mend it");
@@ -191,7 +191,7 @@ TEST(Loading, AFailureKeepsTheSceneAndIsALineInTheLog) {
     EXPECT_FALSE(l.facts());
 }
 
-TEST(Loading, ASecondRequestCancelsTheFirst) {
+TEST(Loading, SecondRequestCancelsTheFirst) {
     Loading l("first.gltf");
     l.puppet.advance(0.5);
     l.editor.model().open("second.gltf");
@@ -207,7 +207,7 @@ TEST(Loading, ASecondRequestCancelsTheFirst) {
     EXPECT_EQ(l.puppet.most_at_once(), 1) << "two scenes would be in memory";
 }
 
-TEST(Loading, ClosingTheEditorCancelsAndJoins) {
+TEST(Loading, ClosingTheEditorCancelsAndJoinsTheThread) {
     Puppet puppet;
     {
         HeadlessEditor editor(plane(), puppet.reader());
@@ -218,7 +218,7 @@ TEST(Loading, ClosingTheEditorCancelsAndJoins) {
     EXPECT_EQ(puppet.cancelled(), std::vector<std::string>{"city.gltf"});
 }
 
-TEST(Loading, APresetWaitsForItsSceneAndGoesWithItsCancel) {
+TEST(Loading, PresetWaitsForItsSceneAndIsCancelledWithIt) {
     const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "loading_preset.json";
     Preset preset{.about = {}, .scene = "town.gltf", .settings = {}};
     preset.settings.bias.constant = 3.25;
@@ -248,7 +248,7 @@ EditorOptions first(const std::string& scene, const std::vector<std::string>& se
     return o;
 }
 
-TEST(Loading, TheFirstSceneIsReadOnceWhileTheEditorDraws) {
+TEST(Loading, FirstSceneIsReadOnceWhileTheEditorDraws) {
     Puppet puppet;
     HeadlessEditor editor(first("city.gltf", {"bias.constant=2"}), puppet.reader());
     EditorModel& model = editor.model();
@@ -279,7 +279,7 @@ TEST(Loading, TheFirstSceneIsReadOnceWhileTheEditorDraws) {
     EXPECT_NO_THROW(model.require_scene());
 }
 
-TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
+TEST(Loading, FailedFirstSceneLeavesAWorkingEditor) {
     Puppet puppet;
     puppet.release("city.gltf: it is broken; mend it");
     HeadlessEditor editor(first("city.gltf"), puppet.reader());
@@ -290,7 +290,7 @@ TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
     EXPECT_EQ(model.state.tab, BottomTab::Log);
     EXPECT_FALSE(model.facts().result);
     EXPECT_THROW(model.require_scene(), Error);
-    // Keys and buttons that need a scene do no harm.
+    // Keys and buttons that need a scene have no effect.
     EditorRequests requests = editor.frame();
     requests.copy_command_line = true;
     model.fulfil(requests);
@@ -307,7 +307,7 @@ TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
     EXPECT_NO_THROW(model.require_scene());
 }
 
-TEST(Loading, ACancelledFirstSceneLeavesAnEditorThatSaysSo) {
+TEST(Loading, CancelledFirstSceneIsReported) {
     Puppet puppet;
     HeadlessEditor editor(first("city.gltf"), puppet.reader());
     puppet.advance(0.3);
@@ -319,7 +319,7 @@ TEST(Loading, ACancelledFirstSceneLeavesAnEditorThatSaysSo) {
     EXPECT_EQ(editor.model().state.log.unseen_errors(), 0);
 }
 
-TEST(Loading, WhatTheFirstSceneLacksIsLeftOutAndTold) {
+TEST(Loading, ObjectsMissingInTheFirstSceneAreDroppedAndReported) {
     EditorOptions o = first("boxes", {"object.Nobody.cast=false", "bias.constant=2"});
     {
         HeadlessEditor editor(o);
@@ -335,7 +335,7 @@ TEST(Loading, WhatTheFirstSceneLacksIsLeftOutAndTold) {
     EXPECT_THROW(strict.model().require_scene(), UsageError);
 }
 
-TEST(Loading, AnotherSceneOfTheFileIsReadWhenItsIndexIsChosen) {
+TEST(Loading, SceneIndexReadsAnotherSceneOfTheFile) {
     test::TemporaryFolder folder;
     test::GltfFile file;
     file.add_triangle();
@@ -372,7 +372,7 @@ TEST(Loading, AnotherSceneOfTheFileIsReadWhenItsIndexIsChosen) {
     EXPECT_FALSE(model.loading()) << "it is not tried again and again";
 }
 
-TEST(Loading, AFileIsReadThroughTheLoaderWithItsProgress) {
+TEST(Loading, FileIsReadByTheLoaderWithProgress) {
     const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "loading_boxes.gltf";
     save_gltf(load_scene("boxes"), file);
     SceneLoading loading;
@@ -384,7 +384,7 @@ TEST(Loading, AFileIsReadThroughTheLoaderWithItsProgress) {
     EXPECT_EQ(outcome->scene->triangle_count(), load_scene("boxes").triangle_count());
 }
 
-TEST(Loading, TheTimeLeftIsEstimatedOnceItCanBe) {
+TEST(Loading, RemainingTimeIsEstimatedOnceKnown) {
     EXPECT_EQ(remaining_seconds(0.5, 0.5), 0) << "too early";
     EXPECT_EQ(remaining_seconds(20, 0.01), 0) << "too little";
     EXPECT_DOUBLE_EQ(remaining_seconds(3, 0.25), 9);
@@ -393,7 +393,7 @@ TEST(Loading, TheTimeLeftIsEstimatedOnceItCanBe) {
     EXPECT_EQ(seconds_text(8.2), "9 s");
     EXPECT_EQ(seconds_text(130), "3 min");
 
-    // It is seen: the strip with it has more to draw.
+    // The strip with the progress has more to draw.
     test::UiHarness ui(1280, 720);
     const auto vertices = [&](const LoadingFacts& facts) {
         ui.loading = facts;
@@ -405,7 +405,7 @@ TEST(Loading, TheTimeLeftIsEstimatedOnceItCanBe) {
     EXPECT_NE(vertices({"city.gltf", 1, 0}), without) << "then its first picture is drawn";
 }
 
-TEST(Loading, TheCancelButtonIsOverThePicture) {
+TEST(Loading, CancelButtonIsOverThePicture) {
     test::UiHarness ui(1280, 720);
     const auto cancelled_by_a_click = [&] {
         bool cancelled = false;
@@ -427,7 +427,7 @@ TEST(Loading, TheCancelButtonIsOverThePicture) {
     const Settings before = ui.state.settings;
     EXPECT_TRUE(cancelled_by_a_click());
     EXPECT_EQ(ui.state.settings, before);
-    ui.with_facts = false;  // there is a strip where there is no picture yet
+    ui.with_facts = false;  // a strip without a picture
     EXPECT_TRUE(cancelled_by_a_click());
 }
 

@@ -1,4 +1,4 @@
-// The map viewer with the real renderer: which pixel reads which texel, the plots, saving.
+// Tests of the map viewer with the real renderer: read texels of pixels, plots, saving.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ EditorOptions options(const std::string& scene = "boxes") {
     return o;
 }
 
-/// Finds a place over a picture: the first on a coarse grid for which `found` holds after the editor has settled.
+/// Returns the first position of a coarse grid over a picture for which `found` holds after the editor has settled.
 std::optional<glm::vec2> hover(HeadlessEditor& editor, glm::vec2 from, glm::vec2 to, const auto& found) {
     for (float y = from.y; y < to.y; y += 23) {
         for (float x = from.x; x < to.x; x += 23) {
@@ -47,7 +47,7 @@ std::size_t differing_pixels(const ByteImage& a, const ByteImage& b, int x1) {
     return count;
 }
 
-TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
+TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kWideLayout;
     editor.settle();
@@ -69,9 +69,9 @@ TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
     EXPECT_NE(std::find(readers.begin(), readers.end(), pixel), readers.end());
 }
 
-TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
+TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
     EditorOptions o = options();
-    o.session.sets.push_back("map.resolution=64");  // texels that many pixels read
+    o.session.sets.push_back("map.resolution=64");  // texels read by many pixels
     HeadlessEditor editor(o);
     editor.model().state.layout = test::kWideLayout;
     editor.settle();
@@ -86,7 +86,7 @@ TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
     EXPECT_GE(differing_pixels(before, editor.picture(), 480), readers / 2) << "the scene picture shows no readers";
 }
 
-TEST(MapViewer, LinksAreReadOnlyWhileAPictureIsHovered) {
+TEST(MapViewer, LinksAreReadOnlyDuringHover) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kWideLayout;
     editor.settle();
@@ -94,8 +94,8 @@ TEST(MapViewer, LinksAreReadOnlyWhileAPictureIsHovered) {
     EXPECT_FALSE(editor.frame().want_links);
 }
 
-// Exactly read are all texels of the squares about kernels where a kernel reads all of its square, and fewer else.
-TEST(MapViewer, TheTexelsThatAreReadAreMarkedExactlyWhenAskedFor) {
+// The exact set equals the squares around kernels for kernels that read their whole square, and is smaller otherwise.
+TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
     const auto shares = [](const std::string& kernel, const char* picture) {
         EditorOptions o = options();
         o.session.sets = {"filter.kernel=" + kernel, "filter.radius=8", "filter.taps=4", "map.resolution=256",
@@ -130,7 +130,7 @@ TEST(MapViewer, TheTexelsThatAreReadAreMarkedExactlyWhenAskedFor) {
     EXPECT_LT(poisson, 0.98 * poisson_squares);
 }
 
-TEST(MapViewer, TheHistogramCountsEveryTexel) {
+TEST(MapViewer, HistogramCountsEveryTexel) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kWideLayout;
     editor.settle();
@@ -145,7 +145,7 @@ TEST(MapViewer, TheHistogramCountsEveryTexel) {
     EXPECT_EQ(counted, s.drawn);
 }
 
-TEST(MapViewer, FittingTheGreysNarrowsTheHistogram) {
+TEST(MapViewer, GreyScaleFitNarrowsTheHistogram) {
     EditorOptions o = options();
     o.session.sets.push_back("view.map_fit=true");
     HeadlessEditor editor(o);
@@ -177,7 +177,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
     EXPECT_EQ(magic, "Pf");
     EXPECT_EQ(width, editor.model().facts().result->map_view_size.x);
     EXPECT_EQ(height, width);
-    editor.settle();  // saving drew other passes: the editor's picture is whole again
+    editor.settle();  // saving drew other passes: wait for the editor's picture
     EXPECT_NE(editor.model().facts().result->colour.texture, 0u);
 
     requests.save_map = "/no/such/folder/map.pfm";
@@ -188,7 +188,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
     EXPECT_NE(editor.model().state.log.lines().back().text.find(".png"), std::string::npos);
 }
 
-TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
+TEST(MapViewer, CameraDepthIsShownInItsOwnAspectRatio) {
     EditorOptions o = options("plane");
     o.session.sets.push_back("view.map_source=camera");
     HeadlessEditor editor(o);
@@ -201,7 +201,7 @@ TEST(MapViewer, TheCamerasDepthIsShownInItsOwnShape) {
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "camera_depth.png", editor.picture());
 }
 
-TEST(MapViewer, LostCastersAreFacts) {
+TEST(MapViewer, LostCastersAreReported) {
     EditorOptions o = options();
     o.session.sets = {"caster.cull=front"};
     HeadlessEditor editor(o);
@@ -222,7 +222,7 @@ TEST(MapViewer, LostCastersAreFacts) {
     EXPECT_TRUE(editor.model().facts().lost_casters.empty());
 }
 
-TEST(DepthPlots, TheNinetyTenRule) {
+TEST(DepthPlots, ShowTheNinetyTenRule) {
     DepthCurve curve{.perspective = true, .near = 1, .far = 100, .convention = {}};
     // Depth 0.9 is reached where (1/n - 1/z) / (1/n - 1/f) = 0.9.
     const double expected = 1 / (1 - 0.9 * (1 - 0.01));

@@ -1,4 +1,4 @@
-// Zoom and pan of the map viewer by synthetic mouse, and what it says of a texel.
+// Tests of zoom and pan in the map viewer by synthetic mouse, and of texel read-outs.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -34,7 +34,7 @@ struct MapViewer {
     }
 };
 
-TEST(MapWindow, TexelsAreCountedToTheRightAndUp) {
+TEST(MapWindow, TexelIndicesRiseToTheRightAndUp) {
     MapViewer m;
     const glm::ivec2 at = m.texel_at(m.middle), right = m.texel_at(m.middle + glm::vec2(60, 0)),
                      up = m.texel_at(m.middle - glm::vec2(0, 60));
@@ -44,7 +44,7 @@ TEST(MapWindow, TexelsAreCountedToTheRightAndUp) {
     EXPECT_EQ(up.x, at.x);
 }
 
-TEST(MapWindow, TheWheelZoomsAboutTheMouseDownToSingleTexels) {
+TEST(MapWindow, WheelZoomsAboutTheMouseDownToSingleTexels) {
     MapViewer m;
     const glm::vec2 off = m.middle + glm::vec2(37, -52);
     const glm::ivec2 under = m.texel_at(off);
@@ -62,7 +62,7 @@ TEST(MapWindow, TheWheelZoomsAboutTheMouseDownToSingleTexels) {
     EXPECT_EQ(m.window.centre, glm::vec2(0.5f));
 }
 
-TEST(MapWindow, ADragTakesTheTexelAlongAndADoubleClickShowsAll) {
+TEST(MapWindow, DragPansAndDoubleClickShowsTheWholeMap) {
     MapViewer m;
     m.texel_at(m.middle);
     for (int i = 0; i < 12; ++i) m.wheel(1);
@@ -80,7 +80,7 @@ TEST(MapWindow, ADragTakesTheTexelAlongAndADoubleClickShowsAll) {
     EXPECT_EQ(m.window.centre, glm::vec2(0.5f));
 }
 
-TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
+TEST(MapWindow, PlotsAndLinksAreReadOnlyWhileShown) {
     MapViewer m;
     m.ui.move({5, 5});
     EXPECT_FALSE(m.ui.frames(2).want_links);
@@ -95,10 +95,10 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
     EXPECT_FALSE(m.ui.frames(2).want_frozen_usage) << "the map is not shown";
 }
 
-TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
+TEST(MapWindow, CheckboxRequestsExactTexelsWhileTheMapIsShown) {
     MapViewer m(1400);
     m.ui.state.layout.settings_width = 14;
-    m.ui.state.layout.map_share = 0.85f;  // its box has room in the row
+    m.ui.state.layout.map_share = 0.85f;  // its checkbox fits the row
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
     const auto box = m.ui.find("editor/map", "", "Texels read");
     ASSERT_TRUE(box);
@@ -126,7 +126,7 @@ TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
 }
 
-TEST(MapWindow, TheLightIsChosenByNameAmongThoseThatThereAre) {
+TEST(MapWindow, LightIsSelectedByName) {
     MapViewer m;
     Settings& s = m.ui.state.settings;
     EXPECT_FALSE(m.ui.find("editor/map", "view.light", "##value")) << "one light is no choice";
@@ -144,13 +144,13 @@ TEST(MapWindow, TheLightIsChosenByNameAmongThoseThatThereAre) {
     m.ui.click(*lamp);
     EXPECT_EQ(s.view.light, 2);
     EXPECT_EQ(m.ui.state.history.undo().view.light, 0);
-    // A number past the last is the last.
+    // A number above the last selects the last.
     s.view.light = 5;
     m.ui.frames(3);
     EXPECT_FALSE(m.ui.drawn().shows("not there"));
 }
 
-TEST(MapReadout, SaysMetresStoredAndLinear) {
+TEST(MapReadout, ShowsStoredAndLinearDepthInMetres) {
     DepthCurve curve;
     curve.perspective = true;
     curve.near = 1;

@@ -1,3 +1,4 @@
+// Random events and files for the editor, from a seed.
 #include "tests/ui/monkey.h"
 
 #include <fmt/format.h>
@@ -103,7 +104,7 @@ public:
     }
 
 private:
-    // Not the distributions of the standard library, which differ from one to the next.
+    // Own distributions, since those of the standard library differ between implementations.
     int below(int n) { return int(random_() % std::uint32_t(std::max(n, 1))); }
     std::string at() { return fmt::format("{} {}", below(width_), below(height_)); }
     std::string move() { return "mousemove " + at(); }

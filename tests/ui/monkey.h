@@ -1,4 +1,4 @@
-// What somebody does who hits keys and buttons at random, made from a seed alone.
+// Random input for the editor's window, reproducible from a seed.
 #pragma once
 
 #include <cstdint>
@@ -8,18 +8,18 @@
 
 namespace si::test {
 
-/// A line each, as it is written down and played again:
+/// Returns `count` random events. Each is a line, as logged and replayed:
 ///
-///     xdotool mousemove 100 200 click 1     what xdotool is to do
-///     drop 3 100 200                        the file of this number let go there
-///     size 640 480                          of the window
+///     xdotool mousemove 100 200 click 1     command for xdotool
+///     drop 3 100 200                        drop of file number 3 at a position
+///     size 640 480                          size of the window
 ///     pause 40                              milliseconds
 ///
-/// Never asks the editor to end, but may meet its menu's entry for that.
-/// @param files how many there are to drop
+/// No event closes the editor directly, but clicks may reach the menu entry for it.
+/// @param files number of files that can be dropped
 std::vector<std::string> monkey_events(std::uint32_t seed, int count, std::size_t files);
 
-/// Makes files to be dropped: scenes, presets, and what is neither. @returns them, in an order that is always the same
+/// Makes files to drop: scenes, presets and other files. Returns their paths in a fixed order.
 std::vector<std::filesystem::path> monkey_files(const std::filesystem::path& folder);
 
 }  // namespace si::test

@@ -1,5 +1,5 @@
-// A monkey at the editor's window: events by chance from a seed. It lives on, the driver has nothing to complain of,
-// all numbers are sound, and at rest the editor holds what it held before.
+// Random test of the editor's window: seeded events. The editor survives, the driver reports no error, all numbers are
+// finite, and the idle editor's memory is as before.
 //
 //     SI_MONKEY_EVENTS=20000 SI_MONKEY_SEED=7 build/release/tests/test_ui --gtest_filter='*Monkey*'
 #include "tests/ui/monkey.h"
@@ -29,18 +29,18 @@ using Json = nlohmann::json;
 
 constexpr int kUsualEvents = 90;
 constexpr std::uint32_t kUsualSeed = 1;
-constexpr int kRested = 3;          ///< reports in a row that hold as much as the one before
-constexpr int kMostReports = 60;    ///< until the editor is at rest: it may be told to trace for long
-constexpr int kLastTold = 40;       ///< of the events before an end
-constexpr int kMostPrograms = 150;  ///< of the editor's renderers: one keeps 64, or all that its frame uses
-constexpr auto kDropped = 20s;      ///< what a drop is waited for: a modal loop of X may take none
-/// Bytes by which two rests may differ: a probe and its texels (up to 32 MiB of this map), what overlays keep (30), a
-/// picture held against another (15), the truth of the last picture that asked for it with its surfaces (80).
+constexpr int kStableReports = 3;   ///< successive reports with equal memory
+constexpr int kMaxReports = 60;     ///< limit of reports until the editor is idle: a reference may take long
+constexpr int kPrintedEvents = 40;  ///< printed events before an end
+constexpr int kMaxPrograms = 150;   ///< limit for the editor's renderers: one keeps 64 programs, or all of its frame
+constexpr auto kDropped = 20s;      ///< time limit of a drop: a modal loop of X may take none
+/// Bytes by which idle editors may differ: a probe with texels (up to 32 MiB of this map), overlays (30 MiB), a
+/// compared picture (15 MiB), the last reference with its surfaces (80 MiB).
 constexpr std::uint64_t kLeftOver = 160u << 20;
-constexpr int kEventsARest = 2000;  ///< after so many of them the editor is looked at while it rests
-/// Bytes that stay resident at rest, whatever was before: the program and its driver (some 250 MiB), 64 programs of
-/// some 4 MiB each, what is held by name, and half as much again.
-constexpr std::uint64_t kMostResident = 1200u << 20;
+constexpr int kEventsBetweenChecks = 2000;  ///< events between two checks of the idle editor
+/// Limit of resident bytes of an idle editor: the program and its driver (some 250 MiB), 64 programs of 4 MiB each,
+/// reported memory, and half as much again.
+constexpr std::uint64_t kMaxResidentBytes = 1200u << 20;
 
 class WindowMonkey : public Window {
 protected:
@@ -54,7 +54,7 @@ protected:
         confinement_ = Confinement::for_folder(folder_);
     }
 
-    /// Nothing outside the test's folder can be changed by what it starts.
+    /// Returns whether the sandbox works, so that only the test's folder can be changed.
     bool is_confined() const {
         if (!confinement_) return false;
         const fs::path outside = fs::path(SI_TEST_OUTPUT_DIR) / "monkey_was_outside", inside = work_ / "inside";
@@ -97,27 +97,27 @@ protected:
         }
     }
 
-    /// The same state, whatever was before. Returns what the editor then says of itself.
-    Json release_unused_memory() {
+    /// Brings the editor to a fixed state. Returns its report.
+    Json idle_report() {
         for (const char* key : {"ctrl", "shift", "alt", "super"}) xdotool(fmt::format("keyup {}", key));
         for (const char* button : {"1", "2", "3"}) xdotool(fmt::format("mouseup {}", button));
         xdotool(fmt::format("windowsize {} 1280 720", window_));
         for (int i = 0; i < 4; ++i) xdotool("key Escape");
-        // Anew: once it is opened, the monkey may have saved something else over it.
+        // Written again: the monkey may have overwritten the file.
         save_preset({.title = "", .topic = "", .about = "", .scene = "boxes", .settings = {}}, folder_ / "rest.json");
         drop_file(window_, folder_ / "rest.json", 300, 300, 10min);
         shows("boxes");
-        // The scene alone, and the pointer off it: no panel that was left open and no pixel asks for anything.
+        // The scene alone, and the pointer outside: no open panel and no hovered pixel requests anything.
         xdotool("mousemove 100 200");
         wait_until_idle();
         xdotool("key F11");
         wait_until_idle();
         xdotool("mousemove 1240 18");
-        // The report is written every few seconds, while nothing is drawn, too. At rest nothing in it changes.
+        // The report is written every few seconds, also without frames. An idle editor's report does not change.
         Json report, last;
         auto written = fs::file_time_type::min();
         int alike = 0;
-        for (int times = 0; times < kMostReports; ++times) {
+        for (int times = 0; times < kMaxReports; ++times) {
             std::error_code none;
             wait_until([&] { return fs::last_write_time(report_file(), none) > written; });
             written = fs::last_write_time(report_file(), none);
@@ -125,7 +125,7 @@ protected:
             const Json::json_pointer held("/memory/held");
             const bool same = last.is_object() && report.is_object() && last.at(held) == report.at(held);
             alike = same ? alike + 1 : 0;
-            if (alike >= kRested) break;
+            if (alike >= kStableReports) break;
         }
         xdotool("key Escape");
         return report;
@@ -136,9 +136,9 @@ protected:
         EXPECT_TRUE(report.contains("unsound") && report["unsound"].is_null()) << report["unsound"];
     }
 
-    void expect_at_rest(const Json& report) const {
+    void expect_idle_memory(const Json& report) const {
         expect_harmless(report);
-        EXPECT_LT(report["memory"]["resident"].get<std::uint64_t>(), kMostResident) << report["memory"].dump(1);
+        EXPECT_LT(report["memory"]["resident"].get<std::uint64_t>(), kMaxResidentBytes) << report["memory"].dump(1);
     }
 
     static std::string memory_text(const Json& report) {
@@ -154,7 +154,7 @@ protected:
         return text;
     }
 
-    /// In which no name ends in what the file dialogs list: nothing that is saved can take its place.
+    /// Returns a path that the file dialogs do not list, so that no saved file can replace it.
     fs::path report_file() const { return folder_ / "session.report"; }
 
     fs::path work_;
@@ -180,7 +180,7 @@ TEST_F(WindowMonkey, DoesNoHarm) {
               << "; SI_MONKEY_REPLAY=FILE plays such a file again" << std::endl;
     std::ofstream out(written);
     ASSERT_NO_FATAL_FAILURE(begin());
-    const Json before = release_unused_memory();
+    const Json before = idle_report();
     std::cout << "before: " << memory_text(before) << std::endl;
     int ends = 0;
     Json after;
@@ -188,27 +188,28 @@ TEST_F(WindowMonkey, DoesNoHarm) {
         out << events[i] << std::endl;
         ASSERT_NO_FATAL_FAILURE(play(events[i]));
         if (!program_->running()) {
-            // It may have been asked to end, by the menu.
+            // The menu may have closed the editor.
             std::string last;
-            for (std::size_t k = i + 1 - std::min<std::size_t>(i + 1, kLastTold); k <= i; ++k) last += events[k] + "\n";
+            for (std::size_t k = i + 1 - std::min<std::size_t>(i + 1, kPrintedEvents); k <= i; ++k)
+                last += events[k] + "\n";
             ASSERT_EQ(program_->code(), 0) << "after event " << i << " of seed " << seed << ":\n" << last << log();
             expect_harmless(json_of(report_file()));
             ++ends;
             ASSERT_NO_FATAL_FAILURE(begin());
         }
-        if ((i + 1) % kEventsARest == 0) {
-            const Json rested = release_unused_memory();
-            std::cout << i + 1 << " events: " << memory_text(rested) << std::endl;
-            expect_at_rest(rested);
+        if ((i + 1) % kEventsBetweenChecks == 0) {
+            const Json report = idle_report();
+            std::cout << i + 1 << " events: " << memory_text(report) << std::endl;
+            expect_idle_memory(report);
         }
     }
-    after = release_unused_memory();
+    after = idle_report();
     std::cout << "after, " << ends << " ends by the menu: " << memory_text(after) << std::endl;
     ASSERT_TRUE(program_->running()) << log();
-    expect_at_rest(after);
+    expect_idle_memory(after);
     for (const Json& h : after["memory"]["holders"])
         if (h["holder"] == "texts of shader programs") {
-            EXPECT_LE(h["count"], kMostPrograms);
+            EXPECT_LE(h["count"], kMaxPrograms);
         }
     EXPECT_LT(after["memory"]["held"].get<std::uint64_t>(), before["memory"]["held"].get<std::uint64_t>() + kLeftOver);
     quit();

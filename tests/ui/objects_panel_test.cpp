@@ -1,4 +1,4 @@
-// The tree of objects and the menu of the object under the mouse: rows, sorting, several at once.
+// Tests of the object tree and the scene's context menu: rows, sorting, multiple selection.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -29,7 +29,7 @@ protected:
                 if (std::string(t->InnerWindow->Name).find("objects") != std::string::npos) return t;
         return nullptr;
     }
-    /// Where a widget of this ID stands between two sides; nothing where it is not on view.
+    /// Returns the position of a widget by its ID, searched between two sides; nothing if the widget is not visible.
     std::optional<glm::vec2> seek(ImGuiID id, float left, float right, float step) {
         ui.frames(2);
         const ImRect all = table()->OuterRect;
@@ -41,7 +41,7 @@ protected:
             }
         return {};
     }
-    /// A row's name, or the arrow before it.
+    /// Finds a row's name, or the arrow in front.
     std::optional<glm::vec2> row(const std::string& path) {
         const float left = table()->OuterRect.Min.x + 150;
         return seek(ImHashStr(("###" + path).c_str(), 0, table()->ID), left, left + 1, 10);
@@ -59,7 +59,7 @@ protected:
         ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyShift = false;
     }
     std::set<std::string> chosen() const { return selected_objects(ui.state); }
-    /// By their places in the table.
+    /// Returns which columns are shown, by their position in the table.
     static std::vector<bool> columns() {
         std::vector<bool> shown;
         for (int i = 0; i < table()->ColumnsCount; ++i) shown.push_back(table()->Columns[i].IsEnabled);
@@ -72,22 +72,22 @@ protected:
 struct ObjectsInSmallWindow : ObjectsPanel {
     ObjectsInSmallWindow() : ObjectsPanel(900) {}
 };
-struct ObjectsInLeastWindow : ObjectsPanel {
-    ObjectsInLeastWindow() : ObjectsPanel(640) {}
+struct ObjectsInMinimumWindow : ObjectsPanel {
+    ObjectsInMinimumWindow() : ObjectsPanel(640) {}
 };
 constexpr float kReadableName = 8 * 15;
 
 // Object, Triangles, Shown, Cull, Casts, Receives.
-TEST_F(ObjectsPanel, HasAllColumnsWhereTheyHaveRoom) {
+TEST_F(ObjectsPanel, HasAllColumnsIfTheyFit) {
     EXPECT_EQ(columns(), std::vector<bool>(6, true));
 }
 
-TEST_F(ObjectsInSmallWindow, TrianglesGiveWayToNames) {
+TEST_F(ObjectsInSmallWindow, HideTheTriangleColumnForNames) {
     EXPECT_EQ(columns(), (std::vector<bool>{true, false, true, true, true, true}));
     EXPECT_GE(table()->Columns[0].WidthGiven, kReadableName);
 }
 
-TEST_F(ObjectsInLeastWindow, NamesCanBeRead) {
+TEST_F(ObjectsInMinimumWindow, ShowReadableNames) {
     EXPECT_EQ(columns(), (std::vector<bool>{true, false, true, false, true, false}));
     EXPECT_GE(table()->Columns[0].WidthGiven, kReadableName);
     EXPECT_LE(table()->Columns[4].MaxX, table()->OuterRect.Max.x) << "the last one is not cut";
@@ -95,7 +95,7 @@ TEST_F(ObjectsInLeastWindow, NamesCanBeRead) {
     EXPECT_EQ(chosen(), Paths{"Stage/Ground"});
 }
 
-TEST_F(ObjectsPanel, RowsAreChosenAloneWithOthersAndAllBetween) {
+TEST_F(ObjectsPanel, RowsAreSelectedSinglyAddedAndAsRanges) {
     click("Stage/Ground");
     EXPECT_EQ(chosen(), Paths{"Stage/Ground"});
     click("Stage/Plinth", true);
@@ -112,7 +112,7 @@ TEST_F(ObjectsPanel, RowsAreChosenAloneWithOthersAndAllBetween) {
     EXPECT_TRUE(chosen().empty());
 }
 
-TEST_F(ObjectsPanel, AClosedNodeHidesWhatLiesBelowAndASearchShowsItAgain) {
+TEST_F(ObjectsPanel, ClosedNodeHidesItsChildrenAndASearchShowsThem) {
     const std::string below = mesh_nodes_below(ui.scene,
                                                [&] {
                                                    for (std::size_t i = 0; i < ui.scene.nodes.size(); ++i)
@@ -129,7 +129,7 @@ TEST_F(ObjectsPanel, AClosedNodeHidesWhatLiesBelowAndASearchShowsItAgain) {
     EXPECT_TRUE(row(below));
 }
 
-TEST_F(ObjectsPanel, TheSearchPromisesNoOtherNames) {
+TEST_F(ObjectsPanel, SearchHintNamesExistingObjects) {
     const ImRect all = table()->OuterRect;
     bool tip = false;
     for (float y = all.Min.y - 80; y < all.Min.y && !tip; y += 4) {
@@ -141,7 +141,7 @@ TEST_F(ObjectsPanel, TheSearchPromisesNoOtherNames) {
     EXPECT_FALSE(ui.drawn().shows("engine"));
 }
 
-TEST_F(ObjectsPanel, WhatIsChosenInTheSceneComesIntoView) {
+TEST_F(ObjectsPanel, SelectionInTheSceneScrollsIntoView) {
     ui.state.layout.bottom_height = 12;
     ui.state.objects.closed_nodes = {"Stage/Fence"};
     ui.frames(4);
@@ -156,7 +156,7 @@ TEST_F(ObjectsPanel, WhatIsChosenInTheSceneComesIntoView) {
         EXPECT_TRUE(row(path)) << path;
     }
     EXPECT_TRUE(ui.state.objects.closed_nodes.empty());
-    // What the list itself chooses moves nothing.
+    // Selection in the list scrolls nothing.
     ui.state.layout.bottom_height = 34;
     select_objects(ui.state, std::vector<std::string>{"Stage/Ground"});
     ui.frames(4);
@@ -167,7 +167,7 @@ TEST_F(ObjectsPanel, WhatIsChosenInTheSceneComesIntoView) {
     EXPECT_EQ(ui.state.objects.closed_nodes.size(), 1u);
 }
 
-TEST_F(ObjectsPanel, TheRowUnderTheMouseIsMarkedInTheScene) {
+TEST_F(ObjectsPanel, HoveredRowIsMarkedInTheScene) {
     const auto at = row("Stage/Plinth");
     ASSERT_TRUE(at);
     EXPECT_EQ(ui.state.objects.hovered, "Stage/Plinth");
@@ -176,7 +176,7 @@ TEST_F(ObjectsPanel, TheRowUnderTheMouseIsMarkedInTheScene) {
     EXPECT_EQ(ui.state.objects.hovered, "");
 }
 
-TEST_F(ObjectsPanel, AChangeOfOneChosenObjectIsAChangeOfAll) {
+TEST_F(ObjectsPanel, ChangeOfOneSelectedObjectChangesAll) {
     ui.state.history.reset(ui.state.settings);
     click("Stage/Ground");
     click("Stage/Plinth", true);
@@ -192,7 +192,7 @@ TEST_F(ObjectsPanel, AChangeOfOneChosenObjectIsAChangeOfAll) {
     EXPECT_TRUE(ui.state.history.undo().objects.empty()) << "one step";
 }
 
-TEST_F(ObjectsPanel, TheHeadersSort) {
+TEST_F(ObjectsPanel, HeadersSort) {
     const auto header = [&](int column) {
         return glm::vec2(table()->Columns[column].MinX + 12, table()->OuterRect.Min.y + 9);
     };
@@ -219,7 +219,7 @@ TEST_F(ObjectsPanel, TheHeadersSort) {
     EXPECT_TRUE(above("Stage/Ground", "Stage/Plinth")) << "by name";
 }
 
-TEST(Pick, FindsWhatTheRayMeetsFirst) {
+TEST(Pick, FindsTheFirstHitOfTheRay) {
     const Scene scene = load_scene("boxes");
     Settings s;
     const Camera camera = make_camera(scene, s, 1.5);
@@ -227,13 +227,13 @@ TEST(Pick, FindsWhatTheRayMeetsFirst) {
     int met = 0, above = 0;
     for (const Object& o : scene.objects) {
         const Bounds b = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
-        // From right above its middle, straight down.
+        // A ray straight down, from above the centre.
         const Ray ray{b.centre() + glm::dvec3(0, 100, 0), {0, -1, 0}, 0};
         const std::string found = object_at(scene, ray);
         ASSERT_FALSE(found.empty());
         met += found == scene.nodes[std::size_t(o.node)].path;
         EXPECT_EQ(object_at(scene, {ray.origin, {0, 1, 0}, 0}), "") << "nothing above";
-        if (b.lo.y < 0.01) continue;  // it ends where the floor does
+        if (b.lo.y < 0.01) continue;  // it ends at the floor
         EXPECT_EQ(object_at(scene, {b.centre() - glm::dvec3(0, 100, 0), {0, 1, 0}, 0}), "Boxes/Floor");
         ++above;
     }
@@ -260,7 +260,7 @@ protected:
     UiHarness ui{1280, 720};
 };
 
-TEST_F(SceneMenu, ARightClickOpensItAndADragFlies) {
+TEST_F(SceneMenu, RightClickOpensItAndRightDragFlies) {
     const Settings before = ui.state.settings;
     ui.click(at, 1);
     EXPECT_TRUE(open());
@@ -275,7 +275,7 @@ TEST_F(SceneMenu, ARightClickOpensItAndADragFlies) {
     EXPECT_NE(ui.state.settings.camera, before.camera);
 }
 
-TEST_F(SceneMenu, ItsItemsChangeAllThatIsChosen) {
+TEST_F(SceneMenu, ItemsChangeAllSelectedObjects) {
     ui.click(at, 1);
     const std::string first = ui.state.selection.first;
     click("Casts");
@@ -336,7 +336,7 @@ TEST_F(SceneMenu, ObjectsAreHiddenIsolatedAndShownAgain) {
     EXPECT_NE(ui.state.log.lines().back().text.find("Nothing is selected"), std::string::npos);
 }
 
-TEST_F(ObjectsPanel, WhatIsHiddenStaysInTheListAndComesBackByAButton) {
+TEST_F(ObjectsPanel, HiddenObjectsStayListedAndAButtonShowsThem) {
     hide(ui.state.settings, {"Stage/Plinth"});
     hide_objects(ui.scene, {"Stage/Plinth"});
     EXPECT_TRUE(row("Stage/Plinth"));

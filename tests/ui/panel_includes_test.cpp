@@ -1,4 +1,4 @@
-// Panels that own their state see no other panel: their includes, direct or not, do not reach the editor's state.
+// Tests of panel includes: panels with their own state do not reach another panel or the editor's state.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kEditorState = "ui/state/editor_ui.h";
 
-/// Adds all headers of ui/ that a file includes, direct or not.
+/// Adds all headers of ui/ that a file includes, directly or indirectly.
 void collect_includes(const std::string& file, std::set<std::string>& found) {
     static const std::regex kInclude(R"re(^#include "(ui/[^"]+)")re");
     std::ifstream in(fs::path(SI_SOURCE_DIR) / file);
@@ -29,13 +29,13 @@ bool reaches_editor_state(const std::string& file) {
     return found.contains(kEditorState);
 }
 
-/// Panels that still take the whole state. No panel may be added.
+/// Panels that still use the whole state. Do not add panels.
 const std::set<std::string> kWholeState = {
     "artefact_tour.cpp", "error_panel.cpp",  "frontier_panel.cpp", "lights_panel.cpp",   "objects_panel.cpp",
     "preset_strips.cpp", "presets_menu.cpp", "probe_panel.cpp",    "settings_panel.cpp", "shortcuts_overview.cpp",
     "status_bar.cpp",    "top_bar.cpp",      "welcome.cpp"};
 
-TEST(PanelIncludes, PanelsThatOwnTheirStateSeeNoOtherPanel) {
+TEST(PanelIncludes, PanelsWithStateIncludeNoOtherPanel) {
     int own = 0;
     for (const auto& entry : fs::directory_iterator(fs::path(SI_SOURCE_DIR) / "ui/panels")) {
         const std::string name = entry.path().filename().string();
@@ -46,7 +46,7 @@ TEST(PanelIncludes, PanelsThatOwnTheirStateSeeNoOtherPanel) {
     EXPECT_GE(own, 10);
 }
 
-TEST(PanelIncludes, HeadersOfPanelsDoNotIncludeTheEditorsState) {
+TEST(PanelIncludes, PanelHeadersDoNotIncludeTheEditorState) {
     for (const auto& entry : fs::directory_iterator(fs::path(SI_SOURCE_DIR) / "ui/panels")) {
         if (entry.path().extension() != ".h") continue;
         const std::string name = entry.path().filename().string();

@@ -1,4 +1,4 @@
-// Every panel for every choice of every row; the widgets' behaviour by mouse.
+// Tests of every panel for every choice of every row, and of the widgets' behaviour by mouse.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -16,13 +16,13 @@
 namespace si::test {
 namespace {
 
-// Where things stand at 1280 x 720: the search field, and the first row below its group's heading.
+// Positions at 1280 x 720: the search field, and the first row below its group's heading.
 constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
-constexpr float kCheckbox = 1091;  // the left end of the column of values, where checkboxes stand too
+constexpr float kCheckbox = 1091;  // left end of the column of values, which checkboxes use too
 
 const std::string kObjectPath = "Root/Box";
 
-/// Every value that a row's widget can be in: each choice, both states, or the ends and the middle.
+/// Returns every value of a row's widget: each choice, both states, or the ends and the middle.
 std::vector<Value> values_of(const SettingRef& ref) {
     const Param& p = *ref.param;
     const Value preset = default_value(ref);
@@ -51,7 +51,7 @@ std::vector<SettingRef> every_setting() {
     return all;
 }
 
-TEST(Panels, SettingsAreFoundByOtherEnginesWords) {
+TEST(Panels, SettingsAreFoundByTermsOfOtherEngines) {
     const std::pair<const char*, const char*> kWords[] = {
         {"normal bias", "bias.normal"},            // Unity, Godot, Filament
         {"normalBias", "bias.normal"},             // three.js
@@ -156,8 +156,8 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
     }
 }
 
-// ImGui knows a widget by its ID: two widgets of one ID steal each other's clicks. Every ID may cover one stretch of
-// the column of values only.
+// ImGui identifies a widget by its ID: two widgets of one ID take each other's clicks. Each ID may cover only one
+// stretch of the column of values.
 TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     UiHarness ui(kWidth, 6000);  // tall enough to hold all rows
     ui.state.settings.light_count = 3;
@@ -179,7 +179,7 @@ TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     EXPECT_GE(closed.size(), rows);
 }
 
-/// Where the last frame drew something in this colour, whatever its opacity.
+/// Returns positions at which the last frame drew in this colour, whatever its opacity.
 std::vector<ImRect> drawn_in(const ImVec4& colour) {
     constexpr ImU32 kOpacity = IM_COL32_A_MASK;
     const ImU32 wanted = ImGui::ColorConvertFloat4ToU32(colour) & ~kOpacity;
@@ -196,7 +196,7 @@ std::vector<ImRect> drawn_in(const ImVec4& colour) {
     return out;
 }
 
-TEST(Panels, AMarkOfASliderLeavesItsNumberFree) {
+TEST(Panels, SliderMarkLeavesItsNumberFree) {
     for (const double share : {0.0, 0.45, 0.5, 0.55, 1.0}) {
         UiHarness ui(1280, 900);
         for (const SettingRef& ref : every_setting()) {
@@ -213,7 +213,7 @@ TEST(Panels, AMarkOfASliderLeavesItsNumberFree) {
     }
 }
 
-TEST(Panels, WhatTheDriverLacksHasNoEffect) {
+TEST(Panels, MissingDriverFeaturesHaveNoEffect) {
     Settings s;
     s.bias.raster_slope = 1;
     DriverInfo driver;
@@ -226,7 +226,7 @@ TEST(Panels, WhatTheDriverLacksHasNoEffect) {
     use_driver(nullptr);
 }
 
-TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
+TEST(Panels, LightSizeHasTheUnitOfItsType) {
     UiHarness ui(1280, 900);
     ui.state.settings_panel.search = "light.size";
     ui.frames(3);
@@ -236,7 +236,7 @@ TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
     EXPECT_TRUE(ui.drawn().find(U"0.27m"));
 }
 
-TEST(Panels, AutomaticValuesSayWhatTheyCameTo) {
+TEST(Panels, AutomaticValuesShowTheirResult) {
     UiHarness ui(1280, 900);
     ui.state.settings_panel.search = "light.near";
     ui.frames(3);
@@ -250,12 +250,12 @@ TEST(Panels, AutomaticValuesSayWhatTheyCameTo) {
     EXPECT_TRUE(ui.drawn().find(U"2.5m"));
 }
 
-TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
+TEST(Panels, TexelBiasIsUsefulOverItsWholeSlider) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
     const auto at = [&](float share) {
-        const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's middle, it ends at the window's
+        const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's centre, its end is the window's
         ui.move(kFirstValue), ui.press(true), ui.frames(2);
         ui.move(kFirstValue + glm::vec2((share - 0.5f) * wide * 0.8f, 0));
         ui.frames(2);
@@ -269,7 +269,7 @@ TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
     EXPECT_GT(middle - quarter, 3);
 }
 
-TEST(Panels, TheStatusBarSaysWhatMapsTakeAndHowOftenTheyAreRead) {
+TEST(Panels, StatusBarShowsMapMemoryAndReads) {
     UiHarness ui(1600, 900);
     set_setting(ui.state.settings, "filter.kernel", "hard");
     ui.frames(3);
@@ -279,7 +279,7 @@ TEST(Panels, TheStatusBarSaysWhatMapsTakeAndHowOftenTheyAreRead) {
     EXPECT_TRUE(ui.drawn().shows("taps"));
 }
 
-TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
+TEST(Panels, TooltipHidesNoOtherSetting) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
@@ -296,7 +296,7 @@ TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
     EXPECT_GE(tip->Pos.x, 0);
 }
 
-TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
+TEST(Panels, DepthBiasHasNoTrailingZeros) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings.bias.unit = BiasUnit::Depth;
     ui.state.settings_panel.search = "bias.constant";
@@ -319,8 +319,8 @@ TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
     EXPECT_NEAR(dragged, std::round(dragged), 1e-6) << "six digits after the point";
 }
 
-/// Labels are free texts: whoever writes a command or a preset finds the key in the tooltip.
-TEST(Panels, TheTooltipOfEverySettingShowsItsKey) {
+/// Labels are free texts: authors of commands and presets find the key in the tooltip.
+TEST(Panels, TooltipOfEverySettingShowsItsKey) {
     UiHarness ui(kWidth, 6000);                     // tall enough to hold all rows
     ui.state.settings_panel.search.assign(1, '.');  // a dot matches every key: all groups open
     ui.frames(3);
@@ -349,7 +349,7 @@ TEST(Panels, TheTooltipOfEverySettingShowsItsKey) {
     EXPECT_GT(found, 0);
 }
 
-TEST(Panels, TooltipsBreakNoKey) {
+TEST(Panels, TooltipsDoNotWrapKeys) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     const float room = ImGui::CalcTextSize("filter.kernel=hard map.res").x;
@@ -360,7 +360,7 @@ TEST(Panels, TooltipsBreakNoKey) {
     EXPECT_EQ(broken_at_spaces("", room), "");
 }
 
-TEST(Panels, OneIsNoPlural) {
+TEST(Panels, OneIsSingular) {
     UiHarness ui(1280, 900);
     const auto shows = [&](const char* text) {
         ui.frames(3);
@@ -380,19 +380,19 @@ TEST(Panels, OneIsNoPlural) {
     EXPECT_TRUE(shows("1s")) << "a second";
 }
 
-TEST(Panels, GroupsThatAreCalledByWhatIsSearchedForComeFirst) {
+TEST(Panels, GroupsWithTheSearchedNameComeFirst) {
     UiHarness ui(1280, 1200);
     const auto above = [&](const char* search, const char32_t* first, const char32_t* second) {
         ui.state.settings_panel.search = search;
         ui.frames(3);
         const auto a = ui.drawn().find(first, 0), b = ui.drawn().find(second, 0);
-        return a && (!b || a->y < b->y);  // else it is scrolled to
+        return a && (!b || a->y < b->y);  // otherwise the second is scrolled out of view
     };
     EXPECT_TRUE(above("light", U"Azimuth", U"Slopebias"));
     EXPECT_TRUE(above("camera", U"Scene'scamera", U"Splitlambda"));
 }
 
-TEST(Panels, DraggingASliderIsOneStepOfUndo) {
+TEST(Panels, SliderDragIsOneUndoStep) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
@@ -423,7 +423,7 @@ TEST(Panels, UndoAndRedoByKeyboard) {
     EXPECT_EQ(ui.state.settings.bias.constant, 7);
 }
 
-TEST(Panels, CtrlClickTypesAnyValueInRange) {
+TEST(Panels, CtrlClickAcceptsAnyValueInRange) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "map.resolution";
     ui.frames(3);
@@ -431,11 +431,11 @@ TEST(Panels, CtrlClickTypesAnyValueInRange) {
     ui.click(kFirstValue);
     ImGui::GetIO().KeyCtrl = false;
     ui.type("777");
-    ui.click(kPicture + glm::vec2(0, 300));  // elsewhere
+    ui.click(kPicture + glm::vec2(0, 300));  // another place
     EXPECT_EQ(ui.state.settings.map.resolution, 777);
 }
 
-TEST(Panels, DraggingTheResolutionFindsPowersOfTwo) {
+TEST(Panels, ResolutionDragFindsPowersOfTwo) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "map.resolution";
     ui.frames(3);
@@ -445,7 +445,7 @@ TEST(Panels, DraggingTheResolutionFindsPowersOfTwo) {
     EXPECT_EQ(n & (n - 1), 0) << n;
 }
 
-TEST(Panels, RightClickResets) {
+TEST(Panels, RightClickResetsASetting) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings_panel.search = "bias.constant";
     ui.state.settings.bias.constant = 9;
@@ -458,7 +458,7 @@ TEST(Panels, RightClickResets) {
     }
 }
 
-TEST(Panels, ClickProbesAndDragTurnsTheCamera) {
+TEST(Panels, ClickProbesAndDragOrbitsTheCamera) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     ui.click(kPicture);
@@ -481,7 +481,7 @@ TEST(Panels, ClickProbesAndDragTurnsTheCamera) {
     EXPECT_EQ(ui.state.settings.camera.azimuth, turned.azimuth);
 }
 
-TEST(Panels, TurningTheWheelIsOneStepOfUndo) {
+TEST(Panels, WheelTurnIsOneUndoStep) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
     ui.move(kPicture);
@@ -497,11 +497,11 @@ TEST(Panels, TurningTheWheelIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
-TEST(Panels, SplittersStayWhereTheyArePut) {
+TEST(Panels, SplittersKeepTheirPlaces) {
     UiHarness ui(kWidth, kHeight);
     const int before = ui.frames(3).scene_width;
     float x = 0;
-    for (float probe = 500; probe < 600 && x == 0; probe += 2) {  // the splitter beside the picture
+    for (float probe = 500; probe < 600 && x == 0; probe += 2) {  // the splitter between scene and map
         ui.move({probe, 300});
         ui.frames(2);
         if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) x = probe;
@@ -513,7 +513,7 @@ TEST(Panels, SplittersStayWhereTheyArePut) {
     EXPECT_EQ(ui.frames(30).scene_width, after);
 }
 
-/// Presses, moves by `by` and releases over a grid until something happened.
+/// Drags by `by` from the points of a grid until something happened.
 bool drag_somewhere(UiHarness& ui, glm::vec2 from, glm::vec2 to, glm::vec2 by, const auto& happened) {
     for (float y = from.y; y < to.y; y += 5)
         for (float x = from.x; x < to.x; x += 5) {
@@ -523,7 +523,7 @@ bool drag_somewhere(UiHarness& ui, glm::vec2 from, glm::vec2 to, glm::vec2 by, c
     return false;
 }
 
-TEST(Panels, TheEndsOfTheGreyScaleAreDraggedInTheHistogram) {
+TEST(Panels, GreyScaleEndsAreDraggedInTheHistogram) {
     UiHarness ui(kWidth, kHeight);
     DepthHistogram histogram;
     histogram.counts.assign(100, 5);
@@ -555,14 +555,14 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     EXPECT_EQ(own->second.cull, ObjectCull::None);
 }
 
-TEST(Panels, TheListOfObjectsEditsOneAtATime) {
+TEST(Panels, ObjectListEditsOneObjectAtATime) {
     UiHarness ui(kWidth, kHeight);
     ui.state.window.open_tab = BottomTab::Objects;
     const std::string other = ui.scene.nodes[std::size_t(ui.scene.objects[1].node)].path;
     ui.state.settings.objects[other].cull = ObjectCull::Back;
     ui.frames(3);
     const Settings before = ui.state.settings;
-    // Checkboxes stand somewhere at the right of the list: a click changes one, another click restores it.
+    // Checkboxes are at the right of the list: a click changes one, another click restores it.
     std::set<std::string> changed;
     for (float y = 540; y < 690; y += 12)
         for (float x = 775; x < 905; x += 10) {
@@ -580,14 +580,14 @@ TEST(Panels, TheListOfObjectsEditsOneAtATime) {
     EXPECT_GE(changed.size(), 4u);
 }
 
-TEST(Panels, ObjectsWithoutChangesLeaveNoTraceInTheSettings) {
+TEST(Panels, UnchangedObjectsLeaveNoTraceInTheSettings) {
     UiHarness ui(kWidth, kHeight);
     ui.state.window.open_tab = BottomTab::Objects;
     ui.frames(5);
     EXPECT_TRUE(ui.state.settings.objects.empty());
 }
 
-TEST(SettingsPanel, ShowsTheSettingsOfTheChosenKernelAlone) {
+TEST(SettingsPanel, ShowsOnlySettingsOfTheSelectedKernel) {
     UiHarness ui(1280, 1600);
     const auto shows = [&](std::u32string_view label) {  // as printed, without spaces
         ui.frames(3);
@@ -603,7 +603,7 @@ TEST(SettingsPanel, ShowsTheSettingsOfTheChosenKernelAlone) {
     set_setting(ui.state.settings, "filter.kernel", "vsm");
     EXPECT_FALSE(shows(U"Blockertaps"));
     EXPECT_TRUE(shows(U"Light-bleedreduction"));
-    // By name it is found under every kernel, greyed.
+    // A search by name shows the setting under every kernel, greyed.
     ui.state.settings_panel.search = "blocker";
     EXPECT_TRUE(shows(U"Blockertaps"));
 }

@@ -1,4 +1,4 @@
-// Playing an animation: the bar below the pictures, the clock, undo, and lights that follow.
+// Tests of animation playback: the bar below the pictures, the clock, undo, and animated lights.
 #include "ui/state/playback.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 using test::GltfFile;
 using test::Json;
 
-/// A floor, and two animations of a node that carries a sun: "rise" of half a second and "noon" of one key.
+/// Makes a floor and two animations of a node with a sun: "rise" of half a second and "noon" of one key.
 GltfFile moving_sun() {
     GltfFile file;
     const int floor = file.floats({-3, 0, -3, -3, 0, 3, 3, 0, 3, -3, 0, -3, 3, 0, 3, 3, 0, -3}, "VEC3");
@@ -43,7 +43,7 @@ struct Bar {
         ui.scene = moving_sun().load();
         ui.frames(3);
     }
-    /// A point of the bar, `share` of its width from the left.
+    /// Returns a point of the bar, `share` of its width from the left.
     glm::vec2 at(float share) const {
         for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
             if (std::string_view(w->Name).find("/time_") != std::string_view::npos)
@@ -60,7 +60,7 @@ struct Bar {
     }
 };
 
-TEST(Playback, ThereIsNothingToPlayInAStillScene) {
+TEST(Playback, StaticSceneHasNothingToPlay) {
     test::UiHarness ui(1280, 720);
     ui.frames(3);
     EditorFrame frame;
@@ -88,7 +88,7 @@ TEST(Playback, ThereIsNothingToPlayInAStillScene) {
     EXPECT_TRUE(scene_choices(&moving, "bias.slope").empty());
 }
 
-TEST(Playback, SpacePlaysInRealTimeAndIsOneStepOfUndo) {
+TEST(Playback, SpacePlaysInRealTimeAsOneUndoStep) {
     Bar bar;
     EXPECT_FALSE(bar.ui.frame().redraw);
     EXPECT_TRUE(bar.space().redraw) << "a window would sleep";
@@ -106,7 +106,7 @@ TEST(Playback, SpacePlaysInRealTimeAndIsOneStepOfUndo) {
     EXPECT_FALSE(bar.ui.state.history.can_redo());
 }
 
-TEST(Playback, TheBarHasTheSwitchOfASteadyMap) {
+TEST(Playback, BarHasTheSteadyMapSwitch) {
     Bar bar;
     const auto box = bar.ui.find("/time_", "", "Steady map");
     ASSERT_TRUE(box);
@@ -119,7 +119,7 @@ TEST(Playback, TheBarHasTheSwitchOfASteadyMap) {
     EXPECT_TRUE(bar.ui.state.settings.scene.fit_animation) << "at rest there is nothing to choose";
 }
 
-TEST(Playback, LoopsOrStopsAtTheLastKeyAndStartsOver) {
+TEST(Playback, LoopsOrStopsAtTheLastKeyAndRestarts) {
     Bar bar;
     bar.ui.state.playback.speed = 2;
     bar.space();
@@ -134,7 +134,7 @@ TEST(Playback, LoopsOrStopsAtTheLastKeyAndStartsOver) {
     bar.space();
     bar.ui.frames(3);
     EXPECT_NEAR(bar.time(), 0.1, 1e-6) << "from the start again";
-    // An animation of one key, and the rest pose, have no time to play.
+    // An animation of one key, and the rest pose, have no duration.
     for (const int still : {1, -1, 7}) {
         bar.ui.state.settings.scene.animation = still;
         bar.ui.frames(2);
@@ -145,7 +145,7 @@ TEST(Playback, LoopsOrStopsAtTheLastKeyAndStartsOver) {
     }
 }
 
-TEST(Playback, WhatIsChangedWhilePlayingIsAStepOfItsOwn) {
+TEST(Playback, ChangeDuringPlaybackIsItsOwnUndoStep) {
     Bar bar;
     bar.space();
     bar.ui.frames(6);
@@ -162,7 +162,7 @@ TEST(Playback, WhatIsChangedWhilePlayingIsAStepOfItsOwn) {
     EXPECT_NEAR(bar.time(), 12 / 60.0, 1e-6);
 }
 
-TEST(Playback, TheSliderScrubsAndStopsTheClock) {
+TEST(Playback, SliderScrubsAndStopsTheClock) {
     Bar bar;
     bar.space();
     bar.ui.frames(2);
@@ -177,7 +177,7 @@ TEST(Playback, TheSliderScrubsAndStopsTheClock) {
     EXPECT_EQ(bar.ui.state.history.undo().scene.time, 0) << "playing and the drag out of it";
 }
 
-TEST(Playback, TheButtonPlays) {
+TEST(Playback, ButtonPlays) {
     Bar bar;
     bar.ui.click(bar.at(0.02f));
     EXPECT_TRUE(bar.ui.state.playback.playing);
@@ -195,7 +195,7 @@ struct Film {
     }
 };
 
-TEST(Playback, LightsFollowAndAreNoStepsOfTheirOwn) {
+TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     Film film;
     HeadlessEditor editor(film.options);
     editor.settle();
@@ -220,7 +220,7 @@ TEST(Playback, LightsFollowAndAreNoStepsOfTheirOwn) {
     editor.frame();
     EXPECT_EQ(state.settings, stopped);
     EXPECT_FALSE(state.history.can_redo());
-    // Typed instead of played: the light that follows is part of that step.
+    // Typed time: the animated light is part of the same step.
     state.settings.scene.time = 0.5;
     for (int i = 0; i < 3; ++i) editor.frame();
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
@@ -233,7 +233,7 @@ TEST(Playback, LightsFollowAndAreNoStepsOfTheirOwn) {
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
 }
 
-TEST(Playback, TheHeadlessEditorShowsTheMomentOfTheSettings) {
+TEST(Playback, HeadlessEditorShowsTheTimeOfTheSettings) {
     Film film;
     film.options.session.sets = {"scene.time=0.25"};
     std::vector<ByteImage> pictures;
@@ -244,7 +244,7 @@ TEST(Playback, TheHeadlessEditorShowsTheMomentOfTheSettings) {
         EXPECT_EQ(editor.model().state.settings.scene.time, 0.25);
         EXPECT_NEAR(editor.model().state.settings.lights[0].elevation, 45, 1);
         ByteImage picture = editor.picture();
-        picture.data.resize(picture.data.size() * 440 / 720);  // below are times that passes took
+        picture.data.resize(picture.data.size() * 440 / 720);  // the rows below show measured times
         pictures.push_back(std::move(picture));
     }
     EXPECT_EQ(pictures[0].data, pictures[1].data);

@@ -1,4 +1,4 @@
-// Presets in the editor: walked through, saved, compared, undone across scenes, and kept through a crash.
+// Tests of presets in the editor: stepping, saving, comparing, undo across scenes, and crash recovery.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -33,7 +33,7 @@ EditorOptions preset_options(const std::string& scene = "boxes") {
     return o;
 }
 
-/// A small editor: what is drawn does not matter here.
+/// Small editor; drawn pictures do not matter here.
 class PresetEditing : public testing::Test {
 protected:
     void SetUp() override { folder_ = fresh_test_folder(); }
@@ -87,7 +87,7 @@ TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     open();
     const std::vector<BuiltinPreset> all = builtin_presets();
     ASSERT_GT(all.size(), 30u);
-    state().window.maximised = Panel::Tabs;  // each is drawn by tests of its own
+    state().window.maximised = Panel::Tabs;  // each panel has tests of its own
     int walked = 0;
     for (const BuiltinPreset& p : all) {
         press(kPageDown);
@@ -105,7 +105,7 @@ TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
+TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyAfterConfirmation) {
     open();
     state().settings.bias.constant = 3;
     std::ofstream(path("mine.json")) << "precious";
@@ -121,7 +121,7 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
     EXPECT_EQ(load_preset(path("mine.json")).scene, "boxes");
     EXPECT_FALSE(model().facts().unsaved);
-    // From now on it is the editor's own: no question, and its sentence stays.
+    // The file is now the editor's own: no question, and its sentence stays.
     state().settings.bias.constant = 4;
     editor_->settle();
     EXPECT_TRUE(model().facts().unsaved);
@@ -132,7 +132,7 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
+TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainForAnyScene) {
     const auto offered = [&]() -> std::optional<double> {
         const Autosave found(folder_ / "state");
         return found.lost() ? std::optional(found.lost()->preset.settings.bias.constant) : std::nullopt;
@@ -187,7 +187,7 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
     EXPECT_EQ(offered(), std::nullopt) << "where one looks is no work";
 }
 
-TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhatToDo) {
+TEST_F(PresetEditing, RevertWithoutASavedPresetSaysWhatToDo) {
     open();
     state().files.preset_path = path("unsaved.json");
     state().settings.bias.constant = 3;
@@ -203,7 +203,7 @@ TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhat
     EXPECT_EQ(state().settings.bias.constant, 3);
 }
 
-TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
+TEST_F(PresetEditing, OpenedPresetCanBeSavedAndKeepsItsTexts) {
     save_preset({"T", "P", "Look here.", "boxes", {}}, path("told.json"));
     open();
     request({.open_file = path("told.json")});
@@ -218,7 +218,7 @@ TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
     EXPECT_EQ(saved.settings.map.resolution, 64);
 }
 
-TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
+TEST_F(PresetEditing, PresetNamesItsSceneByAPathThatWorksAnywhere) {
     save_gltf(load_scene("boxes"), folder_ / "own.gltf");
     open(preset_options(path("own.gltf")));
     request({.save_preset = path("with scene.json")});
@@ -234,7 +234,7 @@ TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
+TEST_F(PresetEditing, DifferencesAreAppliedSinglyAndUndone) {
     EditorOptions large = preset_options();
     large.width = 1280;
     large.height = 720;
@@ -267,7 +267,7 @@ TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
     write_png(fs::path(SI_TEST_OUTPUT_DIR) / "editor_compare.png", editor_->picture());
 }
 
-TEST_F(PresetEditing, ResettingAllGivesTheScenesOwnSettingsAndIsUndone) {
+TEST_F(PresetEditing, ResetAllRestoresSceneSettingsAndIsUndone) {
     open();
     request({.load_preset = "acne"});
     const Settings acne = state().settings;
@@ -279,7 +279,7 @@ TEST_F(PresetEditing, ResettingAllGivesTheScenesOwnSettingsAndIsUndone) {
     EXPECT_EQ(state().files.guide.key, "acne") << "what was said of it comes back too";
 }
 
-TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
+TEST_F(PresetEditing, UndoAndRedoWorkAcrossScenes) {
     open();
     const Settings first = state().settings;
     request({.load_preset = "constant-bias"});
@@ -303,7 +303,7 @@ TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
+TEST_F(PresetEditing, UndoWithoutItsSceneChangesNothing) {
     save_gltf(load_scene("boxes"), folder_ / "gone.gltf");
     open(preset_options(path("gone.gltf")));
     request({.load_scene = "plane"});
@@ -317,7 +317,7 @@ TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
     EXPECT_FALSE(state().history.can_redo());
 }
 
-TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
+TEST_F(PresetEditing, CrashedSessionIsRestoredAndUndone) {
     open(remembering());
     model().write_when_due();
     request({.load_preset = "peter-panning"});
@@ -325,7 +325,7 @@ TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
     editor_->settle();
     model().write_when_due();
     const Settings lost = state().settings;
-    open(remembering());  // the one before ends without end()
+    open(remembering());  // the previous editor ends without end()
     ASSERT_TRUE(model().facts().lost);
     EXPECT_EQ(model().facts().lost->scene, "figures");
     write_png(fs::path(SI_TEST_OUTPUT_DIR) / "editor_lost_session.png", editor_->picture());
@@ -343,7 +343,7 @@ TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
     expect_no_errors();
 }
 
-TEST_F(PresetEditing, ADiscardedSessionIsGone) {
+TEST_F(PresetEditing, DiscardedSessionIsDeleted) {
     open(remembering());
     model().write_when_due();
     state().settings.bias.constant = 5;
@@ -357,7 +357,7 @@ TEST_F(PresetEditing, ADiscardedSessionIsGone) {
     EXPECT_FALSE(model().facts().lost);
 }
 
-TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
+TEST_F(PresetEditing, SessionWithAMissingSceneStaysOffered) {
     save_gltf(load_scene("boxes"), folder_ / "lost.gltf");
     EditorOptions o = remembering();
     o.session.scene = path("lost.gltf");
@@ -376,7 +376,7 @@ TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
     EXPECT_FALSE(model().facts().lost);
 }
 
-TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
+TEST_F(PresetEditing, LayoutAndRecentFilesPersist) {
     save_gltf(load_scene("boxes"), folder_ / "recent.gltf");
     open(remembering());
     state().layout.map_share = 0.3f;
@@ -408,8 +408,8 @@ TEST_F(PresetEditing, WithoutAStateFolderNothingIsWritten) {
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-// What is copied draws what is shown.
-TEST_F(PresetEditing, TheCopiedCommandLineDrawsTheSamePicture) {
+// The copied command draws the shown picture.
+TEST_F(PresetEditing, CopiedCommandLineDrawsTheSamePicture) {
     open();
     for (const char* key : {"acne", "front-culling-exceptions", "ninety-ten", "far-guard", "reversed-depth"}) {
         request({.load_preset = key});
@@ -424,7 +424,7 @@ TEST_F(PresetEditing, TheCopiedCommandLineDrawsTheSamePicture) {
         const std::string program = "shadow-inspector ";
         ASSERT_TRUE(command.starts_with(program)) << command;
         EXPECT_NE(command.find("--size 320x180"), std::string::npos) << command;
-        // Through a shell, as a person would; with a report to compare the settings.
+        // Through a shell, as a user would; with a report to compare the settings.
         const std::string line = "cd '" + folder_.string() + "' && env -u DISPLAY '" SI_PROGRAM "' " +
                                  command.substr(program.size()) + " --report report.json 2> errors.txt";
         ASSERT_EQ(std::system(line.c_str()), 0) << line << file_bytes(path("errors.txt"));

@@ -1,4 +1,5 @@
-// The panels around presets: strips, menu, comparison, dialogs; nothing cut off at any size, every button answers.
+// Tests of the panels around presets: strips, menu, comparison, dialogs; nothing is cut off at any size, every button
+// works.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -28,14 +29,14 @@ std::vector<PresetEntry> hard() {
     return list;
 }
 
-/// The window whose name holds `part`, as drawn in the last frame; null when it was not.
+/// Returns the window of the last frame whose name holds `part`; null if none.
 ImGuiWindow* window_of(const char* part) {
     for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
         if (w->WasActive && std::string_view(w->Name).find(part) != std::string_view::npos) return w;
     return nullptr;
 }
 
-/// Clicks along a row of pixels until something is wished for; the wishes of that frame.
+/// Clicks along a row of pixels until a request is made. Returns the requests of that frame.
 template <class Requested>
 std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, float y, Requested requested) {
     for (float x = x0; x < x1; x += 6) {
@@ -50,7 +51,7 @@ std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, flo
     return {};
 }
 
-/// Codes of their own: while no menu is open the editor keeps these keys from ImGui.
+/// Key codes of the page keys: without an open menu the editor hides them from ImGui.
 constexpr int kPageUp = 401, kPageDown = 402;
 void map_page_keys() {
     ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
@@ -68,7 +69,7 @@ void release_key(ImGuiKey key) {
 
 class PresetPanels : public testing::TestWithParam<std::tuple<int, int, float>> {};
 
-TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
+TEST_P(PresetPanels, NothingIsCutOffAndPicturesKeepTheirSpace) {
     const auto [w, h, scale] = GetParam();
     UiHarness ui(w, h, scale);
     const EditorRequests bare = ui.frames(4);
@@ -81,7 +82,7 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     for (const PresetEntry& p : all) {
         ui.state.files.guide = {p.key, p.title, p.about};
         const EditorRequests requests = ui.frames(3);
-        // The view in which presets are compared stays where it is while one walks through them.
+        // The comparison view stays while presets are stepped.
         if (&p < &all[ui.presets.size()]) {
             if (!guided_height) guided_height = requests.scene_height;
             EXPECT_EQ(requests.scene_height, *guided_height) << p.key;
@@ -141,7 +142,7 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorRequests& a) { return a.discard_lost; }));
 }
 
-TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
+TEST(PresetStrips, SettingsLostByTheDriverAreSavedAtOnceOrUnderAnotherName) {
     UiHarness ui(1280, 720);
     ui.state.files.preset_path = "mine.json";
     ui.frames(3);
@@ -159,14 +160,14 @@ TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
     EXPECT_TRUE(window_of("Save the preset as"));
 }
 
-TEST(PresetStrips, AFileWithoutASentenceHasNone) {
+TEST(PresetStrips, FileWithoutASentenceShowsNone) {
     UiHarness ui(1280, 720);
     ui.state.files.guide = {"/a/b.json", "Title", ""};
     ui.frames(3);
     EXPECT_FALSE(window_of("guide"));
 }
 
-TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
+TEST(PresetKeys, PageKeysStepPresetsUnlessAPopupIsOpen) {
     UiHarness ui(1280, 720);
     map_page_keys();
     ui.presets = guided();
@@ -188,7 +189,7 @@ TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
     EXPECT_EQ(press(ImGuiKey_PageUp), std::nullopt);
 }
 
-TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
+TEST(PresetsMenu, ShowsSentencesByTopicAndOpensTheClickedPreset) {
     UiHarness ui(1280, 720);
     ui.presets = guided();
     ui.frames(2);
@@ -205,7 +206,7 @@ TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
     EXPECT_EQ(*chosen->load_preset, ui.presets.front().key);
 }
 
-TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
+TEST(HardCasesMenu, OpensTheClickedCaseAndPageKeysStepOnlyCases) {
     UiHarness ui(1280, 720);
     map_page_keys();
     ui.presets = guided();
@@ -213,7 +214,7 @@ TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
     ui.frames(2);
     const auto opened = [](const EditorRequests&) { return window_of("##Popup") != nullptr; };
     std::optional<EditorRequests> chosen;
-    // Right of the guided presets; the first popup that lists hard cases.
+    // To the right of the guided presets: the first popup that lists hard cases.
     for (float x = 380; x < 620 && !(chosen && chosen->load_preset->starts_with("hard/")); x += 24) {
         if (!click_along(ui, x, x + 6, 19, opened)) continue;
         ui.frames(3);
@@ -264,7 +265,7 @@ TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
     ui.frames(3);
 }
 
-TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
+TEST(FileDialogs, SaveByNameAndOpenByDoubleClick) {
     const fs::path folder = fresh_test_folder();
     fs::create_directory(folder / "below");
     for (const char* name : {"b.json", "A.glb", "notes.txt", ".hidden.json"}) std::ofstream(folder / name) << "x";
@@ -303,7 +304,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     EXPECT_EQ(dialog.folder, fs::weakly_canonical(fs::current_path()));
 }
 
-TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
+TEST(FileDialogs, TypedFolderIsEnteredAndTypingContinues) {
     const fs::path folder = fs::weakly_canonical(fresh_test_folder());
     fs::create_directory(folder / "below");
     std::ofstream(folder / "below" / "b.json") << "x";
@@ -324,7 +325,7 @@ TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
     EXPECT_EQ(opened, (folder / "below/b.json").string());
 }
 
-TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
+TEST(FileDialogs, ListsOneKindWithDatesAndRecentFolders) {
     const fs::path folder = fs::weakly_canonical(fresh_test_folder());
     fs::create_directory(folder / "elsewhere");
     for (const char* name : {"b.json", "a.glb", "elsewhere/c.gltf"}) std::ofstream(folder / name) << "x";
@@ -357,7 +358,7 @@ TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
     EXPECT_EQ(dialog.entries[0].name, "c.gltf");
 }
 
-TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
+TEST(FileDialogs, TabCompletesAPathUpToItsAmbiguity) {
     const fs::path folder = fresh_test_folder();
     fs::create_directories(folder / "models/fox");
     for (const char* name : {"models/fox/fox.glb", "models/forest.glb", "models/fort.txt", "my.json"})
@@ -373,7 +374,7 @@ TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
     EXPECT_EQ(completed("models/fox/"), "models/fox/fox.glb");
     EXPECT_EQ(completed("nothing"), "nothing");
     EXPECT_EQ(completed((folder.string() + "/my").c_str()), folder.string() + "/my.json");
-    // By the key, in the dialog.
+    // The key works in the dialog too.
     UiHarness ui(1280, 720);
     open_file_dialog(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);

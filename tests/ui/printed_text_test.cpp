@@ -1,5 +1,5 @@
-// What the panels print is what their sources say: UTF-8, encoded once, in letters that the font has.
-// UiHarness::frame() looks at every frame of every test; here are windows so tall that nothing is cut off.
+// Tests of panel texts: UTF-8, encoded once, with letters of the font. UiHarness::frame() checks every frame; these
+// windows are so tall that nothing is cut off.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -13,7 +13,7 @@ bool holds(const std::u32string& text, std::u32string_view part) {
     return text.find(part) != std::u32string::npos;
 }
 
-TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
+TEST(PrintedText, OfEveryTabEqualsItsSource) {
     UiHarness ui(1900, 2200);
     ui.state.settings.light_count = 2;
     ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -40,7 +40,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
     }
 }
 
-TEST(PrintedText, ReadsWhatIsThere) {
+TEST(PrintedText, FindsTheDrawnText) {
     UiHarness ui(900, 600);
     ui.frames(2);
     const auto drawn = [&](const char* text) {

@@ -1,5 +1,4 @@
-// The probe in the whole editor: it sticks to its surface, arrow keys move it, the loupe shows its pixels; and the tour
-// of what is wrong.
+// Tests of the probe in the whole editor: its surface, arrow keys, the loupe, and the artefact tour.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -61,7 +60,7 @@ struct Probing : HeadlessEditor {
     const Probe* probe() { return model().facts().probe; }
 };
 
-TEST(Probing, TheProbeSticksToItsSurface) {
+TEST(Probing, ProbeSticksToItsSurface) {
     Probing editor;
     const glm::dvec2 size = editor.state().viewport.view->size;
     editor.click(glm::ivec2(0.5 * size.x + 0.05 * size.y, 0.26 * size.y));  // the cube in the air
@@ -82,7 +81,7 @@ TEST(Probing, TheProbeSticksToItsSurface) {
     EXPECT_LT(glm::distance(editor.probe()->position_ws, at), 6 * view.metres_per_pixel(at));
     EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Seen);
 
-    // Beside the picture nothing is probed, and it says so; back again it is where it was.
+    // Outside the picture nothing is probed, and a message says so; inside again the probe is back.
     const CameraSettings good = editor.state().settings.camera;
     editor.state().settings.camera.target_x += 100;
     editor.settle();
@@ -94,7 +93,7 @@ TEST(Probing, TheProbeSticksToItsSurface) {
     ASSERT_TRUE(editor.probe());
     EXPECT_LT(glm::distance(editor.probe()->position_ws, at), 6 * view.metres_per_pixel(at));
 
-    // From behind the cube hides its own front.
+    // The cube hides its own front from behind.
     editor.state().settings.camera.azimuth += 170;
     editor.settle();
     EXPECT_EQ(editor.model().facts().anchor_place, AnchorPlace::Hidden);
@@ -105,7 +104,7 @@ TEST(Probing, TheProbeSticksToItsSurface) {
     EXPECT_EQ(*editor.state().probe_pixel, glm::ivec2(40, 40));
 }
 
-TEST(Probing, APixelBelowThePictureIsItsNearest) {
+TEST(Probing, PixelBelowThePictureIsClamped) {
     EditorOptions options = boxes_under({});
     options.probe_x = 120;
     options.probe_y = 5000;
@@ -119,8 +118,8 @@ TEST(Probing, APixelBelowThePictureIsItsNearest) {
 
 TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
     Probing editor;
-    const glm::ivec2 at(310, 62);               // so that slanted edges of the cube in the air come to lie in the loupe
-    const ByteImage window = editor.picture();  // without the probe's marks
+    const glm::ivec2 at(310, 62);               // slanted edges of the floating cube are inside the loupe
+    const ByteImage window = editor.picture();  // without marks of the probe
     editor.click(at);
     ASSERT_EQ(*editor.state().probe_pixel, at);
     editor.arrow(ImGuiKey_RightArrow);
@@ -160,7 +159,7 @@ TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
     EXPECT_FALSE(editor.model().facts().loupe);
 }
 
-TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
+TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureIsFocused) {
     UiHarness ui(1280, 720);
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
@@ -194,7 +193,7 @@ TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
     EXPECT_TRUE(navigates());
 }
 
-TEST(Probing, EscapeThatClosesAMenuLeavesTheProbe) {
+TEST(Probing, EscapeThatClosesAMenuKeepsTheProbe) {
     UiHarness ui(1280, 720);
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
@@ -219,7 +218,7 @@ TEST(Probing, EscapeThatClosesAMenuLeavesTheProbe) {
     EXPECT_FALSE(ui.state.probe_pixel);
 }
 
-TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
+TEST(Probing, HoveredArtefactIsNamed) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
     const PictureView view = *editor.state().viewport.view;
     editor.mouse.at = glm::vec2(view.origin) + glm::vec2(view.size) * 0.5f;
@@ -242,7 +241,7 @@ TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
     EXPECT_GE(right, 3);
 }
 
-TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
+TEST(ArtefactTour, VisitsClustersAndProbesThem) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
     EditorState& state = editor.state();
     const Settings before = state.settings;
@@ -283,7 +282,7 @@ TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
     EXPECT_EQ(state.history.undo(), before) << "one step";
 }
 
-TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
+TEST(ArtefactTour, SwatchSelectsTheCauseAndShowsIt) {
     UiHarness ui(1600, 900);
     ui.state.window.open_tab = BottomTab::Error;
     ui.state.layout.bottom_height = 17;
@@ -301,7 +300,7 @@ TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
     toggle_tour_cause(ui.state, style.artefact);
     EXPECT_EQ(ui.state.settings.view.overlay, 0);
     EXPECT_FALSE(ui.state.artefact_tour.cause);
-    // By mouse: some row of the tables.
+    // With the mouse: some row of the tables.
     bool clicked = false;
     for (float y = float(ui.height()) - 250; y < float(ui.height()) - 40 && !clicked; y += 6)
         for (const float x : {700.f, 850.f}) {

@@ -1,4 +1,5 @@
-// The traced truth in the whole editor: numbers that follow the settings, overlays, and the picture against another.
+// Tests of the ray-traced reference in the whole editor: numbers that follow the settings, overlays, and picture
+// comparison.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -35,7 +36,7 @@ void expect_calm(HeadlessEditor& editor) {
     for (const LogLine& line : editor.model().state.log.lines()) EXPECT_EQ(line.kind, LogKind::Info) << line.text;
 }
 
-TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
+TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     HeadlessEditor editor(options(kNoBias));
     editor.settle();
     EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
@@ -51,7 +52,7 @@ TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     EXPECT_GT(before.acne, 0.1);
     write_png(kOut / "editor_error.png", editor.picture());
 
-    // The same as the command line measures at this size.
+    // `measure` gives the same values at this size.
     {
         const FrameResult& shown = *editor.model().facts().result;
         Renderer renderer;
@@ -84,8 +85,8 @@ TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     expect_calm(editor);
 }
 
-TEST(EditorReference, CancelIsHeededUntilSomethingChanges) {
-    // More rays than can be traced before it is cancelled.
+TEST(EditorReference, CancelHoldsUntilAChange) {
+    // More rays than can be traced before the cancel.
     std::vector<std::string> sets = kNoBias;
     for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
         sets.push_back(set);
@@ -107,7 +108,7 @@ TEST(EditorReference, CancelIsHeededUntilSomethingChanges) {
     EXPECT_TRUE(editor.model().facts().error);
 }
 
-TEST(EditorReference, OverlayWaitsForTheTruthAndThenShowsIt) {
+TEST(EditorReference, OverlayWaitsForTheReferenceAndShowsIt) {
     HeadlessEditor editor(options(kNoBias));
     set_setting(editor.model().state.settings, "view.overlay", "artefacts");
     set_setting(editor.model().state.settings, "view.overlay_2", "truth");
@@ -132,7 +133,7 @@ TEST(EditorReference, OverlayWaitsForTheTruthAndThenShowsIt) {
     expect_calm(editor);
 }
 
-TEST(EditorReference, OfOldViewsNothingIsHeldWhileTheEditorRests) {
+TEST(EditorReference, IdleEditorKeepsNoRaysOfOldViews) {
     const auto receivers = [] {
         for (const MemoryUse& h : memory_report().holders)
             if (h.holder == "receivers") return h.count;
@@ -145,7 +146,7 @@ TEST(EditorReference, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     state.comparison = {.view = ComparisonView::SideBySide, .reference = false};
     editor.settle();
     EXPECT_GE(receivers(), others + 1);
-    // The other side is not shown any more when the truth about another view comes.
+    // The other side disappears when the reference of another view arrives.
     state.comparison.view = ComparisonView::Off;
     state.settings.camera.azimuth += 5;
     editor.settle();
@@ -177,7 +178,7 @@ TEST(EditorReference, SavesAllNumbers) {
     EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
 }
 
-/// Pixels of a column range of the scene picture, without its upper fifth where labels are.
+/// Returns the pixels of a column range of the scene picture, without its upper fifth, where labels are.
 std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& view, double from, double to) {
     const ByteImage image = editor.picture();
     std::vector<std::uint8_t> out;
@@ -233,7 +234,7 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     EXPECT_EQ(part(editor, view, 0.6, 0.95), right_b);
     write_png(kOut / "editor_swipe.png", editor.picture());
 
-    // Elsewhere a drag turns the camera as ever.
+    // A drag elsewhere orbits the camera as usual.
     editor.mouse.at = at(0.8);
     editor.frame();
     editor.frame();
@@ -265,7 +266,7 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     expect_calm(editor);
 }
 
-TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
+TEST(EditorPictureComparison, ComparesWithPresetsInAllViews) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.model().state;
     state.comparison = {.view = ComparisonView::SideBySide, .reference = false};
@@ -287,7 +288,7 @@ TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
     state.comparison.view = ComparisonView::Difference;
     editor.settle();
     expect_calm(editor);
-    // Light, maps and kernel as the defaults have them: nothing is left to differ but shading by rounding.
+    // Light, maps and kernel by the defaults: only rounding of the shading differs.
     state.settings.filter = {};
     state.settings.map = {};
     state.settings.bias = {};
@@ -302,7 +303,7 @@ TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
     EXPECT_EQ(facts()->picture.texture, 0u);
 }
 
-TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
+TEST(EditorPictureComparison, PinIsFlickeredAndCompared) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     editor.settle();
     EditorState& state = editor.model().state;
@@ -363,8 +364,8 @@ TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
     expect_calm(editor);
 }
 
-// Light maps are baked beside the frames, and one of another light is not shown.
-TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
+// Light maps are baked in parallel to frames; maps of another light are not shown.
+TEST(EditorLightMap, IsBakedInTheBackgroundAndAgainAfterLightMoves) {
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=256", "view.frustum=false"}));
     const auto need = [&] { return editor.model().facts().result->light_maps.at(0); };
     editor.settle();
@@ -395,7 +396,7 @@ TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
     expect_calm(editor);
 }
 
-// What fails for one light is not tried again because it failed for the other.
+// A failed bake of one light does not block the other.
 TEST(EditorLightMap, MapsThatDoNotFitAreTriedOnceEach) {
     HeadlessEditor editor(options({"light.count=2", "light.1.azimuth=80", "light.source=light-map",
                                    "light.1.source=light-map", "light_map.resolution=16", "view.frustum=false"}));
@@ -415,8 +416,8 @@ TEST(EditorLightMap, MapsThatDoNotFitAreTriedOnceEach) {
     for (const LightMapNeed& need : editor.model().facts().result->light_maps) EXPECT_TRUE(need.met);
 }
 
-TEST(EditorLightMap, CancelIsHeededUntilSomethingChanges) {
-    // More rays than can be traced before it is cancelled.
+TEST(EditorLightMap, CancelHoldsUntilAChange) {
+    // More rays than can be traced before the cancel.
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=2048", "light_map.samples=65536",
                                    "light.size=8", "view.frustum=false"}));
     for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {

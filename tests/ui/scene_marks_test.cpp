@@ -1,4 +1,5 @@
-// The ray to a probed pixel, a camera's outline in a map, and boxes of objects against arithmetic by hand.
+// Tests of the ray to a probed pixel, a camera's outline in a map, and boxes of objects, compared with arithmetic by
+// hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
 }
 
-/// One light from straight above, its map between 2 m and 12 m below `height`.
+/// Makes one light from straight above, its map between 2 m and 12 m below `height`.
 FittedLight from_above(double height, bool perspective) {
     FittedLight light;
     light.casts = true;
@@ -63,7 +64,7 @@ TEST(ProbeRay, ParallelRaysBeginAtTheNearPlane) {
     expect_near(blocked->to, {1, 0, 3});
 }
 
-TEST(ProbeRay, RaysOfALampBeginAtIt) {
+TEST(ProbeRay, RaysOfAPunctualLightBeginAtIt) {
     const FittedLight light = from_above(10, true);
     const Probe p = probe_at({2, 0, 4}, light, 5, 0.25);
     const auto ray = probe_ray(p, p.lights[0], light);
@@ -73,7 +74,7 @@ TEST(ProbeRay, RaysOfALampBeginAtIt) {
     expect_near(ray->occluder, {1, 5, 2});  // half the depth: half the way
 }
 
-TEST(ProbeRay, NothingIsBlockedOutsideTheMapOrInTheLight) {
+TEST(ProbeRay, RaysOutsideTheMapOrInLightAreUnblocked) {
     const FittedLight light = from_above(12, false);
     Probe p = probe_at({1, 0, 3}, light, 5, 1);
     EXPECT_FALSE(probe_ray(p, p.lights[0], light)->blocked) << "the kernel found it lit";
@@ -120,7 +121,7 @@ TEST(CameraOutline, EdgesEndAtTheCornersOfClipSpace) {
     for (const auto& [from, to] : camera_edges(perspective)) EXPECT_GE(std::min(from.z, to.z), -200 - 1e-9);
 }
 
-TEST(CameraOutline, SeenFromAboveItIsTheCamerasFloorPlan) {
+TEST(CameraOutline, IsTheFloorPlanOfTheCameraFromAbove) {
     const FittedLight light = from_above(12, false);
     const LightView& view = light.views[0];
     const auto lines = camera_outline_in_map(level_camera(), view);
@@ -145,8 +146,8 @@ TEST(CameraOutline, SeenFromAboveItIsTheCamerasFloorPlan) {
     EXPECT_NEAR(glm::distance(hi, b), 0, 1e-9);
 }
 
-// Where it reaches beyond the map it is closed along the map's rim.
-TEST(CameraOutline, ItsRegionIsClosed) {
+// A region that leaves the map is closed along the map's border.
+TEST(CameraOutline, IsClosed) {
     const LightView view = from_above(12, false).views[0];
     Camera wide = level_camera();
     wide.eye.x = 4;
@@ -160,7 +161,7 @@ TEST(CameraOutline, ItsRegionIsClosed) {
             EXPECT_TRUE(a.x >= 0 && a.x <= 1 && a.y >= 0 && a.y <= 1);
             area += 0.5 * (a.x * b.y - a.y * b.x);
         }
-        // Four metres wide, of which one lies beyond the map where the camera stands aside.
+        // Four metres wide, one of them outside the map for a camera off the centre.
         EXPECT_NEAR(std::abs(area), (camera.eye.x == 4 ? 3 * 4 : 4 * 4) / 100.0, 0.02);
     }
     Camera away = level_camera();
@@ -168,7 +169,7 @@ TEST(CameraOutline, ItsRegionIsClosed) {
     EXPECT_TRUE(camera_region_in_map(away, view).empty());
 }
 
-TEST(CameraOutline, WhatLiesBehindALampIsLeftOut) {
+TEST(CameraOutline, LeavesOutPartsBehindAPunctualLight) {
     const FittedLight light = from_above(12, true);
     Camera above = level_camera();
     above.eye = {0, 30, 0};
@@ -184,7 +185,7 @@ TEST(CameraOutline, WhatLiesBehindALampIsLeftOut) {
         }
 }
 
-TEST(Clip, KeepsTheInside) {
+TEST(Clip, KeepsTheInnerPart) {
     const auto cut = clip_to_box({-1, 0.5}, {3, 0.5}, {0, 0}, {1, 1});
     ASSERT_TRUE(cut);
     EXPECT_NEAR(cut->first.x, 0, 1e-12);
@@ -194,7 +195,7 @@ TEST(Clip, KeepsTheInside) {
     EXPECT_TRUE(clip_to_box({0.2, 0.2}, {0.2, 0.2}, {0, 0}, {1, 1}));
 }
 
-TEST(Selection, TheBoxOfANodeTurnsWithIt) {
+TEST(Selection, BoxOfANodeRotatesWithIt) {
     Scene scene = test::box_scene({{{-1, -2, -3}, {1, 2, 3}}, {{10, 0, 0}, {11, 1, 1}}});
     scene.nodes[0].world = glm::dmat4({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {5, 0, 0, 1});  // x to -z, z to x
     scene.objects[0].world = scene.nodes[0].world;

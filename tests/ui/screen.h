@@ -1,13 +1,14 @@
-// How large the screen is that the editor's tests draw on, and where things stand on it.
+// Screen size and layout of the editor's tests.
 #pragma once
 
 #include "ui/state/editor_ui.h"
 
 namespace si::test {
 
+/// Size of the test screen, pixels.
 inline constexpr int kWidth = 1280, kHeight = 720;
 
-/// Every panel with room beside the others: what places in tests are told for.
+/// Layout with every panel open and the map at the side of the scene. Positions in tests refer to this layout.
 inline const EditorLayout kWideLayout{.settings_width = 24, .bottom_height = 15.6f, .map_place = MapSpot::NextToScene};
 
 }  // namespace si::test

@@ -1,4 +1,4 @@
-// Screenshots of the scene, the map and the window.
+// Tests of screenshots of the scene, the map and the window.
 #include "app/editor/screenshot.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ ByteImage read_back(const fs::path& file) {
     return image;
 }
 
-TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
+TEST(Screenshot, SavesItsPartOfTheWindowUnderAFreeName) {
     const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots";
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -79,7 +79,7 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
     for (const auto& entry : fs::directory_iterator(folder)) EXPECT_GT(fs::file_size(entry), 0u) << entry.path();
 }
 
-TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
+TEST(Screenshot, SectionDrawingIsSavedAsPngAndSvg) {
     const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots_of_drawings";
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -101,7 +101,7 @@ TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
     state.shots.next = Shot::Drawing;
     for (int i = 0; i < 3; ++i) editor.frame();
     const ByteImage drawing = read_back(folder / "boxes-drawing-2.png");
-    // As large as the SVG, with verdict and legend, whatever room the panel has.
+    // The picture is as large as the SVG, with verdict and legend, whatever the size of the panel.
     EXPECT_GT(drawing.width, 600) << state.log.lines().back().text;
     EXPECT_GT(drawing.height, int(1.5f * state.shots.drawing_rect.size.y));
     std::set<std::uint32_t> colours;
@@ -115,7 +115,7 @@ TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
     EXPECT_FALSE(fs::exists(folder / "boxes-drawing-1.png"));
 }
 
-TEST(Screenshot, SaysWhyItCannotBeWritten) {
+TEST(Screenshot, ReportsWriteErrors) {
     EXPECT_THROW(save_screenshot({1, 1, {0, 0, 0, 0}}, Shot::Map, "a/b.glb", "/no such folder"), std::exception);
 }
 

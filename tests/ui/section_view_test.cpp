@@ -1,5 +1,5 @@
-// The cross-section in the probe panel: beside the verdict, laid out once while nothing changes, and not at all while
-// the panel is hidden.
+// Tests of the cross-section in the probe panel: next to the verdict, laid out once without changes, and never while
+// hidden.
 #include "ui/panels/section_view.h"
 
 #include <gtest/gtest.h>
@@ -38,14 +38,14 @@ Section step_of_shadow() {
     return s;
 }
 
-/// Spaces leave nothing on the screen.
+/// Returns whether the frame shows the words, spaces aside.
 bool printed(const UiHarness& ui, std::u32string words) {
     std::u32string all = ui.printed();
     for (std::u32string* text : {&all, &words}) std::erase_if(*text, [](char32_t c) { return c <= U' '; });
     return all.find(words) != std::u32string::npos;
 }
 
-TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
+TEST(SectionView, IsNextToTheVerdictAndIsLaidOutOnce) {
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
@@ -68,7 +68,7 @@ TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
     EXPECT_FALSE(printed(ui, U"stored in texel 102"));
 }
 
-TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
+TEST(SectionView, ExplainsTheHoveredMark) {
     for (const bool fills : {false, true}) {  // the window
         SCOPED_TRACE(fills);
         UiHarness ui(1600, fills ? 600 : 900);
@@ -114,8 +114,8 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
     }
 }
 
-TEST(SectionView, IsWholeForAPicture) {
-    UiHarness ui(700, 480);  // where the panel has no room for it
+TEST(SectionView, IsDrawnInFullForAScreenshot) {
+    UiHarness ui(700, 480);  // a panel too small for the drawing
     ui.frames(2);
     const Section section = step_of_shadow();
     const SectionSheet sheet = section_sheet(section);
@@ -127,10 +127,10 @@ TEST(SectionView, IsWholeForAPicture) {
         EXPECT_TRUE(v.pos.x >= -2 && v.pos.x <= float(sheet.width) + 2) << v.pos.x;
         EXPECT_TRUE(v.pos.y >= -2 && v.pos.y <= float(sheet.height) + 2) << v.pos.y;
     }
-    ui.frames(2);  // and the next picture is as ever
+    ui.frames(2);  // the next picture is unchanged
 }
 
-TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {
+TEST(SectionView, LeavesTheVerdictItsSpaceAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{3840, 2160, 2.0f}, {1280, 720, 1.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -142,7 +142,7 @@ TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {
     }
 }
 
-TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
+TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     EditorOptions options;
     options.session.scene = "boxes";
     options.session.sets = {"bias.normal=0", "bias.constant=0", "map.resolution=512"};

@@ -1,5 +1,5 @@
-// The table of shortcuts: rows do not contradict each other, the overview lists all, menus and tooltips read their keys
-// from it.
+// Tests of the shortcut table: consistent rows, a complete overview, and keys of menus and tooltips read from the
+// table.
 #include "ui/state/shortcuts.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ bool can_coincide(Modifier a, Modifier b) {
     return a == Modifier::Any || b == Modifier::Any || a == b;
 }
 
-/// True if one press can match both chords.
-bool can_coincide(const Chord& a, const Chord& b) {
+/// Returns whether one press can match both chords.
+bool overlap(const Chord& a, const Chord& b) {
     const bool same_key = a.mapped == b.mapped && a.first <= b.last && b.first <= a.last;
     return same_key && can_coincide(a.ctrl, b.ctrl) && can_coincide(a.shift, b.shift) && can_coincide(a.alt, b.alt);
 }
@@ -64,7 +64,7 @@ TEST(Shortcuts, OnlyHeldKeysAndGesturesHaveNoAction) {
     }
 }
 
-TEST(Shortcuts, TheOverviewListsAll) {
+TEST(Shortcuts, OverviewListsAllKeys) {
     UiHarness ui(1600, 1000);
     ui.frames(2);
     ImGui::GetIO().KeysDown[290] = true;  // F1
@@ -81,7 +81,7 @@ TEST(Shortcuts, TheOverviewListsAll) {
     EXPECT_FALSE(ui.state.window.show_shortcuts);
 }
 
-TEST(Shortcuts, OverlaysNameKeysOfTheTable) {
+TEST(Shortcuts, OverlayKeysComeFromTheTable) {
     std::set<std::string> keys;
     for (const Shortcut& row : shortcuts())
         if (row.command == Command::ToggleOverlay)
@@ -93,8 +93,8 @@ TEST(Shortcuts, OverlaysNameKeysOfTheTable) {
     }
 }
 
-/// The texts of menus, tooltips and messages name keys by key_text() and with_key() alone.
-TEST(Shortcuts, NoTextNamesAKeyByHand) {
+/// Texts of menus, tooltips and messages name keys only by key_text() and with_key().
+TEST(Shortcuts, NoTextHardCodesAKey) {
     const std::regex literal(R"re("(?:\\.|[^"\\\n])*")re");
     const std::regex key(
         R"re(\b(Ctrl|Shift|Alt)\+[A-Z0-9]|\bF[0-9]+\b|\bPage (up|down)\b|\((Esc|Space|Home|[A-Z])\)|^"(Esc|Space)"$|\b[Kk]ey [A-Z]\b|\b[B-HJ-Z] (pins|shows|compares|takes|changes|hides|frames|does)\b)re");
@@ -128,7 +128,7 @@ TEST(Shortcuts, MenusPrintKeysOfTheTable) {
         EXPECT_TRUE(ui.drawn().shows(key_text(command))) << key_text(command);
 }
 
-TEST(Shortcuts, EscapeGivesTheMaximisedPanelItsPlaceAndKeepsTheProbe) {
+TEST(Shortcuts, EscapeRestoresTheMaximisedPanelAndKeepsTheProbe) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.maximised = Panel::Scene;

@@ -1,5 +1,4 @@
-// Smoothing at rest: it waits while something is measured, goes on afterwards, and is no part of what timed frames
-// took.
+// Tests of smoothing in the idle editor: paused during measurements, continued after them, excluded from frame times.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +28,7 @@ protected:
         options.headless = true;
         return options;
     }
-    /// Another picture, of which there is one shading and no smooth one.
+    /// Changes the picture: one shading exists and no smoothed one.
     void begin_again() {
         model.smooths = false;
         model.state.settings.lights[0].azimuth += 1;
@@ -38,7 +37,7 @@ protected:
         model.smooths = true;
     }
     bool is_smooth() const { return model.facts().result->smooth.texture != 0; }
-    /// The scene's picture as it is shown.
+    /// Returns the shown picture of the scene.
     std::vector<std::uint8_t> picture() const {
         const Image image = model.facts().result->panes.front().picture;
         std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
@@ -48,11 +47,11 @@ protected:
     }
 };
 
-TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
+TEST_F(EditorSmoothing, PausesDuringMeasurementsAndContinues) {
     struct Measurement {
         const char* name;
         void (*begin)(EditorRequests&);
-        void (*cancel)(EditorRequests&);  ///< null: it is waited for
+        void (*cancel)(EditorRequests&);  ///< cancel function; null: the test waits
     };
     const std::vector<Measurement> measurements = {
         {"savings", [](EditorRequests& a) { a.measure_saved_times = true; }, nullptr},
@@ -83,7 +82,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
         EXPECT_TRUE(picture() == begun) << "in the frame in which it begins";
         for (int i = 0; i < 5; ++i) {
             editor.frame();
-            if (!model.measuring()) break;  // it may have been over when that frame was drawn
+            if (!model.measuring()) break;  // the measurement may have ended during that frame
             EXPECT_TRUE(picture() == begun) << "while it goes on";
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
@@ -103,7 +102,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
     }
 }
 
-TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
+TEST_F(EditorSmoothing, IsNotCountedInFrameTimes) {
     editor.settle();
     ASSERT_EQ(model.state.tab, BottomTab::Effects) << "which times frames";
     model.state.settings.lights[0].azimuth += 1;

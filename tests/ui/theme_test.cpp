@@ -1,4 +1,4 @@
-// Marks that stand for different things are told apart by their hue, and so are the colours of numbers.
+// Tests of theme colours: different marks differ in hue, and so do colour scales.
 #include "ui/widgets/theme.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ glm::dvec3 lab(ImU32 c) {
     return {116 * f.y - 16, 500 * (f.x - f.y), 200 * (f.y - f.z)};
 }
 
-TEST(Theme, MarksOfDifferentThingsHaveColoursOfTheirOwn) {
+TEST(Theme, DifferentMarksHaveDifferentColours) {
     const std::map<std::string, ImU32> marks = {
         {"light", theme::kLight},   {"lit", theme::kLit},       {"shadowed", theme::kShadowed},
         {"offset", theme::kOffset}, {"linked", theme::kLinked}, {"probed", theme::kProbed},
@@ -40,7 +40,7 @@ TEST(Theme, MarksOfDifferentThingsHaveColoursOfTheirOwn) {
 
 TEST(Theme, ColoursOfShadersArriveUnchanged) {
     EXPECT_EQ(theme::colour({1, 0, 0.5}), IM_COL32(255, 0, 128, 255));
-    // From dark to bright, as grey too.
+    // Colours run from dark to bright, also in grey.
     EXPECT_LT(lab(theme::colour(shared::SEQUENTIAL_LOW)).x, 25);
     EXPECT_GT(lab(theme::colour(shared::SEQUENTIAL_HIGH)).x, 80);
     EXPECT_GT(lab(theme::colour(shared::DIVERGING_MIDDLE)).x, lab(theme::colour(shared::DIVERGING_HIGH)).x + 30);
@@ -58,12 +58,12 @@ double contrast(const glm::dvec3& a, const glm::dvec3& b) {
     return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// A colour over an opaque one, as they are blended: not linear. @param alpha of all that is drawn
-glm::dvec3 over(const ImVec4& colour, const glm::dvec3& ground, double alpha = 1) {
+/// Blends a colour over an opaque one, not in linear light. @param alpha opacity of the whole
+glm::dvec3 blended_over(const ImVec4& colour, const glm::dvec3& ground, double alpha = 1) {
     return glm::mix(ground, glm::dvec3(colour.x, colour.y, colour.z), colour.w * alpha);
 }
-glm::dvec3 over(ImU32 colour, const glm::dvec3& ground) {
-    return over(ImGui::ColorConvertU32ToFloat4(colour), ground);
+glm::dvec3 blended_over(ImU32 colour, const glm::dvec3& ground) {
+    return blended_over(ImGui::ColorConvertU32ToFloat4(colour), ground);
 }
 
 class ThemeContrast : public testing::TestWithParam<bool> {
@@ -82,49 +82,49 @@ protected:
     }
 };
 
-TEST_P(ThemeContrast, TextReadsOnItsGrounds) {
+TEST_P(ThemeContrast, TextIsReadableOnItsBackgrounds) {
     const theme::Colours& c = theme::colours();
-    const glm::dvec3 none(0), panel = over(c.panel, none);
+    const glm::dvec3 none(0), panel = blended_over(c.panel, none);
     const std::map<std::string, ImU32> texts = {
         {"text", c.text}, {"muted", c.muted}, {"accent", c.accent}, {"error", c.error}, {"warning", c.warning}};
     const std::map<std::string, ImU32> grounds = {
         {"panel", c.panel}, {"popup", c.popup}, {"title", c.title}, {"well", c.well}, {"note", c.note}};
     for (const auto& [text, colour] : texts)
         for (const auto& [ground, under] : grounds)
-            expect(text + " on " + ground, over(colour, none), over(under, panel));
-    expect("faint on panel", over(c.faint, none), panel);
-    expect("text on a progress bar", over(c.text, none), over(c.done, none));
+            expect(text + " on " + ground, blended_over(colour, none), blended_over(under, panel));
+    expect("faint on panel", blended_over(c.faint, none), panel);
+    expect("text on a progress bar", blended_over(c.text, none), blended_over(c.done, none));
 }
 
-TEST_P(ThemeContrast, WidgetsReadInAllStates) {
+TEST_P(ThemeContrast, WidgetsAreReadableInAllStates) {
     const ImVec4* c = ImGui::GetStyle().Colors;
     const theme::Colours& t = theme::colours();
-    const glm::dvec3 panel = over(t.panel, glm::dvec3(0));
+    const glm::dvec3 panel = blended_over(t.panel, glm::dvec3(0));
     for (const ImGuiCol state :
          {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive, ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered,
           ImGuiCol_FrameBgActive, ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive, ImGuiCol_Tab,
           ImGuiCol_TabHovered, ImGuiCol_TabActive, ImGuiCol_TableHeaderBg, ImGuiCol_TextSelectedBg, ImGuiCol_PopupBg})
-        expect(ImGui::GetStyleColorName(state), over(c[ImGuiCol_Text], panel), over(c[state], panel));
-    // WCAG 2.2, 1.4.11: what a control is known by.
+        expect(ImGui::GetStyleColorName(state), blended_over(c[ImGuiCol_Text], panel), blended_over(c[state], panel));
+    // WCAG 2.2, 1.4.11: parts that identify a control.
     for (const ImGuiCol mark : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
-        EXPECT_GE(contrast(over(c[mark], panel), over(c[ImGuiCol_FrameBg], panel)), 3)
+        EXPECT_GE(contrast(blended_over(c[mark], panel), blended_over(c[ImGuiCol_FrameBg], panel)), 3)
             << ImGui::GetStyleColorName(mark);
     // Pressed switches and changed values.
-    expect("accent on a pressed button", over(t.accent, panel), over(c[ImGuiCol_ButtonActive], panel));
+    expect("accent on a pressed button", blended_over(t.accent, panel), blended_over(c[ImGuiCol_ButtonActive], panel));
     const double faded = ImGui::GetStyle().DisabledAlpha;
     for (const ImGuiCol state : {ImGuiCol_Button, ImGuiCol_FrameBg}) {
-        const glm::dvec3 ground = over(c[state], panel, faded);
-        expect(std::string("disabled ") + ImGui::GetStyleColorName(state), over(c[ImGuiCol_Text], ground, faded),
-               ground);
+        const glm::dvec3 ground = blended_over(c[state], panel, faded);
+        expect(std::string("disabled ") + ImGui::GetStyleColorName(state),
+               blended_over(c[ImGuiCol_Text], ground, faded), ground);
     }
 }
 
-TEST_P(ThemeContrast, LabelsReadOnAnyPicture) {
+TEST_P(ThemeContrast, LabelsAreReadableOnAnyPicture) {
     for (const double picture : {0.0, 1.0})
         for (const ImU32 label :
              {theme::kOnPicture, theme::kMutedOnPicture, theme::kWarningOnPicture, theme::kLight, theme::kFrozen}) {
-            const glm::dvec3 ground = over(theme::kVeil, glm::dvec3(picture));
-            expect("on a picture", over(label, ground), ground);
+            const glm::dvec3 ground = blended_over(theme::kVeil, glm::dvec3(picture));
+            expect("on a picture", blended_over(label, ground), ground);
         }
 }
 

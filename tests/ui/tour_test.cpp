@@ -1,5 +1,5 @@
-// A tour of the editor's states with the real renderer, each kept as a picture (tour_STATE_SIZE.png): popups lie
-// inside the window, nothing complains, and what a state is about is there.
+// Tour of the editor's states with the real renderer, each saved as a picture (tour_STATE_SIZE.png). Popups are inside
+// the window, no error is reported, and the subject of each state is visible.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -55,7 +55,7 @@ protected:
         for (const LogLine& line : state().log.lines())
             EXPECT_EQ(line.kind, LogKind::Info) << name << ": " << line.text;
     }
-    /// The window whose name holds `part`; it lies on the screen and is wide enough for what it shows.
+    /// Expects the window whose name holds `part` on the screen and wide enough for its content.
     void expect_window(const std::string& part) {
         for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
             if (!w->WasActive || std::string_view(w->Name).find(part) == std::string_view::npos) continue;
@@ -68,7 +68,7 @@ protected:
         }
         ADD_FAILURE() << "no window " << part;
     }
-    /// The middle of the scene picture.
+    /// Returns the centre of the scene picture.
     glm::vec2 middle() const {
         const PictureView& v = *editor_->model().state.viewport.view;
         return glm::vec2(v.origin + 0.5 * v.size);
@@ -94,7 +94,7 @@ TEST_P(Tour, MenusAndDialogs) {
     save_gltf(load_scene("boxes"), scenes / "boxes.gltf");
     save_gltf(load_scene("plane"), scenes / "plane.glb");
     open_file_dialog(state().files.dialog, FileDialog::Job::Open, scenes / "x");
-    frames(12);  // what stands behind has grown dark
+    frames(12);  // the background has darkened
     expect_window("Open a scene or a preset");
     keep("open_dialog");
     ImGui::ClosePopupToLevel(0, false);
@@ -109,7 +109,7 @@ TEST_P(Tour, MenusAndDialogs) {
     keep("shortcuts");
 }
 
-TEST_P(Tour, AFrozenCameraCountsItsOwnTexels) {
+TEST_P(Tour, FrozenCameraCountsItsOwnTexels) {
     open("stage", {"map.resolution=1024"});
     editor_->mouse.at = middle();
     frames(4);
@@ -122,7 +122,7 @@ TEST_P(Tour, AFrozenCameraCountsItsOwnTexels) {
     ASSERT_TRUE(facts().frozen_usage);
     EXPECT_NEAR(facts().frozen_usage->utilisation(), of_live, 1e-4 * of_live);
     const double of_frozen = facts().frozen_usage->utilisation();
-    // Elsewhere, closer: the flying camera reads fewer texels, the frozen one those that it read.
+    // A closer view elsewhere: the flying camera reads fewer texels, the frozen one the same as before.
     CameraSettings& camera = state().settings.camera;
     set_setting(state().settings, "camera.source", "manual");
     camera.distance = 60;

@@ -1,3 +1,4 @@
+// Harness for panels: made-up frames, synthetic input, ImGui without a backend.
 #include "tests/ui/ui_harness.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +69,7 @@ UiHarness::UiHarness(int width, int height, float scale) : width_(width), height
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.MousePos = {-FLT_MAX, -FLT_MAX};
-    // A clipboard of its own; keys by ASCII code as the window backend gives them.
+    // The clipboard is private; keys have ASCII codes, as from the window backend.
     static std::string clipboard;
     io.SetClipboardTextFn = [](void*, const char* text) { clipboard = text; };
     io.GetClipboardTextFn = [](void*) { return clipboard.c_str(); };

@@ -1,5 +1,4 @@
-// The editor's panels without any GL: a made-up frame, synthetic mouse and keys, ImGui's own bookkeeping as the
-// witness.
+// Harness that draws the editor's panels without OpenGL: a made-up frame, synthetic mouse and keys.
 #pragma once
 
 #include <functional>
@@ -16,13 +15,16 @@
 
 namespace si::test {
 
-/// A frame of `scene` under `settings` as the renderer would report it, its pictures one white texture.
+/// Returns the FrameResult that the renderer would report for `scene` under `settings`. All pictures are one white
+/// texture.
 FrameResult made_up_frame(const Scene& scene, const Settings& settings);
-/// A probe with every member filled.
+/// Returns a probe of a pixel with every member filled, for so many lights.
 Probe made_up_probe(int lights);
 
+/// Editor panels over made-up facts. Tests set the public members, draw frames and read the drawn text.
 class UiHarness {
 public:
+    /// Creates an ImGui context of a size in pixels. @param scale user interface scale
     UiHarness(int width, int height, float scale = 1);
     ~UiHarness();
     UiHarness(const UiHarness&) = delete;
@@ -32,7 +34,7 @@ public:
     Scene scene;
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
-    std::optional<Settings> frame_settings;  ///< that the last frame was drawn under; else the present ones
+    std::optional<Settings> frame_settings;  ///< settings of the last frame; nothing: the present settings
     std::optional<SweepFacts> sweep;
     std::vector<PresetEntry> presets, hard_cases;
     std::vector<std::string> recent_scenes, recent_presets;
@@ -46,48 +48,59 @@ public:
     std::vector<PixelDiagnosis> diagnoses;
     Sections sections;
     bool tracing_probe = false;
-    bool verdict_follows = false;  ///< the probe is of an earlier picture
+    bool verdict_follows = false;  ///< whether the probe belongs to an earlier picture
     std::optional<SearchProgress> tuning;
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;
     FixSearch fixes;
-    EffectsFacts effects;  ///< where its list is empty, that of the made-up frame
+    EffectsFacts effects;  ///< effects to show; an empty list is replaced by the made-up frame's
     AdvicePanelFacts advice;
     LabFacts lab;
     const NumericHealth* health = nullptr;
     const MemoryReport* memory = nullptr;
     bool driver_reset = false;
     bool desktop_dialogs = false;
-    bool with_facts = true;  ///< false: the editor knows no frame yet
+    bool with_facts = true;  ///< false: no frame has been drawn yet
 
     double frame_seconds = 1.0 / 60;
-    std::string probed_object = "Root/Box";  ///< what probes find
+    std::string probed_object = "Root/Box";  ///< object path that probes report
 
-    /// One frame, `frame_seconds` after the one before. What it prints must be text that its font has.
+    /// Draws one frame, `frame_seconds` after the previous one, and returns the panels' requests. Fails the test if a
+    /// letter is missing in the font.
     EditorRequests frame();
+    /// Draws `count` frames and returns the requests of the last.
     EditorRequests frames(int count);
+    /// Moves the mouse to a position in pixels. The next frame sees the move.
     void move(glm::vec2 to);
+    /// Presses or releases a mouse button (0: left). The next frame sees the change.
     void press(bool down, int button = 0);
-    /// Press and release with frames between.
+    /// Presses and releases a mouse button at a position in pixels, with frames between.
     void click(glm::vec2 at, int button = 0);
+    /// Drags the mouse with a button from one position to another, pixels.
     void drag(glm::vec2 from, glm::vec2 to, int button = 0);
+    /// Types a text and draws two frames.
     void type(const std::string& text);
-    /// The middle of the widget called `label` below the ID `group` (empty: none) of a window whose name holds
-    /// `window`; found by moving the mouse. Nothing when it is not on the screen.
+    /// Returns the centre in pixels of a widget, found by moving the mouse. `window` is part of a window's name,
+    /// `group` the widget's parent ID (empty: none), `label` its own ID. Returns nothing for a widget that is not on
+    /// the screen.
     std::optional<glm::vec2> find(const std::string& window, const std::string& group, const std::string& label);
-    /// Likewise of a widget deeper in a window: `id` makes its ID of the window's.
+    /// Returns the centre in pixels of a nested widget. `id` computes the widget's ID from the window's ID.
     std::optional<glm::vec2> find(const std::string& window, const std::function<unsigned(unsigned)>& id);
-    /// The ID under the mouse, 0 for none.
+    /// Returns the ID of the hovered widget; 0 for none.
     unsigned hovered() const;
+    /// Returns the width of the screen, pixels.
     int width() const { return width_; }
+    /// Returns the height of the screen, pixels.
     int height() const { return height_; }
 
-    /// What the last frame printed.
+    /// Returns the text of the last frame without spaces.
     std::u32string printed() const { return drawn_->read(); }
+    /// Returns the letters of the last frame with their boxes.
     std::vector<DrawnText::Letter> letters() const { return drawn_->letters(); }
+    /// Returns the reader of the last frame's text.
     const DrawnText& drawn() const { return *drawn_; }
 
-    EditorRequests last_requests;  ///< of the last frame that asked for a search or its end
+    EditorRequests last_requests;  ///< requests of the last frame that started or cancelled a search
 
 private:
     int width_, height_;

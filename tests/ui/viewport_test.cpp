@@ -1,4 +1,4 @@
-// Flying, framing, freezing and choosing objects in the whole editor by synthetic mouse and keys.
+// Tests of flying, framing, freezing and selecting objects in the whole editor by synthetic mouse and keys.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -30,7 +30,7 @@ struct Viewport {
         hold(key, false);
         ui.frame();
     }
-    /// Holds the right button and W for so many seconds in frames of so many.
+    /// Holds the right button and W for a time in a number of frames.
     glm::dvec3 flown(double seconds, int frames, bool shift = false) {
         const glm::dvec3 before = camera().eye;
         ui.move(kPicture);
@@ -40,7 +40,7 @@ struct Viewport {
         hold('W', true);
         ImGui::GetIO().KeyShift = shift;
         ui.frame_seconds = seconds / frames;
-        ui.frames(frames + 1);  // the first finds the key and does not move yet
+        ui.frames(frames + 1);  // the first frame finds the key and does not move yet
         hold('W', false);
         ImGui::GetIO().KeyShift = false;
         ui.frames(1);
@@ -50,7 +50,7 @@ struct Viewport {
     }
 };
 
-TEST(Viewport, AFlightIsAsLongInFewFramesAsInMany) {
+TEST(Viewport, FlightDistanceIsIndependentOfFrameRate) {
     glm::dvec3 way(0);
     for (const int frames : {4, 60}) {
         Viewport v;
@@ -80,7 +80,7 @@ TEST(Viewport, ShiftAndTheWheelFlyFaster) {
     EXPECT_NEAR(glm::length(v.flown(0.5, 10)) / slow, 1.25 * 1.25, 1e-6);
 }
 
-TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
+TEST(Viewport, EditorRedrawsWhileAKeyIsHeldAndThenSleeps) {
     Viewport v;
     v.ui.move(kPicture);
     v.ui.frames(2);
@@ -95,7 +95,7 @@ TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
     EXPECT_FALSE(v.ui.frames(2).redraw);
 }
 
-TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
+TEST(Viewport, MouseIsCapturedInFlightAndLinksAreReadAtRest) {
     Viewport v;
     v.ui.move(kPicture);
     EditorRequests requests = v.ui.frames(2);
@@ -116,7 +116,7 @@ TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
     }
 }
 
-TEST(Viewport, WithoutTheButtonTheKeysOfAFlightDoNothing) {
+TEST(Viewport, FlightKeysNeedTheMouseButton) {
     Viewport v;
     const Settings before = v.settings;
     v.ui.move(kPicture);
@@ -124,7 +124,7 @@ TEST(Viewport, WithoutTheButtonTheKeysOfAFlightDoNothing) {
     EXPECT_EQ(v.settings, before);
 }
 
-TEST(Viewport, TheRightButtonLooksAroundTheEye) {
+TEST(Viewport, RightButtonLooksAround) {
     Viewport v;
     const Camera before = v.camera();
     v.ui.drag(kPicture, kPicture + glm::vec2(50, 10), 1);
@@ -133,7 +133,7 @@ TEST(Viewport, TheRightButtonLooksAroundTheEye) {
     EXPECT_GT(glm::dot(-after.axes[2], before.axes[0]), 0.05);
 }
 
-TEST(Viewport, LettersDuringAFlightAreNoShortcuts) {
+TEST(Viewport, LettersInFlightAreNoShortcuts) {
     Viewport v;
     v.ui.move(kPicture);
     v.ui.frames(2);
@@ -148,7 +148,7 @@ TEST(Viewport, LettersDuringAFlightAreNoShortcuts) {
     EXPECT_NE(v.settings.view.map, map);
 }
 
-TEST(Viewport, ADoubleClickChoosesWhatTheProbeFoundAndFFramesIt) {
+TEST(Viewport, DoubleClickSelectsTheProbedObjectAndFFramesIt) {
     Viewport v;
     v.press('F');
     const double all = v.settings.camera.distance;
@@ -163,7 +163,7 @@ TEST(Viewport, ADoubleClickChoosesWhatTheProbeFoundAndFFramesIt) {
     EXPECT_LT(v.settings.camera.distance, all);
     EXPECT_NEAR(v.settings.camera.target_x, b.centre().x, 1e-9);
     const auto escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
-    for (const bool chosen : {true, false}) {  // the probe goes first
+    for (const bool chosen : {true, false}) {  // the probe has priority
         ImGui::GetIO().KeysDown[escape] = true;
         v.ui.frame();
         ImGui::GetIO().KeysDown[escape] = false;
@@ -182,7 +182,7 @@ TEST(Viewport, LLooksThroughTheLightAndBack) {
     EXPECT_EQ(v.settings.camera.source, CameraSource::Light);
     v.press('L');
     EXPECT_EQ(v.settings.camera, before);
-    v.settings.camera.source = CameraSource::Light;  // as a preset may have it
+    v.settings.camera.source = CameraSource::Light;  // a preset may have it
     v.press('L');
     EXPECT_NE(v.settings.camera.source, CameraSource::Light);
     v.settings.light_count = 0;
@@ -191,7 +191,7 @@ TEST(Viewport, LLooksThroughTheLightAndBack) {
     EXPECT_EQ(v.settings.camera, last) << "there is no light to look through";
 }
 
-TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
+TEST(Viewport, FreezeKeepsThePreviousCamera) {
     Viewport v;
     const Camera before = v.camera();
     v.press('K');
@@ -201,7 +201,7 @@ TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
     EXPECT_GT(glm::distance(v.camera().eye, before.eye), 1e-3);
     v.press('K');
     EXPECT_FALSE(v.ui.state.frozen);
-    v.ui.state.layout.map_place = MapSpot::Hidden;  // the row has room for the button
+    v.ui.state.layout.map_place = MapSpot::Hidden;  // the row has space for the button
     v.ui.frames(2);
     const auto button = v.ui.find("editor/scene", "", "Freeze view");
     ASSERT_TRUE(button);
@@ -210,7 +210,7 @@ TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
     EXPECT_NE(v.settings.camera.source, CameraSource::Light) << "another button was hit";
 }
 
-TEST(Viewport, AnEndOfTheAxesLooksAlongIt) {
+TEST(Viewport, ClickOnAnAxisLooksAlongIt) {
     Viewport v;
     v.settings.camera.source = CameraSource::Manual;
     v.ui.frames(2);

@@ -1,4 +1,4 @@
-// What a person sees first: shown once, and only to a person who asked for nothing.
+// Tests of the welcome window: shown once, and only to a person who requested nothing.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -47,24 +47,24 @@ TEST_F(Welcome, EscClosesIt) {
     EXPECT_FALSE(ui.state.window.show_welcome || open());
 }
 
-TEST_F(Welcome, AModelIsOpenedByTheFileDialog) {
+TEST_F(Welcome, FileDialogOpensAModel) {
     click("Open a model…");
     ui.frames(2);
     EXPECT_TRUE(open()) << "the file dialog";
     EXPECT_FALSE(ui.state.window.show_welcome);
 }
 
-TEST_F(Welcome, TheTourBeginsWithTheFirstPreset) {
+TEST_F(Welcome, TourBeginsWithTheFirstPreset) {
     EXPECT_EQ(click("Guided tour").load_preset, "acne");
     EXPECT_FALSE(ui.state.window.show_welcome);
 }
 
-TEST_F(Welcome, TheStageIsLoadedWhereAnotherSceneIsOpen) {
+TEST_F(Welcome, StageReplacesAnotherScene) {
     ui.state.scene_name = "boxes";
     EXPECT_EQ(click("Look at the stage").load_scene, "stage");
 }
 
-TEST(WelcomeOnce, IsKeptInTheStateAndNeverShownToAProgram) {
+TEST(WelcomeOnce, IsRememberedAndNeverShownHeadless) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "welcomed";
     fs::remove_all(state);
     EditorOptions options;
@@ -93,7 +93,7 @@ TEST(WelcomeOnce, IsKeptInTheStateAndNeverShownToAProgram) {
     EXPECT_FALSE(shown(options));
 }
 
-TEST(LightTheme, IsKeptAndReachesTheWindow) {
+TEST(LightTheme, IsRememberedAndAppliedToTheWindow) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "light_theme";
     fs::remove_all(state);
     EditorOptions options;

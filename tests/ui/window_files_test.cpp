@@ -1,4 +1,4 @@
-// The editor's window and files: opened by menu, dialog and drop, presets saved and loaded, what is kept between runs.
+// Tests of the editor's window with files: menu, dialog and drop, saved presets, and state kept between runs.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -25,13 +25,13 @@ constexpr int kSearchX = 1040, kSearchY = 351, kSliderX = 1170, kSliderY = 408;
 
 class WindowFiles : public Window {
 protected:
-    /// A small scene as a file, no part of the program.
+    /// Writes a small scene file that is not part of the program.
     fs::path model(const std::string& name) const {
         const fs::path file = folder_ / name;
         EXPECT_EQ(run_program({"export", "boxes", "-o", file.string()}).code, 0);
         return file;
     }
-    /// The entry of the menu File, counted from 0.
+    /// Chooses an entry of the menu File, counted from 0.
     void choose(int entry) const {
         click(kFileX, kTopY);
         click(kFileX + 30, 47 + entry * 20);
@@ -42,7 +42,7 @@ protected:
         type("bias.constant");
         drag(kSliderX, kSliderY, 60, 0);
     }
-    /// The settings that a crash would leave behind; null when there are none.
+    /// Returns the settings of the session file, as after a crash; null if none.
     nlohmann::json kept() const {
         std::error_code none_yet;
         for (const auto& entry : fs::directory_iterator(state_folder() / "sessions", none_yet))
@@ -58,7 +58,7 @@ protected:
     }
 };
 
-TEST_F(WindowFiles, AModelIsOpenedThroughMenuAndDialogByItsTypedPath) {
+TEST_F(WindowFiles, ModelIsOpenedByItsTypedPath) {
     const fs::path file = model("typed model.glb");
     ASSERT_NO_FATAL_FAILURE(start());
     choose(0);  // Open
@@ -72,14 +72,15 @@ TEST_F(WindowFiles, AModelIsOpenedThroughMenuAndDialogByItsTypedPath) {
     quit();
 }
 
-TEST_F(WindowFiles, AModelIsOpenedByADoubleClickInTheDialog) {
+TEST_F(WindowFiles, ModelIsOpenedByADoubleClickInTheDialog) {
     const fs::path only = folder_ / "models";
     fs::create_directories(only);
     fs::rename(model("clicked.gltf"), only / "clicked.gltf");
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+o");
     wait_until_idle();
-    // Whether the dialog lists a third entry: the folders are cache, home, models, state; in models is one file.
+    // Returns whether the dialog lists a third entry: the folders are cache, home, models, state; models holds one
+    // file.
     const auto third = [&] {
         const ByteImage seen = screen("window_open_folder");
         for (int y = kEntryY + 2 * kEntryStep - 6; y < kEntryY + 2 * kEntryStep + 6 && seen.width == kWidth; ++y)
@@ -94,7 +95,7 @@ TEST_F(WindowFiles, AModelIsOpenedByADoubleClickInTheDialog) {
     quit();
 }
 
-TEST_F(WindowFiles, APresetIsSavedUnderANameLoadedAndIdentical) {
+TEST_F(WindowFiles, SavedPresetLoadsIdentically) {
     ASSERT_NO_FATAL_FAILURE(start());
     const nlohmann::json untouched = saved();
     change_bias();
@@ -123,7 +124,7 @@ TEST_F(WindowFiles, APresetIsSavedUnderANameLoadedAndIdentical) {
     quit();
 }
 
-TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
+TEST_F(WindowFiles, DroppedModelAndPresetAreOpened) {
     const fs::path file = model("dropped måne 1.glb");
     const fs::path preset = folder_ / "dropped.JSON";
     ASSERT_EQ(run_program({"preset", "save", "plane", "--set", "bias.constant=7", "-o", preset.string()}).code, 0);
@@ -136,7 +137,7 @@ TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
     EXPECT_TRUE(drop_file(window, preset, 300, 300));
     EXPECT_TRUE(shows("plane")) << log();
     EXPECT_EQ(saved("dropped.JSON").value("bias.constant", 0.0), 7);
-    // What is neither is said so, and nothing is lost.
+    // Other files are reported, and nothing is lost.
     ASSERT_TRUE(program_->running()) << program_->code();
     EXPECT_TRUE(drop_file(window, folder_ / "program.log", 300, 300));
     wait_until_idle();
@@ -145,7 +146,7 @@ TEST_F(WindowFiles, ADroppedModelAndADroppedPresetAreOpened) {
     quit();
 }
 
-TEST_F(WindowFiles, AScreenshotIsAFileAndStandsInTheClipboard) {
+TEST_F(WindowFiles, ScreenshotIsAFileAndInTheClipboard) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("F12");
     const fs::path file = folder_ / "boxes-scene-1.png", pasted = folder_ / "pasted.png";
@@ -160,7 +161,7 @@ TEST_F(WindowFiles, AScreenshotIsAFileAndStandsInTheClipboard) {
     quit();
 }
 
-TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
+TEST_F(WindowFiles, DragWithALostSourceIsHarmless) {
     ASSERT_NO_FATAL_FAILURE(start());
     const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
     for (int i = 0; i < 5; ++i) begin_abandoned_drag(window, 300, 300);
@@ -170,7 +171,7 @@ TEST_F(WindowFiles, ADragWhoseSourceIsGoneEndsNothing) {
     quit();
 }
 
-TEST_F(WindowFiles, AnEditorThatWasQuitOrEndedOffersUnsavedSettingsAgain) {
+TEST_F(WindowFiles, ClosedEditorOffersUnsavedSettingsAgain) {
     ASSERT_NO_FATAL_FAILURE(start());
     change_bias();
     quit();
@@ -192,7 +193,7 @@ TEST_F(WindowFiles, AnEditorThatWasQuitOrEndedOffersUnsavedSettingsAgain) {
     EXPECT_FALSE(kept().is_null()) << "ended by a signal, and lost";
 }
 
-TEST_F(WindowFiles, AKilledEditorOffersItsSettingsAgain) {
+TEST_F(WindowFiles, KilledEditorOffersItsSettingsAgain) {
     ASSERT_NO_FATAL_FAILURE(start());
     const nlohmann::json untouched = saved();
     change_bias();
@@ -213,7 +214,7 @@ TEST_F(WindowFiles, AKilledEditorOffersItsSettingsAgain) {
     EXPECT_TRUE(kept().is_null()) << "a clean end leaves nothing to restore";
 }
 
-/// Where the splitter between scene and map stands in a window of that size.
+/// Returns the position of the splitter between scene and map in a window of that size.
 glm::ivec2 splitter(int width, int height) {
     EditorOptions o;
     o.session.scene = "boxes";
@@ -231,7 +232,7 @@ glm::ivec2 splitter(int width, int height) {
     return {int(0.5f * (scene->Pos.x + scene->Size.x + map->Pos.x)), int(map->Pos.y + 0.5f * map->Size.y)};
 }
 
-TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
+TEST_F(WindowFiles, OnlyLayoutAndSizePersist) {
     ASSERT_NO_FATAL_FAILURE(start({}));
     ASSERT_TRUE(xdotool("search --name 'Shadow Inspector' windowsize 1100 640"));
     wait_until_idle();
@@ -249,7 +250,7 @@ TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
 
     ASSERT_NO_FATAL_FAILURE(start({}));
     EXPECT_NE(ask("search --name 'Shadow Inspector' getwindowgeometry").find("1100x640"), std::string::npos);
-    // It stands where it was put: dragged from there it moves again.
+    // The splitter keeps its place: a drag from there moves it again.
     drag(at.x - 90, at.y, 45, 0);
     screen("window_kept_layout");
     quit();
@@ -263,12 +264,12 @@ TEST_F(WindowFiles, LayoutAndSizeStayAcrossRunsAndNothingElseIsWritten) {
     EXPECT_EQ(kept_files, std::vector<std::string>{}) << "left behind";
 }
 
-TEST_F(WindowFiles, WithoutStateNothingIsKept) {
+TEST_F(WindowFiles, NothingIsKeptWithoutState) {
     ASSERT_NO_FATAL_FAILURE(start({"--no-state", "--size", "1280x720"}));
     change_bias();
     const glm::ivec2 at = splitter(1280, 720);
     drag(at.x, at.y, -90, 0);
-    std::this_thread::sleep_for(std::chrono::seconds(3));  // longer than anything waits to be kept
+    std::this_thread::sleep_for(std::chrono::seconds(3));  // longer than any delay before saving
     EXPECT_FALSE(fs::exists(folder_ / "state"));
     quit();
     EXPECT_FALSE(fs::exists(folder_ / "state"));

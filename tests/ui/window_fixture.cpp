@@ -1,3 +1,4 @@
+// Fixture for window tests: X server, child processes, xdotool, screenshots.
 #include "tests/ui/window_fixture.h"
 
 #include <fcntl.h>
@@ -22,7 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
 
-/// Against a hang; no machine is so slow.
+/// Limit against hangs; no machine is so slow.
 constexpr auto kHung = std::chrono::minutes(10);
 
 std::string text_of(const fs::path& path) {
@@ -92,7 +93,7 @@ double Process::cpu_seconds() const {
 
 namespace {
 
-/// Of a thread's /proc/.../stat, from its state (field 3) on: whether it takes only time that nobody wants (field 41).
+/// Returns whether a thread runs only in idle time (field 41). The text is /proc/.../stat from the state (field 3) on.
 bool takes_idle_time(const std::string& from_state) {
     std::istringstream fields(from_state);
     std::string field;
@@ -133,19 +134,19 @@ ByteImage read_screen(const fs::path& file) {
 }
 
 void Window::SetUp() {
-    // A folder of its own: ctest runs tests side by side.
+    // One folder a test: ctest runs tests in parallel.
     const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
     folder_ = fs::path(SI_TEST_OUTPUT_DIR) / ("window_" + name);
     fs::remove_all(folder_);
-    // The editor keeps things between runs: not in the home of whoever runs the tests, and each test for itself.
+    // The editor keeps state between runs: each test has its own instead of the user's home.
     fs::create_directories(home());
     setenv("HOME", home().c_str(), 1);
     setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
     setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
-    // Not on the desktop of whoever runs the tests.
+    // No connection to the desktop of the user.
     for (const char* desktop : {"WAYLAND_DISPLAY", "DBUS_SESSION_BUS_ADDRESS", "XDG_RUNTIME_DIR"}) unsetenv(desktop);
     ASSERT_EQ(std::system("command -v xdotool > /dev/null"), 0) << "the package xdotool is missing";
-    // Several servers starting at once may choose the same number: the loser ends, and another try finds a free one.
+    // Servers that start together may choose the same number: the loser ends, and another try finds a free one.
     bool up = false;
     for (int attempt = 0; attempt < 20 && !up; ++attempt) {
         if (attempt > 0) std::this_thread::sleep_for(std::chrono::milliseconds(100 * attempt));
@@ -163,7 +164,7 @@ bool Window::start_server() {
                                  "-fbdir", folder_.string(), "-nolisten", "tcp", "-noreset"},
         folder_, "xvfb.log", pipe_ends[1]);
     close(pipe_ends[1]);
-    // The server writes its number and a line feed once it takes clients; when it ends, so does the pipe.
+    // The server writes its number and a line feed once it accepts clients; its end closes the pipe.
     std::string number;
     pollfd end{pipe_ends[0], POLLIN, 0};
     while (!number.ends_with('\n') && poll(&end, 1, int(std::chrono::milliseconds(kHung).count())) > 0) {
@@ -193,7 +194,7 @@ void Window::start(const std::vector<std::string>& more, const std::string& scen
     line.insert(line.end(), more.begin(), more.end());
     program_.reset();
     program_ = std::make_unique<Process>(line, folder_, "program.log");
-    // The title names the scene once the first frame is drawn.
+    // The title names the scene after the first frame.
     ASSERT_TRUE(shows(scene)) << log();
     wait_until_idle();
 }
@@ -235,7 +236,7 @@ void Window::mouse(int x, int y) const {
 void Window::wait_until_idle(bool idle_threads_too) const {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (!program_) return;
-    // Twelve looks in a row: between two frames, or waiting for the driver, it would be found awake in one of them.
+    // Twelve checks in a row: between two frames, or during a wait for the driver, one of them would find it awake.
     int asleep = 0;
     const auto end = Clock::now() + kHung;
     while (asleep < 12 && program_->running() && Clock::now() < end) {
@@ -269,7 +270,7 @@ nlohmann::json Window::json_of(const fs::path& file) {
 nlohmann::json Window::saved(const std::string& name) const {
     const fs::path file = folder_ / name;
     fs::remove(file);
-    keys("ctrl+s");  // once: a second save could come after the next change
+    keys("ctrl+s");  // one press: a second save could come after the next change
     wait_until([&] { return fs::exists(file); });
     const auto preset = json_of(file);
     if (!preset.is_object()) {

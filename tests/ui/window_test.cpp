@@ -1,4 +1,4 @@
-// The editor's window: sliders, views, handles and keys under real events.
+// Tests of the editor's window under real events: sliders, views, handles and keys.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -23,7 +23,7 @@ TEST_F(Window, WaitingEndsWithTheProgramAndWithTheServer) {
     EXPECT_EQ(looks, 4);
 }
 
-TEST_F(Window, ADotOfAFrontierIsClicked) {
+TEST_F(Window, FrontierDotIsClicked) {
     const std::string command = std::string("cd '") + folder_.string() +
                                 "' && '" SI_PROGRAM
                                 "' sweep boxes --vary filter.kernel=pcf3,pcf9 --vary map.resolution=64,4096 --size "
@@ -35,7 +35,7 @@ TEST_F(Window, ADotOfAFrontierIsClicked) {
         return p[0] == 86 && p[1] == 180 && p[2] == 233;
     };
     ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--sweep", (folder_ / "swept").string()}));
-    click(21, 631);  // do not measure the present settings: from now on the plot stays as it is
+    click(21, 631);  // stop measuring the present settings, so that the plot stays
     const ByteImage shown = screen("window_dots");
     glm::ivec2 first{-1};
     for (int x = 0; x < 900 && first.x < 0; ++x)
@@ -50,9 +50,9 @@ TEST_F(Window, ADotOfAFrontierIsClicked) {
     EXPECT_FALSE(saved().contains("map.resolution"));
 }
 
-TEST_F(Window, ADoubleClickDuringASlowFrameSelects) {
+TEST_F(Window, DoubleClickDuringASlowFrameSelects) {
     ASSERT_NO_FATAL_FAILURE(start());
-    mouse(470, 200);  // the cube in the air
+    mouse(470, 200);  // the floating cube
     program_->hold(true);
     xdotool("click --repeat 2 --delay 100 1");
     std::this_thread::sleep_for(std::chrono::milliseconds(700));
@@ -70,7 +70,7 @@ TEST_F(Window, ADoubleClickDuringASlowFrameSelects) {
     EXPECT_TRUE(program_->running()) << log();
 }
 
-/// The editor without a window as `edit boxes --size 1280x720` shows it.
+/// Makes an editor without a window that shows `edit boxes --size 1280x720`.
 std::unique_ptr<HeadlessEditor> twin() {
     EditorOptions o;
     o.session.scene = "boxes";
@@ -81,7 +81,7 @@ std::unique_ptr<HeadlessEditor> twin() {
     return editor;
 }
 
-TEST_F(Window, AHandleOfTheLightIsDraggedAndUndone) {
+TEST_F(Window, LightHandleIsDraggedAndUndone) {
     ASSERT_NO_FATAL_FAILURE(start());
     const auto editor = twin();
     const EditorState& state = editor->model().state;
@@ -111,7 +111,7 @@ TEST_F(Window, AHandleOfTheLightIsDraggedAndUndone) {
     EXPECT_TRUE(program_->running()) << log();
 }
 
-TEST_F(Window, TheCameraFliesWhileAKeyIsHeld) {
+TEST_F(Window, CameraFliesWhileAKeyIsHeld) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(200, 330);
     xdotool("mousedown 3");
@@ -132,9 +132,9 @@ TEST_F(Window, TheCameraFliesWhileAKeyIsHeld) {
     EXPECT_FALSE(saved().contains("camera.source"));
 }
 
-TEST_F(Window, FlyingGoesOnWhereTheScreenEnds) {
+TEST_F(Window, FlyingContinuesAtTheScreenEdge) {
     ASSERT_NO_FATAL_FAILURE(start());
-    // Off to one side farther than the screen is wide, in steps no longer than a hand's.
+    // To one side by more than the screen's width, in steps no longer than a hand's.
     const auto look = [&](int steps) {
         mouse(400, 300);
         xdotool("mousedown 3");
@@ -151,19 +151,19 @@ TEST_F(Window, FlyingGoesOnWhereTheScreenEnds) {
     };
     const double once = look(2), twice = look(2), far = look(10);
     screen("window_flown");
-    // Two steps have room on the screen, and ten turn five times as far.
+    // Two steps fit on the screen, and ten turn five times as far.
     const double two_steps = std::remainder(twice - once, 360.0);
     EXPECT_GT(std::abs(two_steps), 20);
     EXPECT_NEAR(std::remainder(far - twice - 5 * two_steps, 360.0), 0, 1) << two_steps;
-    // The mouse is back where it began to fly: after its first step, which a hand makes shorter.
+    // The mouse is back at the start of the flight, which is after its first, shorter step.
     EXPECT_NE(ask("getmouselocation").find("x:600 y:300"), std::string::npos) << ask("getmouselocation");
     quit();
 }
 
-TEST_F(Window, AStillEditorSleepsAndAResizeIsFollowed) {
+TEST_F(Window, IdleEditorSleepsAndFollowsAResize) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
-    wait_until_idle(true);  // what a click will ask for is foreseen
+    wait_until_idle(true);  // shaders for the click are warmed up
     std::this_thread::sleep_for(std::chrono::seconds(2));
     wait_until_idle(true);
     const double before = program_->cpu_seconds();
@@ -199,7 +199,7 @@ TEST_F(Window, ShowsTheSamePictureAsWithoutAWindow) {
                 }
         return count;
     };
-    // A window's rows lie the other way up: a texel that ends in the middle of a pixel may be its neighbour.
+    // A window has its rows in the opposite order: a texel that ends at a pixel's centre may be the neighbour's.
     EXPECT_TRUE(wait_until([&] { return differing() >= 0 && differing() <= 8; })) << differing() << " pixels differ";
 }
 

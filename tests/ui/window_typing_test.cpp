@@ -1,4 +1,4 @@
-// Typing faster than frames are drawn.
+// Tests of typing faster than frames are drawn.
 #include <chrono>
 #include <thread>
 
@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 class WindowTyping : public Window {
 protected:
-    /// A frame that takes until all of it has arrived.
+    /// Sends commands while the editor is stopped, as during one slow frame.
     void in_one_slow_frame(const std::vector<std::string>& commands) const {
         program_->hold(true);
         for (const std::string& command : commands) EXPECT_TRUE(xdotool(command)) << command;
@@ -19,7 +19,7 @@ protected:
         program_->hold(false);
         wait_until_idle();
     }
-    /// The preset that was saved, under whatever name; empty: none.
+    /// Returns the saved preset of any name; empty if none.
     std::string saved_name() const {
         std::string name;
         const auto is_saved = [&] {
@@ -45,7 +45,7 @@ TEST_F(WindowTyping, NoLetterIsLostAfterControlAInASlowFrame) {
     quit();
 }
 
-TEST_F(WindowTyping, KeysBetweenLettersActBetweenThem) {
+TEST_F(WindowTyping, KeysKeepTheirOrderAmongLetters) {
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+shift+s");
     wait_until_idle();
@@ -55,7 +55,7 @@ TEST_F(WindowTyping, KeysBetweenLettersActBetweenThem) {
     quit();
 }
 
-TEST_F(WindowTyping, LettersDoNotOvertakeTheClickIntoTheirField) {
+TEST_F(WindowTyping, LettersWaitForTheClickIntoTheirField) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(400, 600);
     const nlohmann::json before = saved();

@@ -1,3 +1,4 @@
+// Drag-and-drop source by the XDND protocol.
 #include "tests/ui/xdnd.h"
 
 #include <X11/Xatom.h>
@@ -15,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr long kVersion = 5;
 
-/// "file:///a%20b": what is no plain letter is written as its code.
+/// Returns the URI of a file: "file:///a%20b", with all but plain letters encoded.
 std::string uri(const std::filesystem::path& path) {
     constexpr char kHex[] = "0123456789ABCDEF";
     std::string out = "file://";
@@ -29,13 +30,13 @@ std::string uri(const std::filesystem::path& path) {
     return out;
 }
 
-/// The dragging side of the protocol (freedesktop.org, "Drag-and-Drop Protocol for the X Window System").
+/// Source side of the protocol (freedesktop.org, "Drag-and-Drop Protocol for the X Window System").
 class Source {
 public:
     explicit Source(Window target, std::chrono::seconds patience = {})
         : display_(XOpenDisplay(nullptr)), target_(target), patience_(patience) {
         if (!display_) return;
-        XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });  // of a window that was closed meanwhile
+        XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });  // errors of closed windows are ignored
         window_ = XCreateSimpleWindow(display_, DefaultRootWindow(display_), -10, -10, 1, 1, 0, 0, 0);
         XSetSelectionOwner(display_, atom("XdndSelection"), window_, CurrentTime);
     }
@@ -58,7 +59,7 @@ public:
         if (!status || !(status->data.l[1] & 1)) return false;
         send("XdndDrop", {long(window_), 0, CurrentTime, 0, 0});
         const auto finished = wait_for("XdndFinished", text);
-        return finished && finished->data.l[1] != 0;  // GLFW 3.3 answers with the length of what it read
+        return finished && finished->data.l[1] != 0;  // GLFW 3.3 answers with the number of bytes read
     }
 
 private:
@@ -77,7 +78,7 @@ private:
         XFlush(display_);
     }
 
-    /// The target asks for what is dragged.
+    /// Answers the target's request for the dragged data.
     void answer(const XSelectionRequestEvent& request, const std::string& text) const {
         XChangeProperty(display_, request.requestor, request.property, request.target, 8, PropModeReplace,
                         reinterpret_cast<const unsigned char*>(text.data()), int(text.size()));
@@ -92,7 +93,7 @@ private:
         XFlush(display_);
     }
 
-    /// The next message of a type; requests for the dragged text are answered meanwhile.
+    /// Waits for the next message of a type and answers requests for the dragged text.
     std::optional<XClientMessageEvent> wait_for(const char* type, const std::string& text) const {
         for (const auto end = Clock::now() + patience_; Clock::now() < end;) {
             if (XPending(display_) == 0) {

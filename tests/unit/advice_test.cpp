@@ -1,4 +1,4 @@
-// Rules over made-up facts, and what becomes of ideas under a made-up clock and truth.
+// Tests of advice: rules over made-up facts, and measured ideas under a made-up clock and reference.
 #include "renderer/advise/advice.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-/// Nothing of these calls for a change.
+/// Returns facts that no rule proposes a change for.
 AdviceFacts plain_facts() {
     AdviceFacts f;
     f.lights.resize(1);
@@ -35,11 +35,11 @@ std::vector<AdviceIdea> ideas_of(const Settings& s, const AdviceFacts& f, std::s
     return ideas;
 }
 
-TEST(AdviceRules, SpeakWhereFactsCallForThem) {
+TEST(AdviceRules, FireWhenTheirFactsHold) {
     struct Case {
         const char* rule;
         std::function<void(Settings&, AdviceFacts&)> change;
-        const char* sets;  ///< KEY=VALUE of the first idea
+        const char* sets;  ///< KEY=VALUE of the first expected idea
         const char* says;
     };
     const std::vector<Case> cases = {
@@ -112,7 +112,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
     }
 }
 
-TEST(AdviceRules, SpeakOnceOfEachChangeAndNeverOfNone) {
+TEST(AdviceRules, ProposeEachChangeOnce) {
     Settings s;
     AdviceFacts f = plain_facts();
     f.texel_px = 0.1;
@@ -129,7 +129,7 @@ TEST(AdviceRules, SpeakOnceOfEachChangeAndNeverOfNone) {
     for (const AdviceRule& rule : advice_rules()) EXPECT_TRUE(keys.insert(rule.key).second) << rule.key;
 }
 
-TEST(AdviceRules, LeaveAnEmptySceneAlone) {
+TEST(AdviceRules, ProposeNothingForAnEmptyScene) {
     AdviceFacts f;
     f.lights.resize(1);
     f.shadowed = {std::numeric_limits<double>::quiet_NaN()};
@@ -140,13 +140,13 @@ TEST(AdviceRules, LeaveAnEmptySceneAlone) {
     EXPECT_TRUE(advice_ideas(Settings{}, f).empty()) << "without lights";
 }
 
-/// Error, milliseconds and bytes by map.resolution, which numbers the ideas.
+/// Meter of error, milliseconds and bytes by map.resolution, which numbers the ideas.
 struct MadeUp {
     double error, ms, noise = 0.1;
     std::uint64_t bytes = 100;
 };
 
-std::vector<TriedAdvice> tried(const std::vector<MadeUp>& world, const std::vector<Claim>& claims) {
+std::vector<TriedAdvice> tried_ideas(const std::vector<MadeUp>& world, const std::vector<Claim>& claims) {
     std::vector<AdviceIdea> ideas;
     for (std::size_t i = 1; i < world.size(); ++i) {
         AdviceIdea idea{.rule = "made up", .claim = claims[i - 1], .sentence = std::to_string(i)};
@@ -167,21 +167,21 @@ std::vector<TriedAdvice> tried(const std::vector<MadeUp>& world, const std::vect
     return measure_ideas(base, ideas, meter);
 }
 
-TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
+TEST(Advice, IsRankedBySavedTimePerAddedError) {
     constexpr Claim kSame = Claim::Same, kTrade = Claim::Trade, kRight = Claim::Right;
     const std::vector<MadeUp> world = {
         {0.010, 10},
-        {0.010, 9},              // 1: saves 1 ms for nothing
-        {0.030, 4},              // 2: 6 ms for 0.02: 300 a unit
-        {0.012, 8},              // 3: 2 ms for 0.002: 1000 a unit
-        {0.010, 7},              // 4: saves 3 ms for nothing
-        {0.005, 10},             // 5: puts pixels right
+        {0.010, 9},              // 1: saves 1 ms without error
+        {0.030, 4},              // 2: 6 ms for 0.02: 300 a unit of error
+        {0.012, 8},              // 3: 2 ms for 0.002: 1000 a unit of error
+        {0.010, 7},              // 4: saves 3 ms without error
+        {0.005, 10},             // 5: cures pixels
         {0.010, 10, 0.1, 50},    // 6: saves memory
-        {0.020, 5},              // 7: says the same, which it is not
+        {0.020, 5},              // 7: claims to be equal and is not
         {0.010, 12},             // 8: slower
-        {0.010, 9.95, 0.1, 100}  // 9: nothing
+        {0.010, 9.95, 0.1, 100}  // 9: no effect
     };
-    const auto all = tried(world, {kSame, kTrade, kTrade, kSame, kRight, kSame, kSame, kTrade, kSame});
+    const auto all = tried_ideas(world, {kSame, kTrade, kTrade, kSame, kRight, kSame, kSame, kTrade, kSame});
     std::vector<std::string> holds, fails;
     for (const TriedAdvice& t : all) (t.why_not.empty() ? holds : fails).push_back(t.idea.sentence);
     EXPECT_EQ(holds, (std::vector<std::string>{"4", "1", "3", "2", "5", "6"}));
@@ -197,7 +197,7 @@ TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
     }
 }
 
-TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
+TEST(Advice, ChangeWithARefutedClaimIsOfferedAsATrade) {
     int classified = 0;
     AdviceMeter meter;
     meter.classify = [&](const Settings& s, int) {
@@ -217,14 +217,14 @@ TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
     EXPECT_EQ(classified, 2) << "before, and once after";
 }
 
-TEST(Advice, ClaimsThatPixelsGetRightAreHeldToIt) {
-    const auto all = tried({{0.010, 10}, {0.010, 5}, {0.002, 20}}, {Claim::Right, Claim::Right});
+TEST(Advice, ClaimsOfCuredPixelsAreVerified) {
+    const auto all = tried_ideas({{0.010, 10}, {0.010, 5}, {0.002, 20}}, {Claim::Right, Claim::Right});
     EXPECT_TRUE(all[0].why_not.empty()) << "right, at whatever cost";
     EXPECT_EQ(all[0].idea.sentence, "2");
     EXPECT_NE(all[1].why_not.find("does not fall"), std::string::npos);
 }
 
-TEST(Advice, WhatMovesTheCameraCannotBeJudged) {
+TEST(Advice, CameraChangesAreNotMeasured) {
     AdviceIdea idea{.rule = "made up", .sentence = "turn", .settings = {}};
     idea.settings.map.resolution = 1;
     AdviceMeter meter;
@@ -237,7 +237,7 @@ TEST(Advice, WhatMovesTheCameraCannotBeJudged) {
     EXPECT_NE(measure_ideas(Settings{}, {idea}, meter)[0].why_not.find("would move"), std::string::npos);
 }
 
-TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
+TEST(Findings, AreSortedBySeverityWithTheirBestFix) {
     AdviceFacts f = plain_facts();
     f.notes = {"map.resolution was lowered"};
     f.lights[0].limits.one_texel = true;

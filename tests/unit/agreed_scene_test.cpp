@@ -1,4 +1,4 @@
-// The scene that benchmarks agree on is what its name says.
+// Tests of the benchmarks' agreed scene.
 #include "tests/support/agreed_scene.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace si::test {
 namespace {
 
-TEST(AgreedScene, HasItsTrianglesFlatColoursAndNoTextures) {
+TEST(AgreedScene, HasItsTrianglesPlainColoursAndNoTextures) {
     for (const auto& [size, triangles] :
          {std::pair{AgreedSize::Triangles100k, 100'088u}, {AgreedSize::Triangles1M, 999'810u}}) {
         const Scene scene = agreed_scene(size);

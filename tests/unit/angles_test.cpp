@@ -1,3 +1,4 @@
+// Tests of angles and directions in degrees.
 #include "renderer/base/angles.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ TEST(Angles, QuartersAreExactAndZerosHaveNoSign) {
     }
 }
 
-TEST(Angles, ElsewhereAsRadiansHaveThem) {
+TEST(Angles, OtherAnglesMatchRadians) {
     for (double degrees = -720; degrees <= 720; degrees += 7.3) {
         const SineCosine a = sine_cosine(degrees);
         EXPECT_NEAR(a.sine, std::sin(degrees * std::numbers::pi / 180), 4e-15) << degrees;
@@ -27,7 +28,7 @@ TEST(Angles, ElsewhereAsRadiansHaveThem) {
     }
 }
 
-TEST(Angles, DirectionsAlongAnAxisAreIt) {
+TEST(Angles, AxisDirectionsAreExact) {
     for (const double azimuth : {-180.0, -90.0, 0.0, 33.0, 90.0, 180.0, 270.0})
         EXPECT_EQ(direction_from_angles(azimuth, 90), glm::dvec3(0, 1, 0)) << azimuth;
     EXPECT_EQ(direction_from_angles(-90, 0), glm::dvec3(-1, 0, 0));

@@ -1,4 +1,4 @@
-// Fits over a whole animation: maps that neither move nor change while it plays, and that nothing leaves.
+// Tests of fits over a whole animation: maps that stay unchanged during playback and hold all moving objects.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using test::Json;
 
 constexpr int kTimes = 20;
 
-/// A floor and a box that is turned by `key_values` about y, far from its axis.
+/// Makes a floor and a box that is rotated by `key_values` about y, far from its axis.
 Scene swinging_box(Interpolation how) {
     Scene scene;
     scene.name = "swinging box";
@@ -52,7 +52,7 @@ Scene swinging_box(Interpolation how) {
     return scene;
 }
 
-/// A triangle that grows by a morph target, in the file of a light that hangs still.
+/// Makes a triangle that grows by a morph target, in a file with a fixed light.
 GltfFile growing_triangle() {
     GltfFile file;
     const int grown = file.floats({0, 0, 0, 4, 0, 0, 0, 0, -3}, "VEC3");
@@ -84,7 +84,7 @@ std::vector<std::pair<std::string, Scene>> moving_scenes() {
     return all;
 }
 
-Session at(const Scene& scene, double time_s, std::vector<std::string> sets) {
+Session session_at(const Scene& scene, double time_s, std::vector<std::string> sets) {
     sets.push_back("scene.time=" + std::to_string(time_s));
     return compose_session(plan_session({.scene = "moving", .sets = std::move(sets)}), scene);
 }
@@ -93,7 +93,7 @@ double time_of(const Scene& scene, int i) {
     return scene.rig->animations[0].duration_s * i / (kTimes - 1);
 }
 
-/// Every number that a light's maps are drawn by.
+/// Returns every number that affects the drawing of a light's maps.
 std::vector<double> numbers_of(const std::vector<FittedLight>& lights) {
     std::vector<double> out;
     const auto add = [&](const auto& matrix, int columns, int rows) {
@@ -110,8 +110,8 @@ std::vector<double> numbers_of(const std::vector<FittedLight>& lights) {
     return out;
 }
 
-/// Vertices of what moves that are beside a view, or before or behind its range.
-std::size_t outside(const Scene& scene, const FittedLight& light) {
+/// Returns the number of moving vertices outside a view or its depth range.
+std::size_t count_outside(const Scene& scene, const FittedLight& light) {
     std::size_t count = 0;
     const LightView& view = light.views[0];
     const glm::dmat4 clip = view.clip_from_relative(light.map_origin);
@@ -127,8 +127,8 @@ std::size_t outside(const Scene& scene, const FittedLight& light) {
     return count;
 }
 
-SI_TEST_IS(Repeated, Travel, MapsStayAsTheyAreAndHoldWhatMoves);
-TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
+SI_TEST_IS(Repeated, AnimatedBounds, KeepMapsSteadyAroundMovingObjects);
+TEST(AnimatedBounds, KeepMapsSteadyAroundMovingObjects) {
     for (const auto& [name, scene] : moving_scenes())
         for (const char* fit : {"casters", "scene"})
             for (const char* type : {"directional", "spot", "point"}) {
@@ -139,15 +139,15 @@ TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
                 std::vector<double> first;
                 bool follows = false;
                 for (int i = 0; i < kTimes; ++i) {
-                    const Session session = at(scene, time_of(scene, i), over);
+                    const Session session = session_at(scene, time_of(scene, i), over);
                     const auto lights = fit_lights(session.scene, session.settings);
                     if (i == 0) first = numbers_of(lights);
                     EXPECT_EQ(numbers_of(lights), first) << i;
                     EXPECT_EQ(lights[0].clipped_casters, 0) << i;
                     if (std::string_view(type) == "directional") {
-                        EXPECT_EQ(outside(session.scene, lights[0]), 0u) << i;
+                        EXPECT_EQ(count_outside(session.scene, lights[0]), 0u) << i;
                     }
-                    const Session off = at(scene, time_of(scene, i), sets), start = at(scene, 0, sets);
+                    const Session off = session_at(scene, time_of(scene, i), sets), start = session_at(scene, 0, sets);
                     follows |= numbers_of(fit_lights(off.scene, off.settings)) !=
                                numbers_of(fit_lights(start.scene, start.settings));
                 }
@@ -155,10 +155,10 @@ TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
             }
 }
 
-// No wider than what moves makes them: for what swings about an axis, the circle that its corner draws.
-TEST(Travel, BoxesHoldEachMomentAndLittleMore) {
+// No wider than the moving parts: for a swinging box, the circle of its corner.
+TEST(AnimatedBounds, EncloseEachTimeTightly) {
     const Scene scene = swinging_box(Interpolation::Linear);
-    const Session session = at(scene, 0, {"scene.fit_animation=on"});
+    const Session session = session_at(scene, 0, {"scene.fit_animation=on"});
     const Bounds& animation_bounds = session.scene.objects[1].animation_bounds;
     const double corner = std::hypot(4.5, 0.5);
     Bounds all;
@@ -176,55 +176,55 @@ TEST(Travel, BoxesHoldEachMomentAndLittleMore) {
     EXPECT_TRUE(session.scene.objects[0].animation_bounds.empty()) << "the floor stands still";
 }
 
-TEST(Travel, ItIsKeptForItsAnimationAndForgottenWithTheSetting) {
+TEST(AnimatedBounds, AreCachedPerAnimationAndDroppedWithTheSetting) {
     Scene scene = swinging_box(Interpolation::Linear);
-    SceneSettings moment{.fit_animation = true};
-    pose_scene(scene, moment);
+    SceneSettings at_time{.fit_animation = true};
+    pose_scene(scene, at_time);
     ASSERT_FALSE(scene.objects[1].animation_bounds.empty());
-    scene.objects[1].animation_bounds.hi.x = 1000;  // would be put right if it were found again
-    moment.time = 0.3;
-    pose_scene(scene, moment);
+    scene.objects[1].animation_bounds.hi.x = 1000;  // a new search would repair it
+    at_time.time = 0.3;
+    pose_scene(scene, at_time);
     EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "not once a frame";
     hide_objects(scene, {scene.nodes[std::size_t(scene.objects[0].node)].path});
-    pose_scene(scene, moment);
+    pose_scene(scene, at_time);
     hide_objects(scene, {});
     EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "nor for what is hidden";
-    moment.animation = 1;  // of no keys
-    pose_scene(scene, moment);
+    at_time.animation = 1;  // an animation without keys
+    pose_scene(scene, at_time);
     EXPECT_TRUE(scene.objects[1].animation_bounds.empty());
-    moment.animation = 0;
-    pose_scene(scene, moment);
+    at_time.animation = 0;
+    pose_scene(scene, at_time);
     EXPECT_LT(scene.objects[1].animation_bounds.hi.x, 10);
-    moment.fit_animation = false;
-    pose_scene(scene, moment);
+    at_time.fit_animation = false;
+    pose_scene(scene, at_time);
     EXPECT_TRUE(scene.objects[1].animation_bounds.empty());
     EXPECT_TRUE(scene.animation_bounds.empty());
 }
 
-TEST(Travel, WhereTheSceneIsPlacedItGoesAlong) {
+TEST(AnimatedBounds, FollowThePlacement) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const std::vector<std::string> sets{"scene.fit_animation=on", "scene.scale=4", "scene.distance=1000"};
-    const auto first = at(scene, 0, sets);
+    const auto first = session_at(scene, 0, sets);
     const auto lights = fit_lights(first.scene, first.settings);
     for (int i = 0; i < kTimes; ++i) {
-        const Session session = at(scene, time_of(scene, i), sets);
+        const Session session = session_at(scene, time_of(scene, i), sets);
         EXPECT_EQ(numbers_of(fit_lights(session.scene, session.settings)), numbers_of(lights)) << i;
-        EXPECT_EQ(outside(session.scene, lights[0]), 0u) << i;
+        EXPECT_EQ(count_outside(session.scene, lights[0]), 0u) << i;
     }
 }
 
-TEST(Travel, AFilesLightsStayWhereTheyHang) {
+TEST(AnimatedBounds, KeepLightsOfAFile) {
     const Scene scene = growing_triangle().load();
     for (const char* over : {"off", "on"})
         for (int i = 0; i < kTimes; ++i) {
             const Session session =
-                at(scene, time_of(scene, i), {std::string("scene.fit_animation=") + over, "scene.ground=off"});
+                session_at(scene, time_of(scene, i), {std::string("scene.fit_animation=") + over, "scene.ground=off"});
             const auto lights = fit_lights(session.scene, session.settings);
             EXPECT_LT(glm::distance(lights[0].position, glm::dvec3(1, 6, 2)), 1e-6) << over << " " << i;
         }
 }
 
-TEST(Travel, NothingChangesWhereNothingMoves) {
+TEST(AnimatedBounds, ChangeNothingInStaticScenes) {
     const auto fitted = [](std::vector<std::string> sets) {
         const Session session = open_session({.scene = "boxes", .sets = std::move(sets)});
         return std::pair(numbers_of(fit_lights(session.scene, session.settings)), session.notes);
@@ -235,7 +235,7 @@ TEST(Travel, NothingChangesWhereNothingMoves) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const auto rest = [&](std::vector<std::string> sets) {
         sets.push_back("scene.animation=-1");
-        const Session session = at(scene, 0.5, std::move(sets));
+        const Session session = session_at(scene, 0.5, std::move(sets));
         return numbers_of(fit_lights(session.scene, session.settings));
     };
     EXPECT_EQ(rest({}), rest({"scene.fit_animation=on"}));
@@ -245,8 +245,8 @@ TEST(Travel, NothingChangesWhereNothingMoves) {
     EXPECT_NE(idle_reason(s, *find_setting("scene.fit_animation")).find("rest pose"), std::string_view::npos);
 }
 
-// A picture that moves with what it shows cannot be compared with itself.
-TEST(Travel, TheAutomaticCameraStaysWhereAFilesAnimationBegan) {
+// A picture that moves with its subject cannot be compared with itself.
+TEST(AnimatedBounds, KeepTheAutomaticCameraOfTheFirstTime) {
     Scene scene = swinging_box(Interpolation::Linear);
     scene.file_scenes = {""};
     std::vector<Camera> cameras;

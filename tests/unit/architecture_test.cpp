@@ -1,7 +1,7 @@
-// The walls between the folders, and what must not stand in the sources.
+// Tests of the order of folders and of forbidden texts in sources.
 //
-// An order of folders holds within renderer/, too: a file includes files of its own folder and of those before it. The
-// order is drawn by docs/architecture/folders.dot.
+// Folders of renderer/ are ordered too: a file includes files of its own folder and of lower ones.
+// docs/architecture/folders.dot draws the order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::vector<fs::path> sources(const char* folder) {
     return out;
 }
 
-/// Files of a folder that include something the pattern matches.
+/// Returns the files of a folder that include a header whose name matches the pattern.
 std::vector<std::string> includers(const char* folder, const char* pattern) {
     const std::regex include("#include\\s*[<\"](" + std::string(pattern) + ")");
     std::vector<std::string> out;
@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, 23> kFolders = {
     "view/culling", "view/fits",  "view/cameras", "frame",    "optimisations", "reference",
     "passes",       "render",     "inspect",      "measure",  "advise"};
 
-/// An include of one file of renderer/ by another, both as paths below renderer/.
+/// Include of one file of renderer/ by another, both as paths below renderer/.
 struct Include {
     std::string by, of;
 };
@@ -77,7 +77,7 @@ std::vector<Include> renderer_includes() {
     return out;
 }
 
-/// Returns the place of a file's folder in kFolders, from 0; their count for a folder without a place.
+/// Returns the rank of a file's folder in kFolders, from 0; their count for an unlisted folder.
 std::ptrdiff_t rank_of(const std::string& file) {
     return std::ranges::find(kFolders, fs::path(file).parent_path().generic_string()) - kFolders.begin();
 }
@@ -85,11 +85,11 @@ std::ptrdiff_t rank_of(const std::string& file) {
 /// Units by name, each with the units that it includes.
 using Units = std::map<std::string, std::set<std::string>>;
 
-/// Returns the first circle that a walk from `unit` along includes meets, from a unit to itself; empty without one.
-/// @param path units on the way from where the walk began
-/// @param done units from which no circle is met
-std::vector<std::string> circle_from(const Units& units, const std::string& unit, std::vector<std::string>& path,
-                                     std::set<std::string>& done) {
+/// Returns the first include cycle on a walk from `unit`, from a unit to itself; empty without one.
+/// @param path units from the start of the walk to `unit`
+/// @param done units that reach no cycle
+std::vector<std::string> include_cycle_from(const Units& units, const std::string& unit, std::vector<std::string>& path,
+                                            std::set<std::string>& done) {
     if (done.contains(unit)) return {};
     const auto met = std::ranges::find(path, unit);
     if (met != path.end()) {
@@ -100,18 +100,20 @@ std::vector<std::string> circle_from(const Units& units, const std::string& unit
     path.push_back(unit);
     if (const auto found = units.find(unit); found != units.end())
         for (const std::string& next : found->second)
-            if (std::vector<std::string> circle = circle_from(units, next, path, done); !circle.empty()) return circle;
+            if (std::vector<std::string> circle = include_cycle_from(units, next, path, done); !circle.empty())
+                return circle;
     path.pop_back();
     done.insert(unit);
     return {};
 }
 
-/// Returns a circle of units, or nothing.
-std::vector<std::string> circle_of(const Units& units) {
+/// Returns an include cycle of the units; empty without one.
+std::vector<std::string> include_cycle(const Units& units) {
     std::set<std::string> done;
     for (const auto& [unit, included] : units) {
         std::vector<std::string> path;
-        if (std::vector<std::string> circle = circle_from(units, unit, path, done); !circle.empty()) return circle;
+        if (std::vector<std::string> circle = include_cycle_from(units, unit, path, done); !circle.empty())
+            return circle;
     }
     return {};
 }
@@ -135,9 +137,9 @@ TEST(Architecture, FoldersOfTheRendererHaveAnOrder) {
 /// Folders that can be reached from each of kFolders along arrows.
 using Reach = std::map<std::string, std::set<std::string>>;
 
-/// Returns what each folder reaches in any number of steps. @param arrows one step each
+/// Returns the folders that each folder reaches in any number of steps. @param arrows single steps
 Reach reach_of(Reach arrows) {
-    // In the order of the folders all that a lower one reaches is known.
+    // The order of folders guarantees that the reach of lower folders is complete.
     for (const std::string_view folder : kFolders) {
         std::set<std::string>& reached = arrows[std::string(folder)];
         for (const std::string& next : std::set<std::string>(reached))
@@ -147,7 +149,7 @@ Reach reach_of(Reach arrows) {
     return arrows;
 }
 
-// The diagram leaves out arrows that follow from others, so what is reached along arrows is compared.
+// The diagram leaves out implied arrows, so reachable folders are compared.
 TEST(Architecture, DiagramOfFoldersShowsTheIncludes) {
     Reach drawn, included;
     const std::string dot = text_of(fs::path(SI_SOURCE_DIR) / "docs/architecture/folders.dot");
@@ -162,16 +164,16 @@ TEST(Architecture, DiagramOfFoldersShowsTheIncludes) {
     EXPECT_EQ(reach_of(drawn), reach_of(included));
 }
 
-// A unit is a header with its source: neither is understood without the other.
-TEST(Architecture, UnitsOfTheRendererFormNoCircle) {
+// A unit is a header with its source.
+TEST(Architecture, UnitsOfTheRendererHaveNoIncludeCycle) {
     Units units;
     const auto unit_of = [](const std::string& file) { return file.substr(0, file.rfind('.')); };
     for (const Include& include : renderer_includes())
         if (unit_of(include.by) != unit_of(include.of)) units[unit_of(include.by)].insert(unit_of(include.of));
     EXPECT_GT(units.size(), 200u);
-    EXPECT_EQ(circle_of(units), std::vector<std::string>{});
-    EXPECT_EQ(circle_of({{"a", {"b", "c"}}, {"b", {"d"}}, {"c", {"d"}}}), std::vector<std::string>{});
-    EXPECT_EQ(circle_of({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), (std::vector<std::string>{"b", "c", "b"}));
+    EXPECT_EQ(include_cycle(units), std::vector<std::string>{});
+    EXPECT_EQ(include_cycle({{"a", {"b", "c"}}, {"b", {"d"}}, {"c", {"d"}}}), std::vector<std::string>{});
+    EXPECT_EQ(include_cycle({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), (std::vector<std::string>{"b", "c", "b"}));
 }
 
 TEST(Architecture, PanelsCallNoGl) {
@@ -179,7 +181,7 @@ TEST(Architecture, PanelsCallNoGl) {
     for (const fs::path& path : sources("ui")) EXPECT_FALSE(std::regex_search(text_of(path), call)) << path;
 }
 
-// One header says where shaders find textures, for both languages.
+// One header defines texture units, for both languages.
 TEST(Architecture, BindingsAreNamed) {
     const std::regex number("binding\\s*=\\s*[0-9]"), name("const int UNIT_\\w+ = (\\d+)");
     std::size_t read = 0;
@@ -219,7 +221,7 @@ TEST(Architecture, ChoicesAreTyped) {
     EXPECT_GT(read, 30u);
 }
 
-// What people read is written here, tooltips that no test hovers too.
+// Texts for people are checked in the sources, since no test shows every tooltip.
 TEST(Architecture, TextIsEncodedOnce) {
     std::size_t read = 0;
     const auto check = [&](const fs::path& path) {

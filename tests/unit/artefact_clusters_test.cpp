@@ -1,4 +1,4 @@
-// Wrong pixels that hang together, by hand.
+// Tests of connected wrong pixels, over images made by hand.
 #include "renderer/measure/artefact_clusters.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWidth = 8;
 
-/// 'a' acne, 'l' a leak, anything else is right.
+/// Makes an image of classes: 'a' acne, 'l' a leak, anything else correct.
 std::vector<ClassifiedPixel> classified(const std::string& picture) {
     std::vector<ClassifiedPixel> out;
     for (const char c : picture) {
@@ -43,7 +43,7 @@ TEST(ArtefactClusters, AreConnectedPixelsOfOneCauseLargestFirst) {
     EXPECT_TRUE(artefact_clusters({}, 0, Artefact::Acne, 10).empty());
 }
 
-TEST(ArtefactClusters, TheMiddleIsAPixelOfIt) {
+TEST(ArtefactClusters, CentreIsAPixelOfTheCluster) {
     const auto ring = classified(
         "aaaaaaaa"
         "a......a"

@@ -1,4 +1,4 @@
-// The autopilot over made-up worlds, whose optimum is known by trying all.
+// Tests of the autopilot over made-up worlds, whose optimum exhaustive search finds.
 #include "renderer/advise/autopilot.h"
 
 #include <gtest/gtest.h>
@@ -12,11 +12,12 @@
 namespace si {
 namespace {
 
-/// Finer maps, wider kernels and more cascades are more accurate and slower; a cascade serves each resolution alike.
+/// World in which finer maps, wider kernels and more cascades are more accurate and slower; cascades help each
+/// resolution equally.
 struct World {
     double now = 0;
-    double seconds_each = 0;  ///< of a judgement or a time
-    double seconds_pair = 0;  ///< that times against each other take besides
+    double seconds_each = 0;  ///< seconds a measured error or time
+    double seconds_pair = 0;  ///< additional seconds of a paired time
     int classified = 0, timed = 0;
 
     static double ms(const Settings& s) {
@@ -63,9 +64,9 @@ std::vector<SweepAxis> axes_of(bool many) {
     return axes;
 }
 
-/// By trying all; nothing: none holds.
-std::optional<Settings> exhausted(const Settings& start, const std::vector<SweepAxis>& axes,
-                                  const AutopilotGoals& goals) {
+/// Returns the optimum by exhaustive search; nothing if no setting is within the bound.
+std::optional<Settings> best_by_exhaustion(const Settings& start, const std::vector<SweepAxis>& axes,
+                                           const AutopilotGoals& goals) {
     std::vector<Settings> all = {start};
     for (const SweepAxis& axis : axes) {
         std::vector<Settings> more;
@@ -92,13 +93,13 @@ Settings with_contact() {
     return s;
 }
 
-TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
+TEST(Autopilot, FindsTheOptimumOfASmallSpace) {
     for (const AutopilotGoals& goals :
          {AutopilotGoals{.max_error = 0.001}, AutopilotGoals{.max_error = 0.0003}, AutopilotGoals{.max_ms = 4},
           AutopilotGoals{.max_ms = 2.5}, AutopilotGoals{.max_error = 0.002, .max_ms = 4}}) {
         World world;
         const AutopilotResult r = run_autopilot(with_contact(), axes_of(false), goals, world.meter());
-        const std::optional<Settings> best = exhausted(with_contact(), axes_of(false), goals);
+        const std::optional<Settings> best = best_by_exhaustion(with_contact(), axes_of(false), goals);
         ASSERT_EQ(r.goals_met, best.has_value());
         const auto value = [&](const Settings& s) { return goals.max_error ? World::ms(s) : World::error(s); };
         EXPECT_NEAR(value(r.best.settings), value(*best), 1e-12) << r.summary;
@@ -108,13 +109,14 @@ TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
     }
 }
 
-TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
+TEST(Autopilot, ComesWithinTenPercentInALargeSpace) {
     for (const double error : {0.003, 0.001, 0.0005, 0.0003}) {
         const AutopilotGoals goals{.max_error = error, .max_combinations = 100};
         World world;
         const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
         ASSERT_TRUE(r.goals_met) << r.summary;
-        EXPECT_LE(World::ms(r.best.settings), 1.1 * World::ms(*exhausted(with_contact(), axes_of(true), goals)))
+        EXPECT_LE(World::ms(r.best.settings),
+                  1.1 * World::ms(*best_by_exhaustion(with_contact(), axes_of(true), goals)))
             << r.summary;
         EXPECT_EQ(r.combinations, 240u);
         ASSERT_EQ(r.untried.size(), 1u) << "it says what it left out";
@@ -122,7 +124,7 @@ TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
     }
 }
 
-TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
+TEST(Autopilot, ReportsTheCostOfEachDroppedEffect) {
     World world;
     const AutopilotGoals goals{.max_error = 0.003};
     const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
@@ -136,7 +138,7 @@ TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
     EXPECT_NEAR(contact->error, r.best.classified.error - 1e-5, 1e-12);
 }
 
-TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
+TEST(Autopilot, ReportsAnUnreachableBoundAndTheNearestResult) {
     World world;
     const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.max_error = 1e-9}, world.meter());
     EXPECT_FALSE(r.goals_met);
@@ -150,7 +152,7 @@ TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
     EXPECT_NE(slow.summary.find("while the camera moves cannot be met"), std::string::npos) << slow.summary;
 }
 
-TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
+TEST(Autopilot, EndsInTimeAndReportsUntriedSettings) {
     World world;
     world.seconds_each = 1;
     const AutopilotResult r =
@@ -160,7 +162,7 @@ TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
     EXPECT_LT(r.cases.size(), 60u);
 }
 
-TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
+TEST(Autopilot, PricesNothingAfterTheTimeLimitAndReportsIt) {
     World world;
     world.seconds_each = 1;
     world.seconds_pair = 8;
@@ -176,10 +178,10 @@ TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
     EXPECT_EQ(r.untried[0], "the cost of light.0.contact was not measured: no time left");
 }
 
-TEST(Autopilot, KeepsTimeForPricingFromALongSearch) {
+TEST(Autopilot, ReservesTimeForPricingInALongSearch) {
     World world;
     world.seconds_each = 1;
-    // None does less of everything than another, so that all would be timed.
+    // No setting is better in everything than another, so all would be timed.
     const std::vector<SweepAxis> axes = {{"map.format", {"", "d16"}},
                                          {"light.0.contact", {"", "0", "0.02", "0.03", "0.04", "0.05"}}};
     const AutopilotResult r =
@@ -190,7 +192,7 @@ TEST(Autopilot, KeepsTimeForPricingFromALongSearch) {
     EXPECT_LE(r.seconds, 20 + 1) << "what was under way";
 }
 
-TEST(Autopilot, TurnsAnEffectOffOnlyWhereThereIsOne) {
+TEST(Autopilot, TurnsOffOnlyActiveEffects) {
     AdviceFacts f;
     f.lights.resize(1);
     f.lights[0].shadowed = f.lights[0].casts = true;

@@ -1,5 +1,5 @@
-// What a crash leaves, who is offered it, and that running editors leave each other's files alone. A crash is an object
-// that goes without end().
+// Tests of crash recovery: kept sessions, who is offered them, and files of running editors. An object destroyed
+// without end() acts as a crash.
 #include "app/session/autosave.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::size_t files_in(const fs::path& folder, const char* extension) {
     return count;
 }
 
-/// An editor that changes something and is then killed.
+/// Runs an editor that changes settings and crashes.
 void crash(const fs::path& folder, double bias, const std::string& scene = "boxes") {
     Autosave editor(folder);
     editor.update(scene, with_bias(0.1), 0);
@@ -39,7 +39,7 @@ void crash(const fs::path& folder, double bias, const std::string& scene = "boxe
     EXPECT_TRUE(editor.take_remarks().empty());
 }
 
-TEST(Autosave, WhatACrashLeftIsOfferedUntilItIsSettled) {
+TEST(Autosave, CrashedSessionIsOfferedUntilRestoredOrDiscarded) {
     const fs::path folder = fresh_test_folder();
     EXPECT_EQ(Autosave(folder).lost(), nullptr);
     crash(folder, 7);
@@ -59,7 +59,7 @@ TEST(Autosave, WhatACrashLeftIsOfferedUntilItIsSettled) {
     EXPECT_EQ(files_in(folder, ".lock"), 0u);
 }
 
-TEST(Autosave, ACleanEndLeavesNothing) {
+TEST(Autosave, CleanEndLeavesNothing) {
     const fs::path folder = fresh_test_folder();
     Autosave editor(folder);
     editor.update("boxes", with_bias(0.1), 0);
@@ -72,12 +72,12 @@ TEST(Autosave, ACleanEndLeavesNothing) {
     EXPECT_EQ(Autosave(folder).lost(), nullptr);
 }
 
-TEST(Autosave, AnEndWithUnsavedSettingsOffersThemAgain) {
+TEST(Autosave, UnsavedSettingsAreOfferedAgain) {
     const fs::path folder = fresh_test_folder();
     {
         Autosave editor(folder);
         editor.update("boxes", with_bias(0.1), 0);
-        editor.end("boxes", with_bias(2), true);  // changed since anything was written
+        editor.end("boxes", with_bias(2), true);  // changed after the last write
     }
     {
         const Autosave next(folder);
@@ -101,7 +101,7 @@ TEST(Autosave, AnEndWithUnsavedSettingsOffersThemAgain) {
     EXPECT_EQ(left_by("boxes", turned), 0u) << "where one looks is no work";
 }
 
-TEST(Autosave, WritesOnlyChangesAndNotTooOften) {
+TEST(Autosave, WritesOnlyChangesAtMostOncePerInterval) {
     const fs::path folder = fresh_test_folder();
     Autosave editor(folder);
     for (int i = 0; i < 10; ++i) editor.update("boxes", with_bias(0.1), i);
@@ -123,7 +123,7 @@ TEST(Autosave, WritesOnlyChangesAndNotTooOften) {
     EXPECT_EQ(files_in(folder, ".json"), 1u);
 }
 
-TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
+TEST(Autosave, SessionsOfRunningEditorsAreNotOffered) {
     const fs::path folder = fresh_test_folder();
     auto first = std::make_unique<Autosave>(folder), second = std::make_unique<Autosave>(folder);
     first->update("boxes", with_bias(0.1), 0);
@@ -132,7 +132,7 @@ TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
     second->update("stage", with_bias(22), 1);
     EXPECT_EQ(files_in(folder, ".json"), 2u) << "each has its own";
     EXPECT_EQ(Autosave(folder).lost(), nullptr);
-    second.reset();  // crashes; the first goes on
+    second.reset();  // crashes; the first continues
     Autosave third(folder);
     ASSERT_NE(third.lost(), nullptr);
     EXPECT_EQ(third.lost()->preset.settings.bias.constant, 22);
@@ -143,7 +143,7 @@ TEST(Autosave, RunningEditorsAreNotOfferedToOthers) {
     EXPECT_EQ(files_in(folder, ".json"), 0u);
 }
 
-TEST(Autosave, AProgramThatIsStillEndingAsTheNextBeginsIsOfferedALittleLater) {
+TEST(Autosave, SessionOfAnEndingProgramIsOfferedLater) {
     const fs::path folder = fresh_test_folder();
     auto ending = std::make_unique<Autosave>(folder);
     ending->update("boxes", with_bias(0.1), 0);
@@ -157,7 +157,7 @@ TEST(Autosave, AProgramThatIsStillEndingAsTheNextBeginsIsOfferedALittleLater) {
     EXPECT_EQ(next.lost()->preset.settings.bias.constant, 11);
 }
 
-TEST(Autosave, SeveralLostSessionsComeOneAfterTheOther) {
+TEST(Autosave, SeveralLostSessionsAreOfferedInTurn) {
     const fs::path folder = fresh_test_folder();
     {
         Autosave a(folder), b(folder);
@@ -172,9 +172,9 @@ TEST(Autosave, SeveralLostSessionsComeOneAfterTheOther) {
     EXPECT_EQ(offered, (std::vector<double>{1, 2}));
 }
 
-TEST(Autosave, TheNewestComesFirstAndAnEarlierProcessOfThisNumberLosesNothing) {
+TEST(Autosave, NewestComesFirstAndReusedProcessIdsLoseNothing) {
     const fs::path folder = fresh_test_folder();
-    // All crashes of this test have one process number, as a number that is given out again.
+    // All crashes of this test have one process number, as with reused numbers.
     for (const double bias : {1.0, 2.0, 3.0}) crash(folder, bias);
     EXPECT_EQ(files_in(folder, ".json"), 3u) << "one session was written over another";
     for (const auto& entry : fs::directory_iterator(folder / "sessions")) {
@@ -189,7 +189,7 @@ TEST(Autosave, TheNewestComesFirstAndAnEarlierProcessOfThisNumberLosesNothing) {
     EXPECT_NEAR(next.lost()->age_s, 3600, 60);
 }
 
-TEST(Autosave, FilesAreNamedSoThatAnotherFolderFindsThem) {
+TEST(Autosave, SceneFilesAreStoredWithAbsolutePaths) {
     const fs::path folder = fresh_test_folder();
     crash(folder, 5, "models/chair.glb");
     const Autosave next(folder);
@@ -197,11 +197,11 @@ TEST(Autosave, FilesAreNamedSoThatAnotherFolderFindsThem) {
     EXPECT_EQ(next.lost()->preset.scene, fs::absolute("models/chair.glb").string());
 }
 
-TEST(Autosave, BrokenSessionsAreSetAsideWithARemark) {
+TEST(Autosave, BrokenSessionsAreRenamedWithAWarning) {
     const fs::path folder = fresh_test_folder();
     crash(folder, 9);
     fs::create_directories(folder / "sessions" / "folder.json");
-    std::ofstream(folder / "sessions" / "1-0.json") << "{\"format\": \"shadow-ins";  // newer, so looked at first
+    std::ofstream(folder / "sessions" / "1-0.json") << "{\"format\": \"shadow-ins";  // newer, so read first
     Autosave next(folder);
     ASSERT_NE(next.lost(), nullptr) << "a broken file hides a good one";
     EXPECT_EQ(next.lost()->preset.settings.bias.constant, 9);
@@ -213,7 +213,7 @@ TEST(Autosave, BrokenSessionsAreSetAsideWithARemark) {
     EXPECT_EQ(files_in(folder, ".unreadable"), 1u) << "nothing is thrown away";
 }
 
-TEST(Autosave, NoPlaceToWriteIsARemarkAndNoMore) {
+TEST(Autosave, UnwritableFolderIsOnlyAWarning) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "sessions") << "a file where a folder belongs";
     Autosave editor(folder);

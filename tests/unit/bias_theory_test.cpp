@@ -1,3 +1,4 @@
+// Tests of the bias theory, compared with brute force over texels and with closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +12,7 @@
 namespace si {
 namespace {
 
-/// A map view and a plane in front of it, at random.
+/// Random map view with a plane in front.
 struct LitPlane {
     LightView view;
     glm::dvec3 point, normal;
@@ -39,11 +40,11 @@ glm::dvec3 uvd_of(const LightView& view, const glm::dvec3& p) {
     return {0.5 * q.x / q.w + 0.5, 0.5 * q.y / q.w + 0.5, q.z / q.w};
 }
 
-/// The largest depth by which a receiver on the plane lies behind a texel that its kernel reads, searched over the
-/// receiver's place within a texel. Taps (2R+1)^2, each the nearest texel or the four around it.
+/// Returns the largest depth by which a receiver on the plane is behind a texel of its kernel, searched over the
+/// receiver's place within a texel. Taps (2R+1)^2, each the nearest texel or the four around.
 double brute_force(const LitPlane& lit, int radius, bool bilinear, int resolution) {
     const ReceiverPlane start = receiver_plane(lit.view, lit.point, lit.normal);
-    // The world point of the plane under map position (u, v): along the light's ray, independent of the theory.
+    // The world point of the plane at map position (u, v), on the light's ray and independent of the theory.
     const auto depth_at = [&](double u, double v) {
         const double x = (2 * u - 1) * lit.view.half_width, y = (2 * v - 1) * lit.view.half_width;
         const glm::dvec3 aside = lit.view.axes[0] * x + lit.view.axes[1] * y, back = lit.view.axes[2];
@@ -59,7 +60,7 @@ double brute_force(const LitPlane& lit, int radius, bool bilinear, int resolutio
     const int steps = 64;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
-            // Phases reach to within a thousandth of the texel's sides.
+            // Phases reach a thousandth of a texel from its sides.
             const glm::dvec2 f = 0.001 + 0.998 * glm::dvec2(i, j) / double(steps - 1);
             const glm::dvec2 at = texel0 + f;
             const double own = depth_at(at.x / resolution, at.y / resolution);
@@ -74,7 +75,7 @@ double brute_force(const LitPlane& lit, int radius, bool bilinear, int resolutio
     return worst;
 }
 
-TEST(BiasTheory, LeastBiasMatchesASearchOverTexelPhases) {
+TEST(BiasTheory, MinimumBiasMatchesASearchOverTexelPhases) {
     std::mt19937 random(5);
     for (bool perspective : {false, true})
         for (bool reversed : {false, true})
@@ -86,7 +87,7 @@ TEST(BiasTheory, LeastBiasMatchesASearchOverTexelPhases) {
                         const double kappa = radius + (bilinear ? 1 : 0.5);
                         const double predicted = least_bias(plane.gradient, kappa, 1024, 0, 0).total();
                         const double measured = brute_force(lit, radius, bilinear, 1024);
-                        // Phases stop a thousandth before the texel's sides, and a curved depth is not met here.
+                        // Phases stop a thousandth before the texel's sides, and curved depth is not tested here.
                         EXPECT_LE(measured / predicted, 1 + 1e-6) << perspective << reversed << radius << bilinear;
                         EXPECT_GE(measured / predicted, 0.97) << perspective << reversed << radius << bilinear;
                     }
@@ -105,14 +106,14 @@ TEST(BiasTheory, PlaneIsAffineInTheMap) {
     }
 }
 
-TEST(BiasTheory, NormalOffsetDoesTheWorkOfTheBias) {
+TEST(BiasTheory, NormalOffsetReplacesTheBias) {
     std::mt19937 random(7);
     for (int i = 0; i < 200; ++i) {
         const LitPlane s = random_plane(random, i % 2, i % 4 > 1);
         const ReceiverPlane plane = receiver_plane(s.view, s.point, s.normal);
         const double b_min = least_bias(plane.gradient, 1, 4096, 0, 0).total();
         const double h = least_normal_offset(s.view, s.point, s.normal, b_min);
-        // The plane moved by h, at the old point's map coordinates, is nearer by b_min: to first order in h.
+        // The plane shifted by h is nearer by b_min at the old point's map coordinates, to first order in h.
         const ReceiverPlane moved = receiver_plane(s.view, s.point + h * glm::normalize(s.normal), s.normal);
         const double gained = std::abs(plane.uvd.z - moved.depth_at({plane.uvd.x, plane.uvd.y}));
         EXPECT_NEAR(gained / b_min, 1, 0.02) << i;
@@ -144,7 +145,7 @@ TEST(BiasTheory, PartsAddUp) {
     EXPECT_DOUBLE_EQ(b.total(), b.kernel + b.snapping + 1e-5);
 }
 
-TEST(BiasTheory, RoundingIsOfCoordinatesOrOfTheDepth) {
+TEST(BiasTheory, RoundingComesFromCoordinatesOrDepth) {
     LightView view;
     view.curve = {false, 0, 10, {}};
     EXPECT_DOUBLE_EQ(rounding_bias(view, {0, 0, -1}, 50), 4 * 0x1p-23 * 50 / 10);
@@ -154,14 +155,14 @@ TEST(BiasTheory, RoundingIsOfCoordinatesOrOfTheDepth) {
     EXPECT_LT(rounding_bias(view, {0, 0, -9}, 10), 1e-3 * 4 * 0x1p-23);
 }
 
-TEST(BiasTheory, EdgeOnIsInfiniteNotNan) {
+TEST(BiasTheory, EdgeOnBiasIsInfiniteNotNan) {
     LightView view;
     view.curve = {false, 0, 10, {}};
     view.projection = fit_lights(Scene(), Settings())[0].views[0].projection;
     const ReceiverPlane plane = receiver_plane(view, {0, 0, -5}, {1, 0, 0});
     EXPECT_TRUE(std::isinf(plane.gradient.x));
     EXPECT_EQ(plane.gradient.y, 0);
-    // Within a millionth of the light, as close as single precision tells.
+    // Within a millionth of the light, the limit of single precision.
     for (const glm::dvec3 normal : {glm::dvec3(0, 1, 0), {0.6, 0.8, 0}, {0.6, -0.8, 9e-7}, {1, 0, -1e-17}, {0, 0, 0}}) {
         const ReceiverPlane edge = receiver_plane(view, {0.3, 0.1, -5}, normal);
         EXPECT_TRUE(edge.edge_on());
@@ -179,13 +180,13 @@ TEST(BiasTheory, Quanta) {
     EXPECT_EQ(depth_quantum(MapFormat::D32F, 0.3), 0x1p-25);
     EXPECT_EQ(depth_quantum(MapFormat::Colour, 1.0), 0x1p-23);
     EXPECT_GT(depth_quantum(MapFormat::D32F, 0.0), 0);
-    // Equal steps of distance, as depths by the curve, and what making depths of them rounds off.
+    // Equal steps of distance, as depths by the curve, and their rounding.
     for (const bool reversed : {false, true}) {
         const DepthCurve curve{true, 0.5, 20, {true, reversed}};
         for (const double z : {0.6, 5.0, 19.0}) {
             const double step_m = depth_quantum(MapFormat::Linear16, curve, curve.depth(z)) / curve.slope(z);
             EXPECT_NEAR(step_m, 19.5 / 65535, 1e-5 + 4 * 0x1p-23 * z * z);
-            // What a 16-bit map at that distance holds is no farther than half a step.
+            // A value of a 16-bit map at that distance is off by at most half a step.
             const double share = (reversed ? 20 - z : z - 0.5) / 19.5, kept = std::round(share * 65535) / 65535;
             EXPECT_LE(std::abs(curve.distance(curve.depth_at_fraction(kept)) - z), 0.5 * step_m);
         }
@@ -198,7 +199,7 @@ TEST(BiasTheory, Quanta) {
     EXPECT_EQ(depth_quantum(MapFormat::Linear16, parallel, 0.3), 1.0 / 65535);
 }
 
-// Gaps measured by users of another engine at 52 degrees for four biases.
+// Gaps that users of another engine measured at 52 degrees for four biases.
 TEST(BiasTheory, ContactGap) {
     const double theta = 52 * M_PI / 180;
     EXPECT_NEAR(contact_gap(2.02, theta), 1.6, 0.15);

@@ -1,4 +1,4 @@
-// The table of biases: what each row gives in closed form, and which settings it reads.
+// Tests of the table of biases: closed forms of the rows, and the settings that they read.
 #include "renderer/settings/biases.h"
 
 #include <gtest/gtest.h>
@@ -13,13 +13,13 @@
 namespace si {
 namespace {
 
-Settings of_kind(std::string_view kind) {
+Settings settings_of_kind(std::string_view kind) {
     Settings s;
     set_setting(s, "bias.kind", kind);
     return s;
 }
 
-TEST(Biases, KindsAreTheRowsThatTheComparedDepthKnows) {
+TEST(Biases, KindsAreTheRowsOfTheComparedDepth) {
     std::size_t kinds = 0;
     for (const Bias& row : biases()) {
         EXPECT_TRUE(row.amount) << row.key;
@@ -29,7 +29,8 @@ TEST(Biases, KindsAreTheRowsThatTheComparedDepthKnows) {
     }
     EXPECT_EQ(kinds, bias_choices().size());
     EXPECT_EQ(bias_of(Settings{}).key, "slope") << "the lectures'";
-    EXPECT_EQ(&bias_of(of_kind("receiver-plane")), &*std::ranges::find(biases(), "receiver-plane", &Bias::key));
+    EXPECT_EQ(&bias_of(settings_of_kind("receiver-plane")),
+              &*std::ranges::find(biases(), "receiver-plane", &Bias::key));
     EXPECT_EQ(bias_of_stage(BiasStage::LookUp).key, "normal-offset");
 }
 
@@ -55,7 +56,7 @@ TEST(Biases, AmountsAreTheClosedForms) {
     b.least_common = 0.7;
     EXPECT_DOUBLE_EQ(amount("receiver-plane-derivatives", BiasUnit::Metres), 2.0 / 8 + 1e-4 + 0.05);
     EXPECT_DOUBLE_EQ(amount("adaptive", BiasUnit::Metres), 0.7);
-    b.n_dot_l = -1;  // away from the light: as edge-on
+    b.n_dot_l = -1;  // away from the light: treated as edge-on
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Depth), 8);
     b.n_dot_l = 1;
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Depth), 2);
@@ -66,41 +67,41 @@ TEST(Biases, AmountsAreTheClosedForms) {
     EXPECT_NEAR(amount("constant", BiasUnit::Metres), depth(4) - depth(2), 1e-12);
 }
 
-TEST(Biases, SayWhichSettingsTheyLeaveIdle) {
+TEST(Biases, ListTheirIdleSettings) {
     const auto idle = [](const Settings& s, const char* key) {
         return std::string(idle_reason(s, *find_setting(key)));
     };
-    Settings s = of_kind("slope");
+    Settings s = settings_of_kind("slope");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "");
     EXPECT_EQ(idle(s, "bias.plane_clamp"),
               "without effect: only bias.kind receiver-plane or receiver-plane-derivatives reads it");
-    s = of_kind("receiver-plane");
+    s = settings_of_kind("receiver-plane");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "without effect: only bias.kind slope reads it");
     EXPECT_EQ(idle(s, "bias.plane_clamp"), "");
     EXPECT_EQ(idle(s, "bias.constant"), "");
-    s = of_kind("adaptive");
+    s = settings_of_kind("adaptive");
     EXPECT_NE(idle(s, "bias.constant"), "") << "it has no number to turn";
     EXPECT_NE(idle(s, "bias.unit"), "");
-    s = of_kind("receiver-plane");
+    s = settings_of_kind("receiver-plane");
     s.bias.normal = 0;
     EXPECT_NE(idle(s, "bias.normal_source"), "");
-    s = of_kind("constant");
+    s = settings_of_kind("constant");
     s.bias.slope = 3;
     EXPECT_NE(idle(s, "bias.slope"), "");
     EXPECT_EQ(idle(s, "bias.raster_slope"), "") << "what acts beside is never idle by kind";
 }
 
-// Rows list settings that exist, and a setting that a row lists changes nothing under rows that do not.
-TEST(Biases, ListedSettingsAreOnlyTheirs) {
+// Rows list existing settings, and a listed setting changes nothing under rows that do not list it.
+TEST(Biases, ListOnlyTheirOwnSettings) {
     const FittedLight light = fit_lights(make_scene(make_plane(10, 10)), Settings{})[0];
     for (const Bias& row : biases())
         for (const std::string_view key : row.settings) {
             ASSERT_TRUE(find_setting(key)) << key;
             if (row.stage != BiasStage::Compare || find_setting(key)->param->choices) continue;
             for (const Choice& kind : bias_choices()) {
-                Settings s = of_kind(kind.key);
+                Settings s = settings_of_kind(kind.key);
                 const auto account = [&] {
                     return bias_breakdown(light, s, 512, {{1, 0, 2}, {0, 1, 0}, {0, 1, 0}, {}}, {.subpixel_bits = 8});
                 };

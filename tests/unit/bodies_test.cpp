@@ -1,4 +1,4 @@
-// Which meshes bound bodies: only of those may a map leave the back faces out.
+// Tests of the watertight check: maps may leave back faces out for closed meshes only.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Mesh turned_inside_out(Mesh m) {
     return m;
 }
 
-/// Two square rings joined into a tube that crosses itself: consistently wound, but part of it is inside out.
+/// Makes two square rings joined into a tube that crosses itself: consistent winding, but partly inside out.
 Mesh bow_tie() {
     const std::vector<glm::dvec3> low = {{-1, 0, -1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, 0.5}};
     std::vector<glm::dvec3> high = low;
@@ -33,7 +33,7 @@ Mesh bow_tie() {
     return make_polygons("bow tie", faces);
 }
 
-TEST(WatertightCheck, AreClosedShapes) {
+TEST(WatertightCheck, AcceptsClosedShapes) {
     EXPECT_TRUE(is_closed(make_box({1, 2, 3})));
     EXPECT_TRUE(is_closed(make_wedge({1, 2, 3})));
     EXPECT_TRUE(is_closed(make_sphere(2)));
@@ -42,13 +42,13 @@ TEST(WatertightCheck, AreClosedShapes) {
     EXPECT_TRUE(is_closed(make_capsule(1, 2)));
 }
 
-TEST(WatertightCheck, MayOverlapEachOther) {
+TEST(WatertightCheck, AcceptsOverlappingBodies) {
     Mesh two = make_box({1, 1, 1});
     append(two, transformed(make_torus(1, 0.3), moved(0.4, 0.1, 0.2)));
     EXPECT_TRUE(is_closed(two));
 }
 
-TEST(WatertightCheck, AreNotOpen) {
+TEST(WatertightCheck, RejectsOpenBodies) {
     EXPECT_FALSE(is_closed(make_plane(2, 2, 4, 4)));
     Mesh lidless = make_box({1, 1, 1});
     lidless.indices.resize(lidless.indices.size() - 6);
@@ -64,7 +64,7 @@ TEST(WatertightCheck, AreNotOpen) {
     EXPECT_FALSE(is_closed(thrice)) << "a triangle is there twice";
 }
 
-TEST(WatertightCheck, AreNotInsideOutNorThroughThemselves) {
+TEST(WatertightCheck, RejectsInvertedAndSelfIntersectingBodies) {
     EXPECT_FALSE(is_closed(turned_inside_out(make_sphere(1))));
     Mesh one_wrong = make_box({1, 1, 1});
     std::swap(one_wrong.indices.edit()[0], one_wrong.indices.edit()[1]);
@@ -76,13 +76,13 @@ TEST(WatertightCheck, AreNotInsideOutNorThroughThemselves) {
     EXPECT_FALSE(is_closed(make_torus(1, 1.4))) << "its tube passes through its axis";
 }
 
-TEST(WatertightCheck, AreNotFlatNorEmpty) {
+TEST(WatertightCheck, RejectsFlatAndEmptyBodies) {
     Mesh flat = make_box({1, 0, 1});
     EXPECT_FALSE(is_closed(flat));
     EXPECT_FALSE(check_watertight({}, {}).closed);
 }
 
-TEST(WatertightCheck, HaveSeamsThatRoundingLeftOpenJoined) {
+TEST(WatertightCheck, JoinsSeamsOpenedByRounding) {
     Mesh ball = make_sphere(1);
     EXPECT_TRUE(check_watertight(ball.positions, ball.indices).joined.empty());
     const glm::vec3 place = ball.positions[ball.indices[300]];
@@ -98,7 +98,7 @@ TEST(WatertightCheck, HaveSeamsThatRoundingLeftOpenJoined) {
     EXPECT_LT(glm::distance(ball.positions[vertex], ball.positions[there]), 1e-6);
 }
 
-TEST(WatertightCheck, AreWhatBuiltInScenesAreMadeOf) {
+TEST(WatertightCheck, AcceptsTheBodiesOfBuiltInScenes) {
     const Scene boxes = load_scene("boxes");
     const auto closed = std::count_if(boxes.meshes.begin(), boxes.meshes.end(), is_closed);
     EXPECT_GE(closed, 1);

@@ -1,4 +1,4 @@
-// What a map's view says of boxes, against their corners and points inside of them.
+// Tests of box culling by a map's view, compared with corners and inner points.
 #include "renderer/view/culling/box_culling.h"
 
 #include <gtest/gtest.h>
@@ -9,18 +9,18 @@
 namespace si {
 namespace {
 
-struct Looker {
+struct TestView {
     glm::dmat4 clip;
     glm::dvec3 origin{110, 2, -7};
     DepthCurve curve;
 
-    Looker(bool perspective, DepthConvention convention) {
+    TestView(bool perspective, DepthConvention convention) {
         curve = {.perspective = perspective, .near = 1, .far = 20};
         curve.convention = convention;
         clip = clip_from_relative(projection_matrix(curve, perspective ? 1 : 8, perspective ? 1 : 8), glm::dmat3(1),
                                   {115, 0, 0}, origin);
     }
-    /// By how much of w a point lies inside of the view; below 0 outside.
+    /// Returns the distance of a point from the view's border as a share of clip-space w; negative outside.
     double inside(const glm::dvec3& p) const {
         const glm::dvec4 h = clip * glm::dvec4(p - origin, 1);
         const double low = curve.convention.zero_to_one ? h.z : h.w + h.z;
@@ -37,13 +37,13 @@ SkewBox random_box(Random& random) {
     return {bounds, moved(at.x, at.y, at.z) * turned(random.in(0, 360), random.direction())};
 }
 
-TEST(BoxCuller, MissesNoBoxOfWhichAPointIsSeen) {
+TEST(BoxCuller, FindsEveryBoxWithAVisiblePoint) {
     Random random(5);
     int missed = 0, before = 0, all = 0;
     for (const bool perspective : {false, true})
         for (const DepthConvention convention : {DepthConvention{true, false}, DepthConvention{false, false},
                                                  DepthConvention{true, true}, DepthConvention{false, true}}) {
-            const Looker looker(perspective, convention);
+            const TestView looker(perspective, convention);
             const BoxCuller sight(looker.clip, looker.origin, convention, false, 512);
             for (int i = 0; i < 400; ++i, ++all) {
                 const SkewBox box = random_box(random);
@@ -68,8 +68,8 @@ TEST(BoxCuller, MissesNoBoxOfWhichAPointIsSeen) {
     EXPECT_GT(before, all / 8);
 }
 
-TEST(BoxCuller, OfClampedDepthsNothingIsBeforeOrBehind) {
-    const Looker looker(false, {});
+TEST(BoxCuller, ClampedDepthsCullNothingByDepth) {
+    const TestView looker(false, {});
     const BoxCuller clamps(looker.clip, looker.origin, {}, true, 512),
         clips(looker.clip, looker.origin, {}, false, 512);
     Bounds unit;

@@ -1,4 +1,4 @@
-// The scenes that ship inside the program.
+// Tests of the built-in scenes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 
 namespace si {
 
-/// How GoogleTest names a row.
+/// Prints the name of a row for GoogleTest.
 void PrintTo(const BuiltinScene& row, std::ostream* out) {
     *out << row.key;
 }
@@ -39,7 +39,7 @@ fs::path scratch(const std::string& name) {
     return folder / name;
 }
 
-/// Hash by Fowler, Noll and Vo (FNV-1a, 64 bits).
+/// Returns the hash by Fowler, Noll and Vo (FNV-1a, 64 bits).
 std::uint64_t fnv1a(const std::string& bytes) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const char byte : bytes) hash = (hash ^ std::uint8_t(byte)) * 0x100000001b3;
@@ -81,7 +81,7 @@ void expect_equal_textures(const Texture& a, const Texture& b) {
     EXPECT_EQ(a.srgb, b.srgb);
 }
 
-/// The lowest world y of the objects whose path starts with `prefix`.
+/// Returns the lowest world y of objects whose path starts with `prefix`.
 double lowest(const Scene& scene, const std::string& prefix) {
     double y = std::numeric_limits<double>::infinity();
     for (const Object& o : scene.objects) {
@@ -93,7 +93,7 @@ double lowest(const Scene& scene, const std::string& prefix) {
 
 class BuiltinScenes : public testing::TestWithParam<BuiltinScene> {};
 
-TEST_P(BuiltinScenes, AreCleanAndSound) {
+TEST_P(BuiltinScenes, AreValidWithoutWarnings) {
     const Scene scene = GetParam().make();
     EXPECT_EQ(scene.name, GetParam().key);
     EXPECT_FALSE(scene.about.empty());
@@ -107,7 +107,7 @@ TEST_P(BuiltinScenes, AreCleanAndSound) {
     for (const Material& m : scene.materials) EXPECT_TRUE(materials.insert(m.name).second) << m.name;
 }
 
-TEST_P(BuiltinScenes, HaveNormalsOnTheSideOfTheirFronts) {
+TEST_P(BuiltinScenes, HaveNormalsOnTheirFrontSides) {
     for (const Mesh& mesh : GetParam().make().meshes) {
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -132,7 +132,7 @@ TEST_P(BuiltinScenes, AreTheSameEachTime) {
     for (std::size_t i = 0; i < a.textures.size(); ++i) expect_equal_textures(a.textures[i], b.textures[i]);
 }
 
-TEST_P(BuiltinScenes, HaveACameraThatSeesThem) {
+TEST_P(BuiltinScenes, HaveACameraThatShowsThem) {
     const Scene scene = GetParam().make();
     ASSERT_FALSE(scene.cameras.empty());
     const SceneCamera& camera = scene.cameras[0];
@@ -169,7 +169,7 @@ TEST_P(BuiltinScenes, LoadFromTheirFilesUnchanged) {
         ASSERT_EQ(read.textures.size(), made.textures.size());
         for (std::size_t i = 0; i < made.textures.size(); ++i)
             expect_equal_textures(read.textures[i], made.textures[i]);
-        // Loaders may order objects and meshes as they like: compare by the path of the node.
+        // Loaders may reorder objects and meshes: compare by the path of the node.
         std::map<std::string, const Object*> by_path;
         for (const Object& o : read.objects) by_path[read.nodes[o.node].path] = &o;
         for (const Object& o : made.objects) {
@@ -177,9 +177,9 @@ TEST_P(BuiltinScenes, LoadFromTheirFilesUnchanged) {
             ASSERT_TRUE(by_path.count(path_of_node)) << path_of_node;
             const Object& other = *by_path[path_of_node];
             EXPECT_EQ(other.world, o.world) << path_of_node;
-            if (&o - made.objects.data() > 80) continue;  // their meshes are shared: enough seen
+            if (&o - made.objects.data() > 80) continue;  // shared meshes: a sample is enough
             const Mesh& mesh = made.meshes[o.mesh];
-            // Files carry texture coordinates where a texture uses them.
+            // Files carry texture coordinates only for meshes with textures.
             expect_equal_meshes(read.meshes[other.mesh], mesh, made.materials[mesh.material].base_colour_texture >= 0);
         }
         ASSERT_FALSE(read.cameras.empty());
@@ -189,8 +189,8 @@ TEST_P(BuiltinScenes, LoadFromTheirFilesUnchanged) {
     }
 }
 
-// Settings of presets, claims and golden pictures are made for these scenes. A scene that changes on purpose changes
-// its number here, which the message of the failure names.
+// Presets, claims and golden pictures depend on these scenes. An intended change of a scene updates its number here;
+// the failure message names it.
 TEST_P(BuiltinScenes, AreTheSameToTheByte) {
     const std::string key(GetParam().key);
     const fs::path path = scratch("same-" + key + ".glb");
@@ -246,7 +246,7 @@ TEST(SaveGltf, KeepsTheOldFileWhenItCannotReplaceIt) {
     fs::remove_all(path.parent_path());
 }
 
-TEST(Stage, HasWhatItPromises) {
+TEST(Stage, HasTheDocumentedContents) {
     const Scene scene = load_scene("stage");
     bool mask = false, sheet = false;
     for (const Mesh& mesh : scene.meshes) {
@@ -301,7 +301,7 @@ TEST(Figures, StandOnTheFloor) {
         EXPECT_NEAR(lowest(scene, figure), 0, 1e-6) << figure;
 }
 
-TEST(PlaneScene, ReachesFromOneToAHundredMetres) {
+TEST(PlaneScene, SpansOneToAHundredMetres) {
     const Scene scene = load_scene("plane");
     ASSERT_EQ(scene.cameras[0].world, glm::dmat4(1.0));
     EXPECT_EQ(scene.bounds.hi.z, -1);

@@ -1,3 +1,4 @@
+// Tests of cameras: orbit, rays of pixels, automatic framing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +25,7 @@ void expect_orthonormal(const glm::dmat3& m) {
     EXPECT_NEAR(glm::determinant(m), 1.0, 1e-14);
 }
 
-TEST(Camera, OrbitStandsWhereTheAnglesSay) {
+TEST(Camera, OrbitPositionFollowsTheAngles) {
     Settings s;
     s.camera.source = CameraSource::Manual;
     s.camera.target_x = 1;
@@ -41,12 +42,12 @@ TEST(Camera, OrbitStandsWhereTheAnglesSay) {
     const glm::dvec4 at = c.project({1, 2, 3}, 300, 200);
     EXPECT_NEAR(at.x, 149.5, 1e-9);
     EXPECT_NEAR(at.y, 99.5, 1e-9);
-    // 1 m above the target appears above it, 1 m to the right (towards -z) right of it.
+    // A point 1 m above the target appears above it, a point 1 m to the right (towards -z) to its right.
     EXPECT_LT(c.project({1, 3, 3}, 300, 200).y, at.y);
     EXPECT_GT(c.project({1, 2, 2}, 300, 200).x, at.x);
 }
 
-TEST(Camera, LookingStraightUpOrDownIsNothingSpecial) {
+TEST(Camera, StraightUpAndDownAreOrdinaryViews) {
     Settings s;
     s.camera.source = CameraSource::Manual;
     for (double elevation : {90.0, -90.0, 89.9999999, 0.0})
@@ -94,11 +95,11 @@ TEST(Camera, PixelRayAndProjectAreInverse) {
     EXPECT_GT(glm::dot(dir, c.axes[1]), 0);
 }
 
-TEST(Camera, AutomaticFramesTheBounds) {
+TEST(Camera, AutomaticViewFramesTheBounds) {
     for (double aspect : {0.4, 1.0, 1.78, 4.0})
         for (double scale : {1e-6, 1.0, 1e7}) {
             Settings s;
-            s.camera.orthographic = true;  // acts by hand only
+            s.camera.orthographic = true;  // has an effect with a manual camera only
             const Scene scene = test::box_scene({{glm::dvec3(-3, 0, -2) * scale, glm::dvec3(4, 1.5, 2) * scale}},
                                                 glm::dvec3(7, -2, 1) * scale);
             const Camera c = make_camera(scene, s, aspect);
@@ -119,7 +120,7 @@ TEST(Camera, AutomaticFramesTheBounds) {
         }
 }
 
-/// A box 1 x 2 x 1 m on a floor of 40 x 40 m, as if from a file.
+/// Makes a box of 1 x 2 x 1 m on a floor of 40 x 40 m, as if from a file.
 Scene box_on_wide_floor() {
     Scene scene = test::box_scene({{{-0.5, 0, -0.5}, {0.5, 2, 0.5}}, {{-20, -0.01, -20}, {20, 0, 20}}});
     scene.file_scenes = {""};
@@ -127,13 +128,13 @@ Scene box_on_wide_floor() {
     return scene;
 }
 
-/// How far out of the picture's middle a point is seen, 1 at its rim.
-double out_of_middle(const Camera& c, const glm::dvec3& p) {
+/// Returns the distance of a point from the picture's centre, 1 at the border.
+double distance_from_centre(const Camera& c, const glm::dvec3& p) {
     const glm::dvec4 q = c.clip_from_relative(c.eye) * glm::dvec4(p - c.eye, 1);
     return q.w > 0 ? std::max(std::abs(q.x / q.w), std::abs(q.y / q.w)) : INFINITY;
 }
 
-TEST(Camera, AutomaticFramesWhatStandsOnAFilesFloorWithItsShadow) {
+TEST(Camera, AutomaticViewFramesObjectsOnAFloorWithTheirShadow) {
     const Scene scene = box_on_wide_floor();
     const Settings s;
     const glm::dvec3 to_light = direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
@@ -144,20 +145,21 @@ TEST(Camera, AutomaticFramesWhatStandsOnAFilesFloorWithItsShadow) {
         for (int i = 0; i < 8; ++i) {
             const glm::dvec3 corner(i & 1 ? 0.5 : -0.5, i & 2 ? 2 : 0, i & 4 ? 0.5 : -0.5);
             for (const glm::dvec3& p : {corner, corner - to_light * (corner.y / to_light.y)})
-                farthest = std::max(farthest, out_of_middle(c, p));
+                farthest = std::max(farthest, distance_from_centre(c, p));
         }
         EXPECT_NEAR(farthest, 0.85, 0.01);
-        EXPECT_GT(out_of_middle(c, {20, 0, 20}), 1) << "the floor goes on beyond the picture";
+        EXPECT_GT(distance_from_centre(c, {20, 0, 20}), 1) << "the floor goes on beyond the picture";
         Settings bare = s;
         bare.scene.ground = Ground::Off;
-        EXPECT_LE(out_of_middle(make_camera(scene, bare, aspect), {20, 0, 20}), 1) << "all of the scene";
+        EXPECT_LE(distance_from_centre(make_camera(scene, bare, aspect), {20, 0, 20}), 1) << "all of the scene";
     }
     Scene built_in = scene;
     built_in.file_scenes.clear();
-    EXPECT_LE(out_of_middle(make_camera(built_in, s, 1), {20, 0, 20}), 1) << "what no file brings is shown whole";
+    EXPECT_LE(distance_from_centre(make_camera(built_in, s, 1), {20, 0, 20}), 1)
+        << "what no file brings is shown whole";
 }
 
-TEST(Camera, AutomaticLooksDownOnWhatIsFlatAndAcrossWhatIsLong) {
+TEST(Camera, AutomaticViewLooksDownOnFlatAndAcrossLongScenes) {
     const auto back = [](const glm::dvec3& size) {
         Scene scene = test::box_scene({{glm::dvec3(0), size}});
         scene.file_scenes = {""};
@@ -175,7 +177,7 @@ TEST(Camera, AutomaticLooksDownOnWhatIsFlatAndAcrossWhatIsLong) {
     EXPECT_LT(std::abs(along_z.z), 0.5 * along_z.x);
 }
 
-TEST(Camera, AutomaticLooksOverWhatHidesItsShadow) {
+TEST(Camera, AutomaticViewShowsTheShadowOverItsCaster) {
     Scene scene;
     const int mesh = add_mesh(scene, "sail", make_polygons("sail", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}), -1);
     add_object(scene, "sail", -1, mesh, glm::dmat4(1));
@@ -188,7 +190,7 @@ TEST(Camera, AutomaticLooksOverWhatHidesItsShadow) {
     EXPECT_GT(over.axes[2].y, std::sin(usual) + 0.05);
     for (const double aspect : {0.3, 1.0, 5.0})
         EXPECT_EQ(make_camera(scene, Settings(), aspect).axes, over.axes) << "from one side in windows of any shape";
-    // Turned about, its shadow falls to where it is seen.
+    // Turned round, its shadow falls on the visible side.
     place(scene, glm::rotate(glm::dmat4(1), 1.5, glm::dvec3(0, 1, 0)));
     EXPECT_NEAR(make_camera(scene, Settings(), 1.5).axes[2].y, std::sin(usual), 1e-9);
 }
@@ -253,7 +255,7 @@ TEST(Camera, ManualCameraIsTheSameView) {
     }
 }
 
-TEST(Camera, FiniteForWhateverComes) {
+TEST(Camera, StaysFiniteForAnyInput) {
     const double nan = std::nan(""), inf = INFINITY;
     std::vector<Scene> scenes = {Scene(), test::box_scene({{glm::dvec3(2), glm::dvec3(2)}}),
                                  test::box_scene({{glm::dvec3(0), glm::dvec3(1e-6)}}),

@@ -1,4 +1,4 @@
-// Cascades: where the camera's depth is divided, what each map holds, and how one goes over into the next.
+// Tests of cascades: splits of the camera's depth, contents of each map, and blending.
 #include "renderer/view/cascades/cascades.h"
 
 #include <gtest/gtest.h>
@@ -21,12 +21,12 @@ std::mt19937& numbers() {
     static std::mt19937 engine(7);
     return engine;
 }
-double between(double lo, double hi) {
+double random_between(double lo, double hi) {
     return std::uniform_real_distribution<double>(lo, hi)(numbers());
 }
 glm::dvec3 within(const Box& box) {
-    return box[0] + (box[1] - box[0]) * between(0, 1) + (box[2] - box[0]) * between(0, 1) +
-           (box[4] - box[0]) * between(0, 1);
+    return box[0] + (box[1] - box[0]) * random_between(0, 1) + (box[2] - box[0]) * random_between(0, 1) +
+           (box[4] - box[0]) * random_between(0, 1);
 }
 
 TEST(Cascades, SplitsAreTheClosedForm) {
@@ -56,7 +56,7 @@ Settings looking(const glm::dvec3& target, double azimuth, double elevation, dou
     return s;
 }
 
-/// Whether the camera sees a place between two of its depths.
+/// Returns whether the camera sees a point between two of its depths.
 bool sees(const Camera& c, const glm::dvec3& p, double from_m, double to_m, double slack = 0) {
     const glm::dvec3 v = glm::transpose(c.axes) * (p - c.eye);
     const double half = c.orthographic ? 0.5 * c.height : std::tan(0.5 * c.fov_y_rad) * -v.z;
@@ -64,18 +64,19 @@ bool sees(const Camera& c, const glm::dvec3& p, double from_m, double to_m, doub
            std::abs(v.x) <= half * c.aspect + slack;
 }
 
-// The hull of the corners holds every place of the box that the camera sees, and none of them lies outside.
-TEST(Cascades, SeenCornersEncloseWhatIsSeen) {
+// The hull of the corners holds every visible point of the box, and no corner is outside.
+TEST(Cascades, VisibleCornersEncloseTheFrustum) {
     int seen = 0, empty = 0;
     for (int i = 0; i < 300; ++i) {
         const glm::dvec3 at = i % 2 ? glm::dvec3(0) : glm::dvec3(1e4, 30, -2e4);
-        const glm::dvec3 half(between(0.1, 20), i % 3 ? between(0.1, 9) : 0, between(0.1, 20));  // some are flat
+        const glm::dvec3 half(random_between(0.1, 20), i % 3 ? random_between(0.1, 9) : 0,
+                              random_between(0.1, 20));  // some are flat
         const BoxExtent extent{at - half, at + half};
         const Scene scene = test::box_scene({extent});
-        Settings s = looking(at + glm::dvec3(between(-9, 9), between(-3, 9), between(-9, 9)), between(0, 360),
-                             between(-80, 80), between(0.1, 25), i % 5 == 0);
+        Settings s = looking(at + glm::dvec3(random_between(-9, 9), random_between(-3, 9), random_between(-9, 9)),
+                             random_between(0, 360), random_between(-80, 80), random_between(0.1, 25), i % 5 == 0);
         const Camera camera = make_camera(scene, s, 1.5);
-        const double from = between(0.1, 9), to = from + between(0.1, 20);
+        const double from = random_between(0.1, 9), to = from + random_between(0.1, 20);
         Box box;
         for (std::size_t k = 0; k < 8; ++k)
             box[k] = at + half * glm::dvec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
@@ -85,7 +86,7 @@ TEST(Cascades, SeenCornersEncloseWhatIsSeen) {
             EXPECT_LE(glm::length(glm::max(glm::abs(p - at) - half, 0.0)), 1e-9 * 3e4) << i;
         }
         std::array<glm::dvec3, 20> ways;
-        for (glm::dvec3& way : ways) way = {between(-1, 1), between(-1, 1), between(-1, 1)};
+        for (glm::dvec3& way : ways) way = {random_between(-1, 1), random_between(-1, 1), random_between(-1, 1)};
         for (int k = 0; k < 400; ++k) {
             const glm::dvec3 p = within(box);
             if (!sees(camera, p, from, to)) continue;
@@ -105,7 +106,7 @@ TEST(Cascades, SeenCornersEncloseWhatIsSeen) {
 
 struct Case {
     glm::dvec3 at;
-    double azimuth, elevation;  // of the light
+    double azimuth, elevation;  // direction of the light
     double camera_azimuth, camera_elevation, camera_distance;
     bool orthographic;
     CascadeChoice choice;
@@ -117,12 +118,12 @@ std::vector<Case> cases() {
         for (const auto& [azimuth, elevation] : {std::pair{0., 90.}, {90., 0.}, {180., 45.}, {-40., 30.}, {0., -90.}})
             for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map})
                 for (const bool orthographic : {false, true})
-                    all.push_back({at, azimuth, elevation, between(0, 360), between(-20, 60), between(1, 40),
-                                   orthographic, choice});
+                    all.push_back({at, azimuth, elevation, random_between(0, 360), random_between(-20, 60),
+                                   random_between(1, 40), orthographic, choice});
     return all;
 }
 
-/// Boxes on long land.
+/// Makes boxes on a long ground.
 Scene long_scene(const glm::dvec3& at) {
     std::vector<BoxExtent> boxes{{at + glm::dvec3(-40, -1, -40), at + glm::dvec3(40, 0, 40)}};
     for (int x = -3; x < 4; ++x)
@@ -155,12 +156,12 @@ struct Cascaded {
         const glm::dvec4 h = light.views[view].clip_from_relative(p) * glm::dvec4(0, 0, 0, 1);
         return {0.5 * h.x + 0.5, 0.5 * h.y + 0.5, h.z};
     }
-    /// How far a look-up leads from the point itself: the kernel and the normal offset, half a texel besides.
+    /// Returns the reach of a look-up around its point: kernel, normal offset and half a texel.
     double reach() const { return (reach_of(settings).read + settings.bias.normal + 0.5) / 512; }
 };
 
-// Whatever a look-up within a cascade's interval reads lies inside of its map, the band's second map included.
-TEST(Cascades, HoldAllThatIsLookedUpInThem) {
+// Every read of a look-up within a cascade's interval is inside its map, the band's second map included.
+TEST(Cascades, HoldAllLookUps) {
     std::size_t points = 0, blended = 0;
     for (const Case& c : cases()) {
         const Cascaded scene(c);
@@ -192,8 +193,7 @@ TEST(Cascades, HoldAllThatIsLookedUpInThem) {
     EXPECT_GT(blended, 1000u);
 }
 
-// A caster outside of the view, but between it and the light, lies behind the near plane of each map that it falls
-// into.
+// A caster outside the view, but between the view and the light, is behind the near plane of each map that it covers.
 TEST(Cascades, ReachToTheFirstCaster) {
     std::size_t held = 0;
     for (const Case& c : cases()) {
@@ -212,7 +212,7 @@ TEST(Cascades, ReachToTheFirstCaster) {
     EXPECT_GT(held, 10000u);
 }
 
-TEST(Cascades, NearOnesAreFinerThanTheWholeScenesMap) {
+TEST(Cascades, NearCascadesAreFinerThanTheSceneMap) {
     Case c{{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval};
     const Cascaded several(c), one(c, 1);
     ASSERT_EQ(one.light.views.size(), 1u);
@@ -225,11 +225,11 @@ TEST(Cascades, NearOnesAreFinerThanTheWholeScenesMap) {
     }
 }
 
-// Along a line away from the camera the share grows from 0 to 1 within the band, and the next view takes over there.
-TEST(Cascades, GoOverIntoEachOther) {
+// Along a line away from the camera the share grows from 0 to 1 within the band, and the next view continues there.
+TEST(Cascades, BlendIntoEachOther) {
     for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
         const Cascaded scene({{0, 0, 0}, -40, 45, 30, 8, 30, false, choice});
-        // What is blended of view k at a point: its weight.
+        // Returns the blend weight of view k at a point.
         const auto weights = [&](const glm::dvec3& p) {
             std::array<double, 4> w{};
             const ChosenView chosen = scene.light.chooser.choose(scene.light.views, p);
@@ -244,7 +244,7 @@ TEST(Cascades, GoOverIntoEachOther) {
         std::set<std::size_t> met;
         auto before = weights(scene.camera.eye);
         for (int i = 1; i < kSteps; ++i) {
-            // Through the land, where maps hold it.
+            // A line through the ground, where maps hold it.
             const auto now = weights(scene.camera.eye - scene.camera.axes[2] * (length * i / kSteps));
             for (std::size_t k = 0; k < 4; ++k) {
                 if (choice == CascadeChoice::Interval) {
@@ -258,7 +258,7 @@ TEST(Cascades, GoOverIntoEachOther) {
     }
 }
 
-TEST(Cascades, AreLeftToTheFit) {
+TEST(Cascades, ReadTheCameraOnlyUnderCascadedFits) {
     Case c{{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval};
     Settings s = Cascaded(c).settings;
     EXPECT_TRUE(fit_reads_camera(s, 0));
@@ -273,7 +273,7 @@ TEST(Cascades, AreLeftToTheFit) {
     s.lights[0].type = LightType::Directional;
     s.lights[0].cascades = 1;
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    // A camera that looks away from everything still gets maps.
+    // A camera that looks away from the scene still gets maps.
     Cascaded away({{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval});
     away.settings.camera.target_y = 1e4;
     away.settings.camera.elevation = -80;

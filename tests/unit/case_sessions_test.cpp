@@ -1,4 +1,4 @@
-// What an axis of a sweep does is what --set does, for every setting: the same settings and scene, or the same error.
+// Tests of sweep axes: for every setting an axis gives the settings and scene, or the error, of --set.
 #include "app/sweep/case_sessions.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Scene 0: a triangle, two cameras. Scene 1: two triangles, a spot light that an animation moves, one camera.
+/// Makes two scenes. 0: a triangle and two cameras. 1: two triangles, an animated spot light, one camera.
 std::string two_scenes() {
     test::GltfFile f;
     f.json["extensionsUsed"] = {"KHR_lights_punctual"};
@@ -43,7 +43,7 @@ struct Outcome {
     std::vector<std::string> notes;
 };
 
-Outcome attempt(const std::function<void(Outcome&)>& way) {
+Outcome outcome_of(const std::function<void(Outcome&)>& way) {
     Outcome out;
     try {
         way(out);
@@ -59,17 +59,17 @@ protected:
     test::TemporaryFolder folder;
     std::string file = folder.write("two.glb", two_scenes()).string();
 
-    /// The command line with these sets, and a sweep over them as axes of one value.
+    /// Expects the same session from a command line with these sets and from a sweep with them as axes of one value.
     void expect_same(const std::string& scene, const std::vector<std::string>& sets) {
         std::string what = scene;
         for (const std::string& s : sets) what += " " + s;
-        const Outcome set = attempt([&](Outcome& out) {
+        const Outcome set = outcome_of([&](Outcome& out) {
             const Session session = open_session({.scene = scene, .preset = {}, .sets = sets});
             out.settings = session.settings;
             out.content = scene_content_key(session.scene);
             out.notes = session.notes;
         });
-        const Outcome axis = attempt([&](Outcome& out) {
+        const Outcome axis = outcome_of([&](Outcome& out) {
             std::vector<SweepAxis> axes;
             for (const std::string& s : sets) axes.push_back(parse_axis(s));
             const SessionPlan opened = plan_session({.scene = scene, .preset = {}, .sets = {}});
@@ -93,7 +93,7 @@ protected:
     int refused = 0;
 };
 
-/// Values to try: ends, a middle one, and what is no value.
+/// Returns values to try: both ends, a middle one, and an invalid one.
 std::vector<std::string> texts_of(const Param& p, const Value& like) {
     std::vector<std::string> texts = {"nonsense"};
     if (p.choices) {
@@ -109,10 +109,10 @@ std::vector<std::string> texts_of(const Param& p, const Value& like) {
     return texts;
 }
 
-SI_TEST_IS(Repeated, CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting);
-TEST_F(CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting) {
+SI_TEST_IS(Repeated, CaseSessionsTest, AxisEqualsSetForEverySetting);
+TEST_F(CaseSessionsTest, AxisEqualsSetForEverySetting) {
     for (const Param& p : params()) {
-        if (is_text(p)) continue;  // what things are called is no axis
+        if (is_text(p)) continue;  // names are no axis
         std::vector<std::string> keys = {std::string(p.key)};
         if (p.scope == Scope::Light) keys.push_back("light.1." + std::string(p.key.substr(6)));
         if (p.scope == Scope::Object)
@@ -126,7 +126,7 @@ TEST_F(CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting) {
     EXPECT_GT(refused, 100) << "of values that are none";
 }
 
-TEST_F(CaseSessionsTest, WhatTheSceneLacksIsRefusedAlike) {
+TEST_F(CaseSessionsTest, ObjectsMissingInTheSceneAreRefusedLikeSet) {
     expect_same("boxes", {"camera.index=9999"});
     expect_same(file, {"camera.index=1"});
     expect_same(file, {"scene.index=1", "camera.index=1"});
@@ -140,7 +140,7 @@ TEST_F(CaseSessionsTest, WhatTheSceneLacksIsRefusedAlike) {
     expect_same(file, {"light.fit=manual", "light.near=50", "light.far=5"});
 }
 
-TEST_F(CaseSessionsTest, EachSceneOfAFileIsItsOwn) {
+TEST_F(CaseSessionsTest, EachSceneOfAFileIsSeparate) {
     const SessionPlan opened = plan_session({.scene = file, .preset = {}, .sets = {}});
     CaseSessions sessions(opened);
     const auto triangles = [&](const char* index) {
@@ -157,7 +157,7 @@ TEST_F(CaseSessionsTest, EachSceneOfAFileIsItsOwn) {
     EXPECT_NE(target("0"), target("2"));
 }
 
-TEST_F(CaseSessionsTest, TheOrderOfValuesDoesNotHideWhatIsRefused) {
+TEST_F(CaseSessionsTest, OrderOfValuesDoesNotHideRefusals) {
     const SessionPlan opened = plan_session({.scene = "boxes", .preset = {}, .sets = {}});
     CaseSessions sessions(opened);
     EXPECT_NO_THROW(sessions.check({parse_axis("camera.index=0,-1")}));

@@ -1,5 +1,5 @@
-// Clip levels: what a camera sees lies within the level that it is looked up in, texels are as wide as pixels ask for,
-// and pages stay where they are while the camera moves.
+// Tests of clip levels: visible points are inside the level of their look-up, texels match pixels in size, and pages
+// stay in place while the camera moves.
 #include "renderer/view/cascades/clip_levels.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ Settings looking_at(const glm::dvec3& target, double azimuth, double elevation, 
     return s;
 }
 
-TEST(ClipLevels, HoldWhatTheCameraSees) {
+TEST(ClipLevels, HoldTheVisibleRegion) {
     std::mt19937 engine(11);
     const auto between = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine); };
     for (const glm::dvec3& offset : {glm::dvec3(0), glm::dvec3(115, -3, 40), glm::dvec3(1e5, 2e3, -1e5)}) {
@@ -69,7 +69,7 @@ TEST(ClipLevels, HoldWhatTheCameraSees) {
                 const double rim = 1 - 2 * request.margin_texels / request.resolution;
                 EXPECT_LE(std::max(std::abs(h.x), std::abs(h.y)), rim * (1 + 1e-9)) << "level " << level;
                 EXPECT_TRUE(h.z >= 0 && h.z <= 1);
-                // No coarser than a pixel but where the level that asks for is not wide enough.
+                // No coarser than a pixel unless the requested level is too narrow.
                 const double texel = found.levels[level].texel_m();
                 EXPECT_EQ(texel, view.texel_size(1, request.resolution));
                 if (!orthographic && level > 0) {
@@ -84,7 +84,7 @@ TEST(ClipLevels, HoldWhatTheCameraSees) {
     }
 }
 
-// A page that two cameras both have is drawn by the same numbers, bit for bit.
+// A page of two cameras is drawn by the same numbers, bit for bit.
 TEST(ClipLevels, PagesDoNotMoveWithTheCamera) {
     const Scene scene = test::box_scene({{{-40, -1, -40}, {40, 0, 40}}}, {115, 7, -30});
     const SceneShape shape = scene_shape(scene, {});
@@ -109,7 +109,7 @@ TEST(ClipLevels, PagesDoNotMoveWithTheCamera) {
                 EXPECT_TRUE(in_a.x >= 0 && in_a.x < kBlockPages && in_a.y >= 0 && in_a.y < kBlockPages);
                 EXPECT_EQ(va.clip_from_relative(page_origin(shape)), vb.clip_from_relative(page_origin(shape)));
                 ++shared_pages;
-                // And it lies where the level's own map has it.
+                // The page's position matches the level's own map.
                 const double texel = a.levels[i].texel_m();
                 const glm::dvec3 own = a.views[i].position_ws(
                     (glm::dvec2(page - a.levels[i].corner) + 0.5) * 64.0 / double(request.resolution), 1);

@@ -1,3 +1,4 @@
+// Tests of command lines as text.
 #include "renderer/base/command_text.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 namespace si {
 namespace {
 
-TEST(CommandText, WordsAreQuotedWhereAShellWouldSplitOrChangeThem) {
+TEST(CommandText, WordsAreQuotedForTheShell) {
     for (const char* plain : {"stage", "a/b-c_d.json", "map.resolution=512", "50%", "me@there"})
         EXPECT_EQ(shell_quoted(plain), plain);
     EXPECT_EQ(shell_quoted(""), "''");

@@ -1,4 +1,4 @@
-// Every file of the model and the broken-file collections gets its verdict, quickly. Skipped where they are absent.
+// Tests of every file of the model and the broken-file collections, with a time limit. Skipped without the collections.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -33,7 +33,7 @@ std::vector<Case> read_table(const std::filesystem::path& table) {
     return out;
 }
 
-/// "load" or "refuse"; anything but si::Error escapes and fails the test.
+/// Loads a file and returns "load" or "refuse"; other exceptions than si::Error fail the test.
 std::string verdict(const std::filesystem::path& file, std::string& why) {
     try {
         const Scene scene = load_gltf(file);
@@ -45,24 +45,24 @@ std::string verdict(const std::filesystem::path& file, std::string& why) {
     }
 }
 
-/// What the process used until now.
-rusage used() {
+/// Returns the resources that the process has used so far.
+rusage resource_usage() {
     rusage usage{};
     EXPECT_EQ(getrusage(RUSAGE_SELF, &usage), 0);
     return usage;
 }
-/// The most memory that it ever had.
+/// Returns the peak memory of the process, KiB.
 long peak_kib() {
-    return used().ru_maxrss;
+    return resource_usage().ru_maxrss;
 }
-/// Of all its threads: waiting for other processes is not counted.
+/// Returns the processor seconds of all threads so far: waits for other processes do not count.
 double processor_seconds() {
-    const rusage usage = used();
+    const rusage usage = resource_usage();
     return double(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
            double(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1e-6;
 }
 
-/// The current folder for the lifetime of this object.
+/// Current folder, restored by the destructor.
 class CurrentFolder {
 public:
     explicit CurrentFolder(const std::filesystem::path& path) : before_(std::filesystem::current_path()) {
@@ -94,7 +94,7 @@ void run(const std::filesystem::path& folder, const char* table, std::size_t at_
             EXPECT_GE(static_cast<unsigned char>(ch), 0x20) << c.file << ": control character in " << why;
         EXPECT_LT(why.size(), 1200u) << c.file;
     }
-#if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
+#if !defined(__SANITIZE_ADDRESS__)  // which keeps freed memory
     EXPECT_LE(peak_kib(), most_kib) << "KiB: more than 1 GiB was taken";
 #endif
 }
@@ -104,7 +104,7 @@ const std::filesystem::path kShared = std::filesystem::path(SI_SOURCE_DIR) / "..
 TEST(Corpus, EveryModelLoadsOrIsRefusedWithItsReason) {
     run(kShared / "models", "EXPECT.tsv", 70);
 }
-TEST(Corpus, EveryBrokenFileGetsItsVerdict) {
+TEST(Corpus, EveryBrokenFileGetsItsError) {
     run(kShared / "bad-gltf", "MANIFEST.tsv", 200);
 }
 

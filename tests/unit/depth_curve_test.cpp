@@ -1,3 +1,4 @@
+// Tests of depth curves: stored depth over distance, steps and slopes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,7 +45,7 @@ TEST_P(DepthCurves, EndsAreExact) {
     EXPECT_DOUBLE_EQ(c.distance(c.convention.far_depth()), c.far);
 }
 
-TEST_P(DepthCurves, MetresNearerAndDepthNearerAreDistancesAndEachOthersInverse) {
+TEST_P(DepthCurves, MetresAndDepthTowardsTheLightAreInverse) {
     const DepthCurve c = curve_of(GetParam());
     const double sign = c.convention.reversed ? 1 : -1;
     for (const double share : {0.1, 0.5, 0.9, 1.0})
@@ -52,7 +53,7 @@ TEST_P(DepthCurves, MetresNearerAndDepthNearerAreDistancesAndEachOthersInverse) 
             const double z = c.near + share * (c.far - c.near), metres = part * (c.perspective ? z : c.far - c.near);
             const double depth = c.depth_change_towards_light(z, metres);
             EXPECT_NEAR(c.metres_towards_light(z, depth) / metres, 1, 1e-9);
-            if (c.perspective && z - metres < c.near) continue;  // depths have no meaning before it
+            if (c.perspective && z - metres < c.near) continue;  // depths in front of the near plane have no meaning
             const double moved = sign * (c.depth(z - metres) - c.depth(z));
             EXPECT_NEAR(depth, moved, 1e-12 + 1e-9 * std::abs(moved));
         }
@@ -69,13 +70,13 @@ TEST_P(DepthCurves, DistanceInvertsDepth) {
         const double t = i / 1000.0;
         const double z = c.perspective ? c.near * std::pow(c.far / c.near, t) : c.near + t * (c.far - c.near);
         const double d = c.depth(z);
-        // What one rounding of d is worth in metres, a few times over.
+        // Size of a few roundings of d in metres.
         const double tolerance = 8 * 0x1p-53 * (1 / c.slope(z) + std::abs(z) + (c.far - c.near) * 1e-3);
         ASSERT_NEAR(c.distance(d), z, tolerance) << "at " << z;
-        // As a map stores it: rounding to float moves the distance by at most half a step of the float.
+        // Stored depths are floats: rounding moves the distance by at most half a step of the float.
         const float stored = float(d);
         const double step = double(std::nextafter(stored, 2.0f)) - stored;
-        // The curve bends: at half a step the slope may differ a little.
+        // The curve bends: at half a step the slope may differ slightly.
         const double moved = std::abs(c.distance(stored) - z);
         ASSERT_LE(moved, 0.5 * step / c.slope(z) * 1.01 + std::pow(step / c.slope(z), 2) / std::abs(z) + tolerance)
             << "at " << z;
@@ -112,8 +113,8 @@ INSTANTIATE_TEST_SUITE_P(All, DepthCurves, testing::ValuesIn(curve_cases()), [](
            (c.reversed ? "_reversed" : "_standard") + "_" + std::to_string(named.index);
 });
 
-// accuracy table of the literature: what a fixed-point step is worth in metres at the far plane.
-TEST(DepthCurve, KnownSteps) {
+// Accuracy table of the literature: size of a fixed-point step in metres at the far plane.
+TEST(DepthCurve, HasKnownSteps) {
     DepthCurve c;
     c.perspective = true;
     c.near = 0.1;

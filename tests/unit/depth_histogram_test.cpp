@@ -1,4 +1,4 @@
-// Extremes and counts of depth images.
+// Tests of extremes and counts of depth images.
 #include "renderer/frame/depth_histogram.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ DepthCurve curve_of(bool perspective, bool reversed) {
     return {.perspective = perspective, .near = 1, .far = 100, .convention = {true, reversed}};
 }
 
-/// Depths of the given distances, and `empty` pixels of the far plane.
+/// Makes an image of depths at the given distances, and `empty` pixels of the far plane.
 FloatImage image_of(const DepthCurve& curve, const std::vector<double>& metres, int empty) {
     FloatImage image{int(metres.size()) + empty, 1, 1, {}};
     for (const double z : metres) image.data.push_back(float(curve.depth(z)));
@@ -21,7 +21,7 @@ FloatImage image_of(const DepthCurve& curve, const std::vector<double>& metres, 
     return image;
 }
 
-TEST(DepthHistogram, ExtremesLeaveTheEmptyBackgroundOut) {
+TEST(DepthHistogram, ExtremesExcludeTheBackground) {
     for (const bool perspective : {false, true})
         for (const bool reversed : {false, true}) {
             const DepthCurve curve = curve_of(perspective, reversed);
@@ -37,7 +37,7 @@ TEST(DepthHistogram, ExtremesLeaveTheEmptyBackgroundOut) {
         }
 }
 
-TEST(DepthHistogram, NothingDrawnHasNoExtremes) {
+TEST(DepthHistogram, EmptyMapHasNoExtremes) {
     const DepthCurve curve = curve_of(true, false);
     FloatImage image = image_of(curve, {}, 3);
     image.data[1] = std::numeric_limits<float>::quiet_NaN();
@@ -49,7 +49,7 @@ TEST(DepthHistogram, NothingDrawnHasNoExtremes) {
 }
 
 TEST(DepthHistogram, EqualStepsOfDistanceFillLinearBinsEvenly) {
-    // Ten pixels a tenth of the way apart: one a bin in linear depth; in a perspective map they crowd at its far end.
+    // Ten pixels a tenth of the range apart: one a bin in linear depth; a perspective map crowds them at its far end.
     std::vector<double> metres;
     for (int i = 0; i < 10; ++i) metres.push_back(1 + 99 * (i + 0.5) / 10);
     for (const bool reversed : {false, true}) {
@@ -70,21 +70,21 @@ TEST(DepthHistogram, EqualStepsOfDistanceFillLinearBinsEvenly) {
     }
 }
 
-TEST(DepthHistogram, ARangeCountsWhatLiesOutside) {
+TEST(DepthHistogram, RangeCountsValuesOutside) {
     const DepthCurve curve = curve_of(false, false);
     const FloatImage image = image_of(curve, {1 + 9.9, 1 + 19.8, 1 + 49.5, 1 + 89.1}, 1);  // 0.1 0.2 0.5 0.9
     const DepthHistogram h = depth_histogram(image, curve, MapView::Raw, 4, 0.15, 0.55);
     EXPECT_EQ(h.below, 1u);
     EXPECT_EQ(h.above, 1u);
     EXPECT_EQ(h.counts, (std::vector<std::uint64_t>{1, 0, 0, 1}));
-    // Its own extremes as the range: the largest value is in the last bin.
+    // The image's own extremes as the range: the largest value is in the last bin.
     const DepthStatistics s = depth_statistics(image, curve);
     const DepthHistogram fitted = depth_histogram(image, curve, MapView::Raw, 4, s.stored_min, s.stored_max);
     EXPECT_EQ(fitted.below + fitted.above, 0u);
     EXPECT_EQ(fitted.counts.front(), 2u);
     EXPECT_EQ(fitted.counts.back(), 1u);
     EXPECT_EQ(std::accumulate(fitted.counts.begin(), fitted.counts.end(), std::uint64_t{0}), s.drawn);
-    // One value alone.
+    // A single value.
     const DepthHistogram point = depth_histogram(image_of(curve, {50, 50}, 0), curve, MapView::Raw, 4, 0.5, 0.5);
     EXPECT_EQ(point.counts.size(), 4u);
 }

@@ -1,4 +1,4 @@
-// The documents: diagrams are what their sources give, and links lead somewhere.
+// Tests of the documents: diagrams match their sources, and links lead to files.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,8 +39,8 @@ std::string output_of(const std::string& command) {
     return out;
 }
 
-/// Returns the names of nodes and edges of an SVG by graphviz and every line of their labels. Places, fonts and the
-/// version of graphviz are left out, as they differ between machines.
+/// Returns the names of nodes and edges of a graphviz SVG and every line of their labels. Positions, fonts and the
+/// graphviz version differ between machines and are left out.
 std::multiset<std::string> labels_of(const std::string& svg) {
     static const std::regex label("<(title|text)[^>]*>([^<]*)</");
     std::multiset<std::string> out;
@@ -56,7 +56,7 @@ std::vector<fs::path> files_with(const fs::path& folder, const std::string& exte
     return out;
 }
 
-TEST(Documents, DiagramsAreWhatTheirSourcesGive) {
+TEST(Documents, DiagramsMatchTheirSources) {
     const std::vector<fs::path> sources = files_with(kRoot / "docs/architecture", ".dot");
     EXPECT_GE(sources.size(), 3u);
     for (const fs::path& source : sources) {
@@ -75,8 +75,8 @@ TEST(Documents, DiagramsAreWhatTheirSourcesGive) {
     }
 }
 
-// A link is written [text](path#part) with a path from its page. Other schemes and bare parts are left alone.
-TEST(Documents, LinksLeadToFiles) {
+// A link is written [text](path#part) with a path from its page. Other schemes and bare parts are not checked.
+TEST(Documents, LinksPointToFiles) {
     static const std::regex link("\\]\\(([^)#\\s]+)(#[^)]*)?\\)"), scheme("^[a-z]+:");
     std::vector<fs::path> pages = files_with(kRoot / "docs", ".md");
     pages.push_back(kRoot / "README.md");

@@ -1,4 +1,5 @@
-// Files of earlier versions are read with the defaults of those versions; sized kernels' names set size and sampling.
+// Tests of files of earlier versions, read with the defaults of those versions, and of names that set kernel size and
+// sampling.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Defaults that no release had: light.fit changed once, map.resolution twice.
+/// Made-up defaults: light.fit changed once, map.resolution twice.
 constexpr EarlierDefault kTrialRows[] = {
     {.version = 0, .key = "map.resolution", .value = "256"},
     {.version = 1, .key = "light.fit", .value = "scene"},
@@ -33,7 +34,7 @@ Settings read_preset(int version, const std::string& settings) {
     return parse_preset(preset_of(version, settings), "a.json").settings;
 }
 
-TEST(EarlierVersions, RowsAreOfSettingsThatDiffer) {
+TEST(EarlierVersions, RowsAreDifferentSettings) {
     for (const EarlierDefault& row : earlier_defaults()) {
         ASSERT_TRUE(find_setting(row.key)) << row.key;
         EXPECT_LT(row.version, kSettingsVersion) << row.key;
@@ -61,7 +62,7 @@ TEST(EarlierVersions, EachHasItsOwnDefaults) {
     EXPECT_THROW(read_preset(-1, ""), Error);
 }
 
-TEST(EarlierVersions, AFileConcernsTheLightsThatItNames) {
+TEST(EarlierVersions, FileChangesOnlyTheLightsThatItNames) {
     const TrialEarlierDefaults trial(kTrialRows);
     const Settings s = read_preset(1, R"("light.count":2,"light.4.azimuth":7)");
     const Settings old = defaults_of_version(1);
@@ -73,7 +74,7 @@ TEST(EarlierVersions, AFileConcernsTheLightsThatItNames) {
         << "a value of the file holds";
 }
 
-TEST(EarlierVersions, APresetSavedAgainMeansTheSame) {
+TEST(EarlierVersions, PresetSavedAgainHasTheSameMeaning) {
     const TrialEarlierDefaults trial(kTrialRows);
     for (const int version : {0, 1, kSettingsVersion}) {
         const Preset preset = parse_preset(preset_of(version, R"("light.count":2,"bias.constant":3)"), "a.json");
@@ -84,7 +85,7 @@ TEST(EarlierVersions, APresetSavedAgainMeansTheSame) {
     }
 }
 
-TEST(EarlierVersions, AJournalIsReadWithTheDefaultsOfItsVersion) {
+TEST(EarlierVersions, JournalIsReadWithTheDefaultsOfItsVersion) {
     const TrialEarlierDefaults trial(kTrialRows);
     const auto base_of = [](int version, OrderedJson settings, OrderedJson axes) {
         const OrderedJson spec = {{"scene", {{"name", "boxes"}, {"triangles", 12}, {"content", "00000000000000ff"}}},
@@ -112,7 +113,7 @@ TEST(EarlierVersions, AJournalIsReadWithTheDefaultsOfItsVersion) {
     EXPECT_THROW(base_of(-1, OrderedJson::object(), OrderedJson::array()), Error);
 }
 
-TEST(SizedKernels, SetSizeAndSamplingWhereverSettingsAreRead) {
+TEST(SizedKernels, SetSizeAndSamplingInEveryReader) {
     for (const SizedKernel& sized : sized_kernels()) {
         SCOPED_TRACE(sized.name);
         Settings set;

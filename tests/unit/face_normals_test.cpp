@@ -1,3 +1,4 @@
+// Tests of face normals carried by the last corner of each triangle.
 #include "renderer/scene/face_normals.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 namespace si {
 namespace {
 
-/// The mesh's triangles, each turned so that its least corner comes first: turning about keeps it, mirroring does not.
+/// Returns the mesh's triangles, each rotated to start with its least corner: rotation is ignored, mirroring is not.
 std::vector<std::array<std::uint32_t, 3>> triangles(std::span<const std::uint32_t> indices, auto&& vertex_of) {
     std::vector<std::array<std::uint32_t, 3>> out;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
@@ -23,7 +24,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles(std::span<const std::uint32_
 }
 
 SI_TESTS_ARE(Repeated, FaceNormals);
-TEST(FaceNormals, LastCornersCarryThemAndTheTrianglesStay) {
+TEST(FaceNormals, LastCornersCarryThemAndTrianglesStay) {
     for (const Mesh& mesh :
          {make_sphere(1), make_box(glm::dvec3(1)), make_capsule(0.3, 1), make_plane(2, 3), make_teapot()}) {
         const FlatNormalMesh faced = face_normals(mesh.positions, mesh.indices);

@@ -1,4 +1,4 @@
-// What fits find, against closed forms and against rays from every surface to the light.
+// Tests of light fits, compared with closed forms and with rays from every surface to the light.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kFar = 1e9;
 
-/// A sun's view, as it is placed.
+/// Returns a sun's view, placed but not fitted.
 LightView sun(const Scene& scene, double azimuth, double elevation) {
     LightView view;
     view.axes = orthonormal_basis(direction_from_angles(azimuth, elevation));
@@ -36,7 +36,7 @@ LightView spot(const glm::dvec3& eye, const glm::dvec3& at, double cone_deg) {
     return view;
 }
 
-/// Where across the view these points are: metres, or tangents in perspective.
+/// Returns the region across the view that holds these points: metres, or tangents in perspective.
 MapRegion region_of(const LightView& view, const std::vector<glm::dvec3>& points) {
     MapRegion r;
     for (const glm::dvec3& p : points) {
@@ -71,7 +71,7 @@ struct Made {
         add_object(scene, name, root, add_mesh(scene, name, mesh, material),
                    moved(offset.x, offset.y, offset.z) * local);
     }
-    /// A fit of the finished scene.
+    /// Fits a finished scene.
     std::optional<MapRegion> fit(FitFunction f, const LightView& view, const Settings& settings = {},
                                  const Camera* camera = nullptr) const {
         const SceneShape shape = scene_shape(scene, settings);
@@ -79,7 +79,7 @@ struct Made {
     }
 };
 
-/// A floor of 20 m and a box of 2 x 1 x 2 m that stands on it 3 m beside its middle.
+/// Makes a floor of 20 m and a box of 2 x 1 x 2 m, 3 m from the floor's middle.
 Made floor_and_box_at(const glm::dvec3& offset, const glm::dmat4& turn = glm::dmat4(1)) {
     Made m(offset);
     m.add("Floor", make_plane(20, 20), turn);
@@ -89,8 +89,8 @@ Made floor_and_box_at(const glm::dvec3& offset, const glm::dmat4& turn = glm::dm
 }
 
 SI_TESTS_ARE(Repeated, CastersFit);
-TEST(CastersFit, AFloorUnderABoxDoesNotWidenIt) {
-    // Every point of the box that the light reaches may cast onto the floor: its own extent, whatever the direction.
+TEST(CastersFit, FloorUnderABoxDoesNotWidenIt) {
+    // Every lit point of the box may cast onto the floor: its own extent, whatever the direction.
     for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(-3e5, 40, 7e4)}) {
         const Made m = floor_and_box_at(offset);
         std::vector<glm::dvec3> box = box_corners({2, 0, -1}, {4, 1, 1});
@@ -107,14 +107,14 @@ TEST(CastersFit, AFloorUnderABoxDoesNotWidenIt) {
     }
 }
 
-TEST(CastersFit, ATiltedFloorIsAFloor) {
+TEST(CastersFit, TiltedFloorIsAFloor) {
     const glm::dmat4 turn = turned(25, glm::normalize(glm::dvec3(1, 2, 0.5)));
     const Made m = floor_and_box_at(glm::dvec3(5, -2, 1), turn);
     std::vector<glm::dvec3> box = box_corners({2, 0, -1}, {4, 1, 1});
     for (glm::dvec3& p : box) p = glm::dvec3(turn * glm::dvec4(p, 1)) + glm::dvec3(5, -2, 1);
     const LightView view = sun(m.scene, 20, 70);
     expect_bounds_near(m.fit(fit_casters, view), region_of(view, box), 1e-4);
-    // Its triangles need not lie in a plane of the mesh's own axes.
+    // Its triangles need not be in a plane of the mesh's own axes.
     Made baked;
     Mesh floor = make_plane(20, 20);
     for (glm::vec3& p : floor.positions.edit()) p = glm::vec3(turn * glm::dvec4(p, 1));
@@ -126,8 +126,8 @@ TEST(CastersFit, ATiltedFloorIsAFloor) {
     expect_bounds_near(baked.fit(fit_casters, there), region_of(there, box), 1e-4);
 }
 
-TEST(CastersFit, WhatIsFlatAndShadowsSomethingCounts) {
-    // A wall of 4 x 2.5 m on a floor, lit from before and from behind.
+TEST(CastersFit, FlatCastersCount) {
+    // A wall of 4 x 2.5 m on a floor, lit from the front and from behind.
     for (const double azimuth : {0.0, 180.0, 30.0}) {
         Made m;
         m.add("Floor", make_plane(20, 20), glm::dmat4(1));
@@ -146,7 +146,7 @@ TEST(CastersFit, WhatIsFlatAndShadowsSomethingCounts) {
     expect_bounds_near(m.fit(fit_casters, view), region_of(view, {{3, 1, -1.5}, {5, 1, 1.5}}), 1e-4);
 }
 
-TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
+TEST(CastersFit, FloorWithReceiversBelowCounts) {
     Made m = floor_and_box_at(glm::dvec3(0));
     m.add("Sunk", make_box({1, 1, 1}), moved(-6, -0.3, -5));  // from 0.8 m below to 0.2 m above
     m.add("Cellar", make_plane(3, 2), moved(0, -4, 7));
@@ -155,7 +155,7 @@ TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
     // The box, the sunk one and, through the floor, the cellar's floor.
     MapRegion expected = region_of(view, {{4, 0, 1}, {-6.5, 0, -5.5}, {1.5, -4, 8}});
     expect_bounds_near(m.fit(fit_casters, view), expected, 1e-4);
-    // From below the floor shadows all that stands on it.
+    // A light from below lets the floor shadow everything that stands on it.
     Made above = floor_and_box_at(glm::dvec3(0));
     above.add("Far", make_box({1, 1, 1}), moved(-8, 5, -8));
     finalise(above.scene);
@@ -165,8 +165,8 @@ TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
     EXPECT_TRUE(found->contains(region_of(below, {{-8.5, 5, -8.5}, {4, 0, 1}})));
 }
 
-TEST(CastersFit, WhatTurnsItsBackToTheLightReceivesFromBothSidesOnly) {
-    // A ceiling below the floor, whose front looks down: from above nobody sees it, unless its back is drawn.
+TEST(CastersFit, BackFacingReceiversCountOnlyIfTwoSided) {
+    // A ceiling below the floor, whose front looks down: hidden from above unless its back is drawn.
     for (const bool two_sided : {false, true}) {
         Made m = floor_and_box_at(glm::dvec3(0));
         m.add("Ceiling", make_plane(3, 2), moved(-5, -1, 7) * turned(180, {1, 0, 0}), two_sided);
@@ -178,15 +178,15 @@ TEST(CastersFit, WhatTurnsItsBackToTheLightReceivesFromBothSidesOnly) {
     }
 }
 
-TEST(CastersFit, ASlabIsAFloorToo) {
-    // Convex and single-sided: it cannot shade itself, and all stands before its upper side.
+TEST(CastersFit, SlabIsAFloor) {
+    // Convex and single-sided: it cannot shade itself, and everything is in front of its upper side.
     Made m;
     m.add("Slab", make_box({20, 0.3, 20}), moved(0, -0.15, 0));
     m.add("Box", make_box({2, 1, 2}), moved(3, 0.5, 0));
     finalise(m.scene);
     const LightView view = sun(m.scene, 70, 35);
     expect_bounds_near(m.fit(fit_casters, view), region_of(view, box_corners({2, 0, -1}, {4, 1, 1})), 1e-4);
-    // Seen from within, its lower side is shaded by its upper one.
+    // Two-sided, its lower side is shaded by its upper one.
     Made open;
     open.add("Slab", make_box({20, 0.3, 20}), moved(0, -0.15, 0), true);
     finalise(open.scene);
@@ -232,8 +232,8 @@ Camera camera_at(const glm::dvec3& eye, const glm::dvec3& at, double fov_deg, do
 }
 
 SI_TESTS_ARE(Repeated, ViewFit);
-TEST(ViewFit, HoldsWhatTheCameraSees) {
-    // From above, at a height of 10 m and with a square picture, it sees 10 tan(20°) to each side of the floor.
+TEST(ViewFit, HoldsTheVisibleRegion) {
+    // From above, at a height of 10 m and with a square picture, the camera sees 10 tan(20°) to each side of the floor.
     Made m;
     m.add("Floor", make_plane(200, 200), glm::dmat4(1));
     m.add("Roof", make_box({150, 1, 150}), moved(0, 60.5, 0));
@@ -241,7 +241,7 @@ TEST(ViewFit, HoldsWhatTheCameraSees) {
     const Camera camera = camera_at({7, 10, -3}, {7, 0, -3}, 40, 0.1, 50);
     const double side = 10 * std::tan(20 * kDegree);
     const LightView view = sun(m.scene, 0, 90);
-    // A camera's axes may be turned about its own: a square that is turned has a wider extent.
+    // A camera may be rolled: a rotated square has a wider extent.
     MapRegion seen;
     for (const double x : {-1.0, 1.0})
         for (const double y : {-1.0, 1.0}) {
@@ -254,7 +254,7 @@ TEST(ViewFit, HoldsWhatTheCameraSees) {
     expect_bounds_near(m.fit(fit_view, view), *all, 0);
 }
 
-/// A point of a scene's surfaces, with the side of its triangle that is the front.
+/// Point on a scene's surfaces, with the front side of its triangle.
 struct OnSurface {
     glm::dvec3 position, normal;
     bool two_sided;
@@ -263,12 +263,13 @@ struct OnSurface {
 OnSurface surface_point(const Scene& scene, const test::Triangle& t, const glm::dvec3& position) {
     const Object& object = scene.objects[std::size_t(t.object)];
     const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
-    const double front = glm::determinant(glm::dmat3(object.world)) < 0 ? -1 : 1;  // mirrored: the other side
+    const double front =
+        glm::determinant(glm::dmat3(object.world)) < 0 ? -1 : 1;  // a mirrored object has the other front side
     const bool two_sided = mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].double_sided;
     return {position, front * t.normal, two_sided};
 }
 
-/// Points on all surfaces, wherever a camera may be.
+/// Calls `use` with points on all surfaces, independent of any camera.
 template <class Use>
 void each_surface_point(const Scene& scene, const test::RayReference& rays, int count, Use use) {
     std::mt19937 random(5);
@@ -291,11 +292,11 @@ void each_surface_point(const Scene& scene, const test::RayReference& rays, int 
     }
 }
 
-/// What each pixel of a small picture shows: the first surface between the near and far planes that is not the back of
-/// a single-sided one.
+/// Calls `use` with the surface of each pixel of a small picture: the first one between the near and far planes that is
+/// not the back of a single-sided one.
 template <class Use>
-void each_seen_point(const Scene& scene, const test::RayReference& rays, const Camera& camera, int width, int height,
-                     Use use) {
+void each_visible_point(const Scene& scene, const test::RayReference& rays, const Camera& camera, int width, int height,
+                        Use use) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             glm::dvec3 origin, dir;
@@ -317,18 +318,18 @@ void each_seen_point(const Scene& scene, const test::RayReference& rays, const C
         }
 }
 
-/// Counts points within and beyond a region, and demands that none beyond is shadowed.
-class Beyond {
+/// Counts points inside and outside a region, and expects that no outer one is shadowed.
+class OutsidePoints {
 public:
-    int beyond = 0, within = 0, shadowed = 0;
+    int outside = 0, within = 0, shadowed = 0;
 
-    Beyond(const Scene& scene, const test::RayReference& rays, const LightView& view, const MapRegion& region)
+    OutsidePoints(const Scene& scene, const test::RayReference& rays, const LightView& view, const MapRegion& region)
         : scene_(scene), rays_(rays), view_(view), region_(region) {
         light_.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
         light_.to_light = view.axes[2];
         light_.position = view.eye;
     }
-    /// @param every of the points within so many are asked whether they lie in shadow
+    /// Counts a point and tests outer ones for shadow. @param every tests one inner point in so many for shadow
     void look_at(const OnSurface& p, int every) {
         const double facing = glm::dot(p.normal, test::direction_to(light_, p.position));
         if (p.two_sided ? std::abs(facing) < 1e-5 : facing < 1e-5) return;
@@ -336,14 +337,14 @@ public:
         if (view_.curve.perspective && std::max(std::abs(v.x), std::abs(v.y)) > -v.z * view_.half_width) return;
         const glm::dvec2 at = glm::dvec2(v) / (view_.curve.perspective ? -v.z : 1.0);
         const double rim = 1e-6 * (view_.curve.perspective ? 1 : scene_.bounds.radius());
-        const bool is_beyond = at.x < region_.lo.x - rim || at.y < region_.lo.y - rim || at.x > region_.hi.x + rim ||
-                               at.y > region_.hi.y + rim;
-        (is_beyond ? beyond : within) += 1;
-        if (!is_beyond && within % every != 0) return;
+        const bool is_outside = at.x < region_.lo.x - rim || at.y < region_.lo.y - rim || at.x > region_.hi.x + rim ||
+                                at.y > region_.hi.y + rim;
+        (is_outside ? outside : within) += 1;
+        if (!is_outside && within % every != 0) return;
         const double least = 1e-5 * scene_.bounds.radius();
         if (!rays_.occluded(p.position + std::copysign(least, facing) * p.normal, light_, -1, 0)) return;
         ++shadowed;
-        EXPECT_FALSE(is_beyond) << "at " << p.position.x << " " << p.position.y << " " << p.position.z;
+        EXPECT_FALSE(is_outside) << "at " << p.position.x << " " << p.position.y << " " << p.position.z;
     }
 
 private:
@@ -354,14 +355,14 @@ private:
     FittedLight light_;
 };
 
-Beyond expect_lit_beyond(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
+OutsidePoints expect_lit_outside(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
     const test::RayReference rays(scene);
-    Beyond out(scene, rays, view, region);
+    OutsidePoints out(scene, rays, view, region);
     each_surface_point(scene, rays, points, [&](const OnSurface& p) { out.look_at(p, 16); });
     return out;
 }
 
-TEST(CastersFit, OfTheBuiltInScenesNothingLiesInShadowBeyond) {
+TEST(CastersFit, CoversAllShadowsOfBuiltInScenes) {
     int narrowed = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));
@@ -383,14 +384,15 @@ TEST(CastersFit, OfTheBuiltInScenesNothingLiesInShadowBeyond) {
                 EXPECT_EQ(row.key, "plane");
                 continue;
             }
-            const Beyond n = expect_lit_beyond(scene, view, *region, large ? 400 : 3000);
-            narrowed += n.beyond > 100 && n.shadowed > 0;
+            const OutsidePoints n = expect_lit_outside(scene, view, *region, large ? 400 : 3000);
+            narrowed += n.outside > 100 && n.shadowed > 0;
         }
     }
     EXPECT_GT(narrowed, 15) << "of all these some have to be narrower than the scene";
 }
 
-/// Floors with a few boxes, cards and balls: of any size, some far from the origin, mirrored, turned by right angles.
+/// Random floors with a few boxes, cards and balls: of any size, some far from the origin, mirrored, rotated by right
+/// angles.
 struct RandomScene {
     Made made;
     double scale;
@@ -416,7 +418,7 @@ RandomScene random_scene(int i, std::mt19937& random) {
     return {std::move(m), scale};
 }
 
-/// Suns, some straight above, below or along an axis, and spot lights above the scene.
+/// Returns a sun, sometimes straight above, below or along an axis, and spot lights above the scene.
 LightView random_light(int i, const RandomScene& s, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(-1, 1);
     const Scene& scene = s.made.scene;
@@ -427,30 +429,30 @@ LightView random_light(int i, const RandomScene& s, std::mt19937& random) {
                 40 + 40 * std::abs(unit(random)));
 }
 
-TEST(CastersFit, OfRandomScenesNothingLiesInShadowBeyond) {
+TEST(CastersFit, CoversAllShadowsOfRandomScenes) {
     std::mt19937 random(9);
-    int beyond = 0, shadowed = 0;
+    int outside = 0, shadowed = 0;
     for (int i = 0; i < 150; ++i) {
         SCOPED_TRACE(i);
         const RandomScene s = random_scene(i, random);
         const LightView view = random_light(i, s, random);
         const auto region = s.made.fit(fit_casters, view);
         if (!region) continue;
-        const Beyond n = expect_lit_beyond(s.made.scene, view, *region, 400);
-        beyond += n.beyond;
+        const OutsidePoints n = expect_lit_outside(s.made.scene, view, *region, 400);
+        outside += n.outside;
         shadowed += n.shadowed;
     }
-    EXPECT_GT(beyond, 5000);
+    EXPECT_GT(outside, 5000);
     EXPECT_GT(shadowed, 300);
 }
 
-// Wherever the camera stands and looks: outside, within the scene, behind the light, through a narrow angle, without
-// perspective, cut off by its planes; and lights within the scene that shine past half of what is seen.
-TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
+// Cameras at any place and direction: outside, inside the scene, behind the light, with a narrow angle, without
+// perspective, cut off by planes. Lights include ones inside the scene that light only half of the visible part.
+TEST(ViewFit, CoversAllVisibleShadowsOfRandomCameras) {
     std::mt19937 random(31);
     std::uniform_real_distribution<double> unit(-1, 1);
     int narrower = 0;
-    std::array<int, 6> beyond{}, shadowed{};
+    std::array<int, 6> outside{}, shadowed{};
     for (int i = 0; i < 480; ++i) {
         SCOPED_TRACE(i);
         const RandomScene s = random_scene(i, random);
@@ -485,21 +487,21 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         const double area = (region->hi.x - region->lo.x) * (region->hi.y - region->lo.y);
         narrower += area < 0.7 * (all->hi.x - all->lo.x) * (all->hi.y - all->lo.y);
         const test::RayReference rays(scene);
-        Beyond n(scene, rays, view, *region);
-        each_seen_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
-        beyond[std::size_t(kind)] += n.beyond;
+        OutsidePoints n(scene, rays, view, *region);
+        each_visible_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
+        outside[std::size_t(kind)] += n.outside;
         shadowed[std::size_t(kind)] += n.shadowed;
     }
     for (std::size_t kind = 0; kind < 6; ++kind) {
-        EXPECT_GT(beyond[kind], 300) << kind;
+        EXPECT_GT(outside[kind], 300) << kind;
         EXPECT_GT(shadowed[kind], 40) << kind;
     }
     EXPECT_GT(narrower, 100);
 }
 
-// What is seen of a floor may reach past a spot light that stands above it: of that only what lies before the light
-// counts, out to the sides of its cone.
-TEST(ViewFit, OfWhatReachesBehindASpotLightTheFrontCounts) {
+// Visible floor may reach behind a spot light above it: only the part in front of the light counts, out to the sides of
+// its cone.
+TEST(ViewFit, CountsOnlyPartsInFrontOfASpotLight) {
     for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(-3e4, 10, 8e3)}) {
         Made m(offset);
         m.add("Floor", make_plane(60, 60), glm::dmat4(1));
@@ -509,14 +511,14 @@ TEST(ViewFit, OfWhatReachesBehindASpotLightTheFrontCounts) {
         s.objects["Root/Box"] = {.receive = false};
         const LightView view = spot(offset + glm::dvec3(0, 2, 0), offset + glm::dvec3(0, 2, -10), 100);
         const Camera camera = camera_at(offset + glm::dvec3(0, 30, 0), offset, 60, 0.1, 100);
-        // The box's own extent, but no higher than the farthest floor that is seen.
+        // The box's own extent, but no higher than the farthest visible floor.
         const MapRegion expected{{-1.0 / 3, -2.0 / 3}, {1.0 / 3, -2 / (30 * std::tan(30 * kDegree))}};
         expect_bounds_near(m.fit(fit_view, view, s, &camera), expected, 1e-6);
     }
 }
 
-// A camera that sees nothing gets the map of the whole scene, without a promise; what it sees lit is promised.
-TEST(ViewFit, OfWhatIsNotSeenItHoldsTheScene) {
+// A camera that sees nothing gets the map of the whole scene, without a promise; visible lit parts are promised.
+TEST(ViewFit, HoldsTheSceneIfNothingIsVisible) {
     for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(5e4, -200, 3e3)}) {
         Made m = floor_and_box_at(offset);
         for (const LightView& view : {sun(m.scene, 90, 45), spot(offset + glm::dvec3(1, 9, 2), offset, 120)}) {
@@ -542,12 +544,12 @@ Mesh bounded(Mesh mesh) {
     return mesh;
 }
 
-TEST(FlatMeshes, AreFoundByGeometry) {
+TEST(FlatMeshes, AreDetectedByGeometry) {
     EXPECT_TRUE(mesh_plane(bounded(make_plane(3, 4, 20, 20))));
     EXPECT_TRUE(mesh_plane(bounded(make_quad(3, 4))));
     EXPECT_FALSE(mesh_plane(bounded(make_box({1, 1, 1}))));
     EXPECT_FALSE(mesh_plane(bounded(make_sphere(1))));
-    // A dent of a thousandth of its size is one.
+    // A dent of a thousandth of its size is not flat.
     Mesh dented = make_plane(2, 2, 8, 8);
     dented.positions.edit()[40].y += 2e-3f;
     EXPECT_FALSE(mesh_plane(bounded(dented)));

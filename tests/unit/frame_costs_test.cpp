@@ -1,4 +1,4 @@
-// Scripted motions: each frame is another than the one before it, and nothing else moves.
+// Tests of scripted motions: each frame differs from the previous one, and nothing else moves.
 #include "renderer/measure/frame_costs.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +15,12 @@ std::vector<Settings> motion(const Scene& scene, const Settings& s, CostCase cos
     return scripted_frames(scene, s, 16.0 / 9.0, cost);
 }
 
-TEST(FrameCosts, ForcedFramesStandStill) {
+TEST(FrameCosts, ForcedFramesChangeNothing) {
     const Scene scene = load_scene("boxes");
     EXPECT_EQ(motion(scene, Settings{}, CostCase::Forced), std::vector<Settings>{Settings{}});
 }
 
-TEST(FrameCosts, TheCameraMovesInEveryFrameAndNothingElse) {
+TEST(FrameCosts, CameraFramesMoveOnlyTheCamera) {
     const Scene scene = load_scene("boxes");
     for (const CameraSource source : {CameraSource::Automatic, CameraSource::Manual, CameraSource::Light}) {
         Settings s;
@@ -42,7 +42,7 @@ TEST(FrameCosts, TheCameraMovesInEveryFrameAndNothingElse) {
     }
 }
 
-TEST(FrameCosts, TheLightMovesInEveryFrameWhereverItStands) {
+TEST(FrameCosts, LightFramesMoveTheLightInEveryFrame) {
     const Scene scene = load_scene("boxes");
     for (const double elevation : {90.0, 45.0, 0.0, -30.0, -90.0})
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
@@ -66,7 +66,7 @@ TEST(FrameCosts, TheLightMovesInEveryFrameWhereverItStands) {
         }
 }
 
-TEST(FrameCosts, TheCameraThatLooksThroughTheLightStaysWhereItWas) {
+TEST(FrameCosts, CameraInTheLightViewStays) {
     const Scene scene = load_scene("boxes");
     Settings s;
     s.camera.source = CameraSource::Light;

@@ -1,3 +1,4 @@
+// Tests of the frontier of cost and error, and of its statistics.
 #include "renderer/measure/frontier.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace si {
 namespace {
 
-TEST(Spread, OfKnownSamples) {
+TEST(Spread, MatchesKnownSamples) {
     const Spread s = spread_of({5, 1, 3, 2, 4});
     EXPECT_DOUBLE_EQ(s.median, 3);
     EXPECT_DOUBLE_EQ(s.low, 1);
@@ -24,18 +25,18 @@ TEST(Spread, OfKnownSamples) {
     EXPECT_EQ(spread_of({}).samples, 0);
 }
 
-TEST(Frontier, KeepsWhatNothingBeats) {
+TEST(Frontier, KeepsUndominatedPoints) {
     const std::vector<Dot> dots = {{1, 10}, {2, 5}, {3, 6}, {4, 1}, {4, 2}};
     EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false, true, false}));
 }
 
-TEST(Frontier, NoiseRanksNothing) {
+TEST(Frontier, NoiseDecidesNoRank) {
     const std::vector<Dot> dots = {{1.00, 5, 0.05, 0.1}, {1.02, 5.05, 0.05, 0.1}, {1.02, 5.2, 0.05, 0.1}};
     EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false}));
 }
 
-/// What is badly known is no reason to call anything else beaten: here the second may take from 15 to 25.
-TEST(Frontier, ADotOfUncertainCostBeatsNoCheaperOne) {
+/// Uncertain values dominate nothing: here the second may take from 15 to 25.
+TEST(Frontier, UncertainCostBeatsNoCheaperPoint) {
     const std::vector<Dot> dots = {{15, 5, 0.1}, {20, 2, 5}, {20.4, 3, 0.5}};
     EXPECT_EQ(frontier(dots), (std::vector<bool>{true, true, false}));
     EXPECT_EQ(frontier(std::vector<Dot>{{5, 15, 0, 0.1}, {2, 20, 0, 5}}), (std::vector<bool>{true, true}));
@@ -60,7 +61,7 @@ TEST(Frontier, AdviceNamesTheNextBetterAndTheCheaper) {
     EXPECT_FALSE(best.better || best.cheaper);
 }
 
-TEST(Frontier, SlopeOfAPowerLaw) {
+TEST(Frontier, FindsTheSlopeOfAPowerLaw) {
     const std::vector<double> x = {512, 1024, 2048}, y = {8, 4, 2};
     EXPECT_NEAR(*log_slope(x, y), -1, 1e-12);
     EXPECT_FALSE(log_slope(std::vector<double>{1, 1}, std::vector<double>{2, 3}));

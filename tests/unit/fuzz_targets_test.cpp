@@ -1,4 +1,4 @@
-// What the fuzzers run (tests/fuzz), over what they found before, seeds, and some seeded changes of both.
+// Tests that run the fuzz targets (tests/fuzz) over earlier findings, seeds, and seeded mutations of both.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,19 +12,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostSeedBytes = 20'000;
+constexpr std::size_t kMaxSeedBytes = 20'000;
 
 std::vector<std::string> files_below(const fs::path& folder) {
     std::vector<fs::path> paths;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file() && entry.file_size() <= kMostSeedBytes) paths.push_back(entry.path());
+        if (entry.is_regular_file() && entry.file_size() <= kMaxSeedBytes) paths.push_back(entry.path());
     std::sort(paths.begin(), paths.end());
     std::vector<std::string> texts;
     for (const fs::path& path : paths) texts.push_back(file_bytes(path));
     return texts;
 }
 
-/// Some bytes changed, taken out or put in, or the end of another one.
+/// Returns the bytes with some changed, removed or inserted, or with the end of another input.
 std::string changed(std::string text, const std::vector<std::string>& others, std::mt19937& random) {
     static constexpr std::string_view kTelling[] = {"\"", "{",     "}",    "[",   "]", ",", ":",
                                                     "-",  "1e999", "\xff", "nan", "0", "="};
@@ -62,7 +62,7 @@ void run_over(const Target& target, const std::string& text) {
 
 class FuzzTargets : public testing::TestWithParam<Target> {};
 
-TEST_P(FuzzTargets, TakeOrRefuseWhateverComes) {
+TEST_P(FuzzTargets, AcceptOrRefuseAnyInput) {
     const fs::path root = SI_SOURCE_DIR;
     std::vector<std::string> seeds = files_below(root / "tests/data/fuzz" / GetParam().name);
     ASSERT_GE(seeds.size(), 3u);

@@ -1,4 +1,4 @@
-// Posing glTF scenes: keyframes, morph targets and skins.
+// Tests of posed glTF scenes: keyframes, morph targets and skins.
 #include <gtest/gtest.h>
 
 #include "renderer/scene/animation.h"
@@ -16,7 +16,7 @@ glm::dvec3 moved(const glm::dmat4& m, const glm::dvec3& p) {
     return glm::dvec3(m * glm::dvec4(p, 1));
 }
 
-/// Where vertex `i` of the scene's first object is.
+/// Returns the position of vertex `i` of the scene's first object.
 glm::dvec3 vertex(const Scene& scene, std::size_t i) {
     const Object& o = scene.objects.at(0);
     return moved(o.world, glm::dvec3(scene.meshes[static_cast<std::size_t>(o.mesh)].positions.all().at(i)));
@@ -54,7 +54,7 @@ TEST(Animation, CubicTangentsAreSlopesPerSecond) {
     EXPECT_FLOAT_EQ(sample_channel(channel(Interpolation::Cubic, {9, 10, 5, 5, 20, 9}), 1.5)[0], 12.5);
 }
 
-TEST(Animation, RotationsTakeTheShortWayOnTheSphere) {
+TEST(Animation, RotationsTakeTheShortestArc) {
     const float h = std::sqrt(0.5f);
     // Identity to a quarter turn about y, once with its sign turned round.
     for (const float sign : {1.0f, -1.0f}) {
@@ -64,7 +64,7 @@ TEST(Animation, RotationsTakeTheShortWayOnTheSphere) {
     }
 }
 
-/// A triangle whose node is moved from (0,0,0) to (4,0,0) within two seconds.
+/// Makes a triangle whose node moves from (0,0,0) to (4,0,0) within two seconds.
 GltfFile moving_triangle() {
     GltfFile file;
     file.add_triangle();
@@ -102,7 +102,7 @@ TEST(Animation, NodesCamerasAndBoundsFollow) {
     EXPECT_THROW(pose(scene, 1, 0), Error);
 }
 
-TEST(Animation, ABrokenAnimationIsLeftOut) {
+TEST(Animation, BrokenAnimationIsLeftOut) {
     GltfFile file = moving_triangle();
     file.json["animations"].push_back(file.json["animations"][0]);
     file.json["animations"][0]["samplers"][0]["output"] = file.floats({0, 0, 0}, "VEC3");
@@ -138,7 +138,7 @@ TEST(Animation, MorphTargetsAddByWeight) {
     expect_near(glm::dvec3(scene.meshes[0].normals[0]), glm::normalize(glm::dvec3(-1, 0, 4)));
 }
 
-TEST(Animation, ATriangleThatCollapsesComesBack) {
+TEST(Animation, CollapsedTriangleReturns) {
     GltfFile file = morphing_triangle();
     file.json["nodes"][0]["weights"] = {0, 0};
     const int flatten = file.floats({0, 0, 0, -1, 0, 0, 0, 0, 0}, "VEC3");
@@ -154,8 +154,8 @@ TEST(Animation, ATriangleThatCollapsesComesBack) {
     expect_near(vertex(scene, 1), {1, 0, 0});
 }
 
-/// A triangle bound to two joints: corner 0 to the first, corner 1 to the second, corner 2 to both. The mesh's own node
-/// is far away, which a skin ignores.
+/// Makes a triangle bound to two joints: corner 0 to the first, corner 1 to the second, corner 2 to both. The mesh's
+/// own node is far away, which a skin ignores.
 GltfFile skinned_triangle() {
     GltfFile file;
     const Json attributes = {
@@ -216,7 +216,7 @@ TEST(Animation, SkinsWithBadReferencesAreRefused) {
     EXPECT_NE(file.error().find("skins[0].joints[1]: index 9 is out of range"), std::string::npos);
 }
 
-TEST(Animation, AStillSceneHasNoRig) {
+TEST(Animation, StaticSceneHasNoRig) {
     GltfFile file;
     file.add_triangle();
     Scene scene = file.load();

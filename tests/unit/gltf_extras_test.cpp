@@ -1,4 +1,4 @@
-// What the exporter keeps in extras comes back; what others put there harms nothing.
+// Tests of glTF extras: exported ones are read back, and foreign ones do no harm.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ std::filesystem::path with_extras(const TemporaryFolder& folder, const Json& ext
     return folder.write("extras.gltf", root.dump());
 }
 
-TEST(GltfExtras, ForeignAndHostileExtrasAreWarningsAtMost) {
+TEST(GltfExtras, ForeignAndHostileExtrasAreOnlyWarnings) {
     const TemporaryFolder folder;
     for (const Json& foreign : {Json("text"), Json(7), Json::array({1, 2}), Json{{"about", 3}},
                                 Json{{"shadow_inspector", "text"}}, Json{{"shadow_inspector", {{"about", {1, 2}}}}}}) {
@@ -46,9 +46,10 @@ TEST(GltfExtras, ForeignAndHostileExtrasAreWarningsAtMost) {
     const Scene scene = load_gltf(with_extras(folder, {{"shadow_inspector", own}}));
     ASSERT_EQ(scene.suggested.size(), 1u);
     EXPECT_EQ(scene.suggested[0], std::pair(std::string("bias.constant"), std::string("2")));
-    std::size_t told = 0;
-    for (const std::string& warning : scene.warnings) told += warning.find("suggested setting") != std::string::npos;
-    EXPECT_EQ(told, 3u);
+    std::size_t warnings_found = 0;
+    for (const std::string& warning : scene.warnings)
+        warnings_found += warning.find("suggested setting") != std::string::npos;
+    EXPECT_EQ(warnings_found, 3u);
     EXPECT_EQ(scene.about.find('\x1b'), std::string::npos) << "control characters are made visible";
 }
 

@@ -1,4 +1,4 @@
-// Triangles, indices and vertex data of glTF files, whatever way the file stores them.
+// Tests of triangles, indices and vertex data of glTF files in every layout.
 #include <gtest/gtest.h>
 
 #include "tests/unit/gltf_test_file.h"
@@ -6,7 +6,7 @@
 namespace si::test {
 namespace {
 
-/// Corner positions of each triangle, in drawing order.
+/// Returns the corner positions of each triangle, in drawing order.
 std::vector<glm::vec3> corners(const Mesh& mesh) {
     std::vector<glm::vec3> out;
     for (const std::uint32_t i : mesh.indices) out.push_back(mesh.positions[i]);
@@ -19,7 +19,7 @@ std::vector<float> flat(const std::vector<glm::vec3>& points) {
     return out;
 }
 
-/// Four points, no three of them on a line.
+/// Four points, no three on a line.
 const std::vector<glm::vec3> kQuad{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5f}};
 const std::vector<float> kUp{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
 
@@ -95,7 +95,7 @@ TEST(GltfGeometry, IndicesBeyondTheVerticesAreRefused) {
     EXPECT_NE(error_with(65535, 70000), "");  // would restart the primitive
 }
 
-TEST(GltfGeometry, InterleavedAttributesAreTakenApart) {
+TEST(GltfGeometry, InterleavedAttributesAreSeparated) {
     GltfFile file;
     std::vector<float> data;
     for (const glm::vec3& p : kQuad) data.insert(data.end(), {p.x, p.y, p.z, 0, 0, 1});
@@ -152,7 +152,7 @@ TEST(GltfGeometry, SparseValuesReplaceTheBase) {
     }
 }
 
-TEST(GltfGeometry, PrimitivesTakeOnlyTheirPartOfASharedVertexArray) {
+TEST(GltfGeometry, PrimitivesUseOnlyTheirPartOfASharedVertexArray) {
     GltfFile file;
     std::vector<float> positions, normals;
     for (int i = 0; i < 300; ++i) {
@@ -172,7 +172,7 @@ TEST(GltfGeometry, NodesShareOneMesh) {
     GltfFile file;
     const int mesh = file.mesh({{"attributes", {{"POSITION", file.triangle_positions()}}}});
     for (int i = 0; i < 5; ++i) file.root({{"mesh", mesh}});
-    // A second mesh that names the same accessors is the same geometry too.
+    // A second mesh with the same accessors is the same geometry.
     file.root({{"mesh", file.append("meshes", file.json["meshes"][mesh])}});
     const Scene scene = file.load();
     EXPECT_EQ(scene.meshes.size(), 1u);
@@ -193,7 +193,7 @@ TEST(GltfGeometry, VertexColoursWithAndWithoutAlpha) {
     EXPECT_EQ(scene.meshes[1].colours[1], glm::vec4(1, 1, 1, 0.5f));
 }
 
-TEST(GltfGeometry, APrimitiveWithoutFiniteDataIsDroppedAndTheRestStays) {
+TEST(GltfGeometry, PrimitiveWithoutFiniteDataIsDroppedAlone) {
     GltfFile file;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const int good = file.triangle_positions(), bad = file.floats({0, 0, 0, nan, 0, 0, 0, 1, 0}, "VEC3");

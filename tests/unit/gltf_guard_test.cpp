@@ -1,4 +1,4 @@
-// What a hostile or damaged glTF file must not achieve.
+// Tests of hostile and damaged glTF files.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -18,7 +18,7 @@ std::string error_of(const std::filesystem::path& path) {
     }
 }
 
-/// A .gltf whose buffer is the file `uri`; `bin` gets the bytes.
+/// Makes a .gltf whose buffer is the file `uri`; `bin` gets the bytes.
 std::string external(const std::string& uri, std::string& bin) {
     GltfFile file;
     file.add_triangle();
@@ -65,7 +65,7 @@ TEST(GltfGuard, ChunksThatPassTheEndAreRefused) {
             std::string changed = whole;
             changed.replace(header, 4, length);
             const std::string error = error_of(folder.write("chunk.glb", changed));
-            // A JSON chunk that is only a little longer swallows the next header and is no JSON any more.
+            // A JSON chunk that is slightly longer includes the next header and is invalid JSON.
             EXPECT_TRUE(error.find("are left") != std::string::npos || error.find("parse error") != std::string::npos)
                 << error;
         }
@@ -88,7 +88,7 @@ TEST(GltfGuard, EverySingleByteChangeLoadsOrIsRefused) {
     EXPECT_GT(refused, whole.size() / 2);
 }
 
-TEST(GltfGuard, ErrorsAreOneLineWithFilePlaceAndRemedy) {
+TEST(GltfGuard, ErrorsAreOneLineWithFilePlaceAndFix) {
     GltfFile file;
     file.add_triangle();
     file.json["accessors"][0]["count"] = 4;
@@ -134,7 +134,7 @@ TEST(GltfGuard, DepthIsBoundedBeforeParsing) {
     EXPECT_EQ(error_of(folder.write("flat.gltf", flat)), "");
 }
 
-TEST(GltfGuard, BuffersBesideTheModelAreRead) {
+TEST(GltfGuard, BuffersInTheModelFolderAreRead) {
     const TemporaryFolder folder;
     std::string bin;
     for (const auto& [uri, name] : {std::pair{"a b.bin", "a b.bin"},
@@ -167,7 +167,7 @@ TEST(GltfGuard, BuffersOutsideTheFolderAreNeverRead) {
           std::string("/")}) {
         const std::string error = error_of(folder.write("in/model.gltf", external(uri, bin)));
         EXPECT_NE(error.find("buffers[0].uri"), std::string::npos) << uri;
-        // Whether a file outside exists is nobody's business.
+        // The error does not reveal whether a file outside exists.
         EXPECT_EQ(error.find("does not exist"), std::string::npos) << error;
     }
 }
@@ -218,7 +218,7 @@ TEST(GltfGuard, NamesAreMadePrintable) {
     EXPECT_EQ(printable(std::string(1000, 'a'), 10), "aaaaaaaaaa…");
 }
 
-TEST(GltfGuard, ProgressRisesAndCanCancel) {
+TEST(GltfGuard, ProgressRisesAndCancels) {
     const TemporaryFolder folder;
     std::string bin;
     const auto path = folder.write("model.gltf", external("model.bin", bin));
@@ -242,7 +242,7 @@ TEST(GltfGuard, ProgressRisesAndCanCancel) {
     }
 }
 
-TEST(GltfGuard, TheSameBytesShownEndlesslyAreRefused) {
+TEST(GltfGuard, EndlesslyRepeatedBytesAreRefused) {
     GltfFile file;
     const int position = file.triangle_positions();
     const int mesh = file.mesh({{"attributes", {{"POSITION", position}}}});

@@ -1,4 +1,4 @@
-// Materials, textures and texture coordinates of glTF files.
+// Tests of materials, textures and texture coordinates of glTF files.
 #include <gtest/gtest.h>
 
 #include "tests/unit/gltf_test_file.h"
@@ -6,8 +6,8 @@
 namespace si::test {
 namespace {
 
-/// A PNG of 2 x 1 pixels: red, then green half transparent. Deflate with one stored block; checksums are not checked by
-/// the decoder but are right all the same.
+/// Returns a PNG of 2 x 1 pixels: red, then green half transparent. Deflate with one stored block and correct
+/// checksums.
 std::vector<std::uint8_t> png() {
     const auto crc = [](std::string_view bytes) {
         std::uint32_t c = 0xffffffff;
@@ -37,7 +37,7 @@ std::vector<std::uint8_t> png() {
     return {out.begin(), out.end()};
 }
 
-/// A triangle whose material reads a texture; TEXCOORD_0 and TEXCOORD_1 differ.
+/// Triangle whose material reads a texture; TEXCOORD_0 and TEXCOORD_1 differ.
 struct Textured : GltfFile {
     Textured() {
         const Json attributes = {{"POSITION", triangle_positions()},
@@ -52,7 +52,7 @@ struct Textured : GltfFile {
     Json& texture_info() { return material()["pbrMetallicRoughness"]["baseColorTexture"]; }
 };
 
-TEST(GltfMaterial, FactorsModesAndFlags) {
+TEST(GltfMaterial, ReadsFactorsModesAndFlags) {
     Textured file;
     file.material()["pbrMetallicRoughness"]["baseColorFactor"] = {0.1, 0.2, 0.3, 0.4};
     file.material()["alphaMode"] = "MASK";
@@ -80,7 +80,7 @@ TEST(GltfMaterial, DefaultsAreThoseOfGltf) {
     EXPECT_FALSE(m.double_sided);
 }
 
-TEST(GltfMaterial, TexturePixelsAndSampler) {
+TEST(GltfMaterial, ReadsTexturePixelsAndSampler) {
     Textured file;
     file.append("samplers", {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9729}});
     file.json["textures"][0]["sampler"] = 0;
@@ -98,7 +98,7 @@ TEST(GltfMaterial, TexturePixelsAndSampler) {
     EXPECT_FALSE(t.mipmaps);
 }
 
-TEST(GltfMaterial, MinificationFilters) {
+TEST(GltfMaterial, ReadsMinificationFilters) {
     struct Row {
         int filter;
         bool nearest, mipmaps;
@@ -159,7 +159,7 @@ TEST(GltfMaterial, UnreadableFormatFallsBackOrIsUntextured) {
     EXPECT_TRUE(mentions(scene.warnings, "EXT_texture_webp is not supported"));
 }
 
-TEST(GltfMaterial, ABrokenImageCostsOnlyItsTexture) {
+TEST(GltfMaterial, BrokenImageDropsOnlyItsTexture) {
     Textured file;
     std::vector<std::uint8_t> cut = png();
     cut.resize(40);

@@ -1,4 +1,4 @@
-// Hierarchy, instances, cameras and lights of glTF files.
+// Tests of hierarchy, instances, cameras and lights of glTF files.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -83,7 +83,7 @@ TEST(GltfScene, InstancesShareTheMesh) {
     expect_place_near(moved_by(scene.objects[1].world, {1, 0, 0}), {5, 2, 100}, 1e-6);
 }
 
-TEST(GltfScene, CamerasOfBothKinds) {
+TEST(GltfScene, ReadsCamerasOfBothTypes) {
     GltfFile file;
     file.add_triangle();
     file.json["cameras"] = {
@@ -104,7 +104,7 @@ TEST(GltfScene, CamerasOfBothKinds) {
     EXPECT_EQ(scene.cameras[1].far, 9);
 }
 
-TEST(GltfScene, LightsOfThreeKinds) {
+TEST(GltfScene, ReadsLightsOfThreeTypes) {
     GltfFile file;
     file.add_triangle();
     file.json["extensions"]["KHR_lights_punctual"]["lights"] = {

@@ -1,4 +1,4 @@
-// Builds small glTF files in a temporary folder, one piece at a time.
+// Builder of small glTF files in a temporary folder.
 #pragma once
 
 #include <unistd.h>
@@ -18,7 +18,7 @@ namespace si::test {
 
 using Json = nlohmann::json;
 
-/// A folder that is removed with everything in it.
+/// Temporary folder, removed with its content by the destructor.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -32,7 +32,9 @@ public:
         std::error_code ignored;
         std::filesystem::remove_all(path_, ignored);
     }
+    /// Returns the path of the folder.
     const std::filesystem::path& path() const { return path_; }
+    /// Writes a file below the folder and returns its path. @param name relative path
     std::filesystem::path write(const std::string& name, std::string_view bytes) const {
         const auto file = path_ / name;
         std::filesystem::create_directories(file.parent_path());
@@ -44,11 +46,13 @@ private:
     std::filesystem::path path_;
 };
 
+/// Builder of a glTF file: the JSON is public, binary data is appended by member functions.
 class GltfFile {
 public:
     Json json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", Json::array()}}}}};
 
-    /// Appends bytes to the binary chunk as a buffer view of their own.
+    /// Appends values to the binary chunk as a buffer view of their own and returns its index. @param stride bytes; 0:
+    /// tightly packed
     template <class T>
     int view(const std::vector<T>& values, int stride = 0) {
         while (bin_.size() % 4 != 0) bin_.push_back('\0');
@@ -57,6 +61,9 @@ public:
         bin_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
         return append("bufferViews", v);
     }
+    /// Appends an accessor and returns its index. @param view buffer view; -1: none
+    /// @param component glTF component type, 5126 for floats
+    /// @param offset bytes from the start of the view
     int accessor(int view, int component, const char* type, std::size_t count, std::size_t offset = 0,
                  bool normalized = false) {
         Json a = {{"componentType", component}, {"type", type}, {"count", count}};
@@ -65,33 +72,37 @@ public:
         if (normalized) a["normalized"] = true;
         return append("accessors", a);
     }
+    /// Appends floats with a view and an accessor of `type` ("VEC3") and returns the accessor's index.
     int floats(const std::vector<float>& values, const char* type) {
         const std::size_t width = std::string_view(type) == "SCALAR" ? 1
                                   : std::string_view(type) == "MAT4" ? 16
                                                                      : std::size_t(type[3] - '0');
         return accessor(view(values), 5126, type, values.size() / width);
     }
+    /// Appends vertex indices with a view and an accessor and returns the accessor's index.
     template <class T>
     int indices(const std::vector<T>& values) {
         return accessor(view(values), sizeof(T) == 1 ? 5121 : sizeof(T) == 2 ? 5123 : 5125, "SCALAR", values.size());
     }
-    /// A mesh of one primitive; returns its index.
+    /// Appends a mesh of one primitive and returns its index.
     int mesh(const Json& primitive) { return append("meshes", {{"primitives", {primitive}}}); }
-    /// A root node of scene 0.
+    /// Appends a root node of scene 0 and returns its index.
     int root(const Json& node) {
         const int i = append("nodes", node);
         json["scenes"][0]["nodes"].push_back(i);
         return i;
     }
+    /// Appends an element to a top-level array of the JSON and returns its index.
     int append(const char* array, const Json& element) {
         json[array].push_back(element);
         return static_cast<int>(json[array].size()) - 1;
     }
-    /// One triangle (0,0,0) (1,0,0) (0,1,0).
+    /// Appends the triangle (0,0,0) (1,0,0) (0,1,0) and returns the accessor's index.
     int triangle_positions() { return floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3"); }
-    /// A mesh of that triangle on a root node.
+    /// Adds a root node with a mesh of one triangle, triangle_positions().
     void add_triangle() { root({{"mesh", mesh({{"attributes", {{"POSITION", triangle_positions()}}}})}}); }
 
+    /// Returns the file as .glb bytes.
     std::string glb() const {
         Json out = json;
         std::string bin = bin_;
@@ -113,12 +124,14 @@ public:
         }
         return bytes;
     }
+    /// Returns the binary chunk.
     const std::string& bin() const { return bin_; }
+    /// Writes the file to a temporary folder and loads it. @throws Error
     Scene load(const GltfOptions& options = {}) const {
         const TemporaryFolder folder;
         return load_gltf(folder.write("model.glb", glb()), options);
     }
-    /// The error's text; empty when it loads.
+    /// Returns the message of the loading error; empty if the file loads.
     std::string error() const {
         try {
             load();
@@ -132,8 +145,9 @@ private:
     std::string bin_;
 };
 
-/// A floor, a leaf that shades it, and an animation that carries the leaf from place to place. Bytes of a .glb.
-/// @param from, to x, y, z in metres
+/// Returns the bytes of a .glb: a floor, a leaf that shades it, and an animation that moves the leaf. @param seconds
+/// length of the animation
+/// @param from, to positions of the leaf, metres
 inline std::string falling_leaf(float seconds, std::vector<float> from, const std::vector<float>& to) {
     GltfFile file;
     const auto mesh = [&](const std::vector<float>& corners) {
@@ -148,6 +162,7 @@ inline std::string falling_leaf(float seconds, std::vector<float> from, const st
     return file.glb();
 }
 
+/// Returns whether one of the lines contains `part`.
 inline bool mentions(const std::vector<std::string>& lines, std::string_view part) {
     for (const std::string& line : lines) {
         if (line.find(part) != std::string::npos) return true;

@@ -1,4 +1,4 @@
-// hide_objects(): what is left out keeps its place, its share of the bounds and its pose.
+// Tests of hide_objects(): hidden objects keep their place, their share of the bounds and their pose.
 #include <gtest/gtest.h>
 
 #include "app/session/session.h"
@@ -15,7 +15,7 @@ std::vector<std::string> paths(const Scene& scene) {
     return out;
 }
 
-TEST(Hidden, KeepTheirPlaceAndTheBoundsAndComeBack) {
+TEST(HiddenObjects, KeepTheirTransformAndBoundsAndReturn) {
     Scene scene = load_scene("stage");
     const Scene before = scene;
     hide_objects(scene, {"Stage/Wall", "Stage/Ground"});
@@ -38,7 +38,7 @@ TEST(Hidden, KeepTheirPlaceAndTheBoundsAndComeBack) {
     }
 }
 
-TEST(Hidden, MoveWithTheSceneAndStayHidden) {
+TEST(HiddenObjects, MoveWithTheSceneAndStayHidden) {
     Scene scene = load_scene("stage"), whole = scene;
     hide_objects(scene, {"Stage/Wall"});
     const SceneSettings far{.distance = 1000};
@@ -49,7 +49,7 @@ TEST(Hidden, MoveWithTheSceneAndStayHidden) {
     EXPECT_EQ(scene.hidden[0].object.world, whole.objects[scene.hidden[0].place].world);
 }
 
-TEST(Hidden, TheGroundUnderAModelMayBe) {
+TEST(HiddenObjects, IncludeTheGroundUnderAModel) {
     Scene scene = test::box_scene({{}});
     scene.file_scenes = {""};  // as if from a file
     pose_scene(scene, {});
@@ -66,7 +66,7 @@ TEST(Hidden, TheGroundUnderAModelMayBe) {
     EXPECT_TRUE(scene.ground_bounds.empty());
 }
 
-TEST(Hidden, SettingsOfASessionHide) {
+TEST(HiddenObjects, FollowSettingsOfASession) {
     const Session session = open_session({.scene = "stage", .sets = {"object.Stage/Wall.shown=false"}});
     ASSERT_EQ(session.scene.hidden.size(), 1u);
     EXPECT_EQ(hidden_paths(session.settings), std::set<std::string>{"Stage/Wall"});

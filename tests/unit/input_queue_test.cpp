@@ -1,4 +1,4 @@
-// Mouse and keys as frames are shown them: in order, and as few frames as that takes.
+// Tests of the input queue: mouse and keys reach frames in order, in as few frames as possible.
 #include "app/context/input_queue.h"
 
 #define GLFW_INCLUDE_NONE
@@ -60,7 +60,7 @@ struct InputQueueTest : testing::Test {
     }
 };
 
-TEST_F(InputQueueTest, TextAfterControlAIsFedAfterIt) {
+TEST_F(InputQueueTest, TextAfterControlAKeepsItsOrder) {
     queue.typing(true);
     control('A');
     type("depth bias");
@@ -72,7 +72,7 @@ TEST_F(InputQueueTest, TextAfterControlAIsFedAfterIt) {
     EXPECT_FALSE(all[1].presses(GLFW_KEY_LEFT_CONTROL) || queue.is_down(GLFW_KEY_LEFT_CONTROL));
 }
 
-TEST_F(InputQueueTest, WhatIsTypedIsOneStepInAField) {
+TEST_F(InputQueueTest, TypedTextIsOneStepInAField) {
     queue.typing(true);
     down(GLFW_KEY_LEFT_SHIFT);
     down('H', GLFW_MOD_SHIFT);
@@ -80,40 +80,40 @@ TEST_F(InputQueueTest, WhatIsTypedIsOneStepInAField) {
     up('H', GLFW_MOD_SHIFT);
     up(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT);
     type("el");
-    queue.move({300, 300});  // which no field minds
+    queue.move({300, 300});  // ignored by fields
     type("lo");
     down('X');
     queue.character('x');
     queue.character('x');
-    queue.character('x');                               // it repeats
-    down('Y'), queue.character('y'), up('X'), up('Y');  // the next before the last is up
+    queue.character('x');                               // key repeat
+    down('Y'), queue.character('y'), up('X'), up('Y');  // the next key before the last is released
     const auto all = steps();
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].text(), "Helloxxxy");
     EXPECT_FALSE(queue.is_down('X'));
 }
 
-TEST_F(InputQueueTest, AKeyThatActsOnTheFieldIsBetweenTheLettersAroundIt) {
+TEST_F(InputQueueTest, EditingKeyKeepsItsOrderAmongLetters) {
     queue.typing(true);
     type("ab");
     tap(GLFW_KEY_BACKSPACE);
     tap(GLFW_KEY_BACKSPACE);
     type("c");
     tap(GLFW_KEY_ENTER);
-    std::string told;
+    std::string received;
     for (const InputStep& step : steps()) {
-        told += step.text();
+        received += step.text();
         for (const auto& [key, sign] : {std::pair{GLFW_KEY_BACKSPACE, '<'}, {GLFW_KEY_ENTER, '!'}}) {
             if (!step.presses(key)) continue;
             EXPECT_EQ(step.text(), "");
-            told += sign;
+            received += sign;
         }
-        told += '|';
+        received += '|';
     }
-    EXPECT_EQ(told, "ab|<||<|c|!|") << "between two presses of a key it is seen to be up";
+    EXPECT_EQ(received, "ab|<||<|c|!|") << "between two presses of a key it is seen to be up";
 }
 
-TEST_F(InputQueueTest, APressedModifierHoldsBackTextUntilItIsUp) {
+TEST_F(InputQueueTest, PressedModifierDelaysTextUntilReleased) {
     queue.typing(true);
     type("a");
     down(GLFW_KEY_LEFT_CONTROL);
@@ -128,7 +128,7 @@ TEST_F(InputQueueTest, APressedModifierHoldsBackTextUntilItIsUp) {
     EXPECT_TRUE(all[2].releases(GLFW_KEY_LEFT_CONTROL));
 }
 
-TEST_F(InputQueueTest, AltIsHeldWhileItsKeyActsAndItsEndIsAStep) {
+TEST_F(InputQueueTest, AltIsHeldForItsKeyAndItsReleaseIsAStep) {
     queue.typing(true);
     down(GLFW_KEY_LEFT_ALT);
     tap('H', GLFW_MOD_ALT);
@@ -143,17 +143,17 @@ TEST_F(InputQueueTest, AltIsHeldWhileItsKeyActsAndItsEndIsAStep) {
     EXPECT_EQ(all[2].text(), "a");
 }
 
-TEST_F(InputQueueTest, BesideAnyFieldEachKeyActsByItself) {
+TEST_F(InputQueueTest, EachKeyIsAStepOutsideFields) {
     type("fll");
-    std::string told;
+    std::string received;
     for (const InputStep& step : steps()) {
         int presses = 0;
         for (const auto& key : step.strokes.keys) presses += key.down;
         EXPECT_LE(presses, 1);
         EXPECT_EQ(step.text().size(), std::size_t(presses)) << "a character comes with its key";
-        told += step.text() + '|';
+        received += step.text() + '|';
     }
-    EXPECT_EQ(told, "f|l||l|");
+    EXPECT_EQ(received, "f|l||l|");
 }
 
 TEST_F(InputQueueTest, MouseAndKeysDoNotOvertakeEachOther) {
@@ -183,7 +183,7 @@ TEST_F(InputQueueTest, MouseAndKeysDoNotOvertakeEachOther) {
     EXPECT_TRUE(queue.empty());
 }
 
-TEST_F(InputQueueTest, AHeldButtonStaysHeldWhileKeysAreFed) {
+TEST_F(InputQueueTest, HeldButtonStaysHeldDuringKeys) {
     queue.next();
     queue.button(1, true, 0, {1, 1});
     next();
@@ -199,7 +199,7 @@ TEST_F(InputQueueTest, AHeldButtonStaysHeldWhileKeysAreFed) {
     EXPECT_FALSE(queue.is_down('W'));
 }
 
-TEST_F(InputQueueTest, TheWheelTurnsUnderTheModifiersOfItsTime) {
+TEST_F(InputQueueTest, WheelTurnsWithTheModifiersOfItsTime) {
     down(GLFW_KEY_LEFT_CONTROL);
     queue.wheel({0, 1});
     queue.wheel({0, 2});

@@ -1,4 +1,4 @@
-// One job at a time in the background: what is heard of it, and what is not. Threads meet by promises, never by the
+// Tests of background jobs, one at a time: reported results and suppressed ones. Threads meet by promises, never by the
 // clock.
 #include "app/base/job.h"
 
@@ -12,11 +12,11 @@
 namespace si {
 namespace {
 
-/// Work that says when it began and goes on until it is let.
-/// Outlives the job that it works for: declared before it.
+/// Work that reports its start and continues until released.
+/// Declared before its job, which it must outlive.
 struct Puppet {
     std::promise<void> begun, let;
-    std::atomic<bool> stopped{false};  ///< seen when it ended
+    std::atomic<bool> stopped{false};  ///< set at its end
 
     Job<int>::Work work(int value, bool heeds = true) {
         return [this, value, heeds](const Workers& workers, const auto&) {
@@ -30,7 +30,7 @@ struct Puppet {
     void wait_until_begun() { begun.get_future().wait(); }
 };
 
-TEST(Job, GivesItsValueOnce) {
+TEST(Job, ReturnsItsValueOnce) {
     Puppet puppet;
     Job<int> job;
     EXPECT_FALSE(job.busy() || job.wanted() || job.moved() || job.poll());
@@ -49,7 +49,7 @@ TEST(Job, GivesItsValueOnce) {
     EXPECT_FALSE(job.poll() || job.ended() || job.moved() || job.wanted());
 }
 
-TEST(Job, TheNextBeginsWhenTheCancelledOneHasEndedAndOnlyItIsHeardOf) {
+TEST(Job, NextJobStartsAfterTheCancelledOneAndOnlyItReports) {
     Puppet first, third;
     Job<int> job;
     job.start(first.work(1, false));
@@ -69,7 +69,7 @@ TEST(Job, TheNextBeginsWhenTheCancelledOneHasEndedAndOnlyItIsHeardOf) {
     EXPECT_FALSE(third.stopped);
 }
 
-TEST(Job, CancelledIsCancelledWhateverBecameOfIt) {
+TEST(Job, CancelledJobStaysCancelledWhateverItsResult) {
     for (const bool heeds : {true, false}) {
         Puppet puppet;
         Job<int> job;
@@ -93,7 +93,7 @@ TEST(Job, CancelledIsCancelledWhateverBecameOfIt) {
     EXPECT_TRUE(job.poll()->cancelled) << "ended just before";
 }
 
-TEST(Job, OneThatIsCancelledBeforeItBeganNeverBegins) {
+TEST(Job, JobCancelledBeforeItsStartNeverStarts) {
     Puppet first;
     Job<int> job;
     bool ran = false;
@@ -107,7 +107,7 @@ TEST(Job, OneThatIsCancelledBeforeItBeganNeverBegins) {
     EXPECT_FALSE(ran || job.poll());
 }
 
-TEST(Job, NothingIsHeardOfWhatWasDropped) {
+TEST(Job, DroppedJobReportsNothing) {
     Puppet puppet;
     Job<int> job;
     job.start(puppet.work(7, false));
@@ -123,7 +123,7 @@ TEST(Job, NothingIsHeardOfWhatWasDropped) {
     EXPECT_EQ(job.poll()->value, 8);
 }
 
-TEST(Job, TellsWhyItFailed) {
+TEST(Job, ReportsWhyItFailed) {
     Job<int> job;
     job.start([](const Workers&, const auto&) -> int { throw Error("no such file"); });
     job.wait();
@@ -134,7 +134,7 @@ TEST(Job, TellsWhyItFailed) {
     EXPECT_EQ(exception_message(nullptr), "");
 }
 
-TEST(Job, TellsProgressOfWhatIsWantedAlone) {
+TEST(Job, ReportsProgressOfTheCurrentJobOnly) {
     Puppet second;
     Job<int> job;
     std::promise<void> told, more, ended;
@@ -163,7 +163,7 @@ TEST(Job, TellsProgressOfWhatIsWantedAlone) {
     second.let.set_value();
 }
 
-TEST(Job, ItsEndCancelsAndJoins) {
+TEST(Job, DestructionCancelsAndJoins) {
     std::atomic<bool> done{false};
     {
         Job<int> job;

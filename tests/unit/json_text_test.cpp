@@ -1,4 +1,4 @@
-// JSON from elsewhere: bounded, unambiguous, and read in time that grows with its length.
+// Tests of foreign JSON: bounded, unambiguous, and read in time that grows with its length.
 #include "app/base/json_text.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::string nested(int levels) {
     return std::string(std::size_t(levels), '[') + std::string(std::size_t(levels), ']');
 }
 
-TEST(JsonText, IsWhatTheLibraryReads) {
+TEST(JsonText, MatchesTheLibrary) {
     const std::string text =
         R"( {"b":[1,-2,3.5,1e3,true,false,null,"\u00e4\n",{},[]],"a":{"z":{"y":[{"x":18446744073709551615}]},"c":0}} )";
     EXPECT_EQ(parse_json_text(text, "").dump(), OrderedJson::parse(text).dump());
@@ -39,7 +39,7 @@ TEST(JsonText, DepthIsBounded) {
     EXPECT_EQ(refusal_of_text("\"" + nested(40) + "\\\"[[\""), "") << "brackets in a text nest nothing";
 }
 
-TEST(JsonText, NothingMayFollowItsEnd) {
+TEST(JsonText, NothingMayFollowTheEnd) {
     EXPECT_EQ(refusal_of_text(std::string("{}\0{\"a\":1}", 10)), "a.json: line 1, column 3: not JSON: a NUL character");
     EXPECT_EQ(refusal_of_text(std::string("{}\n\0", 4)), "a.json: line 2, column 1: not JSON: a NUL character");
     for (const char* more : {"{}{}", "{}x", "[] 1", "1 2"})
@@ -52,8 +52,8 @@ TEST(JsonText, DuplicatesAreNamedAtEveryLevel) {
     EXPECT_EQ(refusal_of_text(R"([{"a":1},{"a":1}])"), "");
 }
 
-// By an object that looks every new member up among all before it, minutes.
-TEST(JsonText, TwoHundredThousandMembersAreReadAtOnce) {
+// An object that compares every new member with all earlier ones would take minutes.
+TEST(JsonText, TwoHundredThousandMembersAreReadQuickly) {
     std::string text = "{", settings;
     for (int i = 0; i < 200'000; ++i) text += (i ? ",\"k" : "\"k") + std::to_string(i) + "\":{}";
     text += "}";

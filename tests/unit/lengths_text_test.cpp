@@ -1,3 +1,4 @@
+// Tests of lengths as text with metric prefixes.
 #include "renderer/base/lengths_text.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 namespace si {
 namespace {
 
-TEST(LengthsText, HaveThePrefixThatSuitsThem) {
+TEST(LengthsText, HasTheSuitablePrefix) {
     EXPECT_EQ(metres_text(0), "0 m");
     EXPECT_EQ(metres_text(4.2e-7), "0.42 µm");
     EXPECT_EQ(metres_text(-0.05596561193998717), "-56 mm");
@@ -22,7 +23,7 @@ TEST(LengthsText, HaveThePrefixThatSuitsThem) {
     EXPECT_EQ(texels_text(INFINITY), "infinitely many texels");
 }
 
-TEST(LengthsText, RoundToTheNextPrefixAndNeverToAnExponent) {
+TEST(LengthsText, RoundsToTheNextPrefixWithoutExponents) {
     EXPECT_EQ(metres_text(0.99996e-3), "1 mm");
     EXPECT_EQ(metres_text(0.99996), "1 m");
     EXPECT_EQ(metres_text(999.96), "1000 m");

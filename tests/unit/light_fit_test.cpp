@@ -1,3 +1,4 @@
+// Tests of light views and their fits to a scene.
 #include "renderer/view/fits/light_fit.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ bool all_finite(const FittedLight& light) {
             for (int j = 0; j < 4; ++j) ok = ok && std::isfinite(m[i][j]);
         ok = ok && std::isfinite(v.half_width) && v.half_width > 0 && v.curve.far > v.curve.near;
         ok = ok && (!v.curve.perspective || v.curve.near > 0);
-        ok = ok && float(v.curve.far) > float(v.curve.near);  // as shaders know them
+        ok = ok && float(v.curve.far) > float(v.curve.near);  // in the precision of shaders
     }
     return ok && !light.views.empty();
 }
@@ -48,8 +49,8 @@ void expect_basis(const glm::dvec3& n) {
     ASSERT_EQ(m[2], n);
 }
 
-TEST(LightFit, ADirectionalLightFarOffHasARangeThatShadersKnow) {
-    // Its target, or itself along its rays; found by random settings.
+TEST(LightFit, FarDirectionalLightHasARangeForShaders) {
+    // The target, or the light along its rays, is far off; found by random settings.
     for (const auto& [distance, aside] : {std::pair{0.0, 6.2e7}, {1e7, 0.0}, {1e7, -1e8}}) {
         Settings s = one_light(LightType::Directional);
         s.lights[0].distance = distance;
@@ -62,7 +63,7 @@ TEST(LightFit, ADirectionalLightFarOffHasARangeThatShadersKnow) {
         const float near = float(view.curve.near), far = float(view.curve.far);
         EXPECT_GT(far - near, 1) << "near " << near;
         EXPECT_TRUE(std::isfinite(1 / (far - near)));
-        // What lies in the scene still lies in the map.
+        // Points of the scene are still inside the map.
         const glm::dvec4 clip = view.clip_from_relative({0, 0, 0}) * glm::dvec4(0, 1, 0, 1);
         EXPECT_LT(std::abs(clip.x), 1);
         EXPECT_LT(std::abs(clip.y), 1);
@@ -71,7 +72,7 @@ TEST(LightFit, ADirectionalLightFarOffHasARangeThatShadersKnow) {
     }
 }
 
-TEST(Basis, OrthonormalForEveryDirection) {
+TEST(Basis, IsOrthonormalForEveryDirection) {
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     for (int i = 0; i < 100000; ++i)
@@ -87,7 +88,7 @@ TEST(Basis, OrthonormalForEveryDirection) {
             }
 }
 
-TEST(Basis, AnglesPointWhereTheySay) {
+TEST(Basis, AnglesGiveTheirDirection) {
     const auto near_to = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b) < 1e-15; };
     EXPECT_TRUE(near_to(direction_from_angles(0, 0), {0, 0, 1}));
     EXPECT_TRUE(near_to(direction_from_angles(90, 0), {1, 0, 0}));
@@ -95,7 +96,8 @@ TEST(Basis, AnglesPointWhereTheySay) {
     EXPECT_TRUE(near_to(direction_from_angles(180, -45), {0, -std::sqrt(0.5), -std::sqrt(0.5)}));
 }
 
-/// Largest |x|, |y| of the scene's corners in the map and the range of their depths, through the given views.
+/// Largest |x|, |y| of the scene's corners in the map and the range of their depths, through the given
+/// views.
 struct Coverage {
     double aside = 0, lo = 1, hi = 0;
 };
@@ -152,7 +154,7 @@ TEST(LightFit, SceneFitHoldsTheScene) {
         ASSERT_LE(c.hi, 1) << i;
         EXPECT_EQ(light.clipped_casters, 0) << i;
         if (light.type != LightType::Directional) continue;
-        // Tight: no more than the margin is wasted across, next to nothing in depth.
+        // Tight: only the margin is added across, and almost nothing in depth.
         ASSERT_GT(c.aside, 1 - 5.0 / s.map.resolution) << i;
         ASSERT_LT(c.lo, 1e-3);
         ASSERT_GT(c.hi, 0.999);
@@ -161,7 +163,7 @@ TEST(LightFit, SceneFitHoldsTheScene) {
     }
 }
 
-TEST(LightFit, TheViewLooksAlongTheLight) {
+TEST(LightFit, ViewLooksAlongTheLight) {
     Settings s = one_light(LightType::Spot);
     s.lights[0].azimuth = 90;
     s.lights[0].elevation = 0;
@@ -188,7 +190,7 @@ TEST(LightFit, FacesOfAPointLightCoverEveryDirection) {
         EXPECT_EQ(glm::determinant(v.axes), 1);
         EXPECT_EQ(v.curve.near, light.views[0].curve.near);  // shaders know one range per light
         EXPECT_EQ(v.curve.far, light.views[0].curve.far);
-        // A corner direction shared with two other faces lies inside, with texels to spare for kernels.
+        // A corner direction shared with two other faces is inside, with spare texels for kernels.
         const glm::dvec3 corner = forward[f] + v.axes[0] + v.axes[1];
         const glm::dvec4 q = v.clip_from_relative(light.position + corner)[3];
         EXPECT_NEAR(q.x / q.w, 1 - 12.0 / s.map.resolution, 1e-6);
@@ -196,7 +198,7 @@ TEST(LightFit, FacesOfAPointLightCoverEveryDirection) {
     }
 }
 
-TEST(LightFit, OffsetOfAMillionMetresChangesNothing) {
+TEST(LightFit, SceneOffsetOfAMillionMetresChangesNothing) {
     const std::vector<BoxExtent> boxes = {{glm::dvec3(-4, 0, -4), glm::dvec3(4, 0.25, 4)},
                                           {glm::dvec3(0, 0.25, 0), glm::dvec3(1, 2.5, 1)}};
     const glm::dvec3 offset(1 << 20, -(1 << 19), 1 << 20);
@@ -242,7 +244,7 @@ TEST(LightFit, SpotAnglesStayFinite) {
             }
 }
 
-TEST(LightFit, ASpotsMapByHandIsAtMostItsCones) {
+TEST(LightFit, ManualMapOfASpotIsAtMostItsCone) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Spot);
     LightSettings& l = s.lights[0];
@@ -259,7 +261,7 @@ TEST(LightFit, ASpotsMapByHandIsAtMostItsCones) {
     EXPECT_TRUE(all_finite(fit_lights(scene, s)[0]));
 }
 
-TEST(LightFit, DegenerateScenes) {
+TEST(LightFit, StaysFiniteForDegenerateScenes) {
     std::vector<Scene> scenes = {Scene()};
     for (double scale : {1e-6, 1e-3, 1.0, 1e3, 1e7})
         for (double offset : {0.0, 1e6}) {
@@ -286,7 +288,7 @@ TEST(LightFit, DegenerateScenes) {
                                 ASSERT_TRUE(all_finite(light))
                                     << i << " " << index_of(type) << " " << index_of(projection) << " " << distance;
                                 const LightView& v = light.views[0];
-                                // A wide perspective map of one texel has none that is shorter than its range.
+                                // A wide perspective map of one texel has no shorter range.
                                 const double texel = v.texel_size(v.curve.far, resolution);
                                 const double least =
                                     v.curve.perspective ? std::min(2 * texel, 1e-4 * v.curve.far) : 2 * texel;
@@ -308,7 +310,7 @@ TEST(LightFit, NonFiniteSettingsAreReplaced) {
             }
 }
 
-TEST(LightFit, LightInsideTheScene) {
+TEST(LightFit, WorksForALightInsideTheScene) {
     const Scene scene = box_scene({{glm::dvec3(-5, -1, -5), glm::dvec3(5, 0, 5)}, {glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Spot);
     s.lights[0].distance = 0.2;
@@ -330,7 +332,7 @@ TEST(LightFit, LightInsideTheScene) {
     EXPECT_EQ(light.clipped_casters, 1);
 }
 
-TEST(LightFit, TheRangeEndsTheMap) {
+TEST(LightFit, RangeEndsTheMap) {
     // A floor 10 m below the light and a wall 30 m away from it.
     const Scene scene = box_scene({{glm::dvec3(-40, -1, -40), glm::dvec3(40, 0, 40)}, {{30, 0, -40}, {31, 20, 40}}});
     for (const auto& [type, projection] : {std::pair{LightType::Point, LightProjection::Automatic},
@@ -349,7 +351,7 @@ TEST(LightFit, TheRangeEndsTheMap) {
             const FittedLight light = fit_lights(scene, s)[0];
             ASSERT_TRUE(all_finite(light)) << int(type) << " " << range;
             EXPECT_EQ(light.range_m, range);
-            // By parallel rays the wall's box reaches past the light.
+            // Parallel rays let the wall's box reach behind the light.
             EXPECT_EQ(!light.notes.empty(), range < 10 && projection == LightProjection::Automatic)
                 << "which says that it reaches nothing";
             EXPECT_EQ(light.radiance, endless.radiance) << "a range changes no brightness near the light";
@@ -375,7 +377,7 @@ TEST(LightFit, TheRangeEndsTheMap) {
     EXPECT_FALSE(within_range(12, 12));
 }
 
-TEST(LightFit, ByHand) {
+TEST(LightFit, ManualFitUsesItsNumbers) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Directional);
     LightSettings& l = s.lights[0];
@@ -403,7 +405,7 @@ TEST(LightFit, ByHand) {
     EXPECT_EQ(fit_lights(scene, s)[0].views[0].projection, fitted.views[0].projection);
 }
 
-TEST(LightFit, WhyNothingCasts) {
+TEST(LightFit, ReportsWhyNothingCasts) {
     Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Directional);
     EXPECT_TRUE(fit_lights(scene, s)[0].casts);

@@ -1,4 +1,4 @@
-// Light maps without a GPU: charts and how they are packed, what a map is known by, and what is kept on disk.
+// Tests of light maps without a GPU: charts, packing, keys, and the disk cache.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -27,7 +27,7 @@ LightMapTask task_of(const Scene& scene, int side = 128, const glm::dvec3& to_li
     return {geometry_of(scene), {.type = LightType::Directional, .to_light = to_light}, side, 1, scene.id};
 }
 
-/// A floor of 10 m with a box of 1 m at (x, 0).
+/// Makes a floor of 10 m with a box of 1 m at (x, 0).
 Scene floor_with_box(double x = 0) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
@@ -37,7 +37,7 @@ Scene floor_with_box(double x = 0) {
     return scene;
 }
 
-/// A spiral ramp, twice around, that rises half a metre a turn: nowhere steep, and above itself.
+/// Makes a spiral ramp of two turns that rises half a metre a turn: nowhere steep, and above itself.
 Mesh make_spiral() {
     std::vector<std::vector<glm::dvec3>> faces;
     constexpr int kSteps = 48;
@@ -52,7 +52,7 @@ Mesh make_spiral() {
     return make_polygons("spiral", faces);
 }
 
-/// Demands that charts lie apart and their triangles within them.
+/// Expects separate charts with their triangles inside.
 void expect_sound(const ReferenceGeometry& geometry, const LightMapLayout& layout) {
     std::vector<std::uint32_t> owner(std::size_t(layout.side) * std::size_t(layout.side), 0);
     for (std::uint32_t c = 0; c < layout.charts.size(); ++c) {
@@ -82,7 +82,7 @@ void expect_sound(const ReferenceGeometry& geometry, const LightMapLayout& layou
         }
 }
 
-TEST(LightMapLayout, PacksChartsApartWithTheirGutters) {
+TEST(LightMapLayout, PacksChartsWithGutters) {
     for (const char* name : {"boxes", "stage", "teapot", "relief"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(name);
@@ -101,7 +101,7 @@ TEST(LightMapLayout, PacksChartsApartWithTheirGutters) {
     }
 }
 
-TEST(LightMapLayout, JoinsWhatLiesInOnePlaneAndWhatBendsLittle) {
+TEST(LightMapLayout, JoinsCoplanarAndSlightlyBentTriangles) {
     const Scene scene = floor_with_box();
     EXPECT_EQ(light_map_layout(*geometry_of(scene), 256).charts.size(), 7u) << "the floor and six sides";
     const Scene ball = make_scene(make_sphere(1));
@@ -110,12 +110,12 @@ TEST(LightMapLayout, JoinsWhatLiesInOnePlaneAndWhatBendsLittle) {
     EXPECT_GT(layout.charts.size(), 8u) << "a side of a ball cannot be laid flat in one";
 }
 
-TEST(LightMapLayout, TakesApartWhatWouldLieUponItself) {
+TEST(LightMapLayout, SplitsOverlappingCharts) {
     const Scene scene = make_scene(make_spiral());
     const auto geometry = geometry_of(scene);
     const LightMapLayout layout = light_map_layout(*geometry, 256);
     expect_sound(*geometry, layout);
-    // No texel's middle lies in two triangles of one chart that are half a metre apart.
+    // No texel centre is in two triangles of one chart that are half a metre apart.
     for (const LightMapChart& chart : layout.charts) {
         const auto height = [&](std::uint32_t i) {
             const TriangleWs t = geometry->triangle(chart.object, layout.triangles[chart.first + i]);
@@ -125,7 +125,7 @@ TEST(LightMapLayout, TakesApartWhatWouldLieUponItself) {
     }
 }
 
-TEST(LightMapLayout, RefusesWhatCannotFitAndSaysWhatDoes) {
+TEST(LightMapLayout, RefusesAnUnfittingSizeAndNamesAFittingOne) {
     std::vector<std::vector<glm::dvec3>> blades;
     for (int i = 0; i < 400; ++i)
         blades.push_back({{0.1 * i, 0, 0}, {0.1 * i + 0.05, 0, 0}, {0.1 * i, 0.3, 0.001 * (i % 7)}});
@@ -143,7 +143,7 @@ TEST(LightMapLayout, RefusesWhatCannotFitAndSaysWhatDoes) {
 
 TEST(LightMapBake, IsTheSameForAnyNumberOfThreads) {
     const Scene scene = load_scene("boxes");
-    LightMapTask task = task_of(scene, 200);  // no multiple of what is traced at once
+    LightMapTask task = task_of(scene, 200);  // no multiple of the traced batch
     task.emitter.size = 2;
     for (const int samples : {1, 64}) {
         task.samples = samples;
@@ -157,7 +157,7 @@ TEST(LightMapBake, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(LightMapKey, FollowsAllThatRaysFindAndNothingElse) {
+TEST(LightMapKey, DependsOnlyOnInputsOfRays) {
     const Scene scene = floor_with_box();
     const LightMapTask task = task_of(scene);
     const std::uint64_t content = light_map_content_key(task);
@@ -209,7 +209,7 @@ protected:
         for (const auto& e : fs::directory_iterator(folder, none)) out.push_back(e.path());
         return out;
     }
-    /// What an instance that knows nothing yet finds.
+    /// Returns the light map as a fresh instance finds it.
     std::shared_ptr<const LightMap> get(const LightMapTask& task, std::size_t baked,
                                         std::uint64_t most = LightMapCache::kMaxDiskBytes) {
         LightMapCache maps;
@@ -226,7 +226,7 @@ protected:
     }
 };
 
-TEST_F(LightMapFiles, AreReadInPlaceOfBakingAndHoldTheSameBytes) {
+TEST_F(LightMapFiles, AreReadInsteadOfBakingAndHoldTheSameBytes) {
     const auto baked = get(task_of(scene), 1);
     ASSERT_EQ(files().size(), 1u);
     const auto read = get(task_of(floor_with_box()), 0);
@@ -238,7 +238,7 @@ TEST_F(LightMapFiles, AreReadInPlaceOfBakingAndHoldTheSameBytes) {
     EXPECT_EQ(files().size(), 2u) << "another content, another file";
 }
 
-TEST_F(LightMapFiles, InMemoryMapsAreFoundByTheirContent) {
+TEST_F(LightMapFiles, MapsInMemoryAreFoundByContent) {
     LightMapCache maps;
     const auto first = maps.get(task_of(scene), {.threads = 2});
     const Scene again = floor_with_box();
@@ -249,7 +249,7 @@ TEST_F(LightMapFiles, InMemoryMapsAreFoundByTheirContent) {
     EXPECT_TRUE(files().empty()) << "no folder was given";
 }
 
-TEST_F(LightMapFiles, ThatAreDamagedAreBakedAgain) {
+TEST_F(LightMapFiles, DamagedFilesAreBakedAgain) {
     const auto baked = get(task_of(scene), 1);
     const fs::path file = files().at(0);
     const std::vector<std::pair<const char*, std::function<void(std::string&)>>> damages = {
@@ -271,7 +271,7 @@ TEST_F(LightMapFiles, ThatAreDamagedAreBakedAgain) {
     }
 }
 
-TEST_F(LightMapFiles, OfCancelledBakesThereAreNone) {
+TEST_F(LightMapFiles, CancelledBakesLeaveNone) {
     LightMapCache maps;
     maps.set_disk_folder(folder);
     std::stop_source stop;
@@ -289,14 +289,14 @@ TEST_F(LightMapFiles, OfCancelledBakesThereAreNone) {
     EXPECT_EQ(baked->texels, get(task_of(scene, 512), 0)->texels);
 }
 
-TEST_F(LightMapFiles, TakeNoMoreThanTheyMay) {
+TEST_F(LightMapFiles, StayBelowTheirSizeLimit) {
     const std::uint64_t one = 128 * 128 + 100, most = 2 * one + one / 2;
     for (const double x : {0.0, 1.0, 2.0}) {
         get(task_of(floor_with_box(x)), 1, most);
         ::usleep(20'000);  // so that times differ
     }
     EXPECT_EQ(files().size(), 2u);
-    get(task_of(floor_with_box(1)), 0, most);  // used: now the newest
+    get(task_of(floor_with_box(1)), 0, most);  // used, so now the newest
     ::usleep(20'000);
     get(task_of(floor_with_box(3)), 1, most);
     get(task_of(floor_with_box(1)), 0, most);
@@ -306,7 +306,7 @@ TEST_F(LightMapFiles, TakeNoMoreThanTheyMay) {
     EXPECT_EQ(files().size(), 2u) << "what is larger than all may be is not kept";
 }
 
-TEST_F(LightMapFiles, ThatCannotBeWrittenAreSaid) {
+TEST_F(LightMapFiles, UnwritableFilesAreReported) {
     fs::create_directories(folder.parent_path());
     std::ofstream(folder.string()) << "in the way";
     const auto map = get(task_of(scene), 1);

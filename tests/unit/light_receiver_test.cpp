@@ -1,4 +1,4 @@
-// Bias and gaps under spot and point lights, whose depth is no multiple of metres.
+// Tests of bias and gaps under spot and point lights, whose depth is not linear in metres.
 #include <gtest/gtest.h>
 
 #include "renderer/bias/account.h"
@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// A light 10 m above the middle of a floor, and a point of the floor that its ray meets at an angle to the axis.
+/// Light 10 m above the middle of a floor, and a point of the floor whose ray has an angle to the axis.
 struct Lit {
     Settings settings;
     FittedLight light;
@@ -32,7 +32,7 @@ struct Lit {
     BiasBreakdown account() const { return bias_breakdown(light, settings, 512, point, {.subpixel_bits = 8}); }
 };
 
-TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
+TEST(LightReceiver, OneMetreOfBiasMovesOneMetreAlongTheAxis) {
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (const bool reversed : {false, true})
             for (const double offset_texels : {0.0, 3.0})
@@ -52,8 +52,7 @@ TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
                 }
 }
 
-// What a person reads is a distance along the ray, at any size of it: not the slope's 101 m where the light is 10 m
-// away.
+// Displayed amounts are distances along the ray, at any size: not the slope's 101 m for a light 10 m away.
 TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
     for (const LightType type : {LightType::Spot, LightType::Point})
         for (const bool reversed : {false, true})
@@ -64,7 +63,7 @@ TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
                 const double distance = glm::distance(lit.light.position, lit.point.position_ws);
                 EXPECT_NEAR(a.receiver.axis_per_ray, 10 / distance, 1e-12);
                 for (const double gap_m : {1e-3, 1.0, 0.91 * distance}) {
-                    // A surface that much nearer on the ray, by its place.
+                    // A surface nearer by that distance on the ray, by its position.
                     const double z = 10 * (1 - gap_m / distance);
                     const double depth = std::abs(curve.depth(10) - curve.depth(z));
                     EXPECT_NEAR(a.amount(depth).metres / gap_m, 1, 1e-9) << int(type);
@@ -98,7 +97,7 @@ TEST(BiasBreakdown, IsNeverNanEdgeOn) {
             }
 }
 
-// What P of the least bias is: the largest coordinate counted from the picture's origin or from the map's.
+// P of the minimum bias is the largest coordinate, relative to the picture's origin or to the map's.
 TEST(BiasBreakdown, RoundingGrowsWithTheLargestCoordinateThatIsUsed) {
     Lit lit(LightType::Directional, false, 1);
     const double near = lit.account().least.rounding;

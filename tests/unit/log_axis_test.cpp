@@ -1,3 +1,4 @@
+// Tests of logarithmic axes of plots.
 #include "ui/widgets/log_axis.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 namespace si {
 namespace {
 
-TEST(LogAxis, HoldsItsValuesWithARoundNumberAmongThem) {
+TEST(LogAxis, SpansItsValuesWithARoundTick) {
     for (const auto& values : {std::vector{0.031, 0.07}, {61.0, 62.0}, {3e-6, 4.0}, {1e3, 1e12}, {5.0}}) {
         const LogAxis axis = log_axis(values);
         EXPECT_LT(axis.low, values.front());
@@ -30,13 +31,13 @@ TEST(LogAxis, HoldsItsValuesWithARoundNumberAmongThem) {
     }
 }
 
-TEST(LogAxis, FactorsAreLengths) {
+TEST(LogAxis, EqualFactorsAreEqualLengths) {
     const LogAxis axis = log_axis(std::vector{1.0, 1000.0});
     EXPECT_NEAR(axis.position(10) - axis.position(1), axis.position(1000) - axis.position(100), 1e-12);
     EXPECT_GT(axis.position(10), axis.position(1));
 }
 
-TEST(LogAxis, ZeroHasAPlaceOfItsOwn) {
+TEST(LogAxis, ZeroHasItsOwnPosition) {
     const LogAxis without = log_axis(std::vector{1.0, 10.0}), with = log_axis(std::vector{0.0, 1.0, 10.0});
     EXPECT_FALSE(without.zero);
     ASSERT_TRUE(with.zero);
@@ -46,7 +47,7 @@ TEST(LogAxis, ZeroHasAPlaceOfItsOwn) {
     EXPECT_TRUE(log_axis(std::vector{0.0}).zero);
 }
 
-TEST(LogAxis, BytesArePowersOfTwoInWords) {
+TEST(LogAxis, BytesArePowersOfTwoWithUnits) {
     constexpr double kMiB = 1 << 20;
     for (const auto& values :
          {std::vector{2e6, 2.5e7}, {7.78e6, 7.9e6}, {1.0, 4e9}, {300.0 * 1024, 1.9 * kMiB}, {0.0, 2 * kMiB}}) {
@@ -70,7 +71,7 @@ TEST(LogAxis, BytesArePowersOfTwoInWords) {
     EXPECT_TRUE(std::ranges::any_of(axis.ticks, [](const LogAxis::Tick& t) { return t.text == "8 MiB"; }));
 }
 
-TEST(LogAxis, WhatIsNotFiniteDoesNotCount) {
+TEST(LogAxis, NonFiniteValuesDoNotCount) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const LogAxis axis = log_axis(std::vector{2.0, nan, inf, 4.0}), plain = log_axis(std::vector{2.0, 4.0});
     EXPECT_EQ(axis.low, plain.low);

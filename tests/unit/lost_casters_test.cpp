@@ -1,3 +1,4 @@
+// Tests of casters that face culling removes from a map.
 #include "renderer/inspect/lost_casters.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ Mesh closed_box() {
     return mesh;
 }
 
-/// A floor and a closed box above it, each under a transform of its own.
+/// Makes a floor and a closed box above it, each under a transform of its own.
 Scene floor_and_box(const glm::dmat4& floor = glm::dmat4(1), const glm::dmat4& box = glm::dmat4(1)) {
     Scene scene;
     scene.meshes = {quad(), closed_box()};
@@ -42,17 +43,17 @@ Settings with_cull(Cull cull) {
     return s;
 }
 
-std::vector<LostCaster> lost(const Scene& scene, const Settings& settings) {
+std::vector<LostCaster> lost_casters_of(const Scene& scene, const Settings& settings) {
     return lost_casters(scene, settings, fit_lights(scene, settings).front());
 }
 
 TEST(LostCasters, NoCullingLosesNothing) {
-    EXPECT_TRUE(lost(floor_and_box(), with_cull(Cull::None)).empty());
+    EXPECT_TRUE(lost_casters_of(floor_and_box(), with_cull(Cull::None)).empty());
 }
 
 TEST(LostCasters, FrontCullingLosesTheFloorAndKeepsTheClosedBox) {
     const Scene scene = floor_and_box();
-    const auto list = lost(scene, with_cull(Cull::Front));
+    const auto list = lost_casters_of(scene, with_cull(Cull::Front));
     ASSERT_EQ(list.size(), 1u);
     EXPECT_EQ(list[0].object, 0);
     EXPECT_EQ(list[0].triangles, 2u);
@@ -61,39 +62,39 @@ TEST(LostCasters, FrontCullingLosesTheFloorAndKeepsTheClosedBox) {
     EXPECT_NE(notes[0].find("object.Floor.cull=none"), std::string::npos) << notes[0];
 }
 
-TEST(LostCasters, BackCullingLosesAFloorSeenFromBelowOnly) {
-    EXPECT_TRUE(lost(floor_and_box(), with_cull(Cull::Back)).empty());
+TEST(LostCasters, BackCullingLosesOnlyAFloorSeenFromBelow) {
+    EXPECT_TRUE(lost_casters_of(floor_and_box(), with_cull(Cull::Back)).empty());
     const auto turned = glm::rotate(glm::dmat4(1), 180 * kDegree, {1, 0, 0});
-    ASSERT_EQ(lost(floor_and_box(turned), with_cull(Cull::Back)).size(), 1u);
+    ASSERT_EQ(lost_casters_of(floor_and_box(turned), with_cull(Cull::Back)).size(), 1u);
 }
 
 TEST(LostCasters, MirroringAndUnevenScaleChangeNothing) {
     const auto mirrored = glm::scale(glm::dmat4(1), {-3, 0.2, 5});
-    const auto list = lost(floor_and_box(mirrored, mirrored), with_cull(Cull::Front));
+    const auto list = lost_casters_of(floor_and_box(mirrored, mirrored), with_cull(Cull::Front));
     ASSERT_EQ(list.size(), 1u);
     EXPECT_EQ(list[0].object, 0);
 }
 
-TEST(LostCasters, SpotLightsJudgeFromTheirPlace) {
+TEST(LostCasters, SpotLightsUseTheirPosition) {
     Settings s = with_cull(Cull::Back);
     s.lights[0].type = LightType::Spot;
     s.lights[0].elevation = 60;
-    EXPECT_TRUE(lost(floor_and_box(), s).empty());
+    EXPECT_TRUE(lost_casters_of(floor_and_box(), s).empty());
     s.lights[0].elevation = -60;  // below the floor
-    const auto list = lost(floor_and_box(), s);
+    const auto list = lost_casters_of(floor_and_box(), s);
     ASSERT_EQ(list.size(), 1u);
     EXPECT_EQ(list[0].object, 0);
 }
 
-TEST(LostCasters, AnObjectsOwnCullingAndCastingCount) {
+TEST(LostCasters, ObjectOverridesCount) {
     Settings s = with_cull(Cull::Front);
     s.objects["Floor"].cull = ObjectCull::None;
-    EXPECT_TRUE(lost(floor_and_box(), s).empty());
+    EXPECT_TRUE(lost_casters_of(floor_and_box(), s).empty());
     s.objects["Floor"] = {.cast = false};
-    EXPECT_TRUE(lost(floor_and_box(), s).empty());
+    EXPECT_TRUE(lost_casters_of(floor_and_box(), s).empty());
     Settings own = with_cull(Cull::None);
     own.objects["Floor"].cull = ObjectCull::Front;
-    EXPECT_EQ(lost(floor_and_box(), own).size(), 1u);
+    EXPECT_EQ(lost_casters_of(floor_and_box(), own).size(), 1u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a fit chose, written out by hand, gives the same maps.
+// Tests of manual lights: the numbers of a fit, set by hand, give the same maps.
 #include "renderer/view/fits/manual_light.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 namespace si {
 namespace {
 
-/// Largest difference of the two views' clip space positions over the corners of the second one's map, in units of the
-/// map's size and depth range.
-double apart(const LightView& a, const LightView& b) {
+/// Returns the largest difference of the two views' clip space positions over the corners of the second one's map, as a
+/// share of the map's size and depth range.
+double clip_space_difference(const LightView& a, const LightView& b) {
     double most = 0;
     for (int i = 0; i < 8; ++i) {
         const double z = i & 4 ? b.curve.far : b.curve.near, half = b.half_width * (b.curve.perspective ? z : 1.0);
@@ -47,7 +47,7 @@ std::vector<Settings> lights_to_try() {
                         all.push_back(s);
                         l.fit = LightFit::Scene;
                         all.push_back(s);
-                        l.fit = LightFit::Manual;  // zeros are the fit's values
+                        l.fit = LightFit::Manual;  // zeros select the fit's values
                         all.push_back(s);
                         l.near = 0.25;
                         all.push_back(s);
@@ -55,7 +55,7 @@ std::vector<Settings> lights_to_try() {
     return all;
 }
 
-TEST(ManualLight, KeepsEveryMapWhereItIs) {
+TEST(ManualLight, GivesTheMapsOfTheFit) {
     std::vector<Scene> scenes;
     scenes.push_back(load_scene("stage"));
     scenes.push_back(test::box_scene({{{-4, 0, -1}, {9, 3, 5}}, {{20, 0, 0}, {21, 9, 1}}}, {1e4, 0, -300}));
@@ -73,7 +73,7 @@ TEST(ManualLight, KeepsEveryMapWhereItIs) {
             const FittedLight after = fit_lights(scene, by_hand)[0];
             ASSERT_EQ(after.views.size(), before.views.size());
             for (std::size_t i = 0; i < after.views.size(); ++i)
-                EXPECT_LT(apart(after.views[i], before.views[i]), 1e-9)
+                EXPECT_LT(clip_space_difference(after.views[i], before.views[i]), 1e-9)
                     << "type " << index_of(l.type) << " projection " << index_of(l.projection) << " cone " << l.cone
                     << " distance " << automatic.lights[0].distance << " elevation " << l.elevation;
             EXPECT_EQ(manual_light(l, after), l) << "a light by hand stays as it is";

@@ -1,4 +1,4 @@
-// What a map cannot resolve is told with its light: steps of depth and texels against closed forms.
+// Tests of a map's limits: steps of depth and texels, compared with closed forms.
 #include "renderer/view/fits/map_limits.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-/// A box 4 m wide, 2 m high and 6 m deep, away from the origin.
+/// Makes a box 4 m wide, 2 m high and 6 m deep, away from the origin.
 Scene box() {
     return test::box_scene({{{100, 50, -30}, {104, 52, -24}}});
 }
@@ -21,7 +21,7 @@ FittedLight fitted(const std::vector<std::pair<const char*, const char*>>& sets)
     return fit_lights(box(), s)[0];
 }
 
-bool tells(const FittedLight& light, const char* what) {
+bool reports(const FittedLight& light, const char* what) {
     return std::any_of(light.notes.begin(), light.notes.end(),
                        [&](const std::string& n) { return n.find(what) != std::string::npos; });
 }
@@ -37,8 +37,8 @@ TEST(MapLimits, OrdinaryMapsHaveNone) {
             }
 }
 
-TEST(MapLimits, AllDepthInOneStepOfTheFormat) {
-    // From overhead the box is 2 m deep. 16 bits over 0 ... far step by far / 65535.
+TEST(MapLimits, DepthRangeInOneStepIsReported) {
+    // A light from overhead sees a depth of 2 m. 16 bits over 0 ... far step by far / 65535.
     const auto overhead = [](const char* format, const char* far, const char* reversed = "false") {
         return fitted({{"light.elevation", "90"},
                        {"light.azimuth", "0"},
@@ -53,7 +53,7 @@ TEST(MapLimits, AllDepthInOneStepOfTheFormat) {
     EXPECT_TRUE(coarse.limits.one_depth_step);
     EXPECT_NEAR(coarse.limits.step_m, 140000 / 65535.0, 1e-3);
     EXPECT_NEAR(coarse.limits.depth_m, 2, 1e-9);
-    EXPECT_TRUE(tells(coarse, "one step of map.format (2.14 m)"));
+    EXPECT_TRUE(reports(coarse, "one step of map.format (2.14 m)"));
     EXPECT_FALSE(overhead("d16", "120000").limits.one_depth_step) << "a step is 1.83 m";
     EXPECT_FALSE(overhead("d24", "140000").limits.any()) << "256 times finer";
     EXPECT_TRUE(overhead("d24", "40000000").limits.one_depth_step);
@@ -62,7 +62,7 @@ TEST(MapLimits, AllDepthInOneStepOfTheFormat) {
     EXPECT_TRUE(overhead("d32f", "100000000", "true").limits.one_depth_step) << "reversed, the scene lies near 1";
 }
 
-TEST(MapLimits, PerspectiveDepthsCrowdAtTheFarPlane) {
+TEST(MapLimits, PerspectiveDepthNearTheFarPlaneIsReported) {
     // d = far (z - near) / (z (far - near)): between z and z + 2 it moves by about 2 near / z^2.
     const auto spot = [](const char* near, const char* format) {
         return fitted({{"light.type", "spot"},
@@ -77,11 +77,11 @@ TEST(MapLimits, PerspectiveDepthsCrowdAtTheFarPlane) {
     EXPECT_FALSE(spot("10", "d16").limits.any());
     const FittedLight crowded = spot("0.01", "d16");
     EXPECT_TRUE(crowded.limits.one_depth_step) << "2e-6 against a step of 1.5e-5";
-    EXPECT_TRUE(tells(crowded, "no bias separates casters from receivers"));
+    EXPECT_TRUE(reports(crowded, "no bias separates casters from receivers"));
     EXPECT_FALSE(spot("0.1", "d16").limits.any()) << "2e-5 against 1.5e-5";
 }
 
-TEST(MapLimits, ATexelLargerThanTheScene) {
+TEST(MapLimits, TexelLargerThanTheSceneIsReported) {
     const auto light = [](const char* resolution, const char* extent) {
         return fitted({{"light.elevation", "90"},
                        {"light.azimuth", "0"},
@@ -93,12 +93,12 @@ TEST(MapLimits, ATexelLargerThanTheScene) {
     EXPECT_TRUE(coarse.limits.one_texel);
     EXPECT_DOUBLE_EQ(coarse.limits.texel_m, 10);
     EXPECT_NEAR(coarse.limits.across_m, 6, 1e-9);
-    EXPECT_TRUE(tells(coarse, "one texel (10 m) is larger than the scene (6 m across)"));
+    EXPECT_TRUE(reports(coarse, "one texel (10 m) is larger than the scene (6 m across)"));
     EXPECT_FALSE(light("128", "320").limits.one_texel) << "5 m";
     EXPECT_TRUE(fitted({{"map.resolution", "1"}}).limits.one_texel);
 }
 
-TEST(MapLimits, AFlatSceneHasNoDepthToResolve) {
+TEST(MapLimits, FlatSceneHasNoDepthLimit) {
     Settings s;
     s.lights[0].elevation = 90;
     s.lights[0].azimuth = 0;
@@ -106,7 +106,7 @@ TEST(MapLimits, AFlatSceneHasNoDepthToResolve) {
     EXPECT_FALSE(light.limits.one_depth_step);
 }
 
-TEST(MapLimits, OnlyOfLightsWithAMap) {
+TEST(MapLimits, OnlyLightsWithAMapHaveSome) {
     EXPECT_TRUE(fitted({{"map.resolution", "1"}, {"light.cast", "false"}}).notes.empty());
 }
 

@@ -1,4 +1,4 @@
-// What savings are worth: paired differences of frames in turns, by a clock that is made up.
+// Tests of measured savings: paired differences of alternating frames, by a made-up clock.
 #include <gtest/gtest.h>
 
 #include "renderer/measure/optimisation_times.h"
@@ -9,8 +9,8 @@ namespace {
 constexpr Optimisation kOptimisation = Optimisation::DeadPasses;
 const std::vector<Optimisation> kOne = {kOptimisation};
 
-TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
-    double drift = 0;  // of a machine that gets slower, three times what is saved in each frame
+TEST(MeasuredSaving, IsTheDifferenceUnderChangingLoad) {
+    double drift = 0;  // drift of a machine that slows down, three times the saving in each frame
     const auto saved = time_optimisations_alternating(kOne, 16, [&](OptimisationSet forced) {
         drift += 3;
         return 100 + drift + (forced.contains(kOptimisation) ? 5 : 0);
@@ -22,7 +22,7 @@ TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
     EXPECT_EQ(saved[0].ms.samples, 16);
 }
 
-TEST(Saved, MayBeNegativeAndItsIntervalHoldsTheMedian) {
+TEST(MeasuredSaving, MayBeNegativeAndItsIntervalHoldsTheMedian) {
     int frame = 0;
     const auto saved = time_optimisations_alternating(kOne, 20, [&](OptimisationSet forced) {
         return 10 + 0.1 * (++frame % 7) - (forced.contains(kOptimisation) ? 4.0 : 0.0);
@@ -35,7 +35,7 @@ TEST(Saved, MayBeNegativeAndItsIntervalHoldsTheMedian) {
     EXPECT_LT(ms.median_high, 0) << "the interval is not cut off at nothing";
 }
 
-TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
+TEST(MeasuredSaving, DrawsTheAnnouncedFramesAndReportsProgress) {
     int plain = 0, forced = 0;
     double share = 0;
     time_optimisations_alternating(
@@ -53,7 +53,7 @@ TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
     EXPECT_EQ(share, 1);
 }
 
-TEST(Saved, AnEffectIsWorthItsSavingOrThePassThatWasReused) {
+TEST(MeasuredSaving, OfAnEffectCountsItsOptimisationOrItsCachedPass) {
     SavedTimes times;
     times.optimisations.push_back({kOptimisation, {.median = 2}});
     PassTime pass;

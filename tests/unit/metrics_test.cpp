@@ -1,4 +1,4 @@
-// Error metrics over pictures made by hand, and the distances that they rest on.
+// Tests of error metrics over pictures made by hand, and of their distances.
 #include "renderer/reference/metrics.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// A truth from rows of characters: '.' lit, '#' dark, '+' half lit, ' ' background, 'o' turned away.
+/// Makes a reference from rows of characters: '.' lit, '#' dark, '+' half lit, ' ' background, 'o' turned away.
 Reference reference_of(const std::vector<std::string>& rows) {
     Reference t;
     t.width = int(rows[0].size());
@@ -35,7 +35,7 @@ Reference reference_of(const std::vector<std::string>& rows) {
     return t;
 }
 
-/// What a frame shows by the same characters; every wrong pixel has the cause.
+/// Makes a frame's visibility from the same characters; every wrong pixel has the cause.
 std::vector<ClassifiedPixel> classified_of(const std::vector<std::string>& rows, const Reference& reference,
                                            Artefact cause = Artefact::EdgeAliasing) {
     const Reference drawn = reference_of(rows);
@@ -50,7 +50,7 @@ std::vector<ClassifiedPixel> classified_of(const std::vector<std::string>& rows,
     return out;
 }
 
-TEST(DistanceTransform, IsTheNearestOfAll) {
+TEST(DistanceTransform, IsTheDistanceToTheNearestPixel) {
     Random random(4);
     for (const auto& [w, h] : {std::pair{1, 1}, {7, 1}, {1, 9}, {23, 17}}) {
         std::vector<std::uint8_t> set(std::size_t(w * h));
@@ -67,7 +67,7 @@ TEST(DistanceTransform, IsTheNearestOfAll) {
     }
 }
 
-TEST(Metrics, OfEqualPicturesAreZero) {
+TEST(Metrics, AreZeroForEqualPictures) {
     const std::vector<std::string> rows = {"..##", "..##", "o.. "};
     const Reference reference = reference_of(rows);
     const ErrorMetrics m = error_metrics(classified_of(rows, reference), reference);
@@ -81,7 +81,7 @@ TEST(Metrics, OfEqualPicturesAreZero) {
     EXPECT_EQ(m.artefacts[0], 12u);
 }
 
-TEST(Metrics, AreTheSumsOfTheirCauses) {
+TEST(Metrics, AreSumsOverTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
     const Reference reference = reference_of({"......................######################"});
     std::vector<ClassifiedPixel> classified =
@@ -106,7 +106,7 @@ TEST(Metrics, AreTheSumsOfTheirCauses) {
                                                      m.artefacts[std::size_t(Artefact::PeterPanningRaster)]));
 }
 
-TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
+TEST(Metrics, CountNoErrorWithinTheNoiseOfTheReference) {
     Reference reference = reference_of({"++++++"});
     reference.point_visibility = reference.visibility;
     reference.visibility.data = {0.55f, 0.55f, 0.55f, 0.55f, 0.45f, 1.f};
@@ -131,7 +131,7 @@ TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
     EXPECT_NEAR(m.mae, (0.1 * 3 + 0.55 + 0.1 + 0.1) / 6, 1e-6);
 }
 
-TEST(Metrics, MeasureHowFarContoursAreApart) {
+TEST(Metrics, MeasureContourDistance) {
     const std::vector<std::string> rows(8, "....########");
     const std::vector<std::string> moved(8, "......######");
     const ErrorMetrics m = error_metrics(classified_of(moved, reference_of(rows)), reference_of(rows));
@@ -141,14 +141,14 @@ TEST(Metrics, MeasureHowFarContoursAreApart) {
     const ErrorMetrics none = error_metrics(
         classified_of(std::vector<std::string>(8, "............"), reference_of(rows)), reference_of(rows));
     EXPECT_TRUE(std::isnan(none.boundary_px_mean));
-    // Every fourth pixel of a picture: the same contours are four times as far apart in it.
+    // Every fourth pixel of a picture: contour distances are four times as large.
     Reference coarse = reference_of(rows);
     coarse.step = 4;
     const ErrorMetrics far = error_metrics(classified_of(moved, coarse), coarse);
     EXPECT_DOUBLE_EQ(far.boundary_px_mean, 6);
     EXPECT_EQ(far.boundary_px_max, 8);
     EXPECT_EQ(far.boundary_px_p95, 8);
-    // Where two surfaces meet in the picture there is no contour.
+    // Borders between two surfaces of the picture are no contours.
     std::vector<std::uint8_t> joins(96, 3);
     for (std::size_t y = 0; y < 8; ++y) joins[y * 12 + 3] = 2;
     EXPECT_TRUE(std::isnan(
@@ -156,7 +156,7 @@ TEST(Metrics, MeasureHowFarContoursAreApart) {
     EXPECT_THROW(error_metrics({}, reference_of(rows)), Error);
 }
 
-TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
+TEST(MetricRows, DefineEachNumberOnce) {
     std::set<std::string_view> keys, labels;
     for (const Metric& m : metrics()) {
         EXPECT_TRUE(keys.insert(m.key).second) << m.key;
@@ -172,8 +172,8 @@ TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
     EXPECT_EQ(find_metric("prettiness"), nullptr);
 }
 
-TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
-    // One pixel of each cause on the side that it can have, 2^k of them: sums tell which were counted.
+TEST(MetricRows, CountEveryWrongPixelOnce) {
+    // Each cause has 2^k pixels on each possible side: sums identify the counted causes.
     Reference reference;
     reference.state.assign(1 << 16, PixelState::Counted);
     reference.pixels[0] = reference.state.size();
@@ -216,7 +216,7 @@ TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
     EXPECT_EQ(double(m.artefacts[0]), n - all_dark - all_bright);
 }
 
-TEST(MetricRows, TellWhichOfTwoValuesIsBetter) {
+TEST(MetricRows, OrderTwoValues) {
     EXPECT_EQ(distance_from_best(find_metric("mae")->better, 0.25), 0.25);
     EXPECT_EQ(distance_from_best(find_metric("signed_mean")->better, -0.25), 0.25);
     EXPECT_EQ(distance_from_best(find_metric("iou")->better, 0.75), 0.25);

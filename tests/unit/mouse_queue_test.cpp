@@ -1,4 +1,4 @@
-// The mouse as frames are shown it, however long they take.
+// Tests of the mouse queue: mouse events in frames of any duration.
 #include "app/context/mouse_queue.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// Every step until nothing waits.
+/// Returns every step until the queue is empty.
 std::vector<MouseQueue::Step> steps_of(MouseQueue& mouse) {
     std::vector<MouseQueue::Step> steps;
     while (!mouse.empty()) steps.push_back(mouse.next());
@@ -21,11 +21,11 @@ int presses(const std::vector<MouseQueue::Step>& steps) {
     return n;
 }
 
-TEST(MouseQueue, ADoubleClickDuringASlowFrameIsOne) {
+TEST(MouseQueue, DoubleClickDuringASlowFrameIsRecognised) {
     MouseQueue mouse;
     mouse.move({10, 20});
     mouse.next();
-    // A frame took from 1.0 to 1.7 s, and all of this is told of after it.
+    // A frame took from 1.0 to 1.7 s, and all events are queued after it.
     for (int click = 0; click < 2; ++click) {
         mouse.button(0, true, 0, {1.0, 1.7});
         mouse.button(0, false, 0, {1.0, 1.7});
@@ -38,7 +38,7 @@ TEST(MouseQueue, ADoubleClickDuringASlowFrameIsOne) {
     EXPECT_FALSE(steps[3].down[0]);
 }
 
-TEST(MouseQueue, ASlowFrameBetweenThePressesDoesNotTearThemApart) {
+TEST(MouseQueue, SlowFrameBetweenPressesKeepsTheDoubleClick) {
     MouseQueue mouse;
     mouse.move({10, 20});
     mouse.next();
@@ -50,7 +50,7 @@ TEST(MouseQueue, ASlowFrameBetweenThePressesDoesNotTearThemApart) {
     EXPECT_TRUE(mouse.next().doubles);
 }
 
-TEST(MouseQueue, TwoSlowClicksAreNoDoubleClickInSlowFrames) {
+TEST(MouseQueue, TwoSlowClicksAreNoDoubleClick) {
     MouseQueue mouse;
     mouse.move({10, 20});
     mouse.next();
@@ -63,7 +63,7 @@ TEST(MouseQueue, TwoSlowClicksAreNoDoubleClickInSlowFrames) {
     EXPECT_FALSE(mouse.next().doubles) << "another button";
 }
 
-TEST(MouseQueue, EachPressIsWhereTheMouseWasThen) {
+TEST(MouseQueue, EachPressHasItsOwnPosition) {
     MouseQueue mouse;
     mouse.move({10, 10});
     mouse.button(0, true, 2, {1, 1});
@@ -85,7 +85,7 @@ TEST(MouseQueue, EachPressIsWhereTheMouseWasThen) {
     EXPECT_FALSE(after.mods);
 }
 
-TEST(MouseQueue, OutsideOfTheWindowNobodyKnowsWhereItIs) {
+TEST(MouseQueue, PositionOutsideTheWindowIsUnknown) {
     MouseQueue mouse;
     EXPECT_FALSE(mouse.next().at);
     mouse.move({5, 5});

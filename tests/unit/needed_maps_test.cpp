@@ -1,4 +1,4 @@
-// Which parts of maps a camera calls for: no point that it sees may be looked up beside them.
+// Tests of needed map parts: every look-up of a visible point is inside them.
 #include "renderer/view/culling/needed_maps.h"
 
 #include <gtest/gtest.h>
@@ -56,8 +56,8 @@ TEST(Clusters, HoldEveryTriangle) {
     EXPECT_GT(build_clusters(*large).size(), 500u);
 }
 
-// Whatever side a cluster is said to show, each of its triangles does, at each of its corners.
-TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
+// Each triangle of a cluster shows the cluster's side at each corner.
+TEST(Clusters, FaceOneSideOnlyIfEachTriangleDoes) {
     Random random(7);
     int fronts = 0, backs = 0, either = 0;
     for (const char* name : {"landscape", "figures", "teapot", "stage", "boxes"}) {
@@ -80,7 +80,7 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
                     Bounds box;
                     for (const glm::dvec3& p : {a, b, d, c.box.lo, c.box.hi}) box.add(p);
                     const glm::dvec3 n = glm::normalize(glm::cross(b - a, d - a));
-                    // Only those that the cluster may hold.
+                    // Directions that the cluster may hold.
                     if (box.lo != c.box.lo || box.hi != c.box.hi || glm::dot(n, c.axis) < std::cos(c.spread)) continue;
                     for (const glm::dvec3& p : {a, b, d}) {
                         const double at = glm::dot(n, parallel ? way : there - p);
@@ -94,7 +94,7 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
     EXPECT_GT(backs, 30);
     EXPECT_GT(either, 10);
     EXPECT_EQ(visible_side({}, {0, 1, 0, 0}), VisibleSide::Either);
-    // A floor is seen from one side wherever one stands over it, also near its middle.
+    // A floor shows one side to every point above it, also near its middle.
     Mesh plane = make_plane(40, 40);
     for (const auto& p : plane.positions) plane.bounds.add(p);
     const std::vector<Cluster> floor = build_clusters(plane);
@@ -104,7 +104,7 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
     EXPECT_EQ(visible_side(floor[0], {1, 0.1, 3, 1}), VisibleSide::Either) << "its far corners are seen nearly edge-on";
 }
 
-TEST(MapCells, MeetWhatTheyHold) {
+TEST(MapCells, IntersectTheirContents) {
     MapCells r;
     EXPECT_TRUE(r.empty());
     r.add({{1.2, 0.2}, {1.3, 0.3}}, false);
@@ -127,7 +127,7 @@ TEST(MapCells, MeetWhatTheyHold) {
 struct Kind {
     const char* name;
     Sets sets;
-    bool whole = false;  ///< or nothing of each map
+    bool whole = false;  ///< whole maps; otherwise nothing of each map
 };
 
 const Kind kKinds[] = {
@@ -148,7 +148,7 @@ const Kind kKinds[] = {
     {"warped", {{"light.fit", "lispsm"}}, true},
 };
 
-/// As shaders find it: the side that the camera sees does not face the light.
+/// Returns whether shaders treat the side towards the camera as facing away from the light.
 bool is_turned_away(const Object& object, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                     const glm::dvec3& at_ws, const Camera& camera, const FittedLight& light) {
     const glm::dmat3 m(object.world);
@@ -158,8 +158,8 @@ bool is_turned_away(const Object& object, const glm::dvec3& a, const glm::dvec3&
     return glm::dot(n, to_eye) * glm::dot(n, to_light) < 0;
 }
 
-/// Boxes among balls that are large enough to be seen in clusters, one of them mirrored and skewed.
-/// @param alone without the boxes
+/// Makes boxes among balls that are large enough for clusters, one mirrored and skewed.
+/// @param alone leaves out the boxes
 Scene boxes_and_balls(bool alone) {
     Scene scene = load_scene("boxes");
     if (alone) scene.objects.clear();
@@ -170,8 +170,8 @@ Scene boxes_and_balls(bool alone) {
     return scene;
 }
 
-// Points of triangles that the camera sees, looked up as choose_view() has it, lie within what is called for.
-TEST(NeededMaps, HoldAllThatIsSeen) {
+// Look-ups of visible triangle points, as set up by choose_view(), are inside the needed cells.
+TEST(NeededMaps, HoldAllVisibleReceivers) {
     const Scene scenes[] = {boxes_and_balls(false), boxes_and_balls(true)};
     const std::vector<std::vector<Cluster>> of_scenes[] = {all_clusters(scenes[0]), all_clusters(scenes[1])};
     Random random(3);
@@ -200,9 +200,9 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                                   .normal_texels = 4,
                                   .wrap = s.map.wrap,
                                   .only_lit_points = only_lit_points};
-            const NeededMaps called = needed_maps(light, seen, area);
-            ASSERT_EQ(called.views.size(), light.views.size());
-            for (const MapCells& r : called.views) {
+            const NeededMaps needed = needed_maps(light, seen, area);
+            ASSERT_EQ(needed.views.size(), light.views.size());
+            for (const MapCells& r : needed.views) {
                 ++views;
                 unread += !r.is_whole();
             }
@@ -230,7 +230,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                             const LightView& view = light.views[v];
                             const glm::dvec4 h = (uvd_from_clip(view.curve.convention) * view.clip_from_relative(p))[3];
                             if (!(h.w > 0)) continue;
-                            // In its cone alone does a spot light bring anything.
+                            // A spot light lights only its cone.
                             if (only_lit_points && light.type == LightType::Spot &&
                                 glm::dot(glm::normalize(light.position - p), light.to_light) < light.cos_cone_outer)
                                 continue;
@@ -241,7 +241,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                                 const glm::dvec2 held =
                                     repeats ? glm::fract(uv) : glm::clamp(uv, glm::dvec2(0), glm::dvec2(1));
                                 if (uv != held && ((!clamps && !repeats) || light.is_cascaded())) continue;
-                                ASSERT_TRUE(called.views[v].overlaps({held, held}))
+                                ASSERT_TRUE(needed.views[v].overlaps({held, held}))
                                     << kind.name << ", round " << round << ", view " << v << ", at " << uv.x << ", "
                                     << uv.y;
                             }
@@ -256,14 +256,14 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
     }
 }
 
-TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
+TEST(NeededMaps, SkipBackFacingReceivers) {
     Scene scene;
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(1, 200, 100), -1));
     finalise(scene);
     const auto clusters = all_clusters(scene);
     Settings s = settings_of({{"camera.source", "manual"}, {"camera.elevation", "0"}, {"camera.distance", "9"}});
     s.lights[0].elevation = 0;
-    int called[2];
+    int needed[2];
     for (const bool against : {false, true}) {
         s.camera.azimuth = 40;
         s.lights[0].azimuth = against ? 220 : 40;
@@ -271,16 +271,16 @@ TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
         const VisibleBodies seen = find_visible_bodies(
             scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
         const NeededMaps maps = needed_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
-        int& cells = called[against] = 0;
+        int& cells = needed[against] = 0;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x)
                 cells += maps.views[0].overlaps({{(x + 0.4) / 64, (y + 0.4) / 64}, {(x + 0.6) / 64, (y + 0.6) / 64}});
     }
-    EXPECT_GT(called[false], 1500) << "a disc that nearly fills the map";
-    EXPECT_LT(called[true], called[false] / 2) << "its rim, where clusters may show either side";
+    EXPECT_GT(needed[false], 1500) << "a disc that nearly fills the map";
+    EXPECT_LT(needed[true], needed[false] / 2) << "its rim, where clusters may show either side";
 }
 
-TEST(NeededMaps, SayWhyNothingOfThemIs) {
+TEST(NeededMaps, GiveTheReasonIfNoneIsNeeded) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_of({{"light.intensity", "0"}});
     const Camera camera = make_camera(scene, s, 1.5);

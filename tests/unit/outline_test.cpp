@@ -1,4 +1,4 @@
-// What lies outermost of a scene.
+// Tests of the outermost points of a scene.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ double farthest(const std::vector<glm::dvec3>& points, const glm::dvec3& along) 
     return far;
 }
 
-/// All vertices of a scene's triangles where they are, but for those of objects named otherwise.
+/// Returns all vertices of a scene's triangles in world space, except those of the named objects.
 std::vector<glm::dvec3> vertices(const Scene& scene, std::string_view named = {}) {
     std::vector<glm::dvec3> out;
     for (const Object& o : scene.objects) {
@@ -31,7 +31,7 @@ std::vector<glm::dvec3> vertices(const Scene& scene, std::string_view named = {}
     return out;
 }
 
-/// Sixty small spheres and a few large bodies, wide and low.
+/// Makes sixty small spheres and a few large bodies, wide and low.
 Scene bodies() {
     Scene scene;
     const int grey = add_material(scene, "grey", {1, 1, 1});
@@ -45,7 +45,7 @@ Scene bodies() {
     return scene;
 }
 
-TEST(Outline, ComesNearTheHullOfAllVerticesInEveryDirection) {
+TEST(Outline, ApproximatesTheHullInEveryDirection) {
     const Scene scene = bodies();
     const std::vector<glm::dvec3> found = extreme_points(scene), all = vertices(scene);
     EXPECT_LE(found.size(), 64u);
@@ -66,7 +66,7 @@ TEST(Outline, ComesNearTheHullOfAllVerticesInEveryDirection) {
     }
 }
 
-TEST(Outline, IsBeforeThePlacementAndOfUsedVerticesAlone) {
+TEST(Outline, UsesOnlyReferencedVerticesBeforePlacement) {
     Scene scene = bodies();
     const std::vector<glm::dvec3> before = extreme_points(scene);
     place(scene, moved(1000, -5, 3) * turned(70) * scaled(2, 2, 2));
@@ -90,20 +90,20 @@ TEST(Outline, IsBeforeThePlacementAndOfUsedVerticesAlone) {
     EXPECT_TRUE(extreme_points(Scene()).empty());
 }
 
-TEST(Outline, LeavesOutTheFloorButNotWhatIsHidden) {
+TEST(Outline, LeavesOutTheFloorButNotHiddenObjects) {
     Scene scene = test::box_scene({{{-0.5, 0, -0.5}, {0.5, 2, 0.5}}, {{-20, -0.01, -20}, {20, 0, 20}}});
     EXPECT_NEAR(farthest(extreme_points(scene), {1, 0, 0}), 0.5, 1e-9);
     hide_objects(scene, {scene.nodes[std::size_t(scene.objects[0].node)].path});
     EXPECT_NEAR(farthest(extreme_points(scene), {1, 0, 0}), 0.5, 1e-9);
     const Scene floor = test::box_scene({{{-20, -0.01, -20}, {20, 0, 20}}});
     EXPECT_NEAR(farthest(extreme_points(floor), {1, 0, 0}), 20, 1e-9) << "where there is nothing else";
-    scene.meshes[std::size_t(all_objects(scene)[0]->mesh)].bounds = {};  // as of a pose that leaves no triangles
+    scene.meshes[std::size_t(all_objects(scene)[0]->mesh)].bounds = {};  // a pose that leaves no triangles
     refresh(scene);
     EXPECT_EQ(scene.bounds_without_floor.hi.x, 20);
 }
 
-// A sphere's box is half as wide again as it is.
-TEST(Outline, LetsAFilesPictureBeFilled) {
+// A sphere's box is one and a half times as wide as the sphere.
+TEST(Outline, FillsThePictureOfAFile) {
     Scene scene;
     add_object(scene, "sphere", -1, add_mesh(scene, "sphere", make_sphere(1), add_material(scene, "grey", {1, 1, 1})),
                moved(5, 1, 5));

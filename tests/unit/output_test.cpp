@@ -1,4 +1,4 @@
-// Files that the program writes: whole or not at all, whatever stands in their place.
+// Tests of written files: complete or absent, whatever is in their place.
 #include "app/base/output.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ std::size_t files_in(const fs::path& folder) {
     return std::size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
-TEST(OutputFiles, KeepTheModeOfWhatTheyReplace) {
+TEST(OutputFiles, KeepTheModeOfTheReplacedFile) {
     const fs::path folder = fresh_test_folder();
     for (const mode_t mode : {mode_t(0600), mode_t(0640), mode_t(0755)}) {
         std::ofstream(folder / "a.json") << "old";
@@ -68,10 +68,10 @@ TEST(OutputFiles, ReadOnlyOnesAreRefused) {
     EXPECT_EQ(files_in(folder), 1u);
 }
 
-TEST(OutputFiles, TemporariesCanNeitherBeForeseenNorLed) {
+TEST(OutputFiles, TemporariesAreUnpredictableAndFollowNoLinks) {
     const fs::path folder = fresh_test_folder(), mine = folder / "mine.txt";
     std::ofstream(mine) << "mine";
-    // What a foreseeable name would be, as a link to another file.
+    // A link to another file under a predictable temporary name.
     for (int i = 0; i < 50; ++i)
         fs::create_symlink("mine.txt",
                            folder / ("a.json." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp"));
@@ -81,7 +81,7 @@ TEST(OutputFiles, TemporariesCanNeitherBeForeseenNorLed) {
     EXPECT_EQ(files_in(folder), before + 1);
 }
 
-TEST(OutputFiles, NamesMayBeAsLongAsTheSystemTakesThem) {
+TEST(OutputFiles, NamesMayHaveTheMaximumLength) {
     const fs::path folder = fresh_test_folder();
     const fs::path longest = folder / (std::string(250, 'n') + ".json"),
                    beyond = folder / (std::string(251, 'n') + ".json");
@@ -90,7 +90,7 @@ TEST(OutputFiles, NamesMayBeAsLongAsTheSystemTakesThem) {
     EXPECT_NE(refusal_of([&] { require_writable(beyond); }).find("name too long"), std::string::npos);
 }
 
-TEST(OutputFiles, LinksThatLeadNowhereAreRefused) {
+TEST(OutputFiles, DanglingLinksAreRefused) {
     const fs::path folder = fresh_test_folder();
     fs::create_symlink("gone.json", folder / "dangling.json");
     fs::create_symlink("b.json", folder / "a.json");
@@ -110,7 +110,7 @@ TEST(OutputFiles, LinksThatLeadNowhereAreRefused) {
     EXPECT_EQ(file_bytes(folder / "real.json"), "new");
 }
 
-TEST(OutputFiles, TwoOfOneNameAreRefused) {
+TEST(OutputFiles, TwoFilesOfOneNameAreRefused) {
     const fs::path folder = fresh_test_folder();
     fs::create_directory(folder / "d");
     std::ofstream(folder / "a.png") << "old";
@@ -127,14 +127,14 @@ TEST(OutputFiles, TwoOfOneNameAreRefused) {
 }
 
 // SI_KILLS=200 for a thorough run.
-TEST(OutputFiles, AKillAtAnyMomentLeavesTheOldOrTheNewOne) {
+TEST(OutputFiles, KillAtAnyTimeLeavesTheOldOrTheNewFile) {
     const fs::path folder = fresh_test_folder(), file = folder / "a.bin";
     const std::string one(3'000'001, '1'), two(2'000'003, '2');
     const int kills = int(test::environment_number("SI_KILLS", 20));
     std::mt19937 random(1);
     for (int i = 0; i < kills; ++i) {
         write_file(file, one);
-        int written[2];  // a byte once the first new one is whole
+        int written[2];  // a byte after the first complete new file
         ASSERT_EQ(::pipe(written), 0);
         const pid_t child = ::fork();
         ASSERT_GE(child, 0);
@@ -146,7 +146,7 @@ TEST(OutputFiles, AKillAtAnyMomentLeavesTheOldOrTheNewOne) {
                     ::close(std::exchange(written[1], -1));
             }
         ::close(written[1]);
-        // Every other kill comes among later writes, however slow the machine is, the others at any time.
+        // Every other kill comes during later writes, however slow the machine is, the others at any time.
         char byte = 0;
         if (i % 2 == 0) {
             EXPECT_EQ(::read(written[0], &byte, 1), 1) << "it does not write";

@@ -1,4 +1,4 @@
-// Pages in a pool: what is asked for is found, what is kept is not drawn again, and a full pool leaves no hole.
+// Tests of the page pool: requested pages are found, cached ones are not drawn again, and a full pool leaves no hole.
 #include "renderer/passes/page_cache.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSide = 16;
 
-/// Three levels about one place, each with pages twice as wide.
+/// Makes three levels about one point, each with pages twice as wide.
 std::vector<PageGrid> three_levels(glm::i64vec2 centre) {
     std::vector<PageGrid> grids;
     for (int i = 0; i < 3; ++i) {
@@ -31,17 +31,17 @@ std::vector<PageGrid> three_levels(glm::i64vec2 centre) {
 std::vector<std::uint8_t> random_pages(std::mt19937& engine, double share) {
     std::vector<std::uint8_t> wanted(3 * kSide * kSide);
     std::bernoulli_distribution is(share);
-    // About the middle, where coarser levels hold them.
+    // Pages near the middle, which coarser levels hold.
     for (int layer = 0; layer < 3; ++layer)
         for (int y = 2; y < kSide - 2; ++y)
             for (int x = 2; x < kSide - 2; ++x) wanted[std::size_t((layer * kSide + y) * kSide + x)] = is(engine);
     return wanted;
 }
 
-TEST(PageCache, WhatIsAskedForIsFoundAndNeverAHole) {
+TEST(PageCache, RequestedPagesAreFoundWithoutHoles) {
     std::mt19937 engine(3);
     PageCache cache;
-    // What each place of the pool holds, as whoever draws would leave it.
+    // Content of each place of the pool, as a renderer would leave it.
     std::map<std::pair<int, int>, std::uint64_t> pool;
     std::size_t evicted = 0, coarser = 0, kept = 0;
     for (int frame = 0; frame < 200; ++frame) {
@@ -71,7 +71,7 @@ TEST(PageCache, WhatIsAskedForIsFoundAndNeverAHole) {
                     const PageEntry& e = choice.entry(layer, {x, y});
                     if (!wanted[std::size_t((layer * kSide + y) * kSide + x)]) continue;
                     ASSERT_NE(e.state, shared::PAGE_ABSENT) << "a hole";
-                    // The page that is found holds this one: by numbers of pages from the world's origin.
+                    // The found page is the requested one, by page numbers from the world's origin.
                     const int of = layer + e.coarser;
                     ASSERT_LT(of, 3);
                     const glm::i64 parts = glm::i64(1) << e.coarser;
@@ -86,8 +86,8 @@ TEST(PageCache, WhatIsAskedForIsFoundAndNeverAHole) {
     EXPECT_GT(kept, 100u);
 }
 
-// What is read depends on what is asked for alone, not on what an earlier frame left.
-TEST(PageCache, ChoosesTheSamePagesWhateverItKeeps) {
+// Read pages depend only on the requests, not on the cache of earlier frames.
+TEST(PageCache, PageChoiceIgnoresCachedPages) {
     std::mt19937 engine(5);
     PageCache used;
     for (int frame = 0; frame < 40; ++frame) {
@@ -106,7 +106,7 @@ TEST(PageCache, ChoosesTheSamePagesWhateverItKeeps) {
     }
 }
 
-TEST(PageCache, DrawsWhatChangedAlone) {
+TEST(PageCache, DrawsOnlyChangedPages) {
     PageCache cache;
     std::vector<std::uint8_t> wanted(kSide * kSide, 1);
     int changed = -1;
@@ -118,7 +118,7 @@ TEST(PageCache, DrawsWhatChangedAlone) {
     const PageChoice choice = cache.choose(grids, wanted, kSide, 300, key_of);
     EXPECT_EQ(choice.drawn.size(), 16u);
     for (const std::size_t i : choice.drawn) EXPECT_EQ(choice.read[i].page.x, 3);
-    // One level alone gives no page up: the pool grows past what it was meant to hold.
+    // A single level gives no page up: the pool grows past its intended size.
     EXPECT_EQ(PageCache().choose(grids, wanted, kSide, 8, key_of).read.size(), 256u);
 }
 

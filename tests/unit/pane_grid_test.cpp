@@ -1,4 +1,4 @@
-// The split view's grid, and colour scales fitted to values.
+// Tests of the split view's grid, and of colour scales fitted to values.
 #include "renderer/frame/pane_grid.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ FloatImage values_of(const std::vector<float>& values) {
     return image;
 }
 
-TEST(FittedRange, SpansThePercentilesAndLeavesOutliersOut) {
+TEST(FittedRange, SpansThePercentilesWithoutOutliers) {
     std::vector<float> values;
     for (int i = 0; i <= 1000; ++i) values.push_back(float((i * 3) % 1001));
     values[3] = 1e9f;

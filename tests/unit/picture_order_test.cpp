@@ -1,4 +1,4 @@
-// The order in which a camera draws objects, against orders that a few boxes leave no doubt of, and by chance.
+// Tests of the drawing order of objects, by a few boxes with a known order and by random ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ SkewBox box_at(const glm::dvec3& centre, double half = 1) {
     return box;
 }
 
-TEST(PictureOrder, FindsJustTheBoxesThatTouch) {
+TEST(PictureOrder, FindsExactlyTheTouchingBoxes) {
     Random random(3);
     std::vector<SkewBox> boxes;
     for (int i = 0; i < 200; ++i)
@@ -35,18 +35,18 @@ TEST(PictureOrder, FindsJustTheBoxesThatTouch) {
     EXPECT_EQ(*found, expected);
 }
 
-TEST(PictureOrder, BoxesSideBySideTouchWithinTheRoom) {
+TEST(PictureOrder, AdjacentBoxesTouchWithinTheTolerance) {
     const std::vector<SkewBox> boxes = {box_at({0, 0, 0}), box_at({2.001, 0, 0})};
     EXPECT_TRUE(touching_boxes(boxes, 0)->empty());
     EXPECT_EQ(touching_boxes(boxes, 0.001)->size(), 1u);
 }
 
-TEST(PictureOrder, GivesUpWhereAllTouchAll) {
+TEST(PictureOrder, GivesUpIfAllBoxesTouch) {
     EXPECT_TRUE(touching_boxes(std::vector<SkewBox>(500, box_at({0, 0, 0})), 0));
     EXPECT_FALSE(touching_boxes(std::vector<SkewBox>(3000, box_at({0, 0, 0})), 0));
 }
 
-TEST(PictureOrder, NearestFirstWithinGroupsAndOnlyWhatIsSeen) {
+TEST(PictureOrder, IsNearestFirstWithinGroupsOfVisibleObjects) {
     const std::vector<SortedBox> boxes = {{.far_m = 9, .seen = true},
                                           {.far_m = 3, .seen = true},
                                           {.far_m = 1, .seen = false},
@@ -55,15 +55,15 @@ TEST(PictureOrder, NearestFirstWithinGroupsAndOnlyWhatIsSeen) {
     EXPECT_EQ(sort_front_to_back(boxes, {}), (std::vector<std::uint32_t>{1, 4, 0, 3}));
 }
 
-TEST(PictureOrder, WhatTouchesKeepsItsOrder) {
+TEST(PictureOrder, TouchingObjectsKeepTheirOrder) {
     std::vector<SortedBox> boxes = {{.far_m = 9, .seen = true}, {.far_m = 3, .seen = true}, {.far_m = 5, .seen = true}};
     const std::vector<BoxPair> touching = {{0, 1}};
     EXPECT_EQ(sort_front_to_back(boxes, touching), (std::vector<std::uint32_t>{2, 0, 1}));
-    boxes[0].seen = false;  // nothing waits for what is not drawn
+    boxes[0].seen = false;  // hidden boxes delay nothing
     EXPECT_EQ(sort_front_to_back(boxes, touching), (std::vector<std::uint32_t>{1, 2}));
 }
 
-TEST(PictureOrder, OfManyAllAreDrawnOnceAndPairsInOrder) {
+TEST(PictureOrder, ManyObjectsAreDrawnOnceAndPairsInOrder) {
     Random random(11);
     std::vector<SortedBox> boxes(5000);
     std::size_t seen = 0;

@@ -1,4 +1,4 @@
-// Scenes put elsewhere, and settings that go along.
+// Tests of placed scenes and of settings that move with them.
 #include "renderer/scene/placement.h"
 
 #include <gtest/gtest.h>
@@ -11,12 +11,12 @@
 namespace si {
 namespace {
 
-Session placed(const std::vector<std::string>& sets) {
+Session placed_session(const std::vector<std::string>& sets) {
     return open_session({.scene = "boxes", .sets = sets});
 }
 
-TEST(Placement, MovesAndScalesAllOfAScene) {
-    Scene scene = placed({}).scene;
+TEST(Placement, MovesAndScalesTheWholeScene) {
+    Scene scene = placed_session({}).scene;
     const Bounds home = scene.bounds;
     const std::uint64_t id = scene.id;
     SceneSettings far{.distance = 1e6, .direction = PlacedAlong::X, .scale = 100};
@@ -24,14 +24,14 @@ TEST(Placement, MovesAndScalesAllOfAScene) {
     EXPECT_NE(scene.id, id);
     EXPECT_NEAR(scene.bounds.centre().x, 1e6 + 100 * home.centre().x, 1e-6);
     EXPECT_NEAR(scene.bounds.radius(), 100 * home.radius(), 1e-6);
-    pose_scene(scene, far);  // not once more
+    pose_scene(scene, far);  // a second call does not move the scene again
     EXPECT_NEAR(scene.bounds.radius(), 100 * home.radius(), 1e-6);
     pose_scene(scene, {});
     EXPECT_EQ(scene.bounds.lo, home.lo);
     EXPECT_EQ(scene.bounds.hi, home.hi);
 }
 
-TEST(Placement, TakesCamerasAndLightsOfTheSceneAlong) {
+TEST(Placement, MovesCamerasAndLightsOfTheScene) {
     Scene scene;
     scene.cameras.push_back({.name = "c"});
     scene.lights.push_back({.name = "l"});
@@ -46,13 +46,13 @@ TEST(Placement, TakesCamerasAndLightsOfTheSceneAlong) {
     EXPECT_EQ(scene.cameras[0].world[3], glm::dvec4(1, 2, 3, 1));
 }
 
-// The same picture from there: the camera by hand sees each corner at the same pixel, at any distance and scale.
-TEST(Placement, SettingsGoAlong) {
+// The same picture from the new place: a manual camera sees each corner at the same pixel, at any distance and scale.
+TEST(Placement, MovesSettings) {
     const std::vector<std::string> by_hand = {"camera.source=manual",     "camera.target_x=1", "camera.target_y=0.5",
                                               "camera.target_z=-2",       "camera.distance=9", "bias.unit=metres",
                                               "bias.constant=0.02",       "light.type=spot",   "light.size=0.5",
                                               "filter.radius_unit=texels"};
-    const Session home = placed(by_hand);
+    const Session home = placed_session(by_hand);
     Scene scene = home.scene;
     const Camera before = make_camera(scene, home.settings, 1.5);
     for (const double scale : {1e-3, 1.0, 1e3})
@@ -77,12 +77,12 @@ TEST(Placement, SettingsGoAlong) {
         }
 }
 
-// What a preset or scene says in metres grows along, what --set says is taken as it is.
-TEST(Placement, OfACommandLineCarriesWhatStandsBeforeIt) {
-    const Session s = placed({"scene.scale=10", "light.contact=0.5"});
+// Metres of presets and scenes are scaled; values of --set are not.
+TEST(Placement, ScalesLengthsOfPresetsButNotOfSetArguments) {
+    const Session s = placed_session({"scene.scale=10", "light.contact=0.5"});
     EXPECT_EQ(s.settings.lights[0].contact, 0.5);
     EXPECT_EQ(s.settings.scene.scale, 10);
-    EXPECT_NEAR(s.scene.bounds.radius(), 10 * placed({}).scene.bounds.radius(), 1e-9);
+    EXPECT_NEAR(s.scene.bounds.radius(), 10 * placed_session({}).scene.bounds.radius(), 1e-9);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The plan of a frame: what runs follows from what is wanted, and each decision says why.
+// Tests of the frame plan: passes follow from requested results, and each decision has a reason.
 #include "renderer/frame/plan.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Pass pass_of(std::string name, std::vector<ResultRef> reads, std::vector<ResultR
             .idle_reason = "idle"};
 }
 
-TEST(PlanTest, WhatIsWantedRunsWithAllThatItReads) {
+TEST(PlanTest, RequestedPassesRunWithTheirInputs) {
     const std::vector<Pass> passes = {
         pass_of("maps", {}, {Result::ShadowMaps}),
         pass_of("moments", {Result::ShadowMaps}, {Result::Moments}),
@@ -43,7 +43,7 @@ TEST(PlanTest, WhatIsWantedRunsWithAllThatItReads) {
     EXPECT_EQ(ran({Result::Overlay, Result::Shaded}), (Names{"maps", "moments", "shading", "values 0"}));
 }
 
-TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
+TEST(PlanTest, AidsFollowRunningPassesAndChangeNoKey) {
     std::uint64_t maps_held = 0, aid_held = 0, shading_held = 0;
     const auto plan_with = [&](bool aids) {
         Plan plan;
@@ -76,31 +76,31 @@ TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
     EXPECT_EQ(states(plain), (States{PassState::Cached, PassState::Skipped, PassState::Cached}));
 }
 
-TEST(PlanTest, EachDecisionSaysWhy) {
+TEST(PlanTest, EachDecisionHasAReason) {
     std::uint64_t holds = 7, other = 6;
     std::vector<Pass> passes = {pass_of("held", {}, {Result::Shaded}, &holds),
                                 pass_of("changed", {}, {Result::Visibility}, &other),
                                 pass_of("uncalled", {}, {Result::Moments}), pass_of("unread", {}, {Result::Reference})};
     passes[2].unneeded = "no kernel reads them";
     const std::vector<ResultRef> wanted = {Result::Shaded, Result::Visibility, Result::Moments};
-    const auto told = [&](bool force, bool uncalled) {
+    const auto decisions = [&](bool force, bool skip_unneeded) {
         std::vector<std::pair<PassState, std::string>> out;
-        for (const PassInfo& p : plan_passes(passes, wanted, force, uncalled)) out.emplace_back(p.state, p.reason);
+        for (const PassInfo& p : plan_passes(passes, wanted, force, skip_unneeded)) out.emplace_back(p.state, p.reason);
         return out;
     };
-    using Told = std::vector<std::pair<PassState, std::string>>;
-    EXPECT_EQ(told(false, false), (Told{{PassState::Cached, "its inputs are unchanged"},
-                                        {PassState::Drawn, "its inputs changed"},
-                                        {PassState::Skipped, "no kernel reads them"},
-                                        {PassState::Skipped, "idle"}}));
-    EXPECT_EQ(told(true, true), (Told{{PassState::Drawn, "forced by the request"},
-                                      {PassState::Drawn, "its inputs changed"},
-                                      {PassState::Drawn, "its inputs changed"},
-                                      {PassState::Skipped, "idle"}}));
+    using Decisions = std::vector<std::pair<PassState, std::string>>;
+    EXPECT_EQ(decisions(false, false), (Decisions{{PassState::Cached, "its inputs are unchanged"},
+                                                  {PassState::Drawn, "its inputs changed"},
+                                                  {PassState::Skipped, "no kernel reads them"},
+                                                  {PassState::Skipped, "idle"}}));
+    EXPECT_EQ(decisions(true, true), (Decisions{{PassState::Drawn, "forced by the request"},
+                                                {PassState::Drawn, "its inputs changed"},
+                                                {PassState::Drawn, "its inputs changed"},
+                                                {PassState::Skipped, "idle"}}));
     EXPECT_EQ(holds, 7u) << "a plan changes nothing";
 }
 
-TEST(PlanTest, AKeyFollowsFromWhatIsRead) {
+TEST(PlanTest, KeyDependsOnInputs) {
     const auto keys = [](std::uint64_t maps, std::uint64_t own) {
         Plan plan;
         for (const std::uint64_t key : {std::uint64_t(1), maps}) {  // two lights' maps
@@ -124,7 +124,7 @@ TEST(PlanTest, AKeyFollowsFromWhatIsRead) {
     }
 }
 
-TEST(PlanTest, ResultsLieWhereTheirOwnerSays) {
+TEST(PlanTest, ResultsAreStoredByTheirOwner) {
     Plan plan;
     gl::Target maps, first, second;
     plan.place_result(Result::ShadowMaps, {&maps, 3});
@@ -142,7 +142,7 @@ TEST(PlanTest, ResultsLieWhereTheirOwnerSays) {
     EXPECT_EQ(given_up, 1);
 }
 
-TEST(PlanTest, EveryResultHasWordsOfItsOwn) {
+TEST(PlanTest, EveryResultHasItsOwnName) {
     std::set<std::string_view> words;
     for (int i = 0; i <= index_of(Result::MapView); ++i) {
         EXPECT_FALSE(result_name(Result(i)).empty()) << i;

@@ -1,4 +1,4 @@
-// Differences in words: nothing missed, nothing invented, units and headings right.
+// Tests of differences in words: complete, without additions, with correct units and headings.
 #include "app/session/preset_diff.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::string line(const Preset& a, const Preset& b, const std::string& key) {
     return {};
 }
 
-TEST(PresetDiff, EqualPresetsHaveNone) {
+TEST(PresetDiff, EqualPresetsHaveNoDifferences) {
     const Preset p = preset_with({{"bias.constant", "0.3"}, {"object.Root/Box.cull", "front"}}, "boxes");
     EXPECT_TRUE(preset_differences(p, p).empty());
     EXPECT_EQ(differences_text({}, "a.json", "b.json"), "a.json and b.json are equal\n");
@@ -42,14 +42,14 @@ TEST(PresetDiff, NamesBothUnitsWhereTheyDiffer) {
     EXPECT_EQ(line(a, b, "bias.unit"), "Bias | bias.unit: texels → depth (Unit)");
 }
 
-TEST(PresetDiff, NamesALightAsPeopleDo) {
+TEST(PresetDiff, NamesALightByItsLabel) {
     const Preset a = preset_with({{"light.count", "2"}, {"light.1.name", "key"}});
     Preset b = a;
     set_setting(b.settings, "light.1.azimuth", "90");
     EXPECT_EQ(line(a, b, "light.1.azimuth"), "Light 1 (key) | light.1.azimuth: -40° → 90° (Azimuth)");
 }
 
-TEST(PresetDiff, SpeaksOfChoicesSwitchesAnglesLightsObjectsAndScenes) {
+TEST(PresetDiff, DescribesChoicesSwitchesAnglesLightsObjectsAndScenes) {
     const Preset a = preset_with({}, "boxes");
     const Preset b = preset_with({{"caster.cull", "front"},
                                   {"map.far_guard", "false"},
@@ -67,8 +67,8 @@ TEST(PresetDiff, SpeaksOfChoicesSwitchesAnglesLightsObjectsAndScenes) {
     EXPECT_EQ(line(preset_with({}), b, "scene"), "Scene | scene: any → stage");
 }
 
-TEST(PresetDiff, FindsExactlyTheSettingsThatWereTurned) {
-    // Each setting by itself, whatever its kind.
+TEST(PresetDiff, FindsExactlyTheChangedSettings) {
+    // Each setting alone, of every type.
     for (const Param& p : params()) {
         const SettingRef ref{&p, p.scope == Scope::Light ? 3 : 0, p.scope == Scope::Object ? "Root/Box" : ""};
         const Preset a;
@@ -88,14 +88,14 @@ TEST(PresetDiff, FindsExactlyTheSettingsThatWereTurned) {
         ASSERT_EQ(found.size(), 1u) << setting_key(ref);
         EXPECT_EQ(found[0].key, setting_key(ref));
         EXPECT_NE(found[0].text.find("→"), std::string::npos);
-        // Without the arrow's two sides being the same words.
+        // The two sides of the arrow must differ.
         const std::string change = change_text(a.settings, b.settings, ref);
         const auto arrow = change.find(" → ");
         EXPECT_NE(change.substr(0, arrow), change.substr(arrow + 5)) << setting_key(ref) << ": " << change;
     }
 }
 
-TEST(PresetDiff, SaysWhatMattersInNeither) {
+TEST(PresetDiff, MarksSettingsThatAreIdleInBoth) {
     const auto found = preset_differences(preset_with({}), preset_with({{"light.5.cone", "20"}}));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].note, "without effect: the light is off");

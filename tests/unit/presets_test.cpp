@@ -1,4 +1,4 @@
-// Presets: what is written is read back; what is wrong is refused with file, place and remedy.
+// Tests of presets: written ones are read back; wrong ones are refused with file, place and fix.
 #include "app/session/presets.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ Preset sample() {
     return p;
 }
 
-/// A preset with these claims.
+/// Makes a preset with these claims.
 std::string with_claims(const std::string& list) {
     return R"({"format":"shadow-inspector-preset","version":2,"settings":{},"claims":)" + list + "}";
 }
@@ -61,7 +61,7 @@ protected:
     fs::path folder_;
 };
 
-TEST(Presets, RoundTrip) {
+TEST(Presets, RoundTripThroughText) {
     const Preset p = sample();
     const std::string text = preset_text(p);
     const Preset back = parse_preset(text, "a.json");
@@ -71,7 +71,7 @@ TEST(Presets, RoundTrip) {
     EXPECT_EQ(preset_text(back), text);
 }
 
-TEST(Presets, KeepTheirClaims) {
+TEST(Presets, BuiltInPresetsKeepTheirClaims) {
     const std::string list =
         R"([{"metric":"mae","op":"<","times":0.5,"than":{"set":["filter.kernel=hard"]}},{"metric":"acne","op":"==","value":0}])";
     const Preset preset = parse_preset(with_claims(list), "a.json");
@@ -84,7 +84,7 @@ TEST(Presets, KeepTheirClaims) {
     EXPECT_EQ(preset_text(parse_preset(preset_text(preset), "b.json")), preset_text(preset));
 }
 
-TEST(Presets, HoldsOnlyDifferencesWithChoicesByKey) {
+TEST(Presets, HoldOnlyDifferencesWithChoicesByKey) {
     const auto json = nlohmann::json::parse(preset_text(sample()));
     EXPECT_EQ(json["format"], "shadow-inspector-preset");
     EXPECT_EQ(json["version"], 2);
@@ -96,7 +96,7 @@ TEST(Presets, HoldsOnlyDifferencesWithChoicesByKey) {
     EXPECT_TRUE(nlohmann::json::parse(preset_text(Preset{}))["settings"].empty());
 }
 
-TEST(Presets, WrongSettingsAreRefusedWithTheRemedy) {
+TEST(Presets, WrongSettingsAreRefusedWithAFix) {
     EXPECT_EQ(refusal(with_settings(R"("bias.slop":1)")),
               "dir/a.json: settings.\"bias.slop\": unknown setting; did you mean bias.slope?");
     const struct {
@@ -167,7 +167,7 @@ TEST(Presets, WrongFilesAreRefusedWithThePlace) {
     }
 }
 
-TEST_F(PresetFiles, SavedAndLoaded) {
+TEST_F(PresetFiles, AreSavedAndLoaded) {
     const fs::path path = folder_ / "a.json";
     save_preset(Preset{}, path);
     save_preset(sample(), path);
@@ -175,7 +175,7 @@ TEST_F(PresetFiles, SavedAndLoaded) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1) << "no temporary is left";
 }
 
-TEST_F(PresetFiles, NamesTheFileThatCannotBe) {
+TEST_F(PresetFiles, ErrorsNameTheFile) {
     const auto message = [](auto&& action) -> std::string {
         try {
             action();
@@ -192,7 +192,7 @@ TEST_F(PresetFiles, NamesTheFileThatCannotBe) {
     EXPECT_NE(message([&] { load_preset(folder_.string()); }).find("is not a file"), std::string::npos);
 }
 
-TEST_F(PresetFiles, ALinkStaysALink) {
+TEST_F(PresetFiles, LinkStaysALink) {
     const fs::path real = folder_ / "real.json", link = folder_ / "link.json";
     save_preset(Preset{}, real);
     fs::create_symlink(real, link);
@@ -201,7 +201,7 @@ TEST_F(PresetFiles, ALinkStaysALink) {
     EXPECT_EQ(load_preset(real.string()).settings, sample().settings);
 }
 
-TEST(Presets, BuiltInOnesAreSoundAndInTheirFilesOrder) {
+TEST(Presets, BuiltInPresetsAreValidAndInFileOrder) {
     const auto list = builtin_presets();  // parses them all
     // The number before a file's name orders it and is no part of its key.
     std::vector<std::string> files, keys;

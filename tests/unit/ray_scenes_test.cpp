@@ -1,4 +1,4 @@
-// One hierarchy of rays for all who ask: the same object, built once, gone when nobody needs it.
+// Tests of the shared ray hierarchy: one object, built once, freed without users.
 #include "renderer/reference/ray_scenes.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::shared_ptr<const ReferenceGeometry> geometry_of(const Scene& scene, const S
     return std::make_shared<const ReferenceGeometry>(scene, settings);
 }
 
-TEST(RaySceneCache, TwoUsersGetTheSameObjectAndItIsFreed) {
+TEST(RaySceneCache, TwoUsersShareOneSceneAndItIsFreed) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     const auto geometry = geometry_of(boxes);
@@ -38,11 +38,11 @@ TEST(RaySceneCache, TwoUsersGetTheSameObjectAndItIsFreed) {
     EXPECT_EQ(scenes.size(), 0u);
 }
 
-TEST(RaySceneCache, KeepNoMoreThanOneThatNobodyHolds) {
+TEST(RaySceneCache, KeepsAtMostOneUnusedScene) {
     RaySceneCache scenes;
     std::vector<Weak> weak;
     std::vector<Scene> all;
-    for (int i = 0; i < 5; ++i) all.push_back(load_scene("boxes"));  // each its own, by its id
+    for (int i = 0; i < 5; ++i) all.push_back(load_scene("boxes"));  // each with its own id
     const auto held = scenes.get(geometry_of(all[0]));
     for (const Scene& scene : all) weak.push_back(scenes.get(geometry_of(scene)));
     EXPECT_EQ(scenes.size(), 2u);
@@ -53,7 +53,7 @@ TEST(RaySceneCache, KeepNoMoreThanOneThatNobodyHolds) {
     EXPECT_TRUE(weak[4].expired()) << "now another one is the last";
 }
 
-TEST(RaySceneCache, WhoeverCastsDecides) {
+TEST(RaySceneCache, KeyDependsOnCasters) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     Settings without;
@@ -63,7 +63,7 @@ TEST(RaySceneCache, WhoeverCastsDecides) {
     EXPECT_GT(all->triangle_count(), fewer->triangle_count());
 }
 
-TEST(RaySceneCache, ThreadsThatAskAtOnceWaitForOneBuild) {
+TEST(RaySceneCache, ConcurrentRequestsWaitForOneBuild) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     const auto geometry = geometry_of(boxes);
@@ -78,7 +78,7 @@ TEST(RaySceneCache, ThreadsThatAskAtOnceWaitForOneBuild) {
                            }});
     });
     building.get_future().wait();
-    // Who waits may be stopped.
+    // A waiting request can be stopped.
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(scenes.get(geometry, {.stop = stop.get_token()}), Cancelled);
@@ -95,7 +95,7 @@ TEST(RaySceneCache, ThreadsThatAskAtOnceWaitForOneBuild) {
     for (const auto& other : others) EXPECT_EQ(other, first);
 }
 
-TEST(RaySceneCache, ACancelledBuildIsNobodysElse) {
+TEST(RaySceneCache, CancelledBuildIsNotShared) {
     RaySceneCache scenes;
     const auto geometry = geometry_of(load_scene("boxes"));
     std::stop_source stop;

@@ -1,5 +1,5 @@
-// The pages of docs/recipes have the same sections and name files, programs and tests that exist. Nothing but a
-// technique's row and its shader knows the technique by its key.
+// Tests of docs/recipes: all pages have the same sections and name existing files, programs and tests. A technique's
+// key stands only in its row and its shader.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string whole_text(const fs::path& path) {
     return out.str();
 }
 
-/// A table of techniques: its row file, the folder of its GLSL files, and the rows' keys.
+/// Table of techniques: its row file, the folder of its GLSL files, and the rows' keys.
 struct Table {
     std::string rows, folder, setting;
     std::vector<std::string> keys, files;
@@ -62,7 +62,7 @@ std::map<std::string, std::string> recipes() {
     return out;
 }
 
-/// Returns the files of the tree that a recipe names in `code`: they have an ending of ours.
+/// Returns the files that a recipe names in `code`, recognised by their endings.
 std::vector<std::string> files_named(const std::string& recipe) {
     static const std::regex code("`([^`\n]+)`"),
         file("([A-Za-z0-9_*-]+/)*[A-Za-z0-9_.*-]+\\.(cpp|h|glsl|md|json|sh|png)");
@@ -74,8 +74,8 @@ std::vector<std::string> files_named(const std::string& recipe) {
     return out;
 }
 
-/// Returns whether a file of the tree has that path, from its root or from shaders/. NAME and * stand for any word, and
-/// a bare name for a file of any folder.
+/// Returns whether a file of the tree has that path, from its root or from shaders/. NAME and * match any word, and a
+/// bare name matches a file of any folder.
 bool exists(const std::string& named) {
     std::string pattern;
     for (const char c : std::regex_replace(named, std::regex("NAME"), "*"))
@@ -96,7 +96,7 @@ TEST(Recipes, NameFilesThatExist) {
     std::size_t named = 0;
     for (const auto& [title, text] : all)
         for (const std::string& file : files_named(text)) {
-            // The page's example is a kernel that the program has not: tests/recipe adds it.
+            // The page's example is a kernel that the program lacks: tests/recipe adds it.
             if (file.find("binomial5") != std::string::npos) continue;
             EXPECT_TRUE(exists(file)) << "docs/recipes/" << title << ".md names " << file;
             ++named;
@@ -106,7 +106,7 @@ TEST(Recipes, NameFilesThatExist) {
     EXPECT_FALSE(exists("renderer/settings/sundials.cpp"));
 }
 
-TEST(Recipes, SayWhatToWriteToTouchToRunAndWhatMustBeGreen) {
+TEST(Recipes, HaveAllSections) {
     const auto all = recipes();
     for (const char* name : {"filter-kernel", "source", "bias", "overlay", "fit", "setting", "metric", "effect",
                              "default", "scene", "preset", "hard-case"})
@@ -117,7 +117,7 @@ TEST(Recipes, SayWhatToWriteToTouchToRunAndWhatMustBeGreen) {
             EXPECT_NE(text.find(section), std::string::npos) << "docs/recipes/" << name << ".md lacks " << section;
 }
 
-/// Returns the names of suites that the sources of the tests define: "GoldenTest" of TEST_P(GoldenTest, ...).
+/// Returns the names of suites in the sources of the tests: "GoldenTest" of TEST_P(GoldenTest, ...).
 std::set<std::string> test_suites() {
     std::set<std::string> out;
     static const std::regex suite("TEST(_F|_P)?\\((\\w+),");
@@ -144,7 +144,7 @@ TEST(Recipes, NameTestsThatExist) {
     }
 }
 
-TEST(Recipes, SayWhereTheRowsAndFilesOfEachTableStand) {
+TEST(Recipes, NameTheRowsAndFilesOfEachTable) {
     std::string text;
     for (const auto& [title, recipe] : recipes()) text += recipe;
     for (const Table& t : tables()) {
@@ -154,7 +154,7 @@ TEST(Recipes, SayWhereTheRowsAndFilesOfEachTableStand) {
             EXPECT_TRUE(fs::exists(kRoot / "shaders" / file)) << file;
             EXPECT_EQ(fs::path("shaders" / fs::path(file)).parent_path(), t.folder) << file;
         }
-        // A file that no row names is a technique that no setting can choose.
+        // A file without a row is a technique that no setting can select.
         for (const auto& entry : fs::directory_iterator(kRoot / t.folder))
             EXPECT_NE(std::ranges::find(t.files, fs::relative(entry.path(), kRoot / "shaders").generic_string()),
                       t.files.end())
@@ -162,11 +162,11 @@ TEST(Recipes, SayWhereTheRowsAndFilesOfEachTableStand) {
     }
 }
 
-/// Keys that are words for other things as well: there a literal says nothing, and only comparisons count.
+/// Keys that are also ordinary words: literals prove nothing, and only comparisons count.
 const std::set<std::string> kOtherWords = {
     "artefacts",   // a field of reports
     "constant",    // a bias setting, and a term of the account
-    "hard",        // the truth of a light without size
+    "hard",        // the reference of a light without size
     "normals",     // a vertex attribute
     "raster",      // a term of the account
     "slope",       // a bias setting, and a term of the account
@@ -180,9 +180,9 @@ bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/// Where a source knows a row by its key: "file:line".
-std::vector<std::string> places_that_know(const std::string& name, const std::string& text,
-                                          const std::vector<Table>& all) {
+/// Returns the places where a source compares a row's key: "file:line".
+std::vector<std::string> places_with_key(const std::string& name, const std::string& text,
+                                         const std::vector<Table>& all) {
     std::vector<std::string> out;
     std::istringstream in(text);
     int number = 0;
@@ -201,7 +201,7 @@ std::vector<std::string> places_that_know(const std::string& name, const std::st
                                      (at + chosen.size() == line.size() || !is_word(line[at + chosen.size()]));
                 const bool said = line.find(literal) != std::string::npos;
                 const bool compared = said && std::regex_search(line, std::regex("\\.key\\s*[!=]=\\s*" + literal));
-                // What a view of that name is asked for is no row of a table.
+                // The name of a view is no row of a table.
                 const bool view = name == "app/report/views.cpp" && line.find("view.key ==") != std::string::npos;
                 if ((said && !kOtherWords.contains(key)) || (compared && !view) || defined)
                     out.push_back(name + ":" + std::to_string(number) + " knows " + key);
@@ -211,7 +211,7 @@ std::vector<std::string> places_that_know(const std::string& name, const std::st
     return out;
 }
 
-TEST(Recipes, NothingElseKnowsATechniqueByItsKey) {
+TEST(Recipes, TechniqueKeysStandOnlyInListedFiles) {
     const std::vector<Table> all = tables();
     std::size_t read = 0;
     for (const char* folder : {"app", "renderer", "ui", "shaders"})
@@ -219,16 +219,16 @@ TEST(Recipes, NothingElseKnowsATechniqueByItsKey) {
             if (!entry.is_regular_file()) continue;
             const std::string name = fs::relative(entry.path(), kRoot).generic_string();
             ++read;
-            for (const std::string& place : places_that_know(name, whole_text(entry.path()), all))
+            for (const std::string& place : places_with_key(name, whole_text(entry.path()), all))
                 ADD_FAILURE() << place;
         }
     EXPECT_GT(read, 200u);
-    // The search finds what it is for.
-    EXPECT_EQ(places_that_know("renderer/a.cpp", "if (filter.key == \"hard\") return;", all).size(), 1u);
-    EXPECT_EQ(places_that_know("app/a.cpp", "const char* kBest = \"pcf\";", all).size(), 1u);
-    EXPECT_EQ(places_that_know("shaders/lib/a.glsl", "#if bias_kind == bias_kind_receiver_plane", all).size(), 1u);
-    EXPECT_EQ(places_that_know("app/a.cpp", "json[\"visibility\"] = p.visibility;", all).size(), 0u);
-    // Words that are no keys any more need no exception.
+    // The search finds a planted comparison.
+    EXPECT_EQ(places_with_key("renderer/a.cpp", "if (filter.key == \"hard\") return;", all).size(), 1u);
+    EXPECT_EQ(places_with_key("app/a.cpp", "const char* kBest = \"pcf\";", all).size(), 1u);
+    EXPECT_EQ(places_with_key("shaders/lib/a.glsl", "#if bias_kind == bias_kind_receiver_plane", all).size(), 1u);
+    EXPECT_EQ(places_with_key("app/a.cpp", "json[\"visibility\"] = p.visibility;", all).size(), 0u);
+    // Words that are no longer keys need no exception.
     for (const std::string& word : kOtherWords) {
         bool known = false;
         for (const Table& t : all) known |= std::ranges::find(t.keys, word) != t.keys.end();

@@ -1,5 +1,5 @@
-// What casts in the ray-traced truth: masks, blended surfaces, culled faces, shared meshes; and that a trace can be
-// stopped and does not depend on who computes it.
+// Tests of casters in the ray-traced reference: masks, blended surfaces, culled faces, shared meshes. A trace can be
+// stopped, and its result does not depend on threads.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -19,7 +19,7 @@ using test::receiver_on;
 using test::row_of;
 using test::sun;
 
-/// A picture of floor points over [-half, half]^2 at y = 0; object 0 is the floor.
+/// Makes a picture of floor points over [-half, half]^2 at y = 0; object 0 is the floor.
 Receivers floor_points(double half, int size) {
     Receivers receivers{size, size, {}};
     for (int z = 0; z < size; ++z)
@@ -60,7 +60,7 @@ double lit_share(const Reference& reference) {
     return sum / double(reference.hard().data.size());
 }
 
-TEST(AlphaTexture, WrapsAndFiltersAsGlDoes) {
+TEST(AlphaTexture, WrapsAndFiltersLikeOpenGl) {
     Texture t;
     t.width = 2;
     t.height = 1;
@@ -131,7 +131,7 @@ TEST(Casters, MasksHaveTheirHoles) {
     EXPECT_EQ(shares().first, 1) << "the vertices' alpha counts";
 }
 
-TEST(Casters, ObjectsThatDoNotCastAreAir) {
+TEST(Casters, NonCastingObjectsBlockNoRay) {
     Scene scene = floor_and(make_box({2, 1, 2}), {moved(0, 2, 0)});
     finalise(scene);
     Settings settings;
@@ -152,10 +152,10 @@ struct CullCase {
     const char* cull;
     const char* object_cull;
     bool mirrored, from_below;
-    bool casts;  ///< a plane that faces up, under a light from above
+    bool casts;  ///< whether a plane casts that faces up, under a light from above
 };
 
-TEST(Casters, CulledFacesCastInTruthAndNotAsRasterised) {
+TEST(Casters, CulledFacesCastUnlessAsRasterised) {
     const CullCase cases[] = {{"none", "inherit", false, false, true},   {"back", "inherit", false, false, true},
                               {"front", "inherit", false, false, false}, {"front", "inherit", true, false, false},
                               {"back", "inherit", true, false, true},    {"back", "inherit", false, true, false},
@@ -190,7 +190,7 @@ TEST(Casters, CulledFacesCastInTruthAndNotAsRasterised) {
         }
 }
 
-TEST(Casters, TheMapStoresTheSurfaceNearestTheLight) {
+TEST(Casters, MapStoresTheSurfaceNearestTheLight) {
     Scene scene = floor_and(make_plane(2, 2), {moved(0, 1, 0), moved(0, 3, 0), moved(0, 2, 0)});
     finalise(scene);
     const auto geometry = geometry_of(scene);
@@ -233,7 +233,7 @@ Scene many_rings() {
     return scene;
 }
 
-TEST(Instances, ShareAndFlattenAlike) {
+TEST(Instances, SharedAndFlattenedScenesAgree) {
     const Scene scene = many_rings();
     const auto geometry = geometry_of(scene);
     const ReferenceScene flat(geometry, {}, Instancing::Never), shared(geometry, {}, Instancing::Always);
@@ -297,7 +297,7 @@ TEST(Tracing, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(Tracing, StopsWhenAskedAndTellsHowFarItIs) {
+TEST(Tracing, StopsOnRequestAndReportsProgress) {
     const Scene scene = many_rings();
     const auto geometry = geometry_of(scene);
     const ReferenceScene casters(geometry);
@@ -331,7 +331,7 @@ TEST(Tracing, OutlivesItsScene) {
               before.hard().data);
 }
 
-TEST(Workers, PassOnWhatFails) {
+TEST(Workers, RethrowExceptions) {
     EXPECT_THROW(parallel_for_blocks(100, {.threads = 3},
                                      [](std::size_t i) {
                                          if (i == 40) throw Error("no");

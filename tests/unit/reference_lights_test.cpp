@@ -1,4 +1,5 @@
-// Lights with a size: penumbrae against closed forms, the noise of samples, and what progressive refinement spends.
+// Tests of lights with a size: penumbrae compared with closed forms, noise of samples, and work of progressive
+// refinement.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,15 +17,15 @@ using test::query_for;
 using test::sun;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kHeight = 2;  // m, of the half plane x > 0 over the floor
+constexpr double kHeight = 2;  // height in metres of the half plane x > 0 over the floor
 
-/// Share of a unit disk at x < s, the light that an edge leaves.
+/// Returns the share of a unit disk at x < s, the part of a light that an edge leaves visible.
 double disk_share(double s) {
     s = std::clamp(s, -1.0, 1.0);
     return 0.5 + (std::asin(s) + s * std::sqrt(1 - s * s)) / kPi;
 }
 
-/// A floor, and a plane over it so wide that only its edge at x = 0 matters.
+/// Makes a floor, and a plane over it so wide that only its edge at x = 0 matters.
 Scene half_plane() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
@@ -41,7 +42,7 @@ struct Penumbra {
     Reference reference;
 };
 
-/// Traces floor points along x in [-reach, reach] against share(x).
+/// Traces floor points along x in [-reach, reach] and compares them with share(x).
 template <typename Share>
 Penumbra penumbra(const Emitter& light, double reach, const ReferenceOptions& options, Share&& share) {
     const Scene scene = half_plane();
@@ -85,34 +86,34 @@ void expect_penumbra(const Penumbra& p, const char* what) {
 
 const ReferenceOptions kFine{.area = true, .samples = 1024, .noise = 0};
 
-TEST(AreaLight, SunBehindAnEdge) {
+TEST(AreaLight, SunBehindAnEdgeMatchesTheClosedForm) {
     const double radius_deg = 2, tangent = std::tan(radius_deg * kPi / 180);
     expect_penumbra(penumbra(sun({0, 1, 0}, radius_deg), 2 * kHeight * tangent, kFine,
                              [&](double x) { return disk_share(-x / (kHeight * tangent)); }),
                     "sun");
 }
 
-TEST(AreaLight, SpotsDiskBehindAnEdge) {
+TEST(AreaLight, SpotDiskBehindAnEdgeMatchesTheClosedForm) {
     Emitter spot = sun({0, 1, 0});
     spot.type = LightType::Spot;
     const double height = 5, radius = 0.8;
     spot.position_ws = {0, height, 0.15};
     spot.size = radius;
     spot.cos_cone = 0.2;
-    // The point x sees the light's part at y < x (1 - D / H) through the edge.
+    // The point x sees the part of the light at y < x (1 - D / H) past the edge.
     const double reach = 2 * radius / (height / kHeight - 1);
     expect_penumbra(
         penumbra(spot, reach, kFine, [&](double x) { return disk_share(x * (1 - height / kHeight) / radius); }),
         "spot");
 }
 
-TEST(AreaLight, PointLightsSphereBehindAnEdge) {
+TEST(AreaLight, PointLightSphereBehindAnEdgeMatchesTheClosedForm) {
     Emitter point = sun({0, 1, 0});
     point.type = LightType::Point;
     const double height = 50, radius = 1;
     point.position_ws = {0, height, 0.15};
     point.size = radius;
-    // From far away a sphere is the disk that its outline cuts out, nearly.
+    // A distant sphere is almost the disk of its outline.
     const double tangent = radius / std::sqrt(height * height - radius * radius);
     expect_penumbra(penumbra(point, 2 * kHeight * tangent, kFine,
                              [&](double x) {
@@ -122,26 +123,26 @@ TEST(AreaLight, PointLightsSphereBehindAnEdge) {
                     "point");
 }
 
-TEST(AreaLight, NoiseFallsAsStratifiedSamplesDo) {
+TEST(AreaLight, NoiseFallsLikeStratifiedSamples) {
     const double tangent = std::tan(2 * kPi / 180);
     const auto at = [&](int samples) {
         return penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent, {.area = true, .samples = samples, .noise = 0},
                         [&](double x) { return disk_share(-x / (kHeight * tangent)); });
     };
     const Penumbra coarse = at(64), middle = at(256), fine = at(1024);
-    // Independent samples would err by 0.047 and gain a factor of 4 only.
+    // Independent samples would have an error of 0.047 and gain only a factor of 4.
     EXPECT_LT(coarse.rms, 0.025);
     EXPECT_GT(coarse.rms / fine.rms, 5.5);
     EXPECT_GT(coarse.rms, middle.rms);
     for (const Penumbra* p : {&coarse, &middle, &fine}) {
-        // The estimate is over all counted pixels; it may err on the safe side.
+        // The estimate covers all counted pixels and may be conservative.
         const double own = p->reference.noise * std::sqrt(double(p->reference.counted()) / double(p->partial));
         EXPECT_GT(own, 0.8 * p->rms);
         EXPECT_LT(own, 3 * p->rms);
     }
 }
 
-TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
+TEST(AreaLight, RefinesOnlyPartlyVisibleLights) {
     const double tangent = std::tan(0.5 * kPi / 180);
     const auto share = [&](double x) { return disk_share(-x / (kHeight * tangent)); };
     const auto at = [&](double noise) {
@@ -152,7 +153,7 @@ TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
     const auto per_pixel = [](const Penumbra& p) {
         return double(p.reference.rays) / double(p.reference.counted()) - 1;
     };
-    // A tenth of the pixels lies in the penumbra; they and their neighbours get 256, the others 64.
+    // A tenth of the pixels is in the penumbra; they and their neighbours get 256, the others 64.
     EXPECT_NEAR(per_pixel(coarse), 64 + 0.1 * 256, 5);
     EXPECT_GT(per_pixel(target), 1.2 * per_pixel(coarse));
     EXPECT_LT(per_pixel(target), 0.95 * per_pixel(fine)) << "some pixels were good enough";
@@ -162,7 +163,7 @@ TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
     EXPECT_NEAR(double(target.reference.partial), double(target.partial), 0.1 * double(target.partial));
 }
 
-TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
+TEST(AreaLight, ReportsSamplesAndUncertainty) {
     const double tangent = std::tan(0.5 * kPi / 180);
     const auto at = [&](int samples, double noise = 0) {
         return penumbra(sun({0, 1, 0}, 0.5), 10 * kHeight * tangent, {.area = true, .samples = samples, .noise = noise},
@@ -182,7 +183,7 @@ TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
     EXPECT_EQ(fine.noise_unknown, 0u);
     EXPECT_EQ(fine.samples.least, 64) << "what sees all of the light or none";
     EXPECT_EQ(fine.samples.most, 31 * 31) << "the largest square within what was allowed";
-    // A tenth of the pixels lies in the penumbra. What is below no horizon sends one ray a sample in each round.
+    // A tenth of the pixels is in the penumbra. Pixels wholly above the horizon send one ray a sample in each round.
     EXPECT_NEAR(fine.samples.mean, 64 * 0.9 + 0.1 * 961, 12);
     EXPECT_EQ(at(1024, 1).samples.most, 256);
     EXPECT_EQ(fine.standard_error.data[0], 0) << "wholly lit";
@@ -194,10 +195,10 @@ TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
     EXPECT_EQ(noise_text(hard), "");
 }
 
-TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
+TEST(AreaLight, ErrorOfEachPixelHoldsForAnyDivisionOfSamples) {
     const double tangent = std::tan(2 * kPi / 180);
     const auto share = [&](double x) { return disk_share(-x / (kHeight * tangent)); };
-    // Five by five and seven by seven parts leave a row and a column outside of the squares of two by two.
+    // Grids of five by five and seven by seven leave a row and a column outside the squares of two by two.
     for (const int samples : {16, 25, 49, 64}) {
         const Penumbra p =
             penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent, {.area = true, .samples = samples, .noise = 0}, share);
@@ -207,13 +208,13 @@ TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
             const double expected = share(x), error = p.reference.visibility.data[i] - expected;
             if (expected > 0 && expected < 1) ratio += error * error - std::pow(p.reference.standard_error.data[i], 2);
         }
-        // In the mean the square of the estimate is that of the error, or errs on the safe side.
+        // In the mean the squared estimate equals the squared error, or is conservative.
         EXPECT_LT(ratio / double(p.partial), 0.3 * p.rms * p.rms) << samples;
         EXPECT_GT(ratio / double(p.partial), -8 * p.rms * p.rms) << samples;
     }
 }
 
-TEST(AreaLight, OfSizeZeroIsHard) {
+TEST(AreaLight, SizeZeroGivesHardShadows) {
     const Penumbra p = penumbra(sun({0.3, 1, 0}, 0), 2, {.area = true, .samples = 64},
                                 [](double x) { return x + 0.3 * kHeight < 0 ? 1.0 : 0.0; });
     EXPECT_EQ(p.reference.visibility.data, p.reference.hard().data);
@@ -221,8 +222,8 @@ TEST(AreaLight, OfSizeZeroIsHard) {
     EXPECT_LT(p.largest, 1e-6);
 }
 
-TEST(AreaLight, GrazingSunCountsOnlyWhatIsAboveTheHorizon) {
-    // Half of this sun is below the floor's horizon; of the rest the floor hides nothing.
+TEST(AreaLight, GrazingSunCountsOnlyPartsAboveTheHorizon) {
+    // Half of this sun is below the floor's horizon; the floor hides nothing of the rest.
     const Penumbra p =
         penumbra(sun({-1, 0.001, 0}, 3), 0.5, {.area = true, .samples = 256, .noise = 0}, [](double) { return 1.0; });
     EXPECT_EQ(p.reference.counted(), p.reference.state.size());

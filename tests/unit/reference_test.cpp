@@ -1,5 +1,5 @@
-// The ray-traced truth without a GPU: no surface shadows itself, known shadows and penumbrae come out, and what scenes
-// ask for (masks, culling, instances) is done.
+// Tests of the ray-traced reference without a GPU: no self-shadowing, known shadows and penumbrae, and scene options
+// (masks, culling, instances).
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -22,14 +22,14 @@ using test::receiver_on;
 using test::row_of;
 using test::sun;
 
-std::size_t dark(const Reference& reference) {
+std::size_t count_dark(const Reference& reference) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < reference.state.size(); ++i)
         count += reference.state[i] == PixelState::Counted && reference.hard().data[i] < 0.5f;
     return count;
 }
 
-/// A body alone in the world: receivers all over each triangle, its corners and edges included.
+/// Returns receivers all over each triangle of a single body, corners and edges included.
 Receivers all_over(const ReferenceGeometry& geometry) {
     std::vector<Receiver> pixels;
     constexpr double kEps = 1e-7;
@@ -61,14 +61,14 @@ TEST_P(ConvexCaster, NeverShadowsItself) {
         for (const glm::dvec3& to_light : directions) {
             const Reference reference = trace_visibility(casters, receivers, query_for(scene, sun(to_light)), {});
             facing += reference.counted();
-            EXPECT_EQ(dark(reference), 0u)
+            EXPECT_EQ(count_dark(reference), 0u)
                 << scene.nodes[0].path << " towards " << to_light.x << ' ' << to_light.y << ' ' << to_light.z;
         }
         Emitter lamp = sun({0, 1, 0});
         lamp.type = LightType::Point;
         lamp.position_ws = glm::dvec3(centre, -0.7 * centre, centre) + glm::dvec3(3, 4, -2) * radius;
         const Reference reference = trace_visibility(casters, receivers, query_for(scene, lamp), {});
-        EXPECT_EQ(dark(reference), 0u) << scene.nodes[0].path << ", point light";
+        EXPECT_EQ(count_dark(reference), 0u) << scene.nodes[0].path << ", point light";
         EXPECT_GT(facing + reference.counted(), receivers.pixels.size() * 4) << "too little was asked";
     }
 }
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(ScalesAndPlaces, ConvexCaster,
                              return "radius_" + text(named.param.radius) + "_at_" + text(named.param.centre);
                          });
 
-TEST(ConvexCaster, IsWhollyLitByALargeLight) {
+TEST(ConvexCaster, IsFullyLitByALargeLight) {
     const Scene scene = make_scene(make_sphere(1));
     const auto geometry = geometry_of(scene);
     const Reference reference =
@@ -98,7 +98,7 @@ TEST(ConvexCaster, IsWhollyLitByALargeLight) {
     EXPECT_GT(reference.counted(), 1000u);
 }
 
-/// A floor, and a box of 1.5 x 1 x 2 m that floats over it.
+/// Distance in metres between a floor and a box of 1.5 x 1 x 2 m that floats over it.
 constexpr double kGap = 0.4;
 Scene floor_and_box(double scale, const glm::dvec3& at) {
     Scene scene;
@@ -111,7 +111,7 @@ Scene floor_and_box(double scale, const glm::dvec3& at) {
     return scene;
 }
 
-/// Whether the ray from `p` along `d` (up to parameter `most`) meets the box; the slab test.
+/// Returns whether the ray from `p` along `d` (up to parameter `most`) hits the box, by the slab test.
 bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi) {
     double from = 0, to = most;
     for (int axis = 0; axis < 3; ++axis) {
@@ -166,7 +166,7 @@ TEST(Reference, BoxShadowIsTheClosedForm) {
             }
 }
 
-TEST(Reference, AgreesWithEveryTriangleTested) {
+TEST(Reference, MatchesBruteForceOverTriangles) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8, 4, 4), grey));
@@ -208,7 +208,7 @@ TEST(Reference, AgreesWithEveryTriangleTested) {
     }
 }
 
-TEST(Reference, TheQuickWayForDirectionalLightsIsTheSame) {
+TEST(Reference, FastPathForDirectionalLightsIsEqual) {
     const Scene scene = floor_and_box(1, glm::dvec3(0));
     Settings settings;
     const Camera camera = make_camera(scene, settings, 1.5);
@@ -232,7 +232,7 @@ TEST(Reference, TheQuickWayForDirectionalLightsIsTheSame) {
     }
 }
 
-TEST(Reference, CountsWhyPixelsAreLeftOut) {
+TEST(Reference, CountsReasonsOfExcludedPixels) {
     const Scene scene = floor_and_box(1, glm::dvec3(0));
     Settings settings;
     set_setting(settings, "light.0.type", "spot");
@@ -254,29 +254,29 @@ TEST(Reference, CountsWhyPixelsAreLeftOut) {
     EXPECT_GT(counted[std::size_t(PixelState::NotReceiving)], 20u);
     EXPECT_EQ(counted[std::size_t(PixelState::BeyondRange)], 0u);
 
-    // A light straight overhead reaches a circle of the floor, and shadows beyond it are still traced.
+    // A light straight overhead reaches a circle of the floor, and shadows outside it are still traced.
     set_setting(settings, "light.0.elevation", "90");
     const double height = fit_lights(scene, settings)[0].position.y, range = std::hypot(height, 1.75);
     settings.lights[0].range = range;
     const FittedLight ranged = fit_lights(scene, settings)[0];
     reference =
         trace_visibility(ReferenceScene(geometry), receivers, reference_query(scene, settings, {ranged}, 0), {});
-    std::size_t beyond = 0;
+    std::size_t outside = 0;
     for (std::size_t i = 0; i < reference.state.size(); ++i) {
         const Receiver& r = receivers.pixels[i];
         if (reference.state[i] != PixelState::Counted && reference.state[i] != PixelState::BeyondRange) continue;
         const bool reached = glm::distance(r.position_ws, ranged.position) < range;
         EXPECT_EQ(reference.state[i] == PixelState::Counted, reached);
-        beyond += !reached;
+        outside += !reached;
     }
-    EXPECT_GT(beyond, 30u);
+    EXPECT_GT(outside, 30u);
     EXPECT_GT(reference.counted(), 50u);
-    EXPECT_EQ(reference.pixels[std::size_t(PixelState::BeyondRange)], beyond);
+    EXPECT_EQ(reference.pixels[std::size_t(PixelState::BeyondRange)], outside);
     set_setting(settings, "light.0.range", "0");
     const Reference endless = trace_visibility(ReferenceScene(geometry), receivers,
                                                reference_query(scene, settings, fit_lights(scene, settings), 0), {});
     EXPECT_EQ(endless.visibility.data, reference.visibility.data);
-    EXPECT_EQ(endless.counted(), reference.counted() + beyond);
+    EXPECT_EQ(endless.counted(), reference.counted() + outside);
 
     set_setting(settings, "light.0.type", "directional");
     set_setting(settings, "light.0.elevation", "-30");
@@ -288,7 +288,7 @@ TEST(Reference, CountsWhyPixelsAreLeftOut) {
     set_setting(settings, "light.0.cast", "false");
     reference = trace_visibility(ReferenceScene(geometry), receivers,
                                  reference_query(scene, settings, fit_lights(scene, settings), 0), {});
-    EXPECT_EQ(dark(reference), 0u) << "a light that casts nothing";
+    EXPECT_EQ(count_dark(reference), 0u) << "a light that casts nothing";
     EXPECT_THROW(reference_query(scene, settings, fit_lights(scene, settings), 1), Error);
 }
 

@@ -1,4 +1,4 @@
-// The lights of a file as settings: places, directions, cones and colours come back out of the fit.
+// Tests of a file's lights as settings: positions, directions, cones and colours are preserved by the fit.
 #include "renderer/scene/scene_lights.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ SceneLight light_of(LightType type, const glm::dvec3& position, const glm::dvec3
     SceneLight light;
     light.type = type;
     const glm::dvec3 up = std::abs(glm::normalize(towards).y) > 0.99 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    // Scaled, as nodes are: only place and direction count.
+    // Nodes may be scaled: only position and direction count.
     light.world =
         glm::inverse(glm::lookAt(position, position + towards, up)) * glm::scale(glm::dmat4(1), glm::dvec3(3));
     return light;
@@ -36,7 +36,7 @@ void expect_light_near(const glm::dvec3& a, const glm::dvec3& b, double toleranc
         << a.x << ' ' << a.y << ' ' << a.z << " / " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
-TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
+TEST(SceneLights, PositionsAndDirectionsRoundTrip) {
     const glm::dvec3 centre = lit_scene({}).bounds.centre();
     const glm::dvec3 places[] = {
         {1001, -15, 6}, centre, centre + glm::dvec3(0, 1e-9, 0), {-5e4, 3e3, 1}, {1002, 9e5, 3}};
@@ -57,7 +57,7 @@ TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
             }
 }
 
-TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
+TEST(SceneLights, ConesColoursAndBrightnessRatiosRoundTrip) {
     SceneLight spot = light_of(LightType::Spot, {1000, 0, 0}, {0, -1, 0});
     spot.outer_cone_rad = 0.5;
     spot.inner_cone_rad = 0.2;
@@ -78,14 +78,14 @@ TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
     EXPECT_EQ(s.lights[2].intensity, 1);
 }
 
-TEST(SceneLights, RangesComeOutAndGoRoundThroughAFile) {
+TEST(SceneLights, RangesRoundTripThroughAFile) {
     SceneLight ranged = light_of(LightType::Spot, {1000, 0, 0}, {0, -1, 0});
     ranged.range = 12.5;
     SceneLight endless = light_of(LightType::Point, {1000, 0, 0}, {0, -1, 0});
     SceneLight vast = endless;
     vast.range = 1e30;
     SceneLight sun = light_of(LightType::Directional, {0, 0, 0}, {0, -1, 0.1});
-    sun.range = 3;  // which has no meaning
+    sun.range = 3;  // ignored for this type
     const Scene scene = lit_scene({ranged, endless, vast, sun});
     const auto file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "ranges.glb";
     save_gltf(scene, file);
@@ -99,7 +99,7 @@ TEST(SceneLights, RangesComeOutAndGoRoundThroughAFile) {
     }
 }
 
-TEST(SceneLights, KeepTheirNamesWhateverIsInThem) {
+TEST(SceneLights, KeepAnyName) {
     std::vector<SceneLight> lights(5, light_of(LightType::Point, {1, 2, 3}, {0, -1, 0}));
     lights[1].name = "Küchenlampe";
     lights[2].name = std::string(10'000, 'n');
@@ -122,7 +122,7 @@ TEST(SceneLights, TheirNumberIsBounded) {
     EXPECT_EQ(s.light_count, kMaxLights);
 }
 
-TEST(SceneLights, FarBeyondTheSettingsStillIsASetting) {
+TEST(SceneLights, PositionsOutsideTheRangeAreAccepted) {
     const Scene scene = lit_scene({light_of(LightType::Spot, {1e12, 0, 0}, {1, 0, 0})});
     Settings s;
     EXPECT_NO_THROW(apply_suggested(scene, s));

@@ -1,4 +1,4 @@
-// finalise(), bounds and the shapes that scenes are made of.
+// Tests of finalise(), bounds and basic shapes.
 #include "renderer/scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kEndless = std::numeric_limits<float>::infinity();
 
-/// Two triangles of a unit square in the plane z = 0, without normals.
+/// Makes two triangles of a unit square in the plane z = 0, without normals.
 Mesh square() {
     Mesh mesh;
     mesh.name = "square";
@@ -49,7 +49,7 @@ double signed_volume(const Mesh& mesh) {
     return volume;
 }
 
-/// How many directed edges, between positions, lack exactly one partner in the other direction.
+/// Returns how many directed edges, between positions, lack exactly one partner in the other direction.
 std::size_t open_edges(const Mesh& mesh) {
     using Key = std::tuple<float, float, float>;
     std::map<Key, int> ids;
@@ -68,7 +68,7 @@ std::size_t open_edges(const Mesh& mesh) {
     return open;
 }
 
-/// How many corners have a normal that is not of unit length or points against its triangle's front.
+/// Returns how many corners have a normal that is not of unit length or points against its triangle's front.
 std::size_t wrong_normals(const Mesh& mesh) {
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -146,10 +146,10 @@ TEST(Finalise, DropsTrianglesWithoutArea) {
     EXPECT_EQ(scene.triangle_count(), 4u);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_NE(scene.warnings[0].find("2 triangles without area"), std::string::npos);
-    EXPECT_EQ(scene.bounds.hi.x, 1);  // what only dropped triangles use does not count
+    EXPECT_EQ(scene.bounds.hi.x, 1);  // vertices of dropped triangles alone do not count
 }
 
-/// 1000 triangles in a row along x, each of vertices of its own, one corner at y = 1.
+/// Makes 1000 triangles in a row along x, each with its own vertices, one corner at y = 1.
 Mesh row_of_triangles(std::size_t count = 1000) {
     Mesh mesh;
     mesh.name = "row";
@@ -170,7 +170,7 @@ TEST(Finalise, DropsTrianglesWithoutAreaWhereverTheyStand) {
             Mesh mesh = row_of_triangles(count);
             std::vector<std::uint32_t> kept;
             for (std::size_t t = 0; t < count; ++t) {
-                const bool flat = t % every == 0;  // its corners on a line that is none of the axes
+                const bool flat = t % every == 0;  // its corners are on a line along none of the axes
                 for (std::size_t k = 0; k < 3; ++k)
                     if (flat)
                         mesh.positions.edit()[3 * t + k] = float(k) * glm::vec3(0.1f, 0.3f, 0.7f);
@@ -198,7 +198,7 @@ TEST(Finalise, KeepsSliversAndTrianglesOfEverySize) {
         EXPECT_EQ(scene.dropped_triangles, 0u) << size;
         EXPECT_EQ(scene.meshes.at(0).indices.size(), 300u);
     }
-    Mesh slivers = row_of_triangles(100);  // a ten-millionth as high as wide
+    Mesh slivers = row_of_triangles(100);  // height is a ten-millionth of the width
     for (glm::vec3& p : slivers.positions.edit()) p.y *= 0.5e-7f;
     Scene scene = scene_of({slivers});
     finalise(scene);
@@ -208,7 +208,7 @@ TEST(Finalise, KeepsSliversAndTrianglesOfEverySize) {
 TEST(Finalise, BoundsLeaveOutVerticesWithoutTriangles) {
     Mesh mesh = row_of_triangles(40);
     mesh.positions.emplace_back(1e6f, -1e6f, 5);
-    mesh.normals.emplace_back(0, 0, 0);  // without direction, but nothing uses it
+    mesh.normals.emplace_back(0, 0, 0);  // a zero normal of an unused vertex
     Scene scene = scene_of({mesh});
     finalise(scene);
     EXPECT_EQ(scene.meshes[0].bounds.hi, glm::dvec3(39.5, 1, 0));
@@ -345,7 +345,7 @@ TEST(Shapes, ClosedOnesAreWatertightAndFaceOutwards) {
     constexpr double kPi = 3.14159265358979323846;
     struct Case {
         Mesh mesh;
-        double volume, tolerance;  ///< of the smooth body; the polygons lie inside it
+        double volume, tolerance;  ///< volume of the smooth body; the polygons are inside
     };
     const Case cases[] = {
         {make_box({1, 2, 3}), 6, 1e-6},
@@ -392,7 +392,7 @@ TEST(Teapot, HasTheKnownExtentAndNormals) {
     EXPECT_NEAR(scene.bounds.lo.y, 0, 1e-6);
     EXPECT_NEAR(scene.bounds.hi.y, 3.15, 1e-6);
     EXPECT_NEAR(scene.bounds.hi.z, 2, 1e-6);
-    // Where patches shrink to a point, the tops of knob and bottom, the normals of all of them are the axis.
+    // Normals of all patches equal the axis where the patches shrink to a point, on top of knob and bottom.
     std::size_t poles = 0;
     for (std::size_t i = 0; i < teapot.positions.size(); ++i) {
         const glm::vec3& p = teapot.positions[i];
@@ -416,7 +416,7 @@ TEST(Teapot, NeighbouringPatchesMeetWithEqualNormals) {
             ++shared;
             creased += glm::dot(normals[i], normals[0]) < 0.98f;
         }
-    // The data are smooth across patches but for single points.
+    // The data are smooth across patches except at single points.
     EXPECT_GT(shared, 500u);
     EXPECT_LE(creased, 4u);
 }

@@ -1,5 +1,4 @@
-// The drawing of a cross-section: words that keep apart, colours that can be read on either ground, and SVG that is
-// XML.
+// Tests of cross-section drawings: separate and readable texts, and SVG that is XML.
 #include "renderer/inspect/section_drawing.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Acne on a plane of 45 degrees, ten texels of 40 mm, as no driver need draw it.
+/// Returns a cross-section with acne on a plane of 45 degrees and ten texels of 40 mm, made by hand.
 Section acne() {
     Section s;
     s.shadowed = true;
@@ -51,7 +50,8 @@ Section acne() {
     return s;
 }
 
-/// The bias has lifted what is compared past a box 0.3 m above, which fills the map to the right.
+/// Returns a cross-section whose bias has shifted the compared point past a box 0.3 m above, which fills the map to the
+/// right.
 Section peter_panning() {
     Section s = acne();
     s.lit = true;
@@ -75,8 +75,9 @@ Section peter_panning() {
     return s;
 }
 
-/// A normal offset leads the look-up two and a half texels aside; one tap meets another surface.
-Section led_aside() {
+/// Returns a cross-section whose normal offset leads the look-up two and a half texels aside; one tap hits another
+/// surface.
+Section offset_look_up() {
     Section s = acne();
     s.artefact = "peter-panning by normal offset";
     s.moved = {0.1, 0.06};
@@ -100,14 +101,14 @@ Section light_bleeding() {
     return s;
 }
 
-/// Words of its legend.
-std::vector<std::string> told(const SectionDrawing& d) {
+/// Returns the texts of the legend.
+std::vector<std::string> legend_texts(const SectionDrawing& d) {
     std::vector<std::string> out;
     for (const LegendRow& row : d.legend) out.emplace_back(row.text);
     return out;
 }
 
-bool tells(const SectionDrawing& d, std::string_view text) {
+bool legend_has(const SectionDrawing& d, std::string_view text) {
     return std::ranges::any_of(d.legend, [&](const LegendRow& row) { return row.text == text; });
 }
 
@@ -126,7 +127,7 @@ double contrast(const std::array<std::uint8_t, 3>& a, const std::array<std::uint
     return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-TEST(SectionDrawing, WordsCanBeReadOnEitherGround) {
+TEST(SectionDrawing, TextIsReadableOnBothBackgrounds) {
     for (const bool captions : {false, true})
         for (const Mark& m : draw_section(acne(), {.captions = captions}).marks) {
             if (m.kind != Mark::Kind::Text) continue;
@@ -136,10 +137,12 @@ TEST(SectionDrawing, WordsCanBeReadOnEitherGround) {
         }
 }
 
-TEST(SectionDrawing, WordsKeepApartAndInside) {
+TEST(SectionDrawing, TextDoesNotOverlapAndStaysInside) {
     Section crowded = acne();
-    // Everything at one height.
-    crowded.window_from = 0.005, crowded.window_to = 0.0052, crowded.has_window = true;
+    // All parts at one height.
+    crowded.window_from = 0.005;
+    crowded.window_to = 0.0052;
+    crowded.has_window = true;
     crowded.occluder = glm::dvec2(0, 0.0051);
     crowded.occluder_m = 0.0051;
     crowded.moved = {0.02, 0.004};
@@ -172,7 +175,7 @@ TEST(SectionDrawing, WordsKeepApartAndInside) {
         }
 }
 
-TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
+TEST(SectionDrawing, LegendListsExactlyTheDrawnMarks) {
     using enum Mark::Kind;
     const std::set<std::pair<Mark::Kind, Ink>> legended{
         {Line, Ink::Step},         {Area, Ink::Shade}, {Line, Ink::Surface}, {Line, Ink::Plane},
@@ -187,7 +190,7 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
     hopeless.window_to = 0.01;
     Section no_map;
     std::set<std::pair<Mark::Kind, Ink>> seen;
-    for (const Section& s : {acne(), peter_panning(), led_aside(), light_bleeding(), untraced, hopeless, no_map})
+    for (const Section& s : {acne(), peter_panning(), offset_look_up(), light_bleeding(), untraced, hopeless, no_map})
         for (const bool captions : {false, true}) {
             SCOPED_TRACE((s.artefact.empty() ? "no artefact" : s.artefact) + (captions ? ", captions" : ""));
             const SectionDrawing d = draw_section(s, {.captions = captions});
@@ -196,7 +199,7 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
                 const auto first_words =
                     std::ranges::find_if(d.marks, [&](const Mark& m) { return m.text == d.legend[0].text; });
                 ASSERT_NE(first_words, end);
-                end = first_words - 1;  // its swatch
+                end = first_words - 1;  // the swatch
             }
             std::set<std::pair<Mark::Kind, Ink>> drawn, listed;
             for (auto m = d.marks.begin(); m != end; ++m)
@@ -204,7 +207,7 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
             for (const LegendRow& row : d.legend) EXPECT_TRUE(listed.emplace(row.kind, row.ink).second) << row.text;
             EXPECT_EQ(drawn, listed);
             seen.insert(listed.begin(), listed.end());
-            // Swatch and words of each row in turn, and of no other.
+            // Swatch and text of each row in turn, and of no other.
             for (const LegendRow& row : d.legend) {
                 if (!captions) break;
                 EXPECT_TRUE(row.explains(*end) && end->dashed == row.dashed) << row.text;
@@ -218,30 +221,32 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
     EXPECT_EQ(seen, legended) << "each row is tested";
 }
 
-TEST(SectionDrawing, TheLegendSaysWhatThisPixelHas) {
+TEST(SectionDrawing, LegendDescribesTheProbedPixel) {
     const SectionDrawing dark = draw_section(acne(), {});
-    EXPECT_EQ(told(dark), (std::vector<std::string>{"stored depths, one step per texel", "in shadow, by the map",
-                                                    "first surface from the light, by rays", "the surface's plane",
-                                                    "compared with the texel's depth: lit",
-                                                    "compared with the texel's depth: in shadow", "right depth biases",
-                                                    "tap lit", "tap in shadow by the surface itself"}));
-    EXPECT_EQ(told(draw_section(acne(), {.height = 300, .captions = false})), told(dark)) << "the same words";
-    const SectionDrawing lifted = draw_section(peter_panning(), {});
-    EXPECT_TRUE(tells(lifted, "tap lit"));
-    EXPECT_FALSE(tells(lifted, "tap in shadow") || tells(lifted, "tap in shadow by the surface itself"));
-    EXPECT_TRUE(tells(draw_section(led_aside(), {}), "tap in shadow"));
+    EXPECT_EQ(
+        legend_texts(dark),
+        (std::vector<std::string>{"stored depths, one step per texel", "in shadow, by the map",
+                                  "first surface from the light, by rays", "the surface's plane",
+                                  "compared with the texel's depth: lit", "compared with the texel's depth: in shadow",
+                                  "right depth biases", "tap lit", "tap in shadow by the surface itself"}));
+    EXPECT_EQ(legend_texts(draw_section(acne(), {.height = 300, .captions = false})), legend_texts(dark))
+        << "the same words";
+    const SectionDrawing shifted = draw_section(peter_panning(), {});
+    EXPECT_TRUE(legend_has(shifted, "tap lit"));
+    EXPECT_FALSE(legend_has(shifted, "tap in shadow") || legend_has(shifted, "tap in shadow by the surface itself"));
+    EXPECT_TRUE(legend_has(draw_section(offset_look_up(), {}), "tap in shadow"));
     Section s = light_bleeding();
     const SectionDrawing spread = draw_section(s, {});
-    EXPECT_TRUE(tells(spread, "mean of the depths"));
-    EXPECT_TRUE(tells(spread, "one standard deviation to each side of the mean"));
-    EXPECT_FALSE(tells(spread, "tap lit") || tells(spread, "compared with the texel's depth: lit"));
+    EXPECT_TRUE(legend_has(spread, "mean of the depths"));
+    EXPECT_TRUE(legend_has(spread, "one standard deviation to each side of the mean"));
+    EXPECT_FALSE(legend_has(spread, "tap lit") || legend_has(spread, "compared with the texel's depth: lit"));
     s.moments->spread = std::numeric_limits<double>::quiet_NaN();
     const SectionDrawing mean = draw_section(s, {});
-    EXPECT_TRUE(tells(mean, "mean of the depths"));
-    EXPECT_FALSE(tells(mean, "one standard deviation to each side of the mean"));
+    EXPECT_TRUE(legend_has(mean, "mean of the depths"));
+    EXPECT_FALSE(legend_has(mean, "one standard deviation to each side of the mean"));
 }
 
-TEST(SectionDrawing, WhatIsUnderTheMouseIsFoundInTheLegend) {
+TEST(SectionDrawing, HoveredMarkIsFoundInTheLegend) {
     SectionDrawing d;
     d.legend = {{Mark::Kind::Line, Ink::Step, false, "step"},
                 {Mark::Kind::Area, Ink::Shade, false, "shade"},
@@ -272,7 +277,7 @@ TEST(SectionDrawing, WhatIsUnderTheMouseIsFoundInTheLegend) {
     EXPECT_EQ(at(60, 120), "");
 }
 
-TEST(SectionDrawing, PlacesAreThoseOfTheSection) {
+TEST(SectionDrawing, PositionsMatchTheSection) {
     const Section s = acne();
     const SectionDrawing d = draw_section(s, {.height = 640});
     EXPECT_FALSE(d.broken);
@@ -289,7 +294,7 @@ TEST(SectionDrawing, PlacesAreThoseOfTheSection) {
     EXPECT_GE(found, 3) << "each step that the page holds, where it lies";
 }
 
-/// Middles of the lines that mark the ends of the window, the near one first, counted from the ring.
+/// Returns the centres of the lines that mark the ends of the bias window, the near one first, relative to the ring.
 std::vector<glm::dvec2> ends_of_window(const SectionDrawing& d) {
     std::vector<glm::dvec2> out;
     for (const Mark& m : d.marks)
@@ -303,7 +308,7 @@ const Mark* words_of(const SectionDrawing& d, std::string_view text) {
     return m == d.marks.end() ? nullptr : &*m;
 }
 
-/// The note, and the other less important words.
+/// Returns the note and the other muted texts.
 std::string muted_words(const SectionDrawing& d) {
     std::string out;
     for (const Mark& m : d.marks)
@@ -311,12 +316,12 @@ std::string muted_words(const SectionDrawing& d) {
     return out;
 }
 
-TEST(SectionDrawing, TheWindowStandsBesideTheRingSoFarUpItsRayAsIsNeeded) {
-    Section right = led_aside();
+TEST(SectionDrawing, BiasWindowIsNextToTheRingAlongItsRay) {
+    Section right = offset_look_up();
     right.artefact.clear();
     Section slanted = acne();
     slanted.light_ray = glm::normalize(glm::dvec2(0.3, 1));
-    for (Section s : {acne(), led_aside(), right, slanted}) {
+    for (Section s : {acne(), offset_look_up(), right, slanted}) {
         s.window_to = 0.05;
         SCOPED_TRACE(s.artefact + (s.light_ray.x > 0 ? ", slanted" : ""));
         const SectionPage page{.height = 640};
@@ -333,7 +338,7 @@ TEST(SectionDrawing, TheWindowStandsBesideTheRingSoFarUpItsRayAsIsNeeded) {
             EXPECT_NEAR(-end.y, metres * s.light_ray.y * d.along, 1e-6);
         }
         EXPECT_TRUE(words_of(d, "needs 0.6 texels of bias"));
-        // The bar between them.
+        // The bar between the two lines.
         const auto bar = std::ranges::find_if(
             d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Area && m.ink == Ink::Window; });
         ASSERT_NE(bar, d.marks.end());
@@ -343,9 +348,9 @@ TEST(SectionDrawing, TheWindowStandsBesideTheRingSoFarUpItsRayAsIsNeeded) {
     }
 }
 
-TEST(SectionDrawing, WhatAnOffsetIsWorthIsMarkedBesideTheWindow) {
+TEST(SectionDrawing, EquivalentBiasOfAnOffsetIsMarked) {
     EXPECT_FALSE(words_of(draw_section(acne(), {}), "has 0.1 texels")) << "that is the disk's height";
-    Section s = led_aside();
+    Section s = offset_look_up();
     s.has = {0.005, 0.5, 0.02};
     const SectionDrawing d = draw_section(s, {});
     EXPECT_TRUE(words_of(d, "has 0.5 texels"));
@@ -355,7 +360,7 @@ TEST(SectionDrawing, WhatAnOffsetIsWorthIsMarkedBesideTheWindow) {
     }));
 }
 
-TEST(SectionDrawing, TheBarOfTexelsIsAsWideAsTexels) {
+TEST(SectionDrawing, TexelBarHasTheWidthOfTexels) {
     Section aslant = acne();
     aslant.texel_long_m = 0.05;
     for (const Section& s : {acne(), aslant}) {
@@ -366,18 +371,18 @@ TEST(SectionDrawing, TheBarOfTexelsIsAsWideAsTexels) {
         const std::vector<glm::dvec2>& bar = (scale - 1)->points;
         EXPECT_NEAR((bar.back().x - bar.front().x) / std::stod(scale->text),
                     (s.steps[4].to.x - s.steps[4].from.x) * d.across, 1e-6);
-        const bool told = muted_words(d).find("as bias counts them, texels are 50 mm long") != std::string::npos;
-        EXPECT_EQ(told, s.texel_long_m > 0);
+        const bool noted = muted_words(d).find("as bias counts them, texels are 50 mm long") != std::string::npos;
+        EXPECT_EQ(noted, s.texel_long_m > 0);
         EXPECT_EQ(words_of(d, "needs 0.6 texels = 24 mm") != nullptr, s.texel_long_m > 0);
     }
 }
 
-TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
-    Section leaves = led_aside();
+TEST(SectionDrawing, ArrowHasTheLengthOfItsLabel) {
+    Section leaves = offset_look_up();
     leaves.normal_offset_m = 0.15;
     leaves.surface_offset_texels = 2.35;
     leaves.surface_at = {0, -0.08};
-    for (const Section& s : {led_aside(), leaves}) {
+    for (const Section& s : {offset_look_up(), leaves}) {
         const SectionDrawing d = draw_section(s, {});
         const auto arrow = std::ranges::find_if(
             d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Line && m.ink == Ink::Offset; });
@@ -390,8 +395,8 @@ TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
     }
 }
 
-TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
-    Section s = led_aside();
+TEST(SectionDrawing, SurfaceOffTheCutHasItsOwnPlaneAndANote) {
+    Section s = offset_look_up();
     s.row_offset_texels = 0.49;
     const auto planes = [](const SectionDrawing& d) {
         std::vector<const Mark*> out;
@@ -414,12 +419,12 @@ TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
     EXPECT_NEAR(middle.x, beside.zero_x, 1e-6) << "through the ring";
     EXPECT_NEAR(middle.y, beside.zero_y, 1e-6);
     EXPECT_NEAR(way.y / way.x, -beside.along / beside.across, 1e-6) << "parallel";
-    const std::string told = muted_words(draw_section(s, {}));
+    const std::string noted = muted_words(draw_section(s, {}));
     for (const char* part : {"0.49 texels off the cut", "7.32 texels off the cut", "150 mm", "117 mm", "dashes"})
-        EXPECT_NE(told.find(part), std::string::npos) << part << " in: " << told;
+        EXPECT_NE(noted.find(part), std::string::npos) << part << " in: " << noted;
 }
 
-TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
+TEST(SectionDrawing, FarPartsAreDrawnAfterABreak) {
     Section s = acne();
     s.occluder = glm::dvec2(0, 7.5);
     s.occluder_m = 7.5;
@@ -433,7 +438,7 @@ TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
                         p.y <= d.height);
 }
 
-TEST(SectionSvg, IsWellFormedWhateverTheWords) {
+TEST(SectionSvg, IsWellFormedForAnyText) {
     Section s = acne();
     s.verdict = "<script>&amp; a & b \"quoted\" 'too' \x01 \xff \xef\xbf\xbf ]]> 0.5\xc2\xb0";
     const std::string svg = section_svg(draw_section(s, {}), s.verdict + " </title>");
@@ -447,7 +452,7 @@ TEST(SectionSvg, IsWellFormedWhateverTheWords) {
     EXPECT_EQ(test::xml_fault(section_svg(draw_section(none, {}), "none")), "");
 }
 
-TEST(SectionSvg, TheCheckOfXmlFindsWhatIsWrong) {
+TEST(SectionSvg, XmlCheckFindsErrors) {
     for (const char* bad : {"<a>", "<a></b>", "<a b=c/>", "<a b=\"1\" b=\"2\"/>", "<a>&nbsp;</a>", "<a>&</a>",
                             "<a/><b/>", "<a b=\"<\"/>", "<a>]]></a>", "<a>\x01</a>", "<a>\xff</a>", "text", ""})
         EXPECT_NE(test::xml_fault(bad), "") << bad;

@@ -1,4 +1,4 @@
-// The settings table: every member has a row, keys round-trip, values are read, refused and repaired.
+// Tests of the settings table: every member has a row, keys round-trip, values are read, refused and repaired.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ bool mentions(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
 }
 
-/// A value in range that differs from the default.
+/// Returns a value in range that differs from the default.
 Value other_value(const SettingRef& ref) {
     const Value v = default_value(ref);
     if (const bool* b = std::get_if<bool>(&v)) return !*b;
@@ -74,7 +74,7 @@ TEST(SettingsTable, RowsAreCompleteAndDistinct) {
     }
 }
 
-TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
+TEST(SettingsTable, EachRowHasItsOwnMember) {
     Settings s;
     ObjectSettings object;
     std::set<void*> members;
@@ -100,7 +100,7 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
                                   rows::member_count<LightMapSettings>() + 1 /* light.count */);
 }
 
-TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
+TEST(SettingsTable, DefaultsAreInRangeAndNeedNoRepair) {
     Settings s;
     s.objects["A"] = {};
     for (const SettingRef& ref : all_settings(s)) {
@@ -134,7 +134,7 @@ TEST(SettingsTable, NumbersAreShortAndExact) {
     EXPECT_FALSE(std::signbit(std::get<double>(parse_value(*find_setting("light.azimuth"), "-0"))));
 }
 
-TEST(SettingsKeys, LightsAndObjects) {
+TEST(SettingsKeys, CoverLightsAndObjects) {
     EXPECT_EQ(find_setting("light.azimuth")->light, 0);
     EXPECT_EQ(find_setting("light.15.azimuth")->light, 15);
     EXPECT_EQ(setting_key(*find_setting("light.0.azimuth")), "light.azimuth");
@@ -150,14 +150,14 @@ TEST(SettingsKeys, LightsAndObjects) {
     }
 }
 
-TEST(SettingsKeys, NearestKey) {
+TEST(SettingsKeys, SuggestTheNearestKey) {
     EXPECT_EQ(nearest_key("bias.slop"), "bias.slope");
     EXPECT_EQ(nearest_key("bais.constant"), "bias.constant");
     EXPECT_EQ(nearest_key("light.3.azimut"), "light.3.azimuth");
     EXPECT_EQ(nearest_key("light.16.azimuth"), "light.15.azimuth");
     EXPECT_EQ(nearest_key("object.Root/Fence.cul"), "object.Root/Fence.cull");
     EXPECT_EQ(nearest_name("pcf4", {}), "");
-    // The beginning of names leads to the first of them; what is like none is near to none.
+    // A prefix suggests the first name with it; unlike words suggest nothing.
     EXPECT_EQ(nearest_key("filter"), "filter.kernel");
     EXPECT_EQ(nearest_key("fliter"), "filter.kernel");
     EXPECT_EQ(nearest_key("filter.kern"), "filter.kernel");
@@ -175,7 +175,7 @@ TEST(SettingsKeys, NearestKey) {
     EXPECT_EQ(nearest_name("PCF", names), "pcf");
 }
 
-TEST(SettingsText, RefusesWhatNoSettingCanBe) {
+TEST(SettingsText, RefusesInvalidValues) {
     EXPECT_TRUE(mentions(refusal("bias.slop", "1"), "\"bias.slop\": unknown setting; did you mean bias.slope?"));
     EXPECT_TRUE(mentions(refusal("bias.slope", "nan"), "not finite"));
     EXPECT_TRUE(mentions(refusal("bias.slope", "inf"), "not finite"));
@@ -191,7 +191,7 @@ TEST(SettingsText, RefusesWhatNoSettingCanBe) {
     EXPECT_TRUE(mentions(refusal("map.format", "2"), "none of d16, d24, d32f, colour, linear, linear16"));
 }
 
-TEST(SettingsText, NamesAreWhatCanBeShownAndIsNotTooLong) {
+TEST(SettingsText, NamesArePrintableAndShort) {
     const auto ref = *find_setting("light.2.name");
     EXPECT_TRUE(is_text(*ref.param));
     EXPECT_FALSE(is_text(*find_setting("light.2.type")->param));
@@ -234,7 +234,7 @@ TEST(SettingsText, NumbersHaveNoExponentsAndTheUnitOfTheirKind) {
     EXPECT_EQ(shown_value(s, *find_setting("light.0.size"), 4.0), "4°") << "each light by itself";
 }
 
-TEST(SettingsText, LightsAreCalledByTheirNames) {
+TEST(SettingsText, LightsAreNamed) {
     Settings s;
     EXPECT_EQ(light_title(s, 1), "Light 1");
     s.lights[1].name = "key";
@@ -244,7 +244,7 @@ TEST(SettingsText, LightsAreCalledByTheirNames) {
     EXPECT_EQ(change_text(Settings(), s, ref), "none → key");
 }
 
-TEST(SettingsText, BooleansInAllSpellings) {
+TEST(SettingsText, AcceptsAllSpellingsOfBooleans) {
     Settings s;
     for (const char* on : {"true", "on", "1"}) {
         s.map.reversed_z = false;
@@ -258,7 +258,7 @@ TEST(SettingsText, BooleansInAllSpellings) {
     }
 }
 
-TEST(SettingsObjects, AnOverrideEqualToTheDefaultsIsNone) {
+TEST(SettingsObjects, OverrideEqualToTheDefaultsIsDropped) {
     Settings s;
     set_setting(s, "object.Floor.cull", "none");
     ASSERT_EQ(s.objects.count("Floor"), 1u);
@@ -298,7 +298,7 @@ TEST(SettingsSearch, UnderscoresAndHyphensAreSpaces) {
     EXPECT_TRUE(found_by("zzz").empty());
 }
 
-TEST(SettingsRepair, NonFiniteAndOutOfRange) {
+TEST(SettingsRepair, ReplacesNonFiniteAndOutOfRangeValues) {
     Settings s;
     s.bias.slope = std::numeric_limits<double>::quiet_NaN();
     s.lights[4].azimuth = std::numeric_limits<double>::infinity();
@@ -315,7 +315,7 @@ TEST(SettingsRepair, NonFiniteAndOutOfRange) {
     EXPECT_TRUE(sanitise(s).empty()) << "a repair needs no second one";
 }
 
-TEST(SettingsRepair, ReversedPlanes) {
+TEST(SettingsRepair, SwapsReversedPlanes) {
     Settings s;
     s.lights[2].near = 50;
     s.lights[2].far = 2;
@@ -334,7 +334,7 @@ TEST(SettingsRepair, ReversedPlanes) {
     EXPECT_TRUE(sanitise(s).empty()) << "0 is automatic";
 }
 
-TEST(SettingsIdle, SaysWhy) {
+TEST(SettingsIdle, GivesReasons) {
     Settings s;
     const auto idle = [&](const char* key) { return idle_reason(s, *find_setting(key)); };
     EXPECT_FALSE(idle("light.near").empty());
@@ -362,7 +362,7 @@ TEST(SettingsIdle, SaysWhy) {
     EXPECT_TRUE(idle("camera.fov").empty());
 }
 
-/// A few values that a setting may have.
+/// Returns a few possible values of a setting.
 std::vector<Value> some_values(const SettingRef& ref) {
     const Param& p = *ref.param;
     const Value like = default_value(ref);
@@ -382,13 +382,13 @@ std::vector<Value> some_values(const SettingRef& ref) {
     return values;
 }
 
-SI_TEST_IS(Repeated, SettingsIdle, EveryReasonEndsSomewhere);
-TEST(SettingsIdle, EveryReasonEndsSomewhere) {
+SI_TEST_IS(Repeated, SettingsIdle, EveryReasonCanBeRemoved);
+TEST(SettingsIdle, EveryReasonCanBeRemoved) {
     std::vector<std::pair<SettingRef, Value>> changes;
     for (const SettingRef& ref : all_settings(Settings{}))
         if (ref.light == 0)
             for (const Value& v : some_values(ref)) changes.emplace_back(ref, v);
-    // Where each change brings up another reason.
+    // Follows changes that lead to another reason.
     const std::function<bool(const SettingRef&, const Settings&, int)> ends_one_by_one =
         [&](const SettingRef& ref, const Settings& from, int most) {
             if (idle_reason(from, ref).empty() || most == 0) return idle_reason(from, ref).empty();
@@ -420,7 +420,7 @@ TEST(SettingsIdle, EveryReasonEndsSomewhere) {
         }
 }
 
-TEST(SettingsOwned, OfASourceActWhereAnyLightHasIt) {
+TEST(SettingsOwned, ActIfAnyLightHasTheirSource) {
     std::size_t owned = 0;
     for (const Source& source : sources())
         for (const std::string_view key : source.settings) {
@@ -436,7 +436,7 @@ TEST(SettingsOwned, OfASourceActWhereAnyLightHasIt) {
     EXPECT_GE(owned, 7u);
 }
 
-TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
+TEST(SettingsOwned, ActOnlyForKernelsThatListThem) {
     int owned = 0;
     for (const SettingRef& ref : all_settings(Settings{})) {
         if (ref.light != 0 || !ref.param->key.starts_with("filter.")) continue;

@@ -1,5 +1,5 @@
-// How far light and shadow reach around a pixel, over pictures made by hand: a floor seen from straight above under a
-// sun straight above, so that pixels are squares of metres across the light.
+// Tests of the widths of light and shadow around a pixel, over pictures made by hand: a floor from straight above under
+// a sun straight above, so that pixels are squares of metres across the light.
 #include "renderer/reference/shadow_runs.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPixel_m = 0.1;
 
-/// Rows of '.' lit, '#' dark, ' ' background, '|' a surface that stands before the floor.
+/// Picture made from rows: '.' lit, '#' dark, ' ' background, '|' a surface in front of the floor.
 struct Floor {
     Reference reference;
     Receivers receivers;
@@ -71,13 +71,13 @@ TEST(ShadowRuns, AreTheWidthsOfStripesInMetres) {
     for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(1e5, 300, -2e5)}) {
         const Floor floor(std::vector<std::string>(30, row(40, 6, 44)), at);
         const ShadowRuns runs = floor.runs();
-        // A bar's shadow of six pixels: every pixel in it lies in a run of 0.6 m.
+        // A bar's shadow of six pixels: every pixel inside is in a run of 0.6 m.
         for (int x = 40; x < 46; ++x) {
             EXPECT_NEAR(runs.run_m.at(x, 15), 0.6, 1e-6) << x;
             EXPECT_NEAR(runs.edge_m.at(x, 15), kPixel_m * (std::min(x - 40, 45 - x) + 0.5), 1e-6) << x;
         }
-        // Beside it the light is wide, but the bar is not: texels of 0.6 m can be wrong within 0.6 m of it, wider ones
-        // farther.
+        // Next to the bar the light is wide, but the bar is not: texels of 0.6 m can be wrong within 0.6 m of it, wider
+        // ones farther.
         EXPECT_NEAR(runs.run_m.at(38, 15), 0.6, 1e-6);
         EXPECT_NEAR(runs.edge_m.at(38, 15), 0.15, 1e-6);
         EXPECT_NEAR(runs.run_m.at(20, 15), 1.95, 1e-6) << "a texel has to reach the bar";
@@ -85,14 +85,14 @@ TEST(ShadowRuns, AreTheWidthsOfStripesInMetres) {
     }
 }
 
-TEST(ShadowRuns, OfOneEdgeAreEndless) {
+TEST(ShadowRuns, OneEdgeGivesAnEndlessRun) {
     const ShadowRuns runs = Floor(std::vector<std::string>(30, row(50, 150, 0))).runs();
     for (const int x : {10, 49, 50, 80}) EXPECT_TRUE(std::isinf(runs.run_m.at(x, 15))) << x;
     EXPECT_NEAR(runs.edge_m.at(49, 15), 0.05, 1e-6);
     EXPECT_TRUE(std::isinf(runs.edge_m.at(50 + kRunReach + 1, 15))) << "as far as is looked";
 }
 
-TEST(ShadowRuns, EndWhereTheSurfaceEndsAndGoOnBehindWhatStandsBefore) {
+TEST(ShadowRuns, EndAtTheSurfaceAndContinueBehindOccluders) {
     std::string broken = row(30, 10, 30);
     broken.replace(33, 2, "  ");
     const ShadowRuns ends = Floor(std::vector<std::string>(20, broken)).runs();
@@ -104,7 +104,7 @@ TEST(ShadowRuns, EndWhereTheSurfaceEndsAndGoOnBehindWhatStandsBefore) {
     EXPECT_TRUE(std::isinf(behind.runs().edge_m.at(34, 10))) << "another surface knows nothing of the floor's shadow";
 }
 
-TEST(ShadowRuns, OfAPartReachingFarEnoughAreThoseOfTheWhole) {
+TEST(ShadowRuns, LargePartsGiveTheRunsOfTheWhole) {
     std::vector<std::string> rows;
     for (int y = 0; y < 150; ++y) {
         std::string r;
@@ -122,7 +122,7 @@ TEST(ShadowRuns, OfAPartReachingFarEnoughAreThoseOfTheWhole) {
     EXPECT_NEAR(runs.edge_m.at(kRunReach, kRunReach), whole.edge_m.at(cx, cy), 1e-6);
 }
 
-TEST(ShadowRuns, WithoutAMapOrBeyondWhatCountsAreEndless) {
+TEST(ShadowRuns, AreEndlessWithoutAMapOrOutsideTheRange) {
     Floor floor(std::vector<std::string>(10, row(5, 5, 5)));
     floor.reference.state[5 * 15 + 7] = PixelState::FacesAway;
     EXPECT_TRUE(std::isinf(floor.runs().run_m.at(7, 5)));

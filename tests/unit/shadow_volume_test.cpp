@@ -1,4 +1,4 @@
-// Shadow volumes without a GPU: how often their boundary encloses a point, against triangles counted one by one.
+// Tests of shadow volumes without a GPU: how often their boundary encloses a point, compared with counted triangles.
 #include "renderer/view/lights/shadow_volume.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ struct Ws {
     glm::dvec3 a, b, c;
 };
 
-/// 1 where the line from p along d leaves through the triangle's front, -1 where it enters, 0 where it misses.
+/// Returns 1 if the line from p along d leaves through the triangle's front, -1 if it enters, 0 if it misses.
 int crossing(const Ws& t, const glm::dvec3& p, const glm::dvec3& d) {
     const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, h = glm::cross(d, e2);
     const double det = glm::dot(e1, h);
@@ -27,7 +27,7 @@ int crossing(const Ws& t, const glm::dvec3& p, const glm::dvec3& d) {
 
 class Volume {
 public:
-    /// @param capped with dark caps under parallel light, too
+    /// Builds the volume of a mesh. @param capped adds dark caps under parallel light
     Volume(const Mesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool capped = false)
         : mesh_(mesh), light_(light) {
         VolumeTriangles found;
@@ -48,13 +48,13 @@ public:
         add(found.rest, false);
         sides = found.rest.size() / 3;
     }
-    /// How many times the boundary encloses the point.
+    /// Returns how many times the boundary encloses the point.
     int encloses(const glm::dvec3& p, const glm::dvec3& along) const {
         int sum = 0;
         for (const Ws& t : faces_) sum += crossing(t, p, along);
         return sum;
     }
-    /// How many triangles stand between the point and the light.
+    /// Returns how many triangles are between the point and the light.
     int between(const glm::dvec3& p) const {
         const glm::dvec3 d = light_.parallel ? light_.to_light * kFarAway_m : light_.position_ws - p;
         int sum = 0;
@@ -79,19 +79,19 @@ private:
     }
 };
 
-/// A mesh whose triangles look inwards.
+/// Makes a mesh whose triangles face inwards.
 Mesh inside_out(Mesh mesh) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
         std::swap(mesh.indices.edit()[i], mesh.indices.edit()[i + 1]);
     return mesh;
 }
 
-Mesh both(Mesh a, const Mesh& b) {
+Mesh joined_meshes(Mesh a, const Mesh& b) {
     append(a, b);
     return a;
 }
 
-/// Three sheets that share an edge.
+/// Makes three sheets that share an edge.
 Mesh fan() {
     return make_polygons("fan", {{{0, -1, 0}, {2, -1, 0}, {2, 1, 0}, {0, 1, 0}},
                                  {{0, -1, 0}, {-1, -1, 2}, {-1, 1, 2}, {0, 1, 0}},
@@ -101,8 +101,8 @@ Mesh fan() {
 struct Case {
     const char* name;
     Mesh mesh;
-    std::size_t open;  ///< triangles
-    bool exact;        ///< all triangles count; else those that look one way
+    std::size_t open;  ///< number of triangles
+    bool exact;        ///< all triangles count; otherwise only those that face one way
 };
 
 std::vector<Case> cases() {
@@ -114,10 +114,10 @@ std::vector<Case> cases() {
             {"sheet", make_plane(2, 3, 2, 2), 8, true},
             {"box without a side", lidless, 10, true},
             {"sheets that share an edge", fan(), 6, true},
-            {"box and sheet", both(make_box({1, 1, 1}), make_plane(4, 4)), 2, false}};
+            {"box and sheet", joined_meshes(make_box({1, 1, 1}), make_plane(4, 4)), 2, false}};
 }
 
-TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
+TEST(ShadowVolume, EnclosesAPointOncePerOccluder) {
     Random random(7);
     const glm::dmat4 mirrored = moved(3e3, -5e2, 8e3) * turned(33, {1, 2, 3}) * scaled(-1.2, 1, 0.7);
     for (const Case& c : cases())
@@ -126,7 +126,7 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
                 for (int l = 0; l < 6; ++l) {
                     SCOPED_TRACE(testing::Message() << c.name << " " << parallel << " " << capped << " " << l);
                     const glm::dvec3 centre(world[3]);
-                    // The first ones exactly along the axes: sides of boxes are edge-on.
+                    // The first directions are exactly along the axes: sides of boxes are edge-on.
                     const glm::dvec3 axes[] = {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
                     const glm::dvec3 towards = l < 3 ? axes[l] : random.direction();
                     const VolumeLight light{parallel, towards, centre + 5.0 * towards};
@@ -135,7 +135,7 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
                     int shadowed = 0, off = 0;
                     for (int i = 0; i < 300; ++i) {
                         const glm::dvec3 p = centre + 2.5 * random.in(0, 1) * random.direction() - 1.5 * towards;
-                        // Without caps not out of the far end, which is open.
+                        // Lines without caps must not leave through the open far end.
                         const glm::dvec3 along =
                             capped ? random.direction() : glm::normalize(random.direction() + 1.5 * towards);
                         const int is = volume.encloses(p, along), reference = volume.between(p);
@@ -149,17 +149,17 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
                 }
 }
 
-// Joined triangles share their sides: of a closed surface only the outline has any.
-TEST(ShadowVolume, OnlyTheOutlineHasSides) {
+// Joined triangles share their sides: a closed surface has sides at its silhouette only.
+TEST(ShadowVolume, OnlySilhouettesHaveSides) {
     const VolumeLight sun{true, glm::normalize(glm::dvec3(0.3, 1, 0.2)), {}};
     EXPECT_EQ(Volume(make_box({1, 1, 1}), glm::dmat4(1), sun).sides, 6u) << "the hexagon that a cube's outline is";
     EXPECT_EQ(Volume(make_plane(2, 2, 5, 5), glm::dmat4(1), sun).sides, 20u) << "the rim, not the cells";
     const VolumeLight lamp{false, {0, 1, 0}, {0.3, 9, 0.2}};
-    // Two triangles a side and a dark cap: above the top side the outline is its rim.
+    // Two triangles a side and a dark cap: the rim of the top side is the silhouette.
     EXPECT_EQ(Volume(make_box({8, 1, 8}), glm::dmat4(1), lamp).sides, 4u * 2 + 2u);
 }
 
-TEST(ShadowVolume, CoveredPixelsAreThoseOfTheTriangleOnThePicture) {
+TEST(ShadowVolume, CoveredPixelsMatchTheProjectedTriangle) {
     const auto at = [](double x, double y, double w) { return glm::dvec4(x * w, y * w, 0, w); };
     EXPECT_NEAR(covered_pixels({at(-1, -1, 1), at(1, -1, 7), at(-1, 1, 0.3)}, 200, 100), 10000, 1e-6) << "half of it";
     EXPECT_NEAR(covered_pixels({at(-9, -9, 1), at(9, -9, 1), at(0, 30, 2)}, 200, 100), 20000, 1e-6) << "all of it";

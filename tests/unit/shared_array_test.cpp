@@ -1,4 +1,4 @@
-// Arrays that copies share until one of them is changed.
+// Tests of arrays that copies share until one changes.
 #include "renderer/base/shared_array.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using Ints = SharedArray<int>;
 
-TEST(SharedArray, CopiesAreOneInMemoryUntilOneChanges) {
+TEST(SharedArray, CopiesShareMemoryUntilOneChanges) {
     Ints a = {1, 2, 3};
     const Ints b = a;
     EXPECT_TRUE(a.shares_storage_with(b));
@@ -24,7 +24,7 @@ TEST(SharedArray, CopiesAreOneInMemoryUntilOneChanges) {
     EXPECT_EQ(a.data(), alone) << "nobody shares it: it is changed where it is";
 }
 
-TEST(SharedArray, WhateverChangesOneLeavesItsCopies) {
+TEST(SharedArray, ChangesLeaveCopiesUntouched) {
     const Ints before = {1, 2, 3};
     const auto changed = [&](auto&& change) {
         Ints a = before;
@@ -42,7 +42,7 @@ TEST(SharedArray, WhateverChangesOneLeavesItsCopies) {
     EXPECT_EQ(changed([](Ints& a) { a = Ints({6}); }), (std::vector<int>{6}));
 }
 
-TEST(SharedArray, WhatWasMovedFromIsEmptyAndOfUse) {
+TEST(SharedArray, MovedFromArrayIsEmptyAndUsable) {
     Ints a = {1, 2, 3};
     const Ints b = std::move(a);
     EXPECT_TRUE(a.empty());
@@ -52,37 +52,37 @@ TEST(SharedArray, WhatWasMovedFromIsEmptyAndOfUse) {
     EXPECT_TRUE(Ints().empty()) << "what is empty is nobody's own";
 }
 
-std::uint64_t told() {
+std::uint64_t reported_bytes() {
     for (const MemoryUse& h : memory_report().holders)
         if (h.holder == "tests' arrays") return h.bytes;
     return 0;
 }
 
-TEST(SharedArray, IsToldOfOnceHoweverManyShareIt) {
+TEST(SharedArray, IsCountedOnceForAllCopies) {
     {
         Ints a = std::vector<int>(100, 1);
         a.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 400u);
+        EXPECT_EQ(reported_bytes(), 400u);
         Ints b = a;
         b.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 400u);
+        EXPECT_EQ(reported_bytes(), 400u);
         Ints first = std::vector<int>(10, 1), second = first;
         first.track_memory("tests' arrays");
         second.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 440u) << "shared before it was told of";
+        EXPECT_EQ(reported_bytes(), 440u) << "shared before it was told of";
         first.clear();
         second.clear();
         b.push_back(2);
         b.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 804u);
+        EXPECT_EQ(reported_bytes(), 804u);
         b.resize(10);
         b.track_memory("tests' arrays");
-        EXPECT_EQ(told(), 440u);
+        EXPECT_EQ(reported_bytes(), 440u);
     }
-    EXPECT_EQ(told(), 0u);
+    EXPECT_EQ(reported_bytes(), 0u);
 }
 
-TEST(SharedArray, ThreadsChangeTheirCopies) {
+TEST(SharedArray, ThreadsChangeOnlyTheirCopies) {
     const Ints all = std::vector<int>(1000, 1);
     std::vector<std::jthread> threads;
     std::vector<long> sums(4);

@@ -1,4 +1,4 @@
-// Where cascades end under each way to divide the camera's depth, and how splits by hand keep their order.
+// Tests of cascade ends under each way to divide the camera's depth, and of the order of manual splits.
 #include "renderer/settings/splits.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct Divided {
     std::vector<std::string> notes;
 };
 
-/// Boxes before a camera that looks along -z, and the borders of the cascades of a sun.
+/// Makes boxes in front of a camera that looks along -z, and returns the cascade borders of a sun.
 Divided divided(const LightSettings& light, const glm::dvec3& at = glm::dvec3(0), bool orthographic = false) {
     Settings s;
     s.camera.source = CameraSource::Manual;
@@ -69,7 +69,7 @@ TEST(Splits, AreTheClosedFormsOfTheirRows) {
             }
 }
 
-TEST(Splits, OfAnOrthographicCameraAreEvenAndSaySo) {
+TEST(Splits, OrthographicSplitsAreEvenWithANote) {
     LightSettings light;
     light.cascades = 4;
     light.split = Split::Logarithmic;
@@ -81,7 +81,7 @@ TEST(Splits, OfAnOrthographicCameraAreEvenAndSaySo) {
     EXPECT_TRUE(divided(light, glm::dvec3(0), true).notes.empty());
 }
 
-TEST(Splits, PushTheirNeighbours) {
+TEST(Splits, MovingOnePushesItsNeighbours) {
     Settings s;
     const auto drag = [&](const char* key, double to) {
         const SettingRef ref = *find_setting(key);
@@ -98,10 +98,10 @@ TEST(Splits, PushTheirNeighbours) {
     EXPECT_EQ(s, before);
 }
 
-TEST(Splits, OutOfOrderAreRepairedWithANoteWhereTheyDivide) {
+TEST(Splits, UnorderedSplitsAreRepairedWithANote) {
     Settings s;
     set_setting(s, "light.cascades", "4");
-    set_setting(s, "light.split_1", "0.5");  // beyond the second, 0.2, and the third, 0.45
+    set_setting(s, "light.split_1", "0.5");  // behind the second, 0.2, and the third, 0.45
     Settings unused = s;
     EXPECT_TRUE(sanitise(unused).empty()) << "they do not divide";
     EXPECT_EQ(unused, s);
@@ -111,12 +111,12 @@ TEST(Splits, OutOfOrderAreRepairedWithANoteWhereTheyDivide) {
     EXPECT_EQ(notes[0], "light.split_2 0.2 lies before light.split_1 0.5: moved up to it");
     EXPECT_EQ(manual_splits(s.lights[0]), (std::array{0.5, 0.5, 0.5, 0.6, 0.7, 0.8, 0.9}));
     EXPECT_TRUE(sanitise(s).empty());
-    // Equal ones leave an interval of no depth, in which nothing is looked up.
+    // Equal splits leave an interval of no depth, which nothing looks up.
     const Divided d = divided(s.lights[0]);
     EXPECT_TRUE(std::ranges::is_sorted(d.ends));
 }
 
-TEST(Splits, ShowOnlyWhatTheirRowReads) {
+TEST(Splits, ShowOnlySettingsOfTheirRow) {
     Settings s;
     set_setting(s, "light.cascades", "3");
     const auto idle = [&](const char* key) { return idle_reason(s, *find_setting(key)); };

@@ -1,5 +1,4 @@
-// Maps that keep still: the spheres and depths that they are made of. What they promise:
-// tests/hard_cases/snapping_test.cpp.
+// Tests of spheres and depths of stabilised maps. tests/hard_cases/snapping_test.cpp tests their promises.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -13,8 +12,8 @@
 namespace si {
 namespace {
 
-// The sphere holds every corner of the slice, touches some, and is as large wherever the camera stands.
-TEST(Stabilised, TheSphereIsTheSmallest) {
+// The sphere holds every corner of the slice, touches some, and has the same size for every camera position.
+TEST(Stabilised, SphereIsTheSmallest) {
     Settings s;
     s.camera.source = CameraSource::Manual;
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 1);
@@ -50,7 +49,7 @@ TEST(Stabilised, TheSphereIsTheSmallest) {
             }
 }
 
-// Whatever is seen lies in the depths, wherever the camera looks; and they stay as it turns.
+// Visible points are inside the depth range for every camera direction, and the range stays as the camera turns.
 TEST(Stabilised, DepthsHoldTheScene) {
     const glm::dvec3 centre(5, -2, 100);
     std::mt19937 random(5);

@@ -1,4 +1,4 @@
-// Which casters are taken to rest, from frame to frame.
+// Tests of the choice of static casters, from frame to frame.
 #include "renderer/optimisations/static_casters.h"
 
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@ namespace {
 
 using Draws = StaticCasters::Draws;
 
-/// Of contents, each of so many triangles.
+/// Makes casters of these contents, each of so many triangles.
 std::vector<StaticCandidate> casters(std::vector<std::uint64_t> contents, std::uint64_t triangles = 10) {
     return group_by_content(contents, std::vector<std::uint64_t>(contents.size(), triangles));
 }
 
-TEST(StaticCasters, AreThoseThatTwoFramesOfTheSameViewsHold) {
+TEST(StaticCasters, AreCastersInTwoFramesOfTheSameViews) {
     StaticCasters r;
     std::string_view reason;
     EXPECT_EQ(r.choose(1, casters({5, 3, 9}), reason), Draws::All);
@@ -36,7 +36,7 @@ TEST(StaticCasters, AreThoseThatTwoFramesOfTheSameViewsHold) {
     EXPECT_FALSE(r.has_cache_for(2) || r.has_cache_for(1));
 }
 
-TEST(StaticCasters, SeveralOfOneContentAreOne) {
+TEST(StaticCasters, EqualContentsAreOneCaster) {
     const std::vector<StaticCandidate> all = casters({4, 0, 2, 4}, 10);
     EXPECT_EQ(all, (std::vector<StaticCandidate>{{2, 10}, {4, 20}})) << "0 casts nothing";
     StaticCasters r;
@@ -46,7 +46,7 @@ TEST(StaticCasters, SeveralOfOneContentAreOne) {
     EXPECT_TRUE(r.is_static(4)) << "one of them still is where both were";
 }
 
-TEST(StaticCasters, FewTrianglesAreNotWorthACopy) {
+TEST(StaticCasters, FewTrianglesGetNoCopy) {
     StaticCasters r;
     std::string_view reason;
     const auto one_of_many = [](std::uint64_t moved, std::uint64_t triangles) {
@@ -60,7 +60,7 @@ TEST(StaticCasters, FewTrianglesAreNotWorthACopy) {
     EXPECT_NE(reason.find("all casters have moved"), std::string_view::npos);
 }
 
-TEST(StaticCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {
+TEST(StaticCasters, StoppedCastersAreAddedOnceTheirCostIsEqual) {
     StaticCasters r;
     std::string_view reason;
     std::vector<std::uint64_t> all(10);
@@ -68,7 +68,7 @@ TEST(StaticCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {
     r.choose(1, casters(all), reason);
     for (int i = 0; i < 5; ++i) all[std::size_t(i)] += 50;
     ASSERT_EQ(r.choose(1, casters(all), reason), Draws::StaticAndMoving);
-    // The five rest from now on, of ten; another one moves.
+    // The five are static from now on, of ten; another one moves.
     int moved = 0;
     for (;; ++moved) {
         ASSERT_LT(moved, 10);
@@ -82,14 +82,14 @@ TEST(StaticCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {
     EXPECT_TRUE(r.is_static(150));
 }
 
-TEST(MapCells, AreTexelsInFewRectangles) {
+TEST(MapCells, CoverTexelsByFewRectangles) {
     MapCells cells;
     EXPECT_TRUE(cells.texel_rects(640).empty());
     cells.add({{0.5, 0.25}, {0.53, 0.27}}, false);
     EXPECT_EQ(cells.texel_rects(640), (std::vector<TexelRect>{{{320, 160}, {340, 180}}}));
     EXPECT_EQ(MapCells::whole().texel_rects(100), (std::vector<TexelRect>{{{0, 0}, {100, 100}}}));
     cells.add({{0.9, 0.26}, {1.2, 0.26}}, false);
-    // Every texel of each cell that is held, at sizes that cells do not divide too.
+    // Covers every texel of each held cell, also at sizes that cells do not divide.
     for (const int n : {1, 7, 64, 100, 511}) {
         const std::vector<TexelRect> rects = cells.texel_rects(n);
         for (int y = 0; y < n; ++y)

@@ -1,3 +1,4 @@
+// Tests of sweep axes: lists of values, errors, and the cross product.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-TEST(SweepAxes, ListsRowsAndEveryChoice) {
+TEST(SweepAxes, ListRowsAndEveryChoice) {
     EXPECT_EQ(parse_axis("map.resolution=512,1024").values, (Texts{"512", "1024"}));
     EXPECT_EQ(parse_axis("map.resolution=256:2048:*2").values, (Texts{"256", "512", "1024", "2048"}));
     EXPECT_EQ(parse_axis("bias.constant=0:0.3:0.1").values, (Texts{"0", "0.1", "0.2", "0.3"}));
@@ -47,7 +48,7 @@ TEST(SweepAxes, MistakesAreNamed) {
     EXPECT_FALSE(message("map.resolution=1e9").empty());
 }
 
-TEST(SweepAxes, TheCrossProductVariesTheLastAxisFastest) {
+TEST(SweepAxes, CrossProductVariesTheLastAxisFastest) {
     const SweepPlan plan =
         plan_sweep({}, {parse_axis("map.resolution=512,1024"), parse_axis("filter.kernel=hard,pcf3")});
     ASSERT_EQ(plan.cases.size(), 4u);
@@ -58,7 +59,7 @@ TEST(SweepAxes, TheCrossProductVariesTheLastAxisFastest) {
 
 TEST(SweepAxes, SettingsWithoutEffectCollapse) {
     Settings base;
-    base.shading.specular = 0;  // shininess has nothing to shape
+    base.shading.specular = 0;  // shininess has no effect
     const SweepPlan plan = plan_sweep(base, {parse_axis("shading.specular=0,1"), parse_axis("shading.shininess=8,64")});
     EXPECT_EQ(plan.product, 4u);
     EXPECT_EQ(plan.cases.size(), 3u);
@@ -102,7 +103,7 @@ TEST(SweepAxes, EveryKernelIsEachRowAtItsOwnSizes) {
     EXPECT_EQ(plan_sweep({}, {parse_axis("filter.kernel=hard,pcf"), parse_axis("filter.size=2:5:1")}).cases.size(), 5u);
 }
 
-TEST(SweepAxes, TwiceTheSameKeyAndTooManyCasesAreRefused) {
+TEST(SweepAxes, RepeatedKeysAndTooManyCasesAreRefused) {
     EXPECT_THROW(plan_sweep({}, {parse_axis("bias.constant=1"), parse_axis("bias.constant=2")}), UsageError);
     const auto many = [](const char* key) { return parse_axis(std::string(key) + "=0:0.9:0.001"); };
     EXPECT_THROW(plan_sweep({}, {many("bias.constant"), many("bias.slope")}), UsageError);

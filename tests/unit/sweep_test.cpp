@@ -1,4 +1,4 @@
-// Sweeps without a GPU: the journal, continuing, rounds, shards and merging, over a meter that makes numbers up.
+// Tests of sweeps without a GPU: the journal, continuing, rounds, shards and merging, over a meter of made-up numbers.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-TEST(Shards, DealOutEachCaseOnce) {
+TEST(Shards, CoverEachCaseOnce) {
     EXPECT_EQ(parse_shard("2/8"), (Shard{2, 8}));
     for (const char* wrong : {"", "0/2", "3/2", "1/0", "1/2/3", "1", "a/b", "1/-2", "1/99999999999"})
         EXPECT_THROW(parse_shard(wrong), UsageError) << wrong;
@@ -47,7 +47,7 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
     EXPECT_EQ(r["frontier"]["x"], "time.total_ms.median");
 }
 
-TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
+TEST(Sweep, RoundsEndWhenAllTimesAreStable) {
     const FakeSweep f(fresh_test_folder());
     struct Calm : FakeMeter {
         TimeSamples time(const SweepCase& c, int frames, CostCase) override {
@@ -62,7 +62,7 @@ TEST(Sweep, RoundsEndWhenAllTimesStandStill) {
     EXPECT_EQ(meter.timed.size(), 3u * 8) << "of fewer rounds it is not known how they differ";
 }
 
-TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
+TEST(Sweep, ContinuesWithoutLoss) {
     const FakeSweep f(fresh_test_folder());
     for (const int steps : {0, 1, 5, 8, 9, 15, 16, 20, 100}) {
         const fs::path folder = f.folder / std::to_string(steps);
@@ -75,7 +75,7 @@ TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
         const OrderedJson r = part.results();
         EXPECT_EQ(r["rounds"], 4) << steps;
         EXPECT_EQ(r["finished"], 8) << steps;
-        // Whole rounds count whoever drew them; a round cut short is drawn again, in one run.
+        // Complete rounds count from any run; a partial round is drawn again, in one run.
         const int whole = std::max(0, std::min(steps - 8, 32)) / 8;
         EXPECT_EQ(second.timed.size(), std::size_t(4 - whole) * 8) << steps;
         for (const OrderedJson& run : r["runs"])
@@ -88,7 +88,7 @@ TEST(Sweep, ContinuesWhereItEndedAndLosesNothing) {
     }
 }
 
-TEST(Sweep, ALineCutShortIsForgotten) {
+TEST(Sweep, TruncatedLineIsIgnored) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 3);
@@ -104,7 +104,7 @@ TEST(Sweep, ALineCutShortIsForgotten) {
     }
 }
 
-TEST(Sweep, ABadLineCostsItsCaseAlone) {
+TEST(Sweep, BadLineLosesOnlyItsCase) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -140,14 +140,14 @@ TEST(Sweep, ABadLineCostsItsCaseAlone) {
     FakeMeter again;
     EXPECT_EQ(f.run(again, 10'000, {.on = false}).notes.size(), 2u);
     EXPECT_TRUE(again.measured.empty());
-    // Of a journal that is damaged all over, a few lines are named.
+    // Errors name a few lines of a badly damaged journal.
     changed = lines[0] + "\n";
     for (int i = 0; i < 1000; ++i) changed += "x\n";
     std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
     EXPECT_LT(read_journal(f.folder).notes.size(), 10u);
 }
 
-TEST(Sweep, NumbersThatNoPictureHasAreMeasuredAgain) {
+TEST(Sweep, ImpossibleNumbersAreMeasuredAgain) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -173,7 +173,7 @@ TEST(Sweep, NumbersThatNoPictureHasAreMeasuredAgain) {
     auto line = good_line;
     line["error"]["signed_mean"] = -0.5;
     EXPECT_TRUE(with(line).notes.empty()) << "which may be negative";
-    // Of two lines of one case that say different things, the first counts.
+    // The first of two contradicting lines of one case counts.
     std::ofstream(f.folder / kJournalFile, std::ios::binary) << text << line.dump() << '\n';
     const SweepState state = read_journal(f.folder);
     ASSERT_EQ(state.notes.size(), 1u);
@@ -181,7 +181,7 @@ TEST(Sweep, NumbersThatNoPictureHasAreMeasuredAgain) {
     EXPECT_EQ(state.cases.at(3).error.metrics.signed_mean, good_line["error"]["signed_mean"].get<double>());
 }
 
-TEST(Sweep, AJournalMayBeDamagedAtItsBeginning) {
+TEST(Sweep, JournalMayBeDamagedAtItsStart) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -196,7 +196,7 @@ TEST(Sweep, AJournalMayBeDamagedAtItsBeginning) {
         EXPECT_EQ(f.run(again, 10'000, {.on = false}).notes.size(), 1u) << before;
         EXPECT_TRUE(again.measured.empty()) << before;
     }
-    // What is swept is not known any more; that a sweep wrote it is.
+    // The axes are lost, but the file is recognised as a sweep's.
     write("x" + text);
     EXPECT_THROW(read_journal(f.folder), Error);
     remove_sweep_files(f.folder);
@@ -205,7 +205,7 @@ TEST(Sweep, AJournalMayBeDamagedAtItsBeginning) {
     EXPECT_THROW(remove_sweep_files(f.folder), Error) << "another program's file of that name";
 }
 
-TEST(Sweep, AnEmptyPictureIsNone) {
+TEST(Sweep, EmptyPictureCountsAsMissing) {
     const FakeSweep f(fresh_test_folder());
     std::filesystem::create_directories(f.folder / "pictures");
     EXPECT_TRUE(lacks_pictures(f.folder, 0));
@@ -219,7 +219,7 @@ TEST(Sweep, AnEmptyPictureIsNone) {
     EXPECT_THROW(make_picture_folder(f.folder), Error);
 }
 
-TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
+TEST(Sweep, ReducedMapIsListedAtItsActualSize) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     meter.max_resolution = 512;
@@ -228,9 +228,9 @@ TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
     std::size_t smaller = 0;
     for (const SweepRow& row : results.rows) {
         EXPECT_LE(std::stoi(row.settings[0].second), 512);
-        const bool told = std::ranges::find(row.notes, "smaller, for reasons") != row.notes.end();
-        EXPECT_TRUE(!told || row.settings[0].second == "512");
-        smaller += told;
+        const bool noted = std::ranges::find(row.notes, "smaller, for reasons") != row.notes.end();
+        EXPECT_TRUE(!noted || row.settings[0].second == "512");
+        smaller += noted;
     }
     EXPECT_EQ(smaller, 4u);
     const std::string csv = results_csv(results);
@@ -242,7 +242,7 @@ TEST(Sweep, AMapThatHadToBeSmallerStandsWhereItBelongs) {
     EXPECT_TRUE(again.measured.empty()) << "the axis that was asked for is still the sweep's";
 }
 
-TEST(Sweep, PicturesThatAreGoneAreDrawnAgain) {
+TEST(Sweep, MissingPicturesAreDrawnAgain) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -280,7 +280,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
             EXPECT_NE(said.find(std::string("holds ") + name), std::string::npos) << name << ": " << said;
         EXPECT_EQ(file_bytes(file), "mine") << name;
     }
-    // Beside a sweep of ours.
+    // A foreign file next to a sweep.
     const FakeSweep f(root / "ours");
     FakeMeter meter;
     f.run(meter, 10'000, {.on = false});
@@ -291,7 +291,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
     EXPECT_TRUE(lacks_pictures(f.folder, 0));
     for (const char* name : {"pictures/2026-holiday.jpg", "pictures/007.jpg", "notes.txt", "pictures/0001-mine.png"})
         EXPECT_EQ(file_bytes(f.folder / name), "mine") << name;
-    // A journal that was killed in its first line is ours; its sweep begins anew.
+    // A journal killed in its first line is recognised; its sweep starts again.
     const FakeSweep killed(root / "killed");
     fs::create_directories(killed.folder);
     std::ofstream(killed.folder / kJournalFile) << "{\"format\":\"shadow-insp";
@@ -339,7 +339,7 @@ TEST(Sweep, OneProcessAtATime) {
     EXPECT_THROW(Journal(f.folder, f.spec_text(), plan_key(f.plan)), Error);
 }
 
-TEST(Sweep, AFailingCaseIsARowWithItsError) {
+TEST(Sweep, FailingCaseIsARowWithItsError) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     meter.fails_at_resolution = 512;
@@ -360,7 +360,7 @@ TEST(Sweep, AFailingCaseIsARowWithItsError) {
     EXPECT_EQ(f.results()["failed"], 0);
 }
 
-TEST(Sweep, ACaseThatTheProgramDoesNotSurviveFails) {
+TEST(Sweep, CrashingCaseFails) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 2);
@@ -383,7 +383,7 @@ TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
     for (const OrderedJson& row : r["rows"]) EXPECT_GT(row["time"]["total_ms"]["low"], 1000);
 }
 
-TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
+TEST(Sweep, ErrorsOfAnotherDefinitionAreNotMixed) {
     const fs::path folder = fresh_test_folder();
     const FakeSweep old(folder / "old");
     FakeMeter meter;
@@ -406,7 +406,7 @@ TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
             t.replace(at, number.size(), by);
         return t;
     };
-    // Without a number, with another one, and a journal that has both.
+    // A journal without a number, with another one, and with both.
     for (const std::string& changed : {replaced(text, "\"other\":0", true), replaced(text, "\"meaning\":7", true),
                                        replaced(text, "\"meaning\":1", false)}) {
         ASSERT_NE(changed, text);
@@ -427,7 +427,7 @@ TEST(Sweep, ErrorsOfAnotherMeaningStandBesideNone) {
     EXPECT_FALSE(mixed.cases.contains(5));
 }
 
-TEST(Merge, ShardsTogetherAreTheWholeSweep) {
+TEST(Merge, ShardsMergeIntoTheWholeSweep) {
     const fs::path folder = fresh_test_folder();
     FakeSweep whole(folder / "whole");
     FakeMeter meter;
@@ -456,7 +456,7 @@ TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     EXPECT_THROW(merge_sweeps(parts), Error);
 }
 
-TEST(Merge, PartsThatContradictEachOtherAreNamed) {
+TEST(Merge, ContradictingPartsAreNamed) {
     const fs::path root = fresh_test_folder();
     std::vector<std::pair<std::string, SweepState>> parts;
     for (const char* name : {"one", "two", "three"}) {
@@ -478,7 +478,7 @@ TEST(Merge, PartsThatContradictEachOtherAreNamed) {
     EXPECT_LT(merge_sweeps(parts).notes.size(), 8u);
 }
 
-TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
+TEST(Merge, MergedSweepIsTimedByContinuation) {
     const fs::path folder = fresh_test_folder();
     std::vector<std::pair<std::string, SweepState>> parts;
     for (int i = 1; i <= 2; ++i) {
@@ -526,7 +526,7 @@ TEST(Results, ContentDecidesWhetherScenesAreEqual) {
 }
 
 TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
-    // Every number its own, some of them unknown: what is read is what was written.
+    // Every number differs, some are unknown: read values equal written ones.
     CaseState c;
     double v = 0.1;
     for (const Metric& m : metrics())
@@ -554,7 +554,7 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
     EXPECT_EQ(read.error.metrics.counted, c.error.metrics.pixels[0]);
     EXPECT_EQ(read.cost.map_bytes, c.cost.map_bytes);
     EXPECT_EQ(read.error.noise, c.error.noise);
-    // A column says of the typed numbers what results.json holds under its key.
+    // A column maps typed numbers to their key in results.json.
     TimeSamples samples;
     for (const double ms : {3.0, 4.0, 5.0, 9.0}) {
         samples.total_ms.push_back(ms);
@@ -596,7 +596,7 @@ TEST(Sweep, TimesOfOtherFramesAreNeverMixed) {
     EXPECT_NE(frontier_text(f.measured()).find("while the camera moves"), std::string::npos);
 }
 
-TEST(Sweep, JournalsThatSayNothingOfFramesAreOfForcedOnes) {
+TEST(Sweep, JournalsWithoutFrameKindCountAsForced) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter forced;
     f.run(forced, 10'000, {.cost = CostCase::Forced, .rounds = 4});
@@ -618,7 +618,7 @@ TEST(Sweep, JournalsThatSayNothingOfFramesAreOfForcedOnes) {
     EXPECT_EQ(f.results()["rounds"], 1);
 }
 
-TEST(Columns, ArePlottedSoThatLessIsBetter) {
+TEST(Columns, ArePlottedWithLessAsBetter) {
     const OrderedJson row = {{"iou", 0.9}, {"signed_mean", -0.25}, {"mae", nullptr}, {"noise", 0.125}};
     const CaseNumbers numbers{.error = CaseErrors{error_from_json(row), number_or_nan(row, "noise")}};
     EXPECT_NEAR(plotted_value(*find_column("error.iou"), numbers), 0.1, 1e-12);

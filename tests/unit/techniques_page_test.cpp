@@ -1,4 +1,4 @@
-// docs/techniques.md has a row and a picture of each technique. Its figures are tested where the program draws.
+// Tests of docs/techniques.md: a row and a picture for each technique. Its figures are tested with the drawing tests.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kHow = "run: scripts/document_technique.sh KEY=CHOICE";
 
-TEST(TechniquesPage, HasARowAndAPictureOfEachTechnique) {
+TEST(TechniquesPage, HasARowAndAPictureForEachTechnique) {
     const fs::path docs = test::source_tree() / "docs", pictures = docs / "techniques";
     std::ifstream in(docs / "techniques.md");
     ASSERT_TRUE(in) << kHow;

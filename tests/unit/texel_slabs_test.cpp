@@ -1,4 +1,4 @@
-// Where texels stand as slabs, against the light's own transform.
+// Tests of texels drawn as slabs, compared with the light's own transform.
 #include "renderer/passes/texel_slabs.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kTexels = 256;
 
-/// Map coordinates and depth of a world point by the view's projection.
+/// Returns the map coordinates and depth of a world point by the view's projection.
 glm::dvec3 uvd_of(const LightView& view, const glm::dvec3& p) {
     const glm::dvec4 clip = view.clip_from_relative(p) * glm::dvec4(0, 0, 0, 1);
     const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
@@ -33,7 +33,7 @@ std::vector<LightView> views_of_every_kind() {
     return out;
 }
 
-TEST(TexelSlabs, StandAtTheirStoredDepthOnTheirTexel) {
+TEST(TexelSlabs, LieAtTheirStoredDepthOnTheirTexel) {
     for (const LightView& view : views_of_every_kind()) {
         const TexelRegion region{{100, 30}, {2, 2}};
         const std::vector<float> depths = {0.25f, 0.5f, 0.75f, float(view.curve.convention.far_depth())};
@@ -52,14 +52,14 @@ TEST(TexelSlabs, StandAtTheirStoredDepthOnTheirTexel) {
     }
 }
 
-/// The bias that receiver.glsl subtracts at distance z, in depth.
+/// Returns the bias, in depth, that receiver.glsl subtracts at distance z.
 double bias_of_stage(const LightView& view, const BiasSettings& bias, double z) {
     const double per_m = view.curve.slope(z);
     if (bias.unit == BiasUnit::Texels) return bias.constant * view.texel_size(z, kTexels) * per_m;
     return bias.unit == BiasUnit::Metres ? bias.constant * per_m : bias.constant;
 }
 
-TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
+TEST(TexelSlabs, BiasedSlabsLieAtEqualComparedDepth) {
     for (const LightView& view : views_of_every_kind())
         for (const auto& [unit, constant] :
              {std::pair{BiasUnit::Depth, 0.01}, {BiasUnit::Texels, 3.0}, {BiasUnit::Metres, 0.4}}) {
@@ -82,7 +82,7 @@ TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
         }
 }
 
-TEST(TexelSlabs, BeyondInfinityThereIsNoSlab) {
+TEST(TexelSlabs, InfiniteDepthHasNoSlab) {
     LightView view;
     view.curve = {.perspective = true, .near = 1, .far = 10, .convention = {}};
     BiasSettings bias;
@@ -93,7 +93,7 @@ TEST(TexelSlabs, BeyondInfinityThereIsNoSlab) {
     EXPECT_TRUE(texel_slabs(view, bias, kTexels, {{0, 0}, {1, 1}}, {0.7f}, Slabs::Biased).empty());
 }
 
-TEST(TexelSlabs, TheRegionIsCentredAndCutToTheMap) {
+TEST(TexelSlabs, RegionIsCentredAndClippedToTheMap) {
     ViewSettings v;
     v.slabs_texels = 32;
     EXPECT_EQ(slab_region(v, 256), (TexelRegion{{112, 112}, {32, 32}}));
@@ -104,7 +104,7 @@ TEST(TexelSlabs, TheRegionIsCentredAndCutToTheMap) {
     v.slabs_u = v.slabs_v = 10.5 / 256;
     EXPECT_EQ(slab_region(v, 256), (TexelRegion{{10, 10}, {1, 1}}));
     v.slabs_texels = 32;
-    v.slabs_u = 100.7 / 256;  // the square that is centred nearest to it
+    v.slabs_u = 100.7 / 256;  // the nearest centred square
     EXPECT_EQ(slab_region(v, 256).first, glm::ivec2(85, 0));
     v.slabs_texels = 256;
     EXPECT_EQ(slab_region(v, 4), (TexelRegion{{0, 0}, {4, 4}}));

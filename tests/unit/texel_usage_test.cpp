@@ -1,4 +1,4 @@
-// Which texels a picture reads, in cases that can be counted by hand.
+// Tests of the texels that a picture reads, in cases countable by hand.
 #include "renderer/inspect/texel_usage.h"
 
 #include <gtest/gtest.h>
@@ -11,19 +11,19 @@
 namespace si {
 namespace {
 
-/// A picture of one row whose pixels look up the given map coordinates.
-FloatImage looks_up(const std::vector<glm::vec4>& pixels) {
+/// Makes a picture of one row whose pixels look up the given map coordinates.
+FloatImage look_up_picture(const std::vector<glm::vec4>& pixels) {
     FloatImage image{int(pixels.size()), 1, 4, {}};
     for (const glm::vec4& p : pixels) image.data.insert(image.data.end(), {p.x, p.y, p.z, p.w});
     return image;
 }
 
-/// Map coordinates of the centre of a texel.
+/// Returns the map coordinates of a texel's centre.
 glm::vec4 centre_of(int x, int y, int n, float layer = 0) {
     return {(float(x) + 0.5f) / float(n), (float(y) + 0.5f) / float(n), layer, 1};
 }
 
-TEST(TexelUsage, FootprintsAreWhatTheKernelsFetch) {
+TEST(TexelUsage, FootprintsMatchTheFetchesOfKernels) {
     // Shaders fetch floor(u n) +- size/2 (nearest), or floor(u n - 1/2) - size/2 and size + 1 texels (bilinear).
     const int n = 64;
     for (std::size_t row = 0; row < filters().size(); ++row) {
@@ -44,10 +44,10 @@ TEST(TexelUsage, FootprintsAreWhatTheKernelsFetch) {
     }
 }
 
-TEST(TexelUsage, OnePixelReadsItsKernelsSquare) {
+TEST(TexelUsage, OnePixelReadsTheSquareOfItsKernel) {
     const int n = 16;
     for (const auto& [reach, side] : {std::pair{0.5, 1}, {1.5, 3}, {2.5, 5}}) {
-        const TexelUsage usage(looks_up({centre_of(7, 4, n)}), n, reach, MapWrap::Border);
+        const TexelUsage usage(look_up_picture({centre_of(7, 4, n)}), n, reach, MapWrap::Border);
         EXPECT_DOUBLE_EQ(usage.utilisation(), double(side * side) / (n * n));
         EXPECT_EQ(usage.pixels({7, 4}), 1u);
         const int r = side / 2;
@@ -57,20 +57,20 @@ TEST(TexelUsage, OnePixelReadsItsKernelsSquare) {
     }
 }
 
-TEST(TexelUsage, ABilinearTapBetweenFourTexelsReadsThem) {
-    const TexelUsage usage(looks_up({{8.0f / 16, 8.0f / 16, 0, 1}}), 16, 1, MapWrap::Border);
+TEST(TexelUsage, BilinearTapReadsFourTexels) {
+    const TexelUsage usage(look_up_picture({{8.0f / 16, 8.0f / 16, 0, 1}}), 16, 1, MapWrap::Border);
     for (const glm::ivec2 t : {glm::ivec2(7, 7), {8, 7}, {7, 8}, {8, 8}}) EXPECT_EQ(usage.pixels(t), 1u);
     EXPECT_DOUBLE_EQ(usage.utilisation(), 4.0 / 256);
 }
 
-TEST(TexelUsage, CountsAndReadersAgreeWithALookAtEveryPair) {
+TEST(TexelUsage, CountsAndReadersMatchBruteForce) {
     const int n = 12;
     std::vector<glm::vec4> pixels;
     unsigned seed = 7;
     const auto random = [&] { return float((seed = seed * 1664525u + 1013904223u) >> 8) / float(1 << 24); };
     for (int i = 0; i < 300; ++i)
         pixels.push_back({random() * 1.6f - 0.3f, random() * 1.6f - 0.3f, float(i % 3 == 0), float(i % 7 != 0)});
-    const FloatImage image = looks_up(pixels);
+    const FloatImage image = look_up_picture(pixels);
     for (const MapWrap wrap : {MapWrap::Border, MapWrap::Clamp, MapWrap::Repeat, MapWrap::Range})
         for (const double reach : {0.5, 1.0, 2.0, 5.0, 8.0}) {
             const TexelUsage usage(image, n, reach, wrap, 0);
@@ -99,12 +99,12 @@ TEST(TexelUsage, CountsAndReadersAgreeWithALookAtEveryPair) {
         }
 }
 
-TEST(TexelUsage, OnlyTheChosenLayerAndReadingPixelsCount) {
+TEST(TexelUsage, OnlyTheSelectedLayerAndReadingPixelsCount) {
     const int n = 8;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     glm::vec4 silent = centre_of(5, 5, n);
     silent.w = 0;
-    const FloatImage image = looks_up({centre_of(1, 1, n, 0), centre_of(2, 2, n, 3), silent, {nan, 0.5f, 0, 1}});
+    const FloatImage image = look_up_picture({centre_of(1, 1, n, 0), centre_of(2, 2, n, 3), silent, {nan, 0.5f, 0, 1}});
     EXPECT_DOUBLE_EQ(TexelUsage(image, n, 0.5, MapWrap::Border, 0).utilisation(), 1.0 / 64);
     EXPECT_EQ(TexelUsage(image, n, 0.5, MapWrap::Border, 3).pixels({2, 2}), 1u);
     EXPECT_DOUBLE_EQ(TexelUsage(image, n, 0.5, MapWrap::Border, 1).utilisation(), 0);
@@ -113,7 +113,7 @@ TEST(TexelUsage, OnlyTheChosenLayerAndReadingPixelsCount) {
     EXPECT_TRUE(TexelUsage().readers({0, 0}).empty());
 }
 
-TEST(TexelUsage, ReadersAreGivenRowByRow) {
+TEST(TexelUsage, ReadersAreListedRowByRow) {
     FloatImage image{3, 2, 4, {}};
     for (int i = 0; i < 6; ++i) {
         const glm::vec4 p = i == 1 || i == 5 ? centre_of(2, 3, 8) : glm::vec4(0);

@@ -1,3 +1,4 @@
+// Tests of time measurement over bursts of frames, and of counted work.
 #include "renderer/measure/time_sampler.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ FrameResult frame_of(double shadow_ms, double shade_ms, bool reused = false) {
     return f;
 }
 
-/// Time that passes as frames and pauses say.
+/// Clock that advances with frames and pauses.
 struct FakeTime {
     double now = 1000;
     std::vector<double> pauses;
@@ -33,7 +34,7 @@ struct FakeTime {
     }
 };
 
-TEST(TimeSampler, TheFirstFrameWarmsUpAndSkippedPassesDoNotCount) {
+TEST(TimeSampler, FirstFrameWarmsUpAndSkippedPassesDoNotCount) {
     TimeSampler sampler;
     double now = 7;
     sampler.add(frame_of(1000, 1000), now);
@@ -50,7 +51,7 @@ TEST(TimeSampler, TheFirstFrameWarmsUpAndSkippedPassesDoNotCount) {
     EXPECT_NEAR(m.seconds, 0.01, 1e-9);
 }
 
-TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
+TEST(TimeSampler, SamplesOfSeveralTurnsAreMerged) {
     TimeSamples all, turn;
     for (const double ms : {1.0, 2.0}) turn.add(frame_of(ms, 3));
     all.add(turn);
@@ -66,7 +67,7 @@ TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
     EXPECT_FALSE(m.settled);
 }
 
-TEST(TimeSampler, GoesOnUntilTheFigureStandsStill) {
+TEST(TimeSampler, ContinuesUntilTheFigureIsStable) {
     FakeTime time;
     const auto draws = [&](double ms) { return time.now += ms / 1000, frame_of(ms, 0); };
     int calm = 0;
@@ -92,7 +93,7 @@ TEST(TimeSampler, BurstsAreSpreadOverASecond) {
     EXPECT_NEAR(quick.seconds, 0.8 + 4 * 0.004, 1e-9);
     EXPECT_NEAR(time.now - start, 1 + 0.004, 0.2);
     EXPECT_EQ(time.pauses.size(), 4u);
-    // Slow frames need no pauses, nor bursts of several.
+    // Slow frames need neither pauses nor bursts of several.
     time.pauses.clear();
     const TimeMeasurement slow = sample_times(
         {}, [&] { return time.now += 0.5, frame_of(100, 400); }, time.clock());
@@ -102,8 +103,8 @@ TEST(TimeSampler, BurstsAreSpreadOverASecond) {
     EXPECT_GE(slow.seconds, 1);
 }
 
-TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
-    // A machine that stays in one mood for a burst: each burst by itself stands still.
+TEST(TimeSampler, NoiseIsMeasuredBetweenBursts) {
+    // A machine with a constant speed for one burst: each burst alone is stable.
     FakeTime time;
     const std::vector<double> moods = {29, 31, 33, 35, 40};
     std::size_t burst = 0;
@@ -117,7 +118,7 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     EXPECT_EQ(m.total_ms.samples, 15);
     EXPECT_EQ(m.total_ms.bursts, 5);
     EXPECT_DOUBLE_EQ(m.total_ms.median, 33);
-    // Student's t of four degrees of freedom; the standard deviation of the moods is 4.219.
+    // Student's t of four degrees of freedom; the standard deviation of the burst means is 4.219.
     EXPECT_NEAR(0.5 * (m.total_ms.median_high - m.total_ms.median_low), 2.776 * 4.2190 / std::sqrt(5), 1e-3);
     EXPECT_FALSE(m.settled) << "by the ranks of fifteen frames alone it would be";
     EXPECT_NEAR(0.5 * (m.maps_ms.median_high - m.maps_ms.median_low), 5.238, 1e-3) << "of its parts likewise";
@@ -128,7 +129,7 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     EXPECT_FALSE(summarise_times(two).settled) << "two bursts tell nothing";
 }
 
-TEST(TimeSampler, DepthBlurIsAPartOfTheMaps) {
+TEST(TimeSampler, DepthBlurCountsAsMapTime) {
     FrameResult f = frame_of(2, 3);
     f.passes.push_back({"another change of the maps", PassState::Drawn, "", 7, 0, 0, 0, PassCategory::Maps});
     TimeSamples samples;
@@ -158,7 +159,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     s.filter.method = FilterMethod::Sampler;
     s.map.format = MapFormat::D16;
     EXPECT_EQ(work_cost(s, f).map_bytes, 2 * cost.map_texels);
-    // Blurred depths are a second set of maps, and one map blurred along x alone as floats.
+    // Blurred depths are a second set of maps, plus one map blurred along x as floats.
     s.map.blur_texels = 3;
     EXPECT_EQ(work_cost(s, f).map_bytes, 2 * 2 * cost.map_texels + 4 * 512 * 512);
     s.map.format = MapFormat::Colour;
@@ -177,7 +178,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
         EXPECT_EQ(work_cost(s, f).taps_per_pixel, across * across * (f2.bilinear ? 4 : 1)) << f2.key;
     }
     s.filter.kernel = Settings{}.filter.kernel;
-    s.map.format = MapFormat::Colour;  // which no sampler can compare
+    s.map.format = MapFormat::Colour;  // samplers cannot compare it
     EXPECT_EQ(work_cost(s, f).taps_per_pixel, 4.0 * gathers);
 }
 

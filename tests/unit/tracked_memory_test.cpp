@@ -1,4 +1,4 @@
-// Who holds memory: what is told of holders, and what they let go.
+// Tests of tracked memory: reports of holders, and released memory.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -12,38 +12,38 @@
 namespace si {
 namespace {
 
-MemoryUse of(const std::string& holder) {
+MemoryUse memory_of(const std::string& holder) {
     for (const MemoryUse& h : memory_report().holders)
         if (h.holder == holder) return h;
     return {};
 }
 
-TEST(TrackedMemory, IsToldUntilItIsLetGo) {
+TEST(TrackedMemory, IsReportedUntilReleased) {
     std::optional<TrackedMemory> first(std::in_place, "tests' bytes", 1000);
     {
         TrackedMemory copy = *first, moved = std::move(copy);
-        EXPECT_EQ(of("tests' bytes").bytes, 2000u);
-        EXPECT_EQ(of("tests' bytes").count, 2u);
+        EXPECT_EQ(memory_of("tests' bytes").bytes, 2000u);
+        EXPECT_EQ(memory_of("tests' bytes").count, 2u);
         EXPECT_EQ(copy.bytes(), 0u);
         moved.add(500);
         moved.add(-200);
-        EXPECT_EQ(of("tests' bytes").bytes, 2300u);
+        EXPECT_EQ(memory_of("tests' bytes").bytes, 2300u);
         moved = *first;
-        EXPECT_EQ(of("tests' bytes").bytes, 2000u);
+        EXPECT_EQ(memory_of("tests' bytes").bytes, 2000u);
     }
-    EXPECT_EQ(of("tests' bytes").bytes, 1000u);
-    EXPECT_EQ(of("tests' bytes").count, 1u);
-    EXPECT_EQ(of("tests' bytes").most, 3300u) << "while there were three";
+    EXPECT_EQ(memory_of("tests' bytes").bytes, 1000u);
+    EXPECT_EQ(memory_of("tests' bytes").count, 1u);
+    EXPECT_EQ(memory_of("tests' bytes").most, 3300u) << "while there were three";
     first.reset();
-    EXPECT_EQ(of("tests' bytes").bytes, 0u);
+    EXPECT_EQ(memory_of("tests' bytes").bytes, 0u);
     TrackedMemory nobody;
     nobody.add(7);
     EXPECT_EQ(nobody.bytes(), 0u);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // which keeps what was freed
-TEST(ProcessMemory, WhatWasFreedGoesBackToTheSystem) {
-    // Below what malloc() maps by itself, with holes that end no page from above.
+#if !defined(__SANITIZE_ADDRESS__)  // which keeps freed memory
+TEST(ProcessMemory, FreedMemoryReturnsToTheSystem) {
+    // Sizes below malloc()'s mmap threshold, with holes that end no page from above.
     constexpr std::size_t kBlock = 64 << 10, kBlocks = 1600;
     std::vector<std::vector<char>> blocks, kept;
     for (std::size_t i = 0; i < kBlocks; ++i) {
@@ -69,43 +69,43 @@ TEST(TrackedMemory, ThreadsAddUp) {
                 }
             });
     }
-    EXPECT_EQ(of("threads' bytes").bytes, 8000u);
+    EXPECT_EQ(memory_of("threads' bytes").bytes, 8000u);
 }
 
-TEST(TrackedMemory, ScenesAndHierarchiesTellWhatTheyTake) {
-    ray_scenes().clear();  // what tests before have left
-    const std::uint64_t scenes = of("scenes").bytes;
+TEST(TrackedMemory, ScenesAndHierarchiesReportTheirSize) {
+    ray_scenes().clear();  // left by earlier tests
+    const std::uint64_t scenes = memory_of("scenes").bytes;
     {
         const Scene scene = load_scene("teapot");
         std::uint64_t least = 0;
         for (const Mesh& m : scene.meshes) least += array_bytes(m.positions) + array_bytes(m.indices);
-        EXPECT_GT(of("scenes").bytes, scenes + least);
-        EXPECT_LT(of("scenes").bytes, scenes + 10 * least);
-        const std::uint64_t one = of("scenes").bytes;
+        EXPECT_GT(memory_of("scenes").bytes, scenes + least);
+        EXPECT_LT(memory_of("scenes").bytes, scenes + 10 * least);
+        const std::uint64_t one = memory_of("scenes").bytes;
         Scene copy = scene;
-        EXPECT_LT(of("scenes").bytes, one + least / 4) << "what copies have in common is held twice";
+        EXPECT_LT(memory_of("scenes").bytes, one + least / 4) << "what copies have in common is held twice";
         copy.meshes[0].positions.edit()[0].x += 0.25f;
         refresh(copy);
         EXPECT_FALSE(copy.meshes[0].positions.shares_storage_with(scene.meshes[0].positions));
         EXPECT_TRUE(copy.meshes[0].indices.shares_storage_with(scene.meshes[0].indices));
-        const std::uint64_t before = of("scenes").bytes;
+        const std::uint64_t before = memory_of("scenes").bytes;
         const auto geometry = std::make_shared<const ReferenceGeometry>(scene, Settings());
-        EXPECT_EQ(of("scenes").bytes, before);
+        EXPECT_EQ(memory_of("scenes").bytes, before);
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             const Mesh& mesh = scene.meshes[std::size_t(scene.objects[i].mesh)];
             EXPECT_TRUE(geometry->objects[i].mesh->positions.shares_storage_with(mesh.positions)) << i;
             EXPECT_TRUE(geometry->objects[i].mesh->indices.shares_storage_with(mesh.indices)) << i;
         }
         const auto rays = ray_scenes().get(geometry);
-        EXPECT_GE(of("hierarchies of rays").bytes, least) << "Embree's own account";
+        EXPECT_GE(memory_of("hierarchies of rays").bytes, least) << "Embree's own account";
     }
-    EXPECT_GT(of("scenes").bytes, scenes) << "the hierarchy that is kept needs its triangles";
+    EXPECT_GT(memory_of("scenes").bytes, scenes) << "the hierarchy that is kept needs its triangles";
     ray_scenes().clear();
-    EXPECT_EQ(of("hierarchies of rays").bytes, 0u);
-    EXPECT_EQ(of("scenes").bytes, scenes);
+    EXPECT_EQ(memory_of("hierarchies of rays").bytes, 0u);
+    EXPECT_EQ(memory_of("scenes").bytes, scenes);
 }
 
-TEST(TrackedMemory, TheProcessHasMoreThanItsHolders) {
+TEST(TrackedMemory, ProcessUsesMoreThanItsHolders) {
     const std::uint64_t before = process_memory().resident;
     ASSERT_GT(before, 1u << 20);
     std::vector<char> block(64 << 20, 'x');
@@ -117,7 +117,7 @@ TEST(TrackedMemory, TheProcessHasMoreThanItsHolders) {
 #endif
 }
 
-TEST(TrackedMemory, IsSaidInUnitsThatSuitIt) {
+TEST(TrackedMemory, IsPrintedInSuitableUnits) {
     EXPECT_EQ(bytes_text(12), "12 bytes");
     EXPECT_EQ(bytes_text(300 << 10), "300 KiB");
     EXPECT_EQ(bytes_text(3u << 19), "1.5 MiB");

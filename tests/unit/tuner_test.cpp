@@ -1,4 +1,4 @@
-// The searches for the least bias and the best setting, on made-up frames whose answer is known.
+// Tests of the searches for the minimum bias and the best setting, on made-up frames with a known answer.
 #include "renderer/advise/tuner.h"
 
 #include <gtest/gtest.h>
@@ -11,15 +11,15 @@
 namespace si {
 namespace {
 
-/// A frame of tilted planes: what each needs, and what a bias is worth to it, in texels.
+/// Frame of tilted planes: the bias that each needs, and the equivalent bias of settings, in texels.
 struct MadeUpFrame {
-    double harder = 1;          ///< the surfaces need this many times what theory says
-    double lost_by_normal = 0;  ///< pixels that a texel of normal offset loses
+    double harder = 1;          ///< factor by which the surfaces need more than theory says
+    double lost_by_normal = 0;  ///< pixels lost per texel of normal offset
     double kappa = 1;
 
     static double theta(int i) { return (0.02 + 0.95 * i / 99.0) * M_PI / 2; }
     double need(int i) const { return kappa * std::tan(theta(i)) + 0.01; }
-    static double worth(const BiasSettings& b, int i) {
+    static double equivalent_bias(const BiasSettings& b, int i) {
         return std::max(b.constant, b.slope * (1 - std::cos(theta(i)))) + b.normal / std::cos(theta(i));
     }
     double worst(auto&& amount) const {
@@ -34,8 +34,8 @@ struct MadeUpFrame {
         int acne = 0;
         double gap = 0;
         for (int i = 0; i < 100; ++i) {
-            acne += worth(b, i) < harder * need(i);
-            gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
+            acne += equivalent_bias(b, i) < harder * need(i);
+            gap = std::max(gap, equivalent_bias(b, i) * std::sin(theta(i)));
         }
         t.needs.faint_acne = std::size_t(acne);
         t.error.artefacts[std::size_t(Artefact::PeterPanningOffset)] = std::size_t(b.normal * lost_by_normal);
@@ -70,7 +70,7 @@ BiasSearch searched(const MadeUpFrame& frame, const BiasSearch::Options& options
     return search;
 }
 
-TEST(BiasSearch, FindsTheLeastFactorOfEachFamily) {
+TEST(BiasSearch, FindsTheMinimumFactorOfEachFamily) {
     for (const double harder : {0.4, 0.97, 1.0, 1.8}) {
         SCOPED_TRACE(harder);
         const MadeUpFrame frame{.harder = harder};
@@ -87,7 +87,7 @@ TEST(BiasSearch, FindsTheLeastFactorOfEachFamily) {
     }
 }
 
-TEST(BiasSearch, AQuickSearchIsContentWithTheory) {
+TEST(BiasSearch, QuickSearchUsesTheory) {
     const BiasSearch search = searched({.harder = 0.8}, {.only = BiasFamily::Slope, .quick = true});
     ASSERT_EQ(search.found().size(), 1u);
     EXPECT_EQ(search.found()[0].factor, 1);
@@ -103,7 +103,7 @@ TEST(BiasSearch, AvoidsLeaksBeforeGaps) {
     EXPECT_NE(search.best()->family, BiasFamily::Normal);
 }
 
-TEST(BiasSearch, SaysWhenNothingHelps) {
+TEST(BiasSearch, ReportsFailure) {
     const BiasSearch search = searched({.harder = 1e5});
     EXPECT_TRUE(search.found().empty());
     EXPECT_EQ(search.best(), nullptr);
@@ -114,7 +114,8 @@ TEST(BiasSearch, SaysWhenNothingHelps) {
     EXPECT_TRUE(dark.done()) << "nothing is lit";
 }
 
-/// Errors and times of kernels and resolutions: finer maps are more accurate and slower, wider kernels too.
+/// World of made-up errors and times of kernels and resolutions: finer maps and wider kernels are more accurate and
+/// slower.
 struct MadeUpWorld {
     static double ms(const Settings& s) {
         return 1 + 1e-6 * s.map.resolution * s.map.resolution + 0.5 * cost_of(s).sampler_taps / 9.0;
@@ -144,7 +145,7 @@ struct MadeUpWorld {
         EXPECT_EQ(tuner.progress(), 1);
         return tuner;
     }
-    /// By trying all.
+    /// Returns the optimum by exhaustive search.
     static std::optional<Settings> best(const TuneGoals& goals) {
         std::optional<Settings> best;
         for (const std::string_view kernel : sweep_kernels())
@@ -193,7 +194,7 @@ TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
     }
 }
 
-TEST(Tuner, SaysWhatCameNearestWhenNothingIsWithinTheLimits) {
+TEST(Tuner, ReportsTheNearestResultIfLimitsAreUnreachable) {
     MadeUpWorld world;
     const Tuner impossible = world.run({.max_error = 1e-7});
     EXPECT_FALSE(impossible.result());

@@ -1,4 +1,4 @@
-// Maps that are warped towards the camera (light.fit lispsm): what they hold, and how large their texels are.
+// Tests of maps warped towards the camera (light.fit lispsm): their contents and texel sizes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,14 +30,16 @@ Settings warped(const glm::dvec3& target) {
     return s;
 }
 
-/// A camera 2 m above the ground that looks along -z, and a light whose rays meet its view at that angle, from above.
+/// Makes a camera 2 m above the ground that looks along -z, and a light from above whose rays have that angle to its
+/// view.
 Settings level_view(double angle_deg) {
     Settings s = warped({0, 2, 20});
     s.camera.azimuth = s.camera.elevation = 0;
     s.camera.distance = 10;
     s.camera.near = 0.5;
-    s.bias.normal = 0;  // else the map holds its offset, too
-    s.lights[0].azimuth = 0, s.lights[0].elevation = angle_deg;
+    s.bias.normal = 0;  // otherwise the map holds its offset, too
+    s.lights[0].azimuth = 0;
+    s.lights[0].elevation = angle_deg;
     return s;
 }
 
@@ -53,7 +55,7 @@ Fitted fitted(const Scene& scene, const Settings& s) {
     return f;
 }
 
-/// w of clip space, per point.
+/// Returns w of clip space for each point.
 double w_at(const LightView& view, const glm::dvec3& p) {
     return view.clip_from_relative(p)[3][3];
 }
@@ -62,7 +64,7 @@ constexpr NearFar kNearFars[] = {NearFar::Fitted, NearFar::Manual, NearFar::Cast
                                  NearFar::Pancaking};
 
 SI_TESTS_ARE(Repeated, WarpedFit);
-TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
+TEST(WarpedFit, HoldsVisibleReceiversAndTheirCasters) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);
     std::size_t seen = 0, before = 0;
@@ -98,7 +100,7 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
                         EXPECT_GT(at_map[axis], 2.0 / 512) << "a kernel has room";
                         EXPECT_LT(at_map[axis], 1 - 2.0 / 512);
                     }
-                    // Wherever the surface looks, its normal offset leads to nothing outside.
+                    // Normal offsets in every direction stay inside the map.
                     const double offset = s.bias.normal * view.texel_size_at(p, 512).longest;
                     ASSERT_GT(offset, 0);
                     for (int way = 0; way < 4; ++way) {
@@ -106,7 +108,7 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
                         const glm::dvec4 moved = test::uvdw(view, p + aside);
                         EXPECT_GT(std::min({moved.x, moved.y, 1 - moved.x, 1 - moved.y}), 0);
                     }
-                    // Receivers that no caster stands before may lie before a range that begins at the casters.
+                    // Receivers without a caster in front may be in front of a range that starts at the casters.
                     const double share = s.map.reversed_z ? 1 - at_map.z : at_map.z;
                     if (l.near_far != NearFar::Casters) {
                         EXPECT_GT(share, 0);
@@ -131,9 +133,9 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
     EXPECT_GT(most_ratio, 10) << "else nothing was warped";
 }
 
-// The paper's choice, written down anew: the plane where w is 0 stands n_opt before the nearest depth held, of which
-// texels grow by the square of ((n + d) / n) along the view, and by that across it.
-TEST(WarpedFit, TexelsGrowByThePapersFormula) {
+// The paper's choice, derived independently: the plane of w = 0 is n_opt in front of the nearest held depth. Texels
+// grow by the square of ((n + d) / n) along the view, and by that factor across it.
+TEST(WarpedFit, TexelsGrowByTheFormulaOfThePaper) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     for (const double angle : {90.0, 60.0, 30.0, 12.0}) {
         SCOPED_TRACE(angle);
@@ -163,7 +165,7 @@ TEST(WarpedFit, TexelsGrowByThePapersFormula) {
         const double ratio = (n_opt + d) / n_opt;
         EXPECT_NEAR(w_at(view, last) / w_at(view, first), ratio, 1e-6 * ratio);
         EXPECT_NEAR(w_at(view, first - along * n_opt), 0, 1e-9 * w_at(view, last));
-        // Texels along the view, by differences of what lies half a texel to both sides.
+        // Texels along the view, by differences of points half a texel to both sides.
         const auto texel_along = [&](const glm::dvec3& p) {
             const double step = 1e-4;
             return 2 * step / (512 * (test::uvdw(view, p + step * along).y - test::uvdw(view, p - step * along).y));
@@ -175,7 +177,7 @@ TEST(WarpedFit, TexelsGrowByThePapersFormula) {
     }
 }
 
-TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
+TEST(WarpedFit, TexelSizesAndDepthsMatchTheMatrix) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     std::mt19937 random(9);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -199,7 +201,7 @@ TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
                 EXPECT_NEAR(back.z, row.depth(z), 1e-10);
                 EXPECT_NEAR(view.ray_depth_curve(p).distance(back.z), z, 1e-6);
                 EXPECT_NEAR(glm::dot(view.eye - p, view.axes[2]), z, 1e-9);
-                // The longest and the shortest step across the rays that changes the place by a texel, by turns.
+                // Returns the longest and the shortest step across the rays that moves the place by a texel, in turns.
                 double longest = 0, shortest = 1e300;
                 for (int turn = 0; turn < 360; ++turn) {
                     const double a = turn * 0.5 * kDegree, step = 1e-5;
@@ -218,10 +220,10 @@ TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
         }
 }
 
-// As the light turns into the view, or against it, the warp fades, and the map's places move by small steps only.
-TEST(WarpedFit, FadesAsTheLightTurnsIntoTheView) {
+// The warp fades as the light turns into the view or against it, and places in the map move by small steps only.
+TEST(WarpedFit, WarpFadesForLightAlongTheView) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
-    for (const double azimuth : {0.0, 180.0}) {  // towards the camera, and from behind it
+    for (const double azimuth : {0.0, 180.0}) {  // towards the camera, and from behind
         std::vector<glm::dvec2> last;
         double last_ratio = 1e300, moved = 0;
         for (double angle = 20; angle >= 0; angle -= 0.125) {
@@ -245,7 +247,7 @@ TEST(WarpedFit, FadesAsTheLightTurnsIntoTheView) {
     }
 }
 
-TEST(WarpedFit, SaysWhereNothingIsWarped) {
+TEST(WarpedFit, ReportsUnwarpedViews) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     Settings s = level_view(60);
     s.camera.orthographic = true;

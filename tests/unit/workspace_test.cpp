@@ -1,4 +1,4 @@
-// What is remembered between runs, and that no file there can hinder the editor.
+// Tests of the editor's memory between runs: no stored file can break the editor.
 #include "app/session/workspace.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
     EXPECT_EQ(again.data().recent_presets, std::vector<std::string>{"/a/\xc3\xa4 \"p\".json"});
 }
 
-TEST(Workspace, RecentFilesAreTheNewestFirstAndOnce) {
+TEST(Workspace, RecentFilesAreNewestFirstWithoutRepeats) {
     std::vector<std::string> list;
     for (int i = 0; i < 30; ++i) put_first(list, std::to_string(i % 20));
     ASSERT_EQ(list.size(), 12u);
@@ -61,7 +61,7 @@ TEST(Workspace, RecentFilesAreTheNewestFirstAndOnce) {
     EXPECT_EQ(std::count(list.begin(), list.end(), "5"), 1);
 }
 
-TEST(Workspace, TwoEditorsKeepEachOthersRecentFiles) {
+TEST(Workspace, TwoEditorsMergeTheirRecentFiles) {
     const fs::path folder = fresh_test_folder();
     Workspace a(folder), b(folder);
     a.change([](WorkspaceData& d) { put_first(d.recent_scenes, "/one.glb"); });
@@ -71,7 +71,7 @@ TEST(Workspace, TwoEditorsKeepEachOthersRecentFiles) {
     EXPECT_EQ(Workspace(folder).data().layout.map_share, 0.5f);
 }
 
-TEST(Workspace, ForeignAndBrokenFilesAreARemarkAndStayAsTheyAre) {
+TEST(Workspace, ForeignAndBrokenFilesAreAWarningAndStay) {
     const fs::path folder = fresh_test_folder();
     const std::string deep = R"({"format":"shadow-inspector-workspace","version":1,"layout":)" +
                              std::string(100'000, '[') + std::string(100'000, ']') + "}";
@@ -89,7 +89,7 @@ TEST(Workspace, ForeignAndBrokenFilesAreARemarkAndStayAsTheyAre) {
     }
 }
 
-TEST(Workspace, MembersOfWrongKindKeepTheirDefaults) {
+TEST(Workspace, MembersOfWrongTypeKeepTheirDefaults) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "workspace.json")
         << R"({"format":"shadow-inspector-workspace","version":1,"layout":{"settings_width":-5,"bottom_height":"tall",
@@ -103,7 +103,7 @@ TEST(Workspace, MembersOfWrongKindKeepTheirDefaults) {
     EXPECT_TRUE(w.take_remarks().empty());
 }
 
-TEST(Workspace, NoPlaceToWriteIsARemarkAndNoMore) {
+TEST(Workspace, UnwritableFolderIsOnlyAWarning) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "file") << "no folder";
     Workspace w(folder / "file");
@@ -117,7 +117,7 @@ TEST(Workspace, NoPlaceToWriteIsARemarkAndNoMore) {
     EXPECT_TRUE(off.take_remarks().empty());
 }
 
-TEST(Workspace, ItsFoldersFollowTheBaseDirectorySpecification) {
+TEST(Workspace, FoldersFollowTheXdgBaseDirectorySpecification) {
     const auto with = [](const char* variable, const char* value, const char* home, fs::path (*folder)()) {
         const auto put = [](const char* name, const char* to) { to ? setenv(name, to, 1) : unsetenv(name); };
         const char *old = std::getenv(variable), *old_home = std::getenv("HOME");

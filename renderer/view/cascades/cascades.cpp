@@ -33,7 +33,8 @@ CameraSlice::CameraSlice(const Camera& camera, double from_m, double to_m) : eye
         corners_[i] = {(i & 1 ? scale : -scale) * wide.x, (i & 2 ? scale : -scale) * wide.y, z};
     }
     // Planes come from the camera and not from the corners, since a slice may be flat and still contain surfaces.
-    planes_[0] = {{0, 0, 1}, -from_m}, planes_[1] = {{0, 0, -1}, to_m};
+    planes_[0] = {{0, 0, 1}, -from_m};
+    planes_[1] = {{0, 0, -1}, to_m};
     for (int side = 0; side < 4; ++side) {
         const int axis = side / 2;
         HalfSpace& plane = planes_[std::size_t(2 + side)];

@@ -8,10 +8,10 @@
 namespace si {
 namespace {
 
-constexpr double kViewBegins = 1e-4;        // start of a perspective view, as a share of the farthest corner's distance
-constexpr double kEdgeOn = 1e-6;            // cosine up to which rounding decides the lit side of a plane
+constexpr double kViewBegins = 1e-4;  // start of a perspective view, as a share of the farthest corner's distance
+constexpr double kEdgeOn = 1e-6;      // cosine up to which rounding decides the lit side of a plane
 constexpr std::size_t kMaxShadowPairs = 1 << 18;  // pairs of casters and receivers that are compared
-constexpr std::size_t kMaxTriangles = 1 << 19;  // receiver triangles that are clipped
+constexpr std::size_t kMaxTriangles = 1 << 19;    // receiver triangles that are clipped
 constexpr double kLarge = 0.25;  // caster area, as a share of the receivers' area, from which its shape counts
 constexpr std::size_t kMaxOutlineVertices = 4096;  // vertices of a caster whose outline is found
 constexpr std::size_t kMaxOutlineEdges = 256;      // edges of an outline
