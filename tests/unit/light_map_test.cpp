@@ -19,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const ReferenceGeometry> geometry_of(const Scene& scene) {
+std::shared_ptr<const ReferenceGeometry> scene_geometry(const Scene& scene) {
     return std::make_shared<const ReferenceGeometry>(scene, Settings());
 }
 
 LightMapTask task_of(const Scene& scene, int side = 128, const glm::dvec3& to_light = {0.6, 0.8, 0}) {
-    return {geometry_of(scene), {.type = LightType::Directional, .to_light = to_light}, side, 1, scene.id};
+    return {scene_geometry(scene), {.type = LightType::Directional, .to_light = to_light}, side, 1, scene.id};
 }
 
 /// Makes a floor of 10 m with a box of 1 m at (x, 0).
@@ -86,7 +86,7 @@ TEST(LightMapLayout, PacksChartsWithGutters) {
     for (const char* name : {"boxes", "stage", "teapot", "relief"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(name);
-        const auto geometry = geometry_of(scene);
+        const auto geometry = scene_geometry(scene);
         double before = 0;
         for (const int side : {256, 1024}) {
             const LightMapLayout layout = light_map_layout(*geometry, side);
@@ -103,16 +103,16 @@ TEST(LightMapLayout, PacksChartsWithGutters) {
 
 TEST(LightMapLayout, JoinsCoplanarAndSlightlyBentTriangles) {
     const Scene scene = floor_with_box();
-    EXPECT_EQ(light_map_layout(*geometry_of(scene), 256).charts.size(), 7u) << "the floor and six sides";
+    EXPECT_EQ(light_map_layout(*scene_geometry(scene), 256).charts.size(), 7u) << "the floor and six sides";
     const Scene ball = make_scene(make_sphere(1));
-    const LightMapLayout layout = light_map_layout(*geometry_of(ball), 256);
+    const LightMapLayout layout = light_map_layout(*scene_geometry(ball), 256);
     EXPECT_LT(layout.charts.size(), 60u);
     EXPECT_GT(layout.charts.size(), 8u) << "a side of a ball cannot be laid flat in one";
 }
 
 TEST(LightMapLayout, SplitsOverlappingCharts) {
     const Scene scene = make_scene(make_spiral());
-    const auto geometry = geometry_of(scene);
+    const auto geometry = scene_geometry(scene);
     const LightMapLayout layout = light_map_layout(*geometry, 256);
     expect_sound(*geometry, layout);
     // No texel centre is in two triangles of one chart that are half a metre apart.
@@ -130,7 +130,7 @@ TEST(LightMapLayout, RefusesAnUnfittingSizeAndNamesAFittingOne) {
     for (int i = 0; i < 400; ++i)
         blades.push_back({{0.1 * i, 0, 0}, {0.1 * i + 0.05, 0, 0}, {0.1 * i, 0.3, 0.001 * (i % 7)}});
     const Scene grass = make_scene(make_polygons("grass", blades));
-    const auto geometry = geometry_of(grass);
+    const auto geometry = scene_geometry(grass);
     try {
         light_map_layout(*geometry, 32);
         FAIL();

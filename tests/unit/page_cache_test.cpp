@@ -52,7 +52,7 @@ TEST(PageCache, RequestedPagesAreFoundWithoutHoles) {
             const glm::i64vec2 at = grids[std::size_t(layer)].corner + glm::i64vec2(page);
             return Key().add(layer).add(at.x).add(at.y).add(frame / 50).value();
         };
-        const PageChoice choice = cache.choose(grids, wanted, kSide, 120, key_of);
+        const PageChoice choice = cache.choose_pages(grids, wanted, kSide, 120, key_of);
         const int side = cache.side();
         pool.clear();
         EXPECT_LE(choice.read.size(), 120u);
@@ -97,8 +97,8 @@ TEST(PageCache, PageChoiceIgnoresCachedPages) {
             return Key().add(layer).add(page).add(frame / 4).value();
         };
         PageCache fresh;
-        const PageChoice a = used.choose(grids, wanted, kSide, 90, key_of);
-        const PageChoice b = fresh.choose(grids, wanted, kSide, 90, key_of);
+        const PageChoice a = used.choose_pages(grids, wanted, kSide, 90, key_of);
+        const PageChoice b = fresh.choose_pages(grids, wanted, kSide, 90, key_of);
         ASSERT_EQ(a.read.size(), b.read.size());
         for (std::size_t i = 0; i < a.read.size(); ++i) EXPECT_EQ(a.read[i].key, b.read[i].key);
         EXPECT_EQ(b.drawn.size(), b.read.size());
@@ -112,14 +112,14 @@ TEST(PageCache, DrawsOnlyChangedPages) {
     int changed = -1;
     const auto key_of = [&](int, glm::ivec2 p) { return Key().add(p).add(p.x == changed).value(); };
     const std::vector<PageGrid> grids = {{kSide, -1, {0, 0}}};
-    EXPECT_EQ(cache.choose(grids, wanted, kSide, 300, key_of).drawn.size(), 256u);
-    EXPECT_EQ(cache.choose(grids, wanted, kSide, 300, key_of).drawn.size(), 0u);
+    EXPECT_EQ(cache.choose_pages(grids, wanted, kSide, 300, key_of).drawn.size(), 256u);
+    EXPECT_EQ(cache.choose_pages(grids, wanted, kSide, 300, key_of).drawn.size(), 0u);
     changed = 3;
-    const PageChoice choice = cache.choose(grids, wanted, kSide, 300, key_of);
+    const PageChoice choice = cache.choose_pages(grids, wanted, kSide, 300, key_of);
     EXPECT_EQ(choice.drawn.size(), 16u);
     for (const std::size_t i : choice.drawn) EXPECT_EQ(choice.read[i].page.x, 3);
     // A single level gives no page up: the pool grows past its intended size.
-    EXPECT_EQ(PageCache().choose(grids, wanted, kSide, 8, key_of).read.size(), 256u);
+    EXPECT_EQ(PageCache().choose_pages(grids, wanted, kSide, 8, key_of).read.size(), 256u);
 }
 
 }  // namespace

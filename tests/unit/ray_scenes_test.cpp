@@ -14,17 +14,17 @@ namespace {
 
 using Weak = std::weak_ptr<const ReferenceScene>;
 
-std::shared_ptr<const ReferenceGeometry> geometry_of(const Scene& scene, const Settings& settings = {}) {
+std::shared_ptr<const ReferenceGeometry> scene_geometry(const Scene& scene, const Settings& settings = {}) {
     return std::make_shared<const ReferenceGeometry>(scene, settings);
 }
 
 TEST(RaySceneCache, TwoUsersShareOneSceneAndItIsFreed) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
-    const auto geometry = geometry_of(boxes);
+    const auto geometry = scene_geometry(boxes);
     EXPECT_EQ(scenes.find(geometry->key), nullptr);
     auto first = scenes.get(geometry);
-    auto second = scenes.get(geometry_of(boxes));  // another copy of the same triangles
+    auto second = scenes.get(scene_geometry(boxes));  // another copy of the same triangles
     EXPECT_EQ(first, second);
     EXPECT_EQ(scenes.find(geometry->key), first);
     EXPECT_EQ(scenes.geometry(boxes, {}), geometry) << "and no copy more";
@@ -43,13 +43,13 @@ TEST(RaySceneCache, KeepsAtMostOneUnusedScene) {
     std::vector<Weak> weak;
     std::vector<Scene> all;
     for (int i = 0; i < 5; ++i) all.push_back(load_scene("boxes"));  // each with its own id
-    const auto held = scenes.get(geometry_of(all[0]));
-    for (const Scene& scene : all) weak.push_back(scenes.get(geometry_of(scene)));
+    const auto held = scenes.get(scene_geometry(all[0]));
+    for (const Scene& scene : all) weak.push_back(scenes.get(scene_geometry(scene)));
     EXPECT_EQ(scenes.size(), 2u);
     EXPECT_EQ(weak[0].lock(), held);
     for (std::size_t i : {1u, 2u, 3u}) EXPECT_TRUE(weak[i].expired()) << i;
     EXPECT_FALSE(weak[4].expired());
-    EXPECT_EQ(scenes.get(geometry_of(all[0])), held);
+    EXPECT_EQ(scenes.get(scene_geometry(all[0])), held);
     EXPECT_TRUE(weak[4].expired()) << "now another one is the last";
 }
 
@@ -58,7 +58,7 @@ TEST(RaySceneCache, KeyDependsOnCasters) {
     const Scene boxes = load_scene("boxes");
     Settings without;
     without.objects[boxes.nodes[std::size_t(boxes.objects[0].node)].path].cast = false;
-    const auto all = scenes.get(geometry_of(boxes)), fewer = scenes.get(geometry_of(boxes, without));
+    const auto all = scenes.get(scene_geometry(boxes)), fewer = scenes.get(scene_geometry(boxes, without));
     EXPECT_NE(all, fewer);
     EXPECT_GT(all->triangle_count(), fewer->triangle_count());
 }
@@ -66,7 +66,7 @@ TEST(RaySceneCache, KeyDependsOnCasters) {
 TEST(RaySceneCache, ConcurrentRequestsWaitForOneBuild) {
     RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
-    const auto geometry = geometry_of(boxes);
+    const auto geometry = scene_geometry(boxes);
     std::promise<void> building, go_on;
     std::atomic<int> built{0};
     std::shared_ptr<const ReferenceScene> first, others[3];
@@ -87,7 +87,7 @@ TEST(RaySceneCache, ConcurrentRequestsWaitForOneBuild) {
         waiting.emplace_back([&] { other = scenes.get(geometry, {.progress = [&](double) { ++built; }}); });
     // Other scenes do not wait.
     const Scene more = load_scene("boxes");
-    EXPECT_NE(scenes.get(geometry_of(more)), nullptr);
+    EXPECT_NE(scenes.get(scene_geometry(more)), nullptr);
     go_on.set_value();
     builder.join();
     for (std::thread& t : waiting) t.join();
@@ -97,7 +97,7 @@ TEST(RaySceneCache, ConcurrentRequestsWaitForOneBuild) {
 
 TEST(RaySceneCache, CancelledBuildIsNotShared) {
     RaySceneCache scenes;
-    const auto geometry = geometry_of(load_scene("boxes"));
+    const auto geometry = scene_geometry(load_scene("boxes"));
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(scenes.get(geometry, {.stop = stop.get_token()}), Cancelled);

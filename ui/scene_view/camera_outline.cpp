@@ -68,7 +68,7 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_region_in_map(const Camera
     for (const glm::dvec2& p : convex_hull(std::move(points))) region.emplace_back(p, 0);
     for (const HalfSpace& side :
          {HalfSpace{{1, 0, 0}, 0}, HalfSpace{{-1, 0, 0}, 1}, HalfSpace{{0, 1, 0}, 0}, HalfSpace{{0, -1, 0}, 1}})
-        clip(region, side);
+        clip_polygon(region, side);
     std::vector<std::pair<glm::dvec2, glm::dvec2>> lines;
     for (std::size_t i = 0; i < region.size(); ++i) lines.emplace_back(region[i], region[(i + 1) % region.size()]);
     return lines;
