@@ -28,12 +28,12 @@ protected:
         return r;
     }
     FrameResult draw(const Settings& s, const FrameRequest& request) {
-        FrameState f = renderer.prepare(scene, s, request);
+        FrameState f = renderer.prepare_frame(scene, s, request);
         renderer.plan_frame(f);
-        return renderer.draw(f);
+        return renderer.run_plan(f);
     }
     void plan(const Settings& s, const FrameRequest& request) {
-        FrameState f = renderer.prepare(scene, s, request);
+        FrameState f = renderer.prepare_frame(scene, s, request);
         renderer.plan_frame(f);
     }
     static std::vector<Image> images(const FrameResult& f) {

@@ -29,7 +29,7 @@ bool can_coincide(Modifier a, Modifier b) {
 }
 
 /// Returns whether one press can match both chords.
-bool overlap(const Chord& a, const Chord& b) {
+bool can_coincide(const Chord& a, const Chord& b) {
     const bool same_key = a.mapped == b.mapped && a.first <= b.last && b.first <= a.last;
     return same_key && can_coincide(a.ctrl, b.ctrl) && can_coincide(a.shift, b.shift) && can_coincide(a.alt, b.alt);
 }
