@@ -6,12 +6,12 @@
 
 namespace si {
 
-/// How many places the table of the Poisson disk has.
+/// Number of points in the table of the Poisson disk.
 inline constexpr int kDiskTable = 64;
 
-/// The first n places of a table in the unit disk, each the farthest from all before it of thousands thrown at random
-/// (best candidates), so that the first few of them, too, lie well apart. Mitchell, Spectrally Optimal Sampling for
-/// Distribution Ray Tracing, 1991. @param n at most kDiskTable
+/// Returns the first n points of a Poisson disk table in the unit disk. Each point is the best of thousands of random
+/// candidates, the one farthest from all points before it, so that any first n are well spread (Mitchell, Spectrally
+/// Optimal Sampling for Distribution Ray Tracing, 1991). @param n at most kDiskTable
 std::vector<glm::vec2> poisson_places(int n);
 
 /// n places along a spiral over the unit disk, each a golden angle on: even whatever n is.

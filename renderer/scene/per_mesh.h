@@ -1,4 +1,4 @@
-// What is found of a scene's rigid meshes once, for as long as there are those meshes.
+// Cache of data per rigid mesh, valid as long as the mesh exists.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,12 @@
 
 namespace si {
 
+/// Cache of one value per mesh of a scene. A value stays while the mesh's arrays stay the same, also in another scene
+/// state.
 template <typename T>
 class OfMeshes {
 public:
-    /// What is known of a mesh; as new where that is nothing, or of another.
+    /// Returns the cached data of a mesh. The data is reset when the mesh's content or the scene has changed.
     T& of(const Scene& scene, std::size_t mesh) {
         if (scene_ != scene.id) {
             scene_ = scene.id;

@@ -1,4 +1,4 @@
-// Where a scene is put in the world: far away, larger or smaller than its file has it.
+// Placement of a scene in the world by scene.distance, scene.direction and scene.scale.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,21 +7,22 @@
 
 namespace si {
 
-/// The way of scene.direction, a unit vector.
+/// Returns the unit vector of a choice of scene.direction.
 glm::dvec3 way_of(PlacedAlong along);
 
-/// Scene::placement of scene.distance, scene.direction and scene.scale: scaled about the world's origin, then moved.
+/// Returns the transform that places a scene (Scene::placement): a scale about the world's origin, then a translation.
 glm::dmat4 placement_of(const SceneSettings& settings);
 
-/// Settings for a scene at one place that show the same of it at another: the camera by hand goes along, and what is a
-/// length in metres (lights, biases, radii) grows with the scene, as far as its range goes.
-/// @param from, to of the scene's place; settings.scene itself is left alone
+/// Adapts settings to another placement of the scene so that they show the same view. Moves the manual camera and scales
+/// lengths in metres (lights, biases, radii) with the scene, within their ranges. settings.scene itself stays.
+/// @param from, to scene settings with the placement before and after
 void carry_settings(Settings& settings, const SceneSettings& from, const SceneSettings& to);
 
-/// What positions that shaders compute with count from, as map.origin says: a place nearby, or the world's origin.
+/// Returns the origin of the positions that shaders compute with, by map.origin: `nearby` or the world's origin.
+/// @param nearby a point close to the positions, world
 glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby);
 
-/// Whether both put the scene at the same place.
+/// Returns true when both settings place the scene alike (scene.distance, direction, scale).
 bool same_placement(const SceneSettings& a, const SceneSettings& b);
 
 }  // namespace si

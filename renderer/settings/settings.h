@@ -146,9 +146,9 @@ struct CasterSettings {
     bool operator==(const CasterSettings&) const = default;
 };
 
-/// Returns the default of bias.kind: the index of the row "slope" in the bias table.
+/// Returns the default of bias.kind: the index of its row in the bias table.
 int default_bias();
-/// Returns the default of filter.kernel: the index of the row "pcf" in the kernel table.
+/// Returns the default of filter.kernel: the index of its row in the kernel table.
 int default_filter();
 
 /// Settings of the bias: bias.*.
