@@ -10,7 +10,7 @@ build_packages=(g++ cmake ninja-build pkg-config
 # What the tests need besides: test and benchmark libraries, a display without a screen, a hand for its mouse, a second
 # driver (zink over lavapipe), the reference compiler of GLSL, the formatter.
 test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool dbus
-  mesa-vulkan-drivers glslang-tools chromium parallel shellcheck clang-format)
+  mesa-vulkan-drivers glslang-tools chromium parallel shellcheck clang-format graphviz)
 # What single stages of test.sh need, which are skipped without: a second compiler.
 stage_packages=(clang)
 

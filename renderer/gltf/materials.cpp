@@ -62,7 +62,7 @@ void UvSource::apply(std::vector<glm::vec2>& uv) const {
 }
 
 Materials::Materials(Context& context, const Json& root, const tinygltf::Model& model, Textures& textures, Scene& scene)
-    : context_(context), root_(root), model_(model), textures_(textures), scene_(scene), uv_(model.materials.size()) {
+    : context_(context), root_(root), textures_(textures), scene_(scene), uv_(model.materials.size()) {
     scene_.materials.reserve(model.materials.size());
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         scene_.materials.push_back(material_of(model.materials[i]));

@@ -38,7 +38,6 @@ private:
 
     Context& context_;
     const Json& root_;
-    const tinygltf::Model& model_;
     Textures& textures_;
     Scene& scene_;
     std::vector<std::optional<MaterialUv>> uv_;
