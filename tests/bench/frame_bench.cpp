@@ -327,17 +327,18 @@ int rounds() {
 /// in vases of 6,400) and the graveyard (84,413 textured triangles in 637 nodes). The forest is 10,000 trees of masked
 /// leaves.
 void register_textured(const auto& add) {
-    for (const auto& [scene, file] : {std::pair{"stage", "stage"},
+    for (const auto& [scene, path] : {std::pair{"stage", "stage"},
                                       {"flowers", "models/khr_GlassVaseFlowers/glTF/GlassVaseFlowers.gltf"},
                                       {"graveyard", "models/kaykit_graveyard/kaykit_graveyard.glb"}}) {
         for (const Row& row : kRows) {
             add(fmt::format("textured/{}/{}/2048", scene, row.name),
-                [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048, false); });
+                [row, file = path](benchmark::State& s) { textured_frame(s, file, row, 2048, false); });
             if (row.bare != BareKernel::None)
                 add(fmt::format("textured_separate/{}/{}/2048", scene, row.name),
-                    [row, file](benchmark::State& s) { textured_frame(s, file, row, 2048, true); });
+                    [row, file = path](benchmark::State& s) { textured_frame(s, file, row, 2048, true); });
         }
-        add(fmt::format("textured_unchanged/{}", scene), [file](benchmark::State& s) { unchanged_frame(s, file); });
+        add(fmt::format("textured_unchanged/{}", scene),
+            [file = path](benchmark::State& s) { unchanged_frame(s, file); });
     }
     for (const Row& row : {kRows[0], kRows[1], kRows[3]})
         add(fmt::format("textured/forest/{}/2048", row.name), [row](benchmark::State& s) {
