@@ -235,7 +235,7 @@ struct SweepOptions {
 /// Runs the command `sweep`: measures error, cost and time of every combination of settings, and writes a report.
 void run_sweep(const SweepOptions& options);
 
-/// Options of the command `merge`.
+/// Options of the command `merge`, which joins shards of a sweep.
 struct MergeOptions {
     std::vector<std::string> parts;  ///< folders of shards
     std::string folder;

@@ -28,7 +28,7 @@ public:
     /// Adds that the mouse entered or left the window. Outside, its place is unknown.
     void enter(bool inside) { inside_ = inside; }
 
-    /// State of the mouse in one frame.
+    /// State of the mouse in one ImGui frame, with at most one press or release; returned by next().
     struct Step {
         std::array<bool, kButtons> down{};
         std::optional<glm::dvec2> at;  ///< none: not known

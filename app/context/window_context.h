@@ -92,7 +92,8 @@ private:
     };
     /// Installs the window's GLFW callbacks.
     void install_callbacks();
-    /// Replaces ImGui's GLFW callbacks by ones that fill the queue, and keeps ImGui's for take_keys().
+    /// Replaces ImGui's GLFW callbacks by ones that fill the input queue, and keeps ImGui's for take_keys(). Called
+    /// before each poll, since ImGui may install its callbacks again.
     void intercept_backend();
     /// GLFW callback: queues a press or release of a key.
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);

@@ -26,7 +26,8 @@ public:
     EditorPipelines() : EditorSearch("The comparison of precision was cancelled") {}
     /// Starts a comparison of matrix pipelines and cancels the one under way.
     void start(const Scene& scene, const LabSubject& of);
-    /// Writes progress and results into `shown`, marked as current only if they are about `present`.
+    /// Writes progress and results of the comparison into the panel's facts.
+    /// @param present scene and settings; results of other ones are marked as old
     void fill(LabFacts& shown, const LabSubject& present) const;
 };
 
@@ -43,7 +44,8 @@ public:
     EditorShimmer() : EditorSearch("The measurement of shimmer was cancelled") {}
     /// Starts a measurement of shimmer and cancels the one under way.
     void start(const Scene& scene, const LabSubject& of, const ShimmerOptions& options);
-    /// Writes progress and results into `shown`, marked as current only if they are about `present`.
+    /// Writes progress and results of the shimmer measurement into the panel's facts.
+    /// @param present scene and settings; results of other ones are marked as old
     void fill(LabFacts& shown, const LabSubject& present) const;
 };
 

@@ -25,7 +25,8 @@ public:
     void note_welcome();
     /// Removes a file that no longer exists from the workspace's recent files.
     void drop_recent(const std::string& path);
-    /// Records the window's size in the workspace (screen coordinates at scale 1), unless the window is maximised.
+    /// Records at the editor's end whether the window is maximised and, if not, its size (screen coordinates at scale
+    /// 1).
     void note_window(int width, int height, bool maximised);
 
     /// Writes workspace and autosave if they have changed and are due. Call once a frame, and regularly while the

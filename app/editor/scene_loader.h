@@ -90,7 +90,8 @@ private:
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
     Settings base_of_scene() const;
-    /// Starts to load the scene of the file that scene.index names, unless the editor shows it.
+    /// Starts to load the scene of the file that scene.index names, unless the editor shows it. Called when scene.index
+    /// has changed; cancels a loading if the shown scene is named again.
     void follow_file_scene();
     /// Poses the shown scene by scene.* (time, animation, placement), and updates settings of lights that the file
     /// animates.

@@ -11,7 +11,8 @@
 
 namespace si {
 
-/// Report of an editor's session as a JSON file: collects its facts and writes them at intervals.
+/// Report of an editor's session as a JSON file (`edit --report`): collects driver messages, unsound numbers, errors
+/// and memory, and writes the file at intervals.
 class SessionReport {
 public:
     /// Begins a session report. @param path file of the report; empty: none is written
@@ -40,7 +41,7 @@ private:
         double seconds = 0;
         MemoryReport memory;
     };
-    /// Adds a sample of the process's memory; halves the number of samples when there are too many.
+    /// Adds a sample of the process's memory to the report; halves the number of samples when there are too many.
     void sample(double now_s);
 
     std::filesystem::path path_;

@@ -27,8 +27,8 @@ public:
     /// Waits for the frame under way.
     ~ShaderWarmup();
 
-    /// Queues a frame whose shaders will be needed soon. The thread starts once nothing was queued for a while, with
-    /// the newest frame.
+    /// Queues a frame whose shaders a hover, a click or the map viewer will need at the present settings. The thread
+    /// starts once nothing was queued for a while, with the newest frame.
     void enqueue(WarmupFrame warmup);
     /// Empties the queue of frames. Call when the scene or shader files have changed.
     void forget();
@@ -39,7 +39,7 @@ public:
 
 private:
     struct Stage;
-    /// Loop of the thread: draws one queued frame after the other until `end`.
+    /// Loop of the warm-up thread: draws queued frames one by one until `end`, only to compile their shaders.
     void run(const std::stop_token& end);
     /// Waits for a queued frame and removes it from the queue; null once `end` is requested.
     std::unique_ptr<WarmupFrame> next_frame(const std::stop_token& end);

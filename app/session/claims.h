@@ -19,7 +19,8 @@ struct ClaimSubject {
     std::vector<int> size = {160, 90};   ///< picture size in pixels
 };
 
-/// Claim of a preset, a comparison: metric of `subject` `op` (value + times * metric of `than`).
+/// Claim of a preset's description, for a test: compares a metric of `subject` by `op` with value + times * the metric
+/// of `than`. Without `than` it compares with the constant `value`. Both may be one preset under changed settings.
 struct PresetClaim {
     ClaimSubject subject;
     std::string op;  ///< <, <=, ==, >= or >

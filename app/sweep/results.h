@@ -17,7 +17,7 @@ inline constexpr const char* kBasePreset = "base.json";
 /// with one clock and one kind of frames.
 struct RankedRounds {
     std::vector<std::pair<std::string, int>> rounds;  ///< run and round
-    /// Returns true if the timed frames belong to one of these rounds.
+    /// Returns true if a turn (the timed frames of one case in one round) belongs to one of these rounds.
     bool contains(const Turn& turn) const;
 };
 /// Selects the rounds of timed frames that rank the cases of a sweep: those of the kind of frames timed last, on the
@@ -26,7 +26,7 @@ RankedRounds ranked_rounds(const SweepState& state);
 /// Selects the rounds of timed frames whose times are comparable with those of `run`.
 RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 
-/// Returns the time samples of a case in the given rounds.
+/// Collects the time samples of one case in rounds whose times are comparable (see ranked_rounds()).
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 
 /// Result of a case that was finished or has failed.

@@ -85,7 +85,7 @@ private:
     void open_candidate();
     /// Ends the present candidate. @param try_finer goes on with twice the resolution, else with the next kernel
     void close_candidate(bool try_finer);
-    /// Completes the present candidate after its bias search.
+    /// Takes the bias that was found, rates the candidate against the limits, and then requests its time or closes it.
     void finish_measured_run();
 
     Settings start_;

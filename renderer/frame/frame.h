@@ -158,7 +158,7 @@ struct LightMapNeed {
 
 /// Identity of a frame's images in the renderer. A later frame may overwrite them: see Renderer::has_images_of().
 struct FrameContents {
-    /// One image of the frame, with the key that shows whether the image was overwritten.
+    /// Image of a frame with the key that it had. Renderer::has_images_of() compares it with the image's present key.
     struct Part {
         Result of;
         const gl::Target* image;     ///< first image of the result; owned by the renderer

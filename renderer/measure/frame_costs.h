@@ -25,7 +25,7 @@ struct CostRow {
 };
 /// Returns the table of cost cases.
 std::span<const CostRow> cost_cases();
-/// Returns the table row of a cost case.
+/// Returns the table row of a cost case: frames in which every pass is forced, the camera moves or the light moves.
 const CostRow& cost_row(CostCase cost);
 /// Returns the keys of all cost cases for messages and help: "forced, camera, light".
 std::string cost_keys();

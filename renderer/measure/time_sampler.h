@@ -14,7 +14,7 @@
 
 namespace si {
 
-/// Pass times of several frames: one number per frame, in milliseconds.
+/// Times of several frames in milliseconds: the total, the maps and each pass, one number per frame.
 struct TimeSamples {
     /// Times of one pass, one number per frame in which the pass ran.
     struct Pass {

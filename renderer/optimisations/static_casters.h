@@ -68,8 +68,9 @@ private:
     /// cost of a refill.
     std::uint64_t drawn_in_vain_ = 0;
 
-    /// Refills the cache with casters that did not move, if they are numerous enough.
-    /// @param rested casters equal in the last two frames
+    /// Decides whether to fill the cache again with the casters that did not move. Called when cached casters have
+    /// moved, or static ones were redrawn long enough. Returns which casters to draw.
+    /// @param rested casters equal in the last two frames @param[out] reason why no cache is made
     Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);
 };
 

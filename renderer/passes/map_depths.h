@@ -9,7 +9,7 @@ namespace si {
 
 class PagePasses;
 
-/// Layer of the shadow map textures, with its storage and depth curve.
+/// Layer of the shadow map textures that read_map_depths() reads, with its storage and depth curve.
 struct MapLayer {
     DepthCurve curve;
     int layer = 0;

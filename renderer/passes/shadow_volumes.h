@@ -43,7 +43,7 @@ public:
     Pass make_pass(FrameState& f, std::size_t light);
     /// Returns the visibility image: R8, a layer for each light, 1 where the visible surface lies in no volume.
     const gl::Target& lit() const { return lit_; }
-    /// Frees the geometry of lights without shadow volumes.
+    /// Frees, after a frame's plan, the geometry of lights that draw no shadow volumes in the frame.
     void release_unused();
 
 private:
@@ -76,7 +76,7 @@ private:
     std::string describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const;
     /// Uploads the corners of all casting meshes, once for a scene.
     void upload_corners();
-    /// Copies the camera's depth into the depth and stencil buffer, unless its copy is current.
+    /// Copies the camera's depth into the depth and stencil buffer of the shadow volumes, unless the copy is current.
     void copy_depth(const FrameState& f, PassInfo& info);
     /// Counts a light's volumes at each pixel in the stencil buffer, and marks lit pixels.
     /// @param light light index

@@ -16,7 +16,7 @@ namespace si {
 /// Classification of one pixel against the reference, as shaders/passes/compare.frag.glsl and causes.frag.glsl write
 /// it.
 struct ClassifiedPixel {
-    /// Flags of a classified pixel.
+    /// Flags of a pixel that was compared with the reference: false shadow, false light, acne and others.
     enum Bits : std::uint32_t {
         kFalseShadow = shared::FALSE_SHADOW,
         kFalseLight = shared::FALSE_LIGHT,

@@ -70,7 +70,7 @@ struct ObjectTraits {
     bool receives = true;
     Cull cull = Cull::None;  ///< face culling in the shadow map; the object's own setting overrides the scene's
 };
-/// Returns the shadow settings of each object, by index in Scene::objects.
+/// Returns the shadow settings of each object for ray tracing and the probe, by index in Scene::objects.
 std::vector<ObjectTraits> object_traits(const Scene& scene, const Settings& settings);
 
 }  // namespace si

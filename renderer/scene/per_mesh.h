@@ -26,6 +26,7 @@ public:
     }
 
 private:
+    /// Identity of a mesh with its cached value.
     struct Known {
         MeshIdentity mesh;
         T known{};

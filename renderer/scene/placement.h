@@ -13,8 +13,8 @@ glm::dvec3 way_of(PlacedAlong along);
 /// Returns the transform that places a scene (Scene::placement): a scale about the world's origin, then a translation.
 glm::dmat4 placement_of(const SceneSettings& settings);
 
-/// Adapts settings to another placement of the scene so that they show the same view. Moves the manual camera and scales
-/// lengths in metres (lights, biases, radii) with the scene, within their ranges. settings.scene itself stays.
+/// Adapts settings to another placement of the scene so that they show the same view. Moves the manual camera and
+/// scales lengths in metres (lights, biases, radii) with the scene, within their ranges. settings.scene itself stays.
 /// @param from, to scene settings with the placement before and after
 void carry_settings(Settings& settings, const SceneSettings& from, const SceneSettings& to);
 

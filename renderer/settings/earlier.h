@@ -28,7 +28,8 @@ std::span<const EarlierDefault> earlier_defaults();
 /// versions that no release has written.
 class TrialEarlierDefaults {
 public:
-    /// @param rows outlive the guard
+    /// Replaces the table that earlier_defaults() returns until the object is destroyed; for tests.
+    /// @param rows have to outlive the object
     explicit TrialEarlierDefaults(std::span<const EarlierDefault> rows);
     ~TrialEarlierDefaults();
     TrialEarlierDefaults(const TrialEarlierDefaults&) = delete;

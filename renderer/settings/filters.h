@@ -102,7 +102,8 @@ int taps_across(const Filter& row, const Settings& settings);
 bool is_bilinear(const Filter& row, const Settings& settings);
 /// Returns the chosen kernel's label for display, with its size if the size is a setting: "PCF 5×5".
 std::string kernel_label(const Settings& settings);
-/// Returns the number of disk points that a kernel samples if `places` are requested: its table may have fewer.
+/// Returns the number of disk points that a kernel samples, for cost estimates; disk_points() returns the points.
+/// @param places requested number, which the size of the table limits
 int disk_point_count(const Filter& row, const Settings& settings, int places);
 /// Returns the `places` points in the unit disk that a kernel samples, from the Poisson table or the spiral.
 std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, int places);
@@ -142,7 +143,8 @@ std::span<const std::string_view> sweep_kernels();
 
 /// Returns the kernel row that the setting filter.kernel chooses.
 const Filter& filter_of(const Settings& settings);
-/// Returns the reach of the chosen kernel, in texels. For a given light use kernel_reach_in_light().
+/// Returns the distances that the chosen kernel reaches, in texels: for the bias, for edges and for reads. For a given
+/// light use kernel_reach_in_light().
 /// @param widest_texels radius of the kernel's widest area; infinite if no light is known
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 

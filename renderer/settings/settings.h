@@ -139,7 +139,7 @@ struct MapSettings {
     bool operator==(const MapSettings&) const = default;
 };
 
-/// Settings of all casters: caster.*.
+/// Settings of all casters (caster.*): which faces are culled, and whether blended surfaces cast.
 struct CasterSettings {
     Cull cull = Cull::None;
     BlendCasters blend = BlendCasters::None;

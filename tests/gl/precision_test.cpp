@@ -115,8 +115,8 @@ TEST(PrecisionTest, OverlaysShowTheNumbers) {
     Settings s = settings_at(scene, 1e4);
     s.map.origin = MapOrigin::World;
     for (const auto& [key, channel] : {std::pair{"precision-texels", 0}, {"precision-ulps", 1}}) {
-        const auto row =
-            std::find_if(overlays().begin(), overlays().end(), [&](const Overlay& o) { return o.key == key; });
+        const auto row = std::find_if(overlays().begin(), overlays().end(),
+                                      [wanted = std::string_view(key)](const Overlay& o) { return o.key == wanted; });
         s.view.overlay = int(row - overlays().begin()) + 1;
         const FrameResult frame = hard_renderer().render(
             scene, s,

@@ -24,7 +24,7 @@ struct AdvicePanel {
     double max_ms = 10;       ///< longest time of a frame
 };
 
-/// Request for a search: for advice without a bound, for the autopilot with one.
+/// Request for a search. With a limit on error or time the autopilot runs, without one the search for advice.
 struct AdviceRequest {
     CostCase cost = kDefaultCost;
     std::optional<double> max_error;  ///< largest mean error of visibility

@@ -15,7 +15,7 @@ struct FrameTimes;
 struct Effect;
 struct SavedTimes;
 
-/// State of the panel Effects. Forcing is no setting, because it changes no picture.
+/// State of the panel Effects. Optimisations that are switched off (forced) are no setting, since no picture changes.
 struct EffectsPanel {
     OptimisationSet forced;    ///< optimisations that are switched off
     bool only_needed = false;  ///< lists only what is drawn or cached

@@ -20,7 +20,7 @@ struct ProbeAnchor {
     glm::ivec2 pixel{0};  ///< pixel of the point in the last frame; another probed pixel was chosen by hand
 };
 
-/// Visibility of the probe's anchor in the picture.
+/// Visibility, in the picture, of the surface point that the probe follows while the camera moves.
 enum class AnchorPlace {
     Seen,
     Hidden,   ///< behind another surface, which is probed in its place

@@ -12,7 +12,7 @@ namespace si {
 /// @param key dotted key of the setting @param width pixels
 bool overlay_widget(Settings& settings, std::string_view key, float width);
 
-/// Modifier keys that are held with a digit.
+/// Modifier keys that are held with a digit key to choose an overlay.
 struct HeldKeys {
     bool shift = false, alt = false, ctrl = false;
 };

@@ -46,10 +46,10 @@ public:
     bool contains(const MapCells& other) const;
     /// Returns true when a rectangle of the map overlaps a cell of the set.
     bool overlaps(const MapRect& rect) const;
-    /// Adds the map cells that overlap a rectangle.
+    /// Adds the map cells that overlap a rectangle to the set.
     /// @param rect map coordinates
-    /// @param clamp the part of the rectangle outside the map reads the border cells (clamp to edge); false: the part
-    ///     outside reads nothing
+    /// @param clamp true: the part of the rectangle outside the map adds the border cells (clamp to edge); false: the
+    ///     part outside adds nothing
     void add(const MapRect& rect, bool clamp);
     /// Adds the cells along the four sides of the map to the set.
     void add_border_cells();

@@ -46,7 +46,7 @@ struct VisibleBodies {
     std::vector<glm::dmat4> mesh_from_world;
 };
 
-/// Finds the objects and clusters inside a camera's view frustum.
+/// Finds the objects and clusters inside a camera's view frustum, from which the needed parts of maps are found.
 /// @param lines height of the picture in pixels
 /// @param clusters function that returns build_clusters() of a mesh; an empty result: the mesh is one cluster
 VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
