@@ -52,8 +52,7 @@ struct CasterFindings;
 /// GPU resources that outlast a frame and belong to no single pass: programs, blocks, samplers, the scene, fitted
 /// lights.
 struct Resources {
-    std::shared_ptr<gl::ProgramCache> shared_programs;  ///< see Renderer's constructor
-    gl::ProgramCache& programs;
+    gl::ProgramCache programs;
     Blocks blocks;
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare, map_blended;
@@ -70,9 +69,6 @@ struct Resources {
     /// Number of the last drawing by the address of its content key; drawings are counted up.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;
-
-    explicit Resources(std::shared_ptr<gl::ProgramCache> of)
-        : shared_programs(std::move(of)), programs(*shared_programs) {}
 };
 
 /// State of one frame during planning and drawing: inputs, derived facts, plan and resources.

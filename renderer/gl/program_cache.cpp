@@ -123,7 +123,7 @@ GLuint ProgramCache::use(Kept& kept) const {
 
 void ProgramCache::end_frame(std::size_t most) {
     const std::uint64_t now = frame_++;
-    if (most == 0) most = max_programs_;
+    if (most == 0) most = kMaxPrograms;
     if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most) {
         by_request_.clear();
         last_good_.clear();

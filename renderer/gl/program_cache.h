@@ -26,13 +26,12 @@ struct ProgramRequest {
 /// Cache of linked OpenGL programs; compiles on a miss and again after a shader file changed. For one context.
 class ProgramCache {
 public:
-    /// Default limit of cached programs. A frame uses 5 to 40. On llvmpipe each takes some 4 MB of machine code and
+    /// Limit of cached programs. A frame uses 5 to 40. On llvmpipe each takes some 4 MB of machine code and
     /// intermediate data (measured over 55 programs); a program that is linked again comes from the driver's shader
     /// cache.
     static constexpr std::size_t kMaxPrograms = 64;
-    /// @param max_programs programs that end_frame() keeps
-    explicit ProgramCache(ShaderSource source = ShaderSource(), std::size_t max_programs = kMaxPrograms)
-        : source_(std::move(source)), max_programs_(max_programs) {}
+    /// @param source shader files to compile from
+    explicit ProgramCache(ShaderSource source = ShaderSource()) : source_(std::move(source)) {}
     /// Returns the OpenGL name of the linked program for a request; compiles it on a miss. When a changed shader file
     /// does not compile, the last good program is returned.
     /// @throws Error with the compile log and the file names when there is no good program.
@@ -54,7 +53,6 @@ private:
         std::uint64_t used = 0;  ///< last frame that used the program
     };
     ShaderSource source_;
-    std::size_t max_programs_;
     std::unordered_map<std::uint64_t, Kept*> by_request_;  // request and generation
     std::unordered_map<std::uint64_t, Kept*> last_good_;   // request alone
     std::unordered_map<std::uint64_t, Kept> programs_;     // final text

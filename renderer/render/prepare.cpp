@@ -405,8 +405,7 @@ std::uint64_t next_number() {
 
 }  // namespace
 
-RendererImpl::RendererImpl(std::shared_ptr<gl::ProgramCache> programs)
-    : driver(query_driver()), resources(std::move(programs)), number(next_number()) {
+RendererImpl::RendererImpl() : driver(query_driver()), number(next_number()) {
     resources.found = std::make_shared<SceneFindings>();
     resources.caster_findings = std::make_shared<CasterFindings>();
     resources.empty_vao = gl::VertexArray::create("no vertices");

@@ -81,8 +81,6 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
 }  // namespace
 
 Renderer::Renderer() : impl_(std::make_unique<RendererImpl>()) {}
-Renderer::Renderer(std::shared_ptr<gl::ProgramCache> programs)
-    : impl_(std::make_unique<RendererImpl>(std::move(programs))) {}
 Renderer::~Renderer() {
     glUseProgram(0);  // no later code may restore a deleted program
     glFinish();       // multi-threaded drivers crash when the process ends with pending work

@@ -11,10 +11,6 @@
 namespace si {
 
 struct Probe;
-namespace gl {
-class ProgramCache;
-}
-
 struct RendererImpl;
 
 /// Draws frames of a scene, reads their images back, and probes single pixels.
@@ -23,10 +19,6 @@ public:
     /// Creates a renderer in the current context.
     /// @throws Error when the context lacks OpenGL 4.5
     Renderer();
-    /// Creates a renderer with a shared program cache, so that later renderers of the same context reuse compiled
-    /// shaders.
-    /// @param programs cache of the current context, not null
-    explicit Renderer(std::shared_ptr<gl::ProgramCache> programs);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

@@ -37,7 +37,7 @@ struct RendererImpl {
     /// Queries the driver and creates the GPU resources in the current context.
     /// @param programs shader program cache, not null
     /// @throws Error when the context lacks OpenGL 4.5
-    explicit RendererImpl(std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>());
+    RendererImpl();
     /// Halves the map resolution after the driver ran out of memory. Returns true when drawing again may succeed.
     /// @param why message of the failure
     bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);

@@ -274,7 +274,7 @@ TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     s.camera.distance = 4;
     s.lights[0].fit = LightFit::Scene;
     const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
-    const MeasuredFix* fit = row(table, "fit: what is seen");
+    const MeasuredFix* fit = row(table, "fit: view frustum");
     ASSERT_TRUE(fit);
     EXPECT_GT(fit->gain(), 0);
     EXPECT_EQ(fit->map_bytes, 0);

@@ -1,4 +1,4 @@
-// Defines the fixture of the drawing tests: a renderer per test in the shared OpenGL context.
+// Defines the fixture of the drawing tests: an OpenGL context and a renderer per test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/support/requested_driver.h"
-#include "tests/support/shared_context.h"
 
 namespace si {
 
@@ -25,17 +24,13 @@ inline Settings settings_for(const Scene& scene, const Sets& extra = {}) {
     return s;
 }
 
-/// Fixture with a renderer that has drawn nothing and reuses programs compiled by earlier tests of the process. A test
-/// fails if the driver reports a message.
+/// Fixture with a renderer that has drawn nothing, in a context of its own. A test fails if the driver reports a
+/// message.
 class FrameTest : public ::testing::Test {
 protected:
-    HeadlessContext& context = test::shared_context();
+    HeadlessContext context;
     Renderer renderer;
 
-    /// Creates the renderer in the shared context.
-    /// @param programs program cache; a fresh one for tests of compiling
-    explicit FrameTest(std::shared_ptr<gl::ProgramCache> programs = test::shared_programs())
-        : renderer(std::move(programs)) {}
     void SetUp() override { test::expect_requested_driver(); }
     void TearDown() override {
         context.make_current();  // test::hard_renderer() has one of its own, whose objects are not this renderer's

@@ -70,7 +70,7 @@ TEST_F(FrameReadability, FramesAreReadableUntilReplacedAndThenRefused) {
             EXPECT_FALSE(renderer.has_images_of(last[other])) << turn;
             EXPECT_NE(why_not([&] {
                           renderer.read_shadow_map(last[other], 0, 0);
-                      }).find("shadow maps of this frame are gone"),
+                      }).find("shadow maps of this frame were overwritten"),
                       std::string::npos);
             EXPECT_NE(why_not([&] { renderer.read_map_view_depth(last[other]); }).find("draw it again"),
                       std::string::npos);

@@ -18,7 +18,6 @@ namespace {
 
 class MemoryReportTest : public FrameTest {
 protected:
-    MemoryReportTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // this suite counts programs
     void TearDown() override {
         gl::fault_injection() = {};
         FrameTest::TearDown();

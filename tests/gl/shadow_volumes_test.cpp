@@ -323,7 +323,7 @@ TEST_F(ShadowVolumesTest, LargeVolumesNeedConsent) {
     EXPECT_EQ(f.pass("shadow volumes 0")->state, PassState::Skipped);
     ASSERT_EQ(f.notes.size(), 1u);
     EXPECT_EQ(f.notes[0], f.pass("shadow volumes 0")->reason);
-    for (const char* part : {"20202 triangles", "above 20000", "volumes.allow_large", "cover the picture about"})
+    for (const char* part : {"20202 triangles", "more than 20000", "volumes.allow_large", "cover the picture about"})
         EXPECT_NE(f.notes[0].find(part), std::string::npos) << f.notes[0];
     const FloatImage lit = renderer.read_float(f.visibility, 1);
     EXPECT_EQ(std::count(lit.data.begin(), lit.data.end(), 0.f), 0);
