@@ -594,9 +594,9 @@ TEST(SettingsPanel, ShowsOnlySettingsOfTheSelectedKernel) {
         return ui.printed().find(label) != std::u32string::npos;
     };
     EXPECT_TRUE(shows(U"Normaloffset"));
-    EXPECT_FALSE(shows(U"Turnbypixel"));
+    EXPECT_FALSE(shows(U"Rotateperpixel"));
     set_setting(ui.state.settings, "filter.kernel", "poisson");
-    EXPECT_TRUE(shows(U"Turnbypixel"));
+    EXPECT_TRUE(shows(U"Rotateperpixel"));
     EXPECT_FALSE(shows(U"Blockertaps"));
     set_setting(ui.state.settings, "filter.kernel", "pcss");
     EXPECT_TRUE(shows(U"Blockertaps"));

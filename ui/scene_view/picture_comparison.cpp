@@ -60,7 +60,7 @@ ComparisonView chosen_comparison(const EditorState& state) {
 void comparison_view_widget(EditorState& state, float width) {
     PictureComparison& a = state.comparison;
     ImGui::SetNextItemWidth(width);
-    if (state.flicker) {
+    if (state.flicker || a.view == ComparisonView::Alone) {  // while a key shows A alone
         ImGui::BeginDisabled();
         ImGui::Button("A alone", {width, 0});
         ImGui::EndDisabled();
