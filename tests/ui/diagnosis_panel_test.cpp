@@ -52,13 +52,15 @@ TEST(DiagnosisPanel, FixShowsItsEquivalentBiasIfItFits) {
     EXPECT_EQ(equivalent_bias_text(*d.fix), "");
     const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
     EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
-    UiHarness ui(2200, 1000);
+    UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
     ui.diagnoses = {d};
     ui.diagnoses[0].fix = equivalent;
     ui.frames(5);
-    EXPECT_TRUE(ui.drawn().shows("Fix: Slope bias 4.5 texels")) << "with letters that no edge cuts";
+    const int light = 0;
+    const auto id_of_light = std::string(reinterpret_cast<const char*>(&light), sizeof light);
+    EXPECT_TRUE(ui.find("Probe", id_of_light, "Fix: Slope bias 4.5 texels (equivalent depth bias 1.8 texels)"));
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
 }
 

@@ -207,7 +207,7 @@ TEST(EffectsPanel, RequestsAndCancelsAMeasurement) {
     EXPECT_TRUE(ui.last_requests.measure_saved_times);
     ui.effects.measuring_optimisations = SearchProgress{"alternating frames", 0.4};
     ui.frames(3);
-    EXPECT_NE(letters(ui).find("40%framesinturns"), std::string::npos);
+    EXPECT_NE(letters(ui).find("40%alternatingframes"), std::string::npos);
     const auto cancel = ui.find("bottom", "", "Cancel##saved");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
