@@ -376,7 +376,8 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
         twin_key('C');
         EXPECT_EQ(saved("far.json").value("bias.constant", 0.1), twin().settings.bias.constant);
         EXPECT_TRUE(verdict().starts_with("right: in shadow, as in the reference")) << verdict();
-        EXPECT_TRUE(wait_until([&] { return reads_as_twin(U"right:inshadow,asinthereference"); })) << "the window says less";
+        EXPECT_TRUE(wait_until([&] { return reads_as_twin(U"right:inshadow,asinthereference"); }))
+            << "the window says less";
     });
     job("own_model", 6, [&] {
         key("ctrl+o");
