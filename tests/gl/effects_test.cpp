@@ -124,7 +124,7 @@ TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
         {"look-ups of light 0", {{"camera.source", "manual"}, {"camera.target_x", "500"}}, "camera sees nothing", {}},
         {"look-ups of light 0",
          {{"camera.source", "manual"}, {"camera.target_x", "500"}, {"map.virtual", "true"}},
-         "No pixel asks for a page",
+         "No pixel requests a page",
          {{"map.virtual", "true"}}},
         {"overlay values", {}, "overlay", {{"view.overlay", "visibility"}}},
         {"stored-depth quads", {}, "view.slabs", {{"view.slabs", "both"}}},
