@@ -107,7 +107,7 @@ TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
          {{"filter.kernel", "vsm"}},
          "map.samples",
          {{"filter.kernel", "vsm"}, {"map.samples", "4"}}},
-        {"blocker search", {}, "The kernel", {{"filter.kernel", "pcss"}}},
+        {"blocker search", {}, "Kernel", {{"filter.kernel", "pcss"}}},
         {"light's size", {}, "Kernel", {{"filter.kernel", "pcss"}}},
         {"blocker search",
          {{"filter.kernel", "pcss"}, {"light.size", "0"}},
