@@ -36,7 +36,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         const BiasBreakdown a = measured_bias_breakdown(m, settings, r, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
-        // Where no bias is right even for one nearest tap, finer texels make room for one.
+        // Finer texels make room for a right bias where even one nearest tap has none.
         const double gap_m = m.traced.reference->blocker_m.data[i];
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);

@@ -33,7 +33,7 @@ double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
     if (!per_texel || plane.edge_on()) return receiver.compared;
     const double moved = glm::dot(plane.gradient, centre - glm::dvec2(receiver.tap));
     const double depth = receiver.compared + std::clamp(moved, -max_texel_shift, max_texel_shift);
-    // Where the plane continues beyond the far plane, the map may be empty.
+    // The map may be empty where the plane continues beyond the far plane.
     return curve.convention.reversed ? std::max(depth, std::min(receiver.compared, 0.0))
                                      : std::min(depth, std::max(receiver.compared, 1.0));
 }

@@ -48,7 +48,7 @@ public:
 
     /// Decides which casters of a light this frame draws, and stores them for the next decision.
     /// @param of_views key of all inputs of the light's maps except casters
-    /// @param[out] reason clause that explains why all casters are drawn; empty if nothing has moved
+    /// @param[out] reason clause that explains why all casters are drawn; unchanged if the views are new
     Draws choose(std::uint64_t of_views, std::vector<StaticCandidate> casters, std::string_view& reason);
 
     /// Returns true when a caster is in the cached map of static casters.

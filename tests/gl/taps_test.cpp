@@ -12,6 +12,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/square_kernels.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -74,26 +75,6 @@ protected:
     const FrameRequest picture{.width = 160, .height = 120};
 };
 
-/// Square kernel at one size.
-struct SizedKernel {
-    std::string key;
-    int size = 3;
-    bool point = false;  ///< filter.point: taps of single texels
-};
-
-/// Returns the square kernels, each at odd and even sizes.
-std::vector<SizedKernel> square_kernels() {
-    std::vector<SizedKernel> out;
-    for (const Filter& row : filters()) {
-        if (!row.square) continue;
-        for (const bool point : {false, true})
-            for (const int size : {2, 3, 8})
-                if ((size == 3 || owns_setting(row, "filter.size")) && (!point || owns_setting(row, "filter.point")))
-                    out.push_back({std::string(row.key), size, point});
-    }
-    return out;
-}
-
 TEST(ClosedForms, ExistForSquareKernels) {
     for (const std::string_view key : kDefinedKernels) {
         const auto row = std::ranges::find(filters(), key, &Filter::key);
@@ -106,7 +87,7 @@ TEST(ClosedForms, ExistForSquareKernels) {
 
 SI_TESTS_ARE(Repeated, TapsTest);
 SI_TESTS_ARE(Repeated, EachSquareKernel);
-class EachSquareKernel : public TapsTest, public testing::WithParamInterface<SizedKernel> {};
+class EachSquareKernel : public TapsTest, public testing::WithParamInterface<test::SizedKernel> {};
 
 TEST_P(EachSquareKernel, WeighsEachTexelOnceByItsDefinition) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
@@ -155,13 +136,8 @@ TEST_P(EachSquareKernel, WeighsEachTexelOnceByItsDefinition) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels()),
-                         [](const testing::TestParamInfo<SizedKernel>& row) {
-                             const SizedKernel& k = row.param;
-                             std::string name = k.key + "_size_" + std::to_string(k.size) + (k.point ? "_points" : "");
-                             std::ranges::replace(name, '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(test::square_kernels({2, 3, 8})),
+                         [](const auto& row) { return test::test_name(row.param); });
 
 // A bilinear comparison weights 2x2 texels by its position: exactly the row's number of comparisons makes the picture.
 TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {

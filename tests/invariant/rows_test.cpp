@@ -14,6 +14,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/square_kernels.h"
 
 namespace si::test {
 namespace {
@@ -326,25 +327,6 @@ double box_profile(const EdgePixel& p, int across) {
     return std::clamp(0.5 - off / across, 0.0, 1.0);
 }
 
-/// Square kernel at one size.
-struct SizedKernel {
-    std::string key;
-    int size = 3;
-    bool point = false;  ///< filter.point: taps of single texels
-};
-
-std::vector<SizedKernel> square_kernels() {
-    std::vector<SizedKernel> out;
-    for (const Filter& row : filters()) {
-        if (!row.square) continue;
-        for (const int size : {3, 4, 5})
-            for (const bool point : {false, true})
-                if ((size == 3 || owns_setting(row, "filter.size")) && (!point || owns_setting(row, "filter.point")))
-                    out.push_back({std::string(row.key), size, point});
-    }
-    return out;
-}
-
 class EachSquareKernel : public testing::TestWithParam<SizedKernel> {};
 
 // The weights are those that the GPU recorded, column by column. The lit columns follow from the geometry.
@@ -394,13 +376,8 @@ TEST_P(EachSquareKernel, BlursAnEdgeByItsTapWeights) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels()),
-                         [](const testing::TestParamInfo<SizedKernel>& row) {
-                             const SizedKernel& k = row.param;
-                             std::string name = k.key + "_size_" + std::to_string(k.size) + (k.point ? "_points" : "");
-                             std::ranges::replace(name, '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels({3, 4, 5})),
+                         [](const auto& row) { return test_name(row.param); });
 
 // With two depths Chebyshev's inequality is exact: the share of lit texels, equal to percentage-closer filtering over
 // the same texels.

@@ -28,7 +28,7 @@ ProcessResult run_shell(const std::string& script,
 /// Creates an empty folder for the running test, below the build folder. Returns its path.
 std::filesystem::path fresh_test_folder();
 
-/// Returns the bytes of a file; empty if the file cannot be read.
+/// Returns the bytes of a file. @throws std::runtime_error if the file cannot be read
 std::string file_bytes(const std::filesystem::path& path);
 
 }  // namespace si

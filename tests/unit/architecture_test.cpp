@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -16,24 +15,17 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/process.h"
+#include "tests/support/source_tree.h"
 #include "tests/support/text.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
-
-std::vector<fs::path> sources(const char* folder) {
-    std::vector<fs::path> out;
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(SI_SOURCE_DIR) / folder))
-        if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") out.push_back(entry.path());
-    return out;
+/// Returns the C++ sources and headers below a folder.
+std::vector<fs::path> sources(std::string_view folder) {
+    return si::test::source_files({folder}, {".h", ".cpp"});
 }
 
 /// Returns the files of a folder that include a header whose name matches the pattern.
@@ -41,7 +33,7 @@ std::vector<std::string> includers(const char* folder, const char* pattern) {
     const std::regex include("#include\\s*[<\"](" + std::string(pattern) + ")");
     std::vector<std::string> out;
     for (const fs::path& path : sources(folder))
-        if (std::regex_search(text_of(path), include)) out.push_back(path.string());
+        if (std::regex_search(si::file_bytes(path), include)) out.push_back(path.string());
     return out;
 }
 
@@ -67,7 +59,7 @@ std::vector<Include> renderer_includes() {
     std::vector<Include> out;
     const fs::path root = fs::path(SI_SOURCE_DIR) / "renderer";
     for (const fs::path& path : sources("renderer")) {
-        std::istringstream lines(text_of(path));
+        std::istringstream lines(si::file_bytes(path));
         constexpr std::string_view kStart = "#include \"renderer/";
         for (std::string line; std::getline(lines, line);)
             if (line.starts_with(kStart))
@@ -152,7 +144,7 @@ Reach reach_of(Reach arrows) {
 // The diagram leaves out implied arrows, so reachable folders are compared.
 TEST(Architecture, DiagramOfFoldersShowsTheIncludes) {
     Reach drawn, included;
-    const std::string dot = text_of(fs::path(SI_SOURCE_DIR) / "docs/architecture/folders.dot");
+    const std::string dot = si::file_bytes(fs::path(SI_SOURCE_DIR) / "docs/architecture/folders.dot");
     const std::regex arrow("\"([a-z/]+)\" -> \"([a-z/]+)\"");
     const auto is_folder = [](const std::string& name) { return std::ranges::find(kFolders, name) != kFolders.end(); };
     for (std::sregex_iterator it(dot.begin(), dot.end(), arrow), end; it != end; ++it)
@@ -178,7 +170,7 @@ TEST(Architecture, UnitsOfTheRendererHaveNoIncludeCycle) {
 
 TEST(Architecture, PanelsCallNoGl) {
     const std::regex call("\\bgl[A-Z][A-Za-z0-9]+\\s*\\(");
-    for (const fs::path& path : sources("ui")) EXPECT_FALSE(std::regex_search(text_of(path), call)) << path;
+    for (const fs::path& path : sources("ui")) EXPECT_FALSE(std::regex_search(si::file_bytes(path), call)) << path;
 }
 
 // One header defines texture units, for both languages.
@@ -188,11 +180,11 @@ TEST(Architecture, BindingsAreNamed) {
     for (const char* folder : {"shaders", "renderer"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(SI_SOURCE_DIR) / folder)) {
             if (!entry.is_regular_file()) continue;
-            EXPECT_FALSE(std::regex_search(text_of(entry.path()), number)) << entry.path();
+            EXPECT_FALSE(std::regex_search(si::file_bytes(entry.path()), number)) << entry.path();
             ++read;
         }
     EXPECT_GT(read, 100u);
-    const std::string units = text_of(fs::path(SI_SOURCE_DIR) / "shaders/shared/units.h");
+    const std::string units = si::file_bytes(fs::path(SI_SOURCE_DIR) / "shaders/shared/units.h");
     std::set<std::string> taken;
     for (std::sregex_iterator it(units.begin(), units.end(), name), end; it != end; ++it)
         EXPECT_TRUE(taken.insert((*it)[1]).second) << it->str() << ": another one has that unit";
@@ -205,13 +197,13 @@ TEST(Architecture, ChoicesAreTyped) {
     const std::regex cast("\\b(int|static_cast<int>)\\((si::)?[A-Z]\\w*::[A-Z]\\w*\\)");
     for (const char* folder : {"app", "renderer", "ui", "tests"})
         for (const fs::path& path : sources(folder)) {
-            const std::string text = text_of(path);
+            const std::string text = si::file_bytes(path);
             std::smatch found;
             if (std::regex_search(text, found, cast)) ADD_FAILURE() << path << ": " << found.str();
         }
     EXPECT_TRUE(std::regex_search(std::string("x == int(Cull") + "::None)", cast)) << "the search itself finds nothing";
 
-    const std::string settings = text_of(fs::path(SI_SOURCE_DIR) / "renderer/settings/settings.h");
+    const std::string settings = si::file_bytes(fs::path(SI_SOURCE_DIR) / "renderer/settings/settings.h");
     const std::regex enumeration("enum class (\\w+)");
     std::size_t read = 0;
     for (std::sregex_iterator it(settings.begin(), settings.end(), enumeration), end; it != end; ++it, ++read) {
@@ -228,7 +220,7 @@ TEST(Architecture, TextIsEncodedOnce) {
         static const std::set<std::string> kText = {".h",   ".cpp",  ".glsl", ".json", ".js",
                                                     ".css", ".html", ".md",   ".sh",   ".txt"};
         if (!kText.contains(path.extension().string())) return;
-        EXPECT_EQ(si::test::text_fault(text_of(path)), "") << path;
+        EXPECT_EQ(si::test::text_fault(si::file_bytes(path)), "") << path;
         ++read;
     };
     for (const char* folder : {"app", "renderer", "ui", "shaders", "assets", "docs", "scripts", "tests"})

@@ -5,26 +5,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/support/process.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
 const fs::path kRoot = SI_SOURCE_DIR;
-
-std::string read_file(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
 
 /// Returns the standard output of a shell command.
 std::string output_of(const std::string& command) {
@@ -71,7 +64,7 @@ TEST(Documents, DiagramsMatchTheirSources) {
         drawn.replace_extension(".svg");
         const auto expected = labels_of(output_of("dot -Tsvg '" + source.string() + "'"));
         EXPECT_GT(expected.size(), 10u) << source << " draws nothing";
-        EXPECT_EQ(labels_of(read_file(drawn)), expected) << drawn << " is old: run scripts/draw_diagrams.sh";
+        EXPECT_EQ(labels_of(si::file_bytes(drawn)), expected) << drawn << " is old: run scripts/draw_diagrams.sh";
     }
 }
 
@@ -82,7 +75,7 @@ TEST(Documents, LinksPointToFiles) {
     pages.push_back(kRoot / "README.md");
     std::size_t followed = 0;
     for (const fs::path& page : pages) {
-        const std::string text = read_file(page);
+        const std::string text = si::file_bytes(page);
         for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at) {
             const std::string target = (*at)[1];
             if (std::regex_search(target, scheme)) continue;

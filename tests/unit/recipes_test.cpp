@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -15,6 +14,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
+#include "tests/support/process.h"
 #include "tests/support/source_tree.h"
 #include "tests/support/traits.h"
 
@@ -24,13 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = test::source_tree();
-
-std::string whole_text(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
 
 /// Table of techniques: its row file, the folder of its GLSL files, and the rows' keys.
 struct Table {
@@ -58,7 +51,7 @@ std::vector<Table> tables() {
 std::map<std::string, std::string> recipes() {
     std::map<std::string, std::string> out;
     for (const auto& entry : fs::directory_iterator(kRoot / "docs/recipes"))
-        out[entry.path().stem().string()] = whole_text(entry.path());
+        out[entry.path().stem().string()] = file_bytes(entry.path());
     return out;
 }
 
@@ -123,7 +116,7 @@ std::set<std::string> test_suites() {
     static const std::regex suite("TEST(_F|_P)?\\((\\w+),");
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests")) {
         if (entry.path().extension() != ".cpp") continue;
-        const std::string text = whole_text(entry.path());
+        const std::string text = file_bytes(entry.path());
         for (std::sregex_iterator it(text.begin(), text.end(), suite), end; it != end; ++it) out.insert((*it)[2]);
     }
     return out;
@@ -219,7 +212,7 @@ TEST(Recipes, TechniqueKeysStandOnlyInListedFiles) {
             if (!entry.is_regular_file()) continue;
             const std::string name = fs::relative(entry.path(), kRoot).generic_string();
             ++read;
-            for (const std::string& place : places_with_key(name, whole_text(entry.path()), all))
+            for (const std::string& place : places_with_key(name, file_bytes(entry.path()), all))
                 ADD_FAILURE() << place;
         }
     EXPECT_GT(read, 200u);

@@ -5,32 +5,17 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/support/process.h"
+#include "tests/support/source_tree.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    return out.str();
-}
-
-std::vector<fs::path> files_of(std::initializer_list<const char*> folders,
-                               std::initializer_list<const char*> extensions) {
-    std::vector<fs::path> out;
-    for (const char* folder : folders)
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(SI_SOURCE_DIR) / folder))
-            if (std::ranges::find(extensions, entry.path().extension().string()) != extensions.end())
-                out.push_back(entry.path());
-    return out;
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> out;
@@ -187,8 +172,9 @@ std::vector<std::size_t> chained_assignments(const std::string& source) {
 
 TEST(Style, DocCommentsBeginWithTheirSubject) {
     std::size_t read = 0;
-    for (const fs::path& path : files_of({"renderer", "ui", "app"}, {".h"})) {
-        for (const std::string& found : comments_without_subject(text_of(path))) ADD_FAILURE() << path << ":" << found;
+    for (const fs::path& path : si::test::source_files({"renderer", "ui", "app"}, {".h"})) {
+        for (const std::string& found : comments_without_subject(si::file_bytes(path)))
+            ADD_FAILURE() << path << ":" << found;
         ++read;
     }
     EXPECT_GT(read, 200u);
@@ -206,8 +192,8 @@ TEST(Style, DocCommentSearchFindsQuestionWords) {
 
 TEST(Style, StatementsDoNotChainAssignments) {
     std::size_t read = 0;
-    for (const fs::path& path : files_of({"renderer", "ui", "app", "tests"}, {".h", ".cpp"})) {
-        for (const std::size_t line : chained_assignments(text_of(path))) ADD_FAILURE() << path << ":" << line;
+    for (const fs::path& path : si::test::source_files({"renderer", "ui", "app", "tests"}, {".h", ".cpp"})) {
+        for (const std::size_t line : chained_assignments(si::file_bytes(path))) ADD_FAILURE() << path << ":" << line;
         ++read;
     }
     EXPECT_GT(read, 500u);
