@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <set>
 
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
+#include "tests/support/combinations.h"
 
 namespace si::test {
 namespace {
@@ -124,48 +123,16 @@ bool place_settings(Settings& settings, const Placement& placement) {
 }
 
 std::vector<PlacedCase> pairwise_placements(std::size_t cases, std::uint32_t seed) {
-    using Row = std::array<std::size_t, 5>;  // case, distance, scale, light, mirrored
-    const Row sizes = {cases, std::size(kDistances), std::size(kScales), std::size(kLights), 2};
-    const auto placement = [](const Row& r) { return Placement{r[1], r[2], r[3], r[4] == 1}; };
-    using Pair = std::array<std::size_t, 4>;
-    std::set<Pair> wanted;
-    for (std::size_t a = 0; a < sizes.size(); ++a)
-        for (std::size_t b = a + 1; b < sizes.size(); ++b)
-            for (std::size_t i = 0; i < sizes[a]; ++i)
-                for (std::size_t j = 0; j < sizes[b]; ++j) {
-                    if (a == 3 && b == 4 && j == 1 && !kLights[i].mirrors) continue;
-                    wanted.insert({a, i, b, j});
-                }
-    const auto pairs_of = [&](const Row& r) {
-        std::size_t gain = 0;
-        for (std::size_t a = 0; a < r.size(); ++a)
-            for (std::size_t b = a + 1; b < r.size(); ++b) gain += wanted.contains({a, r[a], b, r[b]});
-        return gain;
+    // Factors: case, distance, scale, light, mirrored.
+    const auto placement = [](const Combination& row) { return Placement{row[1], row[2], row[3], row[4] == 1}; };
+    const auto pair_allowed = [](std::size_t a, std::size_t i, std::size_t b, std::size_t j) {
+        return a != 3 || b != 4 || j != 1 || kLights[i].mirrors;
     };
-    Random random(seed);
     std::vector<PlacedCase> out;
-    while (!wanted.empty()) {
-        Row best{};
-        std::size_t most = 0;
-        for (int trial = 0; trial < 60; ++trial) {
-            Row row;
-            for (std::size_t i = 0; i < row.size(); ++i) row[i] = random.next() % sizes[i];
-            // Each row takes a missing pair, so that it adds at least one.
-            auto it = wanted.begin();
-            std::advance(it, std::ptrdiff_t(random.next() % wanted.size()));
-            row[(*it)[0]] = (*it)[1];
-            row[(*it)[2]] = (*it)[3];
-            if (!may_stand(placement(row))) continue;
-            if (const std::size_t gain = pairs_of(row); gain > most) {
-                most = gain;
-                best = row;
-            }
-        }
-        if (most == 0) continue;
-        for (std::size_t a = 0; a < best.size(); ++a)
-            for (std::size_t b = a + 1; b < best.size(); ++b) wanted.erase({a, best[a], b, best[b]});
-        if (!placement(best).is_unmoved()) out.push_back({best[0], placement(best)});
-    }
+    for (const Combination& row :
+         pairwise_table({cases, std::size(kDistances), std::size(kScales), std::size(kLights), 2}, seed, pair_allowed,
+                        [&](const Combination& candidate) { return may_stand(placement(candidate)); }))
+        if (!placement(row).is_unmoved()) out.push_back({row[0], placement(row)});
     return out;
 }
 

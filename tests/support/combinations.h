@@ -1,0 +1,44 @@
+// Makes combinations of test parameters: all pairs of values by default, the full product where a run asks for it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <tuple>
+#include <vector>
+
+#include "tests/support/environment_number.h"
+
+namespace si::test {
+
+/// Row of a table of combinations: an index of a value per factor, from 0.
+using Combination = std::vector<std::size_t>;
+
+/// Returns a pairwise table, made greedily: each allowed pair of values of two factors is in at least one row.
+/// @param sizes number of values of each factor
+/// @param seed number that chooses among equally good rows
+/// @param pair_allowed (factor a, value of a, factor b, value of b): false for a pair that no row may hold; empty: all
+/// @param row_allowed false for a row that the table may not hold; empty: all
+std::vector<Combination> pairwise_table(
+    const std::vector<std::size_t>& sizes, std::uint32_t seed,
+    const std::function<bool(std::size_t, std::size_t, std::size_t, std::size_t)>& pair_allowed = {},
+    const std::function<bool(const Combination&)>& row_allowed = {});
+
+/// Returns every combination of values, the last factor fastest.
+/// @param sizes number of values of each factor
+std::vector<Combination> full_product(const std::vector<std::size_t>& sizes);
+
+/// Returns the combinations of values of several factors that a test runs over: with SI_FULL_PRODUCTS=1 every
+/// combination, otherwise a pairwise table. A test that uses it has the trait Product.
+template <typename... Values>
+std::vector<std::tuple<Values...>> combinations(const std::vector<Values>&... factors) {
+    const std::vector<std::size_t> sizes = {factors.size()...};
+    std::vector<std::tuple<Values...>> out;
+    for (const Combination& row :
+         environment_number("SI_FULL_PRODUCTS", 0) != 0 ? full_product(sizes) : pairwise_table(sizes, 1)) {
+        std::size_t factor = 0;
+        out.push_back(std::tuple<Values...>{factors[row[factor++]]...});
+    }
+    return out;
+}
+
+}  // namespace si::test
