@@ -2,6 +2,7 @@
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -79,54 +80,58 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
 }
 
 SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
+SI_TEST_IS(Product, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
 TEST_F(BiasOverlays, LeastBiasAndSlackEqualTheFormulas) {
     const Scene scene = hills();
-    for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
-                                    {LightType::Directional, LightFit::Lispsm},
-                                    {LightType::Spot, LightFit::Scene},
-                                    {LightType::Point, LightFit::Scene}})
-        for (const char* format : {"d16", "d24", "d32f"})
-            for (const auto& [reversed, kind] : {std::pair{false, "slope"},
-                                                 {true, "slope"},
-                                                 {false, "constant"},
-                                                 {true, "receiver-plane"},
-                                                 {true, "receiver-plane-derivatives"},
-                                                 {false, "adaptive"}}) {
-                SCOPED_TRACE(testing::Message() << int(type) << " " << int(fit) << " " << format
-                                                << (reversed ? " reversed " : " ") << kind);
-                Settings s = lit_by(type, fit);
-                set_setting(s, "bias.kind", kind);
-                set_setting(s, "map.format", format);
-                s.map.reversed_z = reversed;
-                set_setting(s, "filter.kernel", reversed ? "pcf3" : "hard");
-                s.bias.raster_slope = reversed ? 1.5 : 0;
-                s.bias.raster_units = reversed ? 2 : 0;
-                const auto compare = [&](const char* overlay, auto&& expected_texels) {
-                    const Pixels p = draw(scene, s, overlay);
-                    const RasterTraits& driver = renderer.driver();
-                    double worst = 0;
-                    const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
-                        const BiasBreakdown a = bias_breakdown(p.frame.lights[0], s, p.frame.map_resolution,
-                                                               {.position_ws = hit.position,
-                                                                .geometric = hit.normal,
-                                                                .bias_normal = hit.normal,
-                                                                .origin_ws = p.frame.camera.origin()},
-                                                               driver);
-                        if (a.receiver.n_dot_l < 0.02) return;  // edge-on surfaces leave no digits in single precision
-                        const double scale = a.amount(a.least.total()).texels;
-                        worst = std::max(worst, std::abs(value - expected_texels(a)) / (1 + scale));
-                    });
-                    EXPECT_GT(count, 800) << overlay;
-                    EXPECT_LT(worst, 2e-3) << overlay;
-                };
-                compare("least-bias", [](const BiasBreakdown& a) { return a.amount(a.least.total()).texels; });
-                compare("bias-slack", [](const BiasBreakdown& a) {
-                    return a.amount(a.equivalent_depth()).texels - a.amount(a.least.total()).texels;
-                });
-                compare("contact-gap", [](const BiasBreakdown& a) { return a.contact_gap_m(); });
-                compare("bias-applied",
-                        [](const BiasBreakdown& a) { return a.amount(a.depth_shift - a.raster).texels; });
-            }
+    for (const auto& [light, format, bias] :
+         test::combinations<std::pair<LightType, LightFit>, const char*, std::pair<bool, const char*>>(
+             {{LightType::Directional, LightFit::Scene},
+              {LightType::Directional, LightFit::Lispsm},
+              {LightType::Spot, LightFit::Scene},
+              {LightType::Point, LightFit::Scene}},
+             {"d16", "d24", "d32f"},
+             {{false, "slope"},
+              {true, "slope"},
+              {false, "constant"},
+              {true, "receiver-plane"},
+              {true, "receiver-plane-derivatives"},
+              {false, "adaptive"}})) {
+        const auto& [type, fit] = light;
+        const auto& [reversed, kind] = bias;
+        SCOPED_TRACE(testing::Message() << int(type) << " " << int(fit) << " " << format
+                                        << (reversed ? " reversed " : " ") << kind);
+        Settings s = lit_by(type, fit);
+        set_setting(s, "bias.kind", kind);
+        set_setting(s, "map.format", format);
+        s.map.reversed_z = reversed;
+        set_setting(s, "filter.kernel", reversed ? "pcf3" : "hard");
+        s.bias.raster_slope = reversed ? 1.5 : 0;
+        s.bias.raster_units = reversed ? 2 : 0;
+        const auto compare = [&](const char* overlay, auto&& expected_texels) {
+            const Pixels p = draw(scene, s, overlay);
+            const RasterTraits& driver = renderer.driver();
+            double worst = 0;
+            const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
+                const BiasBreakdown a = bias_breakdown(p.frame.lights[0], s, p.frame.map_resolution,
+                                                       {.position_ws = hit.position,
+                                                        .geometric = hit.normal,
+                                                        .bias_normal = hit.normal,
+                                                        .origin_ws = p.frame.camera.origin()},
+                                                       driver);
+                if (a.receiver.n_dot_l < 0.02) return;  // edge-on surfaces leave no digits in single precision
+                const double scale = a.amount(a.least.total()).texels;
+                worst = std::max(worst, std::abs(value - expected_texels(a)) / (1 + scale));
+            });
+            EXPECT_GT(count, 800) << overlay;
+            EXPECT_LT(worst, 2e-3) << overlay;
+        };
+        compare("least-bias", [](const BiasBreakdown& a) { return a.amount(a.least.total()).texels; });
+        compare("bias-slack", [](const BiasBreakdown& a) {
+            return a.amount(a.equivalent_depth()).texels - a.amount(a.least.total()).texels;
+        });
+        compare("contact-gap", [](const BiasBreakdown& a) { return a.contact_gap_m(); });
+        compare("bias-applied", [](const BiasBreakdown& a) { return a.amount(a.depth_shift - a.raster).texels; });
+    }
 }
 
 TEST_F(BiasOverlays, AcneAppearsWhereSlackIsNegative) {

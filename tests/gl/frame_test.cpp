@@ -13,6 +13,7 @@
 #include "renderer/settings/overlays.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/combinations.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -182,35 +183,38 @@ TEST_F(ProgramsTest, PairsOfChoicesCompile) {
 
 SI_TEST_IS(DriverIndependent, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
 SI_TEST_IS(Repeated, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
+SI_TEST_IS(Product, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
 TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     const Scene scene = load_scene("stage");
     ReferenceCache references;
-    for (const Overlay& overlay : overlays())
-        for (const char* light : {"directional", "spot", "point"})
-            for (const char* separate : {"false", "true"}) {
-                const bool pages = overlay.key.starts_with("page-");  // whole maps have none of these
-                const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)},
-                                                        {"light.type", light},
-                                                        {"shading.separate_visibility", separate},
-                                                        {"map.virtual", pages ? "true" : "false"},
-                                                        {"map.resolution", "256"}});
-                FrameRequest request{.width = 64, .height = 36};
-                request.outputs.overlay = true;
-                const FrameResult f = render_with_reference(renderer, scene, s, request, references);
-                const FloatImage values = renderer.read_float(f.overlay, 4);
-                std::size_t drawn = 0, infinite = 0;
-                for (std::size_t i = 0; i < values.data.size(); i += 4) {
-                    drawn += values.data[i + 3] > 0;
-                    infinite += std::isinf(values.data[i]);
-                }
-                const bool finds_faults =
-                    overlay.key == "non-finite" || overlay.key == "outside-map" || overlay.key == "invalid-moments";
-                EXPECT_FALSE(f.panes.front().lacks_reference) << overlay.key;
-                if (overlay.key != "artefacts") {
-                    EXPECT_EQ(drawn > 0, !finds_faults) << overlay.key << " " << light;
-                }
-                EXPECT_EQ(infinite, 0u) << overlay.key;
-            }
+    std::vector<const Overlay*> all;
+    for (const Overlay& overlay : overlays()) all.push_back(&overlay);
+    for (const auto& [row, light, separate] : test::combinations<const Overlay*, const char*, const char*>(
+             all, {"directional", "spot", "point"}, {"false", "true"})) {
+        const Overlay& overlay = *row;
+        const bool pages = overlay.key.starts_with("page-");  // whole maps have none of these
+        const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)},
+                                                {"light.type", light},
+                                                {"shading.separate_visibility", separate},
+                                                {"map.virtual", pages ? "true" : "false"},
+                                                {"map.resolution", "256"}});
+        FrameRequest request{.width = 64, .height = 36};
+        request.outputs.overlay = true;
+        const FrameResult f = render_with_reference(renderer, scene, s, request, references);
+        const FloatImage values = renderer.read_float(f.overlay, 4);
+        std::size_t drawn = 0, infinite = 0;
+        for (std::size_t i = 0; i < values.data.size(); i += 4) {
+            drawn += values.data[i + 3] > 0;
+            infinite += std::isinf(values.data[i]);
+        }
+        const bool finds_faults =
+            overlay.key == "non-finite" || overlay.key == "outside-map" || overlay.key == "invalid-moments";
+        EXPECT_FALSE(f.panes.front().lacks_reference) << overlay.key;
+        if (overlay.key != "artefacts") {
+            EXPECT_EQ(drawn > 0, !finds_faults) << overlay.key << " " << light;
+        }
+        EXPECT_EQ(infinite, 0u) << overlay.key;
+    }
 }
 
 TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {

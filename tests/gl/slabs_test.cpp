@@ -4,6 +4,7 @@
 
 #include "renderer/passes/texel_slabs.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/combinations.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -59,52 +60,54 @@ std::vector<std::pair<glm::dvec3, TexelSlab>> points_on(const std::vector<TexelS
 }
 
 SI_TEST_IS(Repeated, SlabsTest, LieAtTheStoredDepth);
+SI_TEST_IS(Product, SlabsTest, LieAtTheStoredDepth);
 TEST_F(SlabsTest, LieAtTheStoredDepth) {
     const Scene scene = load_scene("boxes");
     const FrameRequest size{.width = 640, .height = 360};
-    for (const auto& [type, fit] :
-         {std::pair{"directional", "scene"}, {"directional", "lispsm"}, {"spot", "scene"}, {"point", "scene"}})
-        for (const char* format : {"d16", "d32f", "colour", "linear16"})
-            for (const char* reversed : {"false", "true"}) {
-                const Settings plain = settings_for(scene, {{"light.type", type},
-                                                            {"light.fit", fit},
-                                                            {"map.format", format},
-                                                            {"map.reversed_z", reversed},
-                                                            {"map.resolution", "64"},
-                                                            {"view.face", "3"},
-                                                            {"view.slabs_texels", "64"}});
-                const ByteImage without = picture(scene, plain, size);
-                Settings s = plain;
-                s.view.slabs = Slabs::Stored;
-                FrameRequest request = size;
-                request.outputs.shadow_map = true;
-                const FrameResult f = renderer.render(scene, s, request);
-                const ByteImage with = renderer.read_colour(f.colour);
-                Settings camera = s;
-                camera.view.map_source = MapSource::Camera;
-                const FloatImage depth = renderer.read_map_view_depth(renderer.render(scene, camera, request));
-                int visible = 0, tinted = 0, hidden = 0, strong = 0;
-                for (const auto& [point, slab] : points_on(slabs(f, s, Slabs::Stored))) {
-                    const glm::dvec4 p = f.camera.project(point, size.width, size.height);
-                    const int x = int(std::lround(p.x)), y = int(std::lround(p.y));
-                    if (p.w <= 0 || x < 0 || y < 0 || x >= size.width || y >= size.height) continue;
-                    if (!covers(slab, f.camera, size.width, size.height, {x, y})) continue;
-                    const double surface = f.camera.curve.distance(double(depth.at(x, y))), own = p.w;
-                    const int blue = tint(without, with, x, y).x;
-                    if (own < surface - 0.05) {
-                        ++visible;
-                        tinted += blue > 25;
-                    } else if (own > surface + 0.3) {
-                        ++hidden;
-                        strong += blue > 45;
-                    }
-                }
-                const std::string where = std::string(type) + " " + fit + " " + format + " " + reversed;
-                EXPECT_GT(visible, 200) << where;
-                EXPECT_EQ(tinted, visible) << where;
-                // A slab behind a surface shows faintly, unless a nearer slab covers the same pixel.
-                EXPECT_LE(strong, hidden / 2) << where;
+    for (const auto& [light, format, reversed] :
+         test::combinations<std::pair<const char*, const char*>, const char*, const char*>(
+             {{"directional", "scene"}, {"directional", "lispsm"}, {"spot", "scene"}, {"point", "scene"}},
+             {"d16", "d32f", "colour", "linear16"}, {"false", "true"})) {
+        const auto& [type, fit] = light;
+        const Settings plain = settings_for(scene, {{"light.type", type},
+                                                    {"light.fit", fit},
+                                                    {"map.format", format},
+                                                    {"map.reversed_z", reversed},
+                                                    {"map.resolution", "64"},
+                                                    {"view.face", "3"},
+                                                    {"view.slabs_texels", "64"}});
+        const ByteImage without = picture(scene, plain, size);
+        Settings s = plain;
+        s.view.slabs = Slabs::Stored;
+        FrameRequest request = size;
+        request.outputs.shadow_map = true;
+        const FrameResult f = renderer.render(scene, s, request);
+        const ByteImage with = renderer.read_colour(f.colour);
+        Settings camera = s;
+        camera.view.map_source = MapSource::Camera;
+        const FloatImage depth = renderer.read_map_view_depth(renderer.render(scene, camera, request));
+        int visible = 0, tinted = 0, hidden = 0, strong = 0;
+        for (const auto& [point, slab] : points_on(slabs(f, s, Slabs::Stored))) {
+            const glm::dvec4 p = f.camera.project(point, size.width, size.height);
+            const int x = int(std::lround(p.x)), y = int(std::lround(p.y));
+            if (p.w <= 0 || x < 0 || y < 0 || x >= size.width || y >= size.height) continue;
+            if (!covers(slab, f.camera, size.width, size.height, {x, y})) continue;
+            const double surface = f.camera.curve.distance(double(depth.at(x, y))), own = p.w;
+            const int blue = tint(without, with, x, y).x;
+            if (own < surface - 0.05) {
+                ++visible;
+                tinted += blue > 25;
+            } else if (own > surface + 0.3) {
+                ++hidden;
+                strong += blue > 45;
             }
+        }
+        const std::string where = std::string(type) + " " + fit + " " + format + " " + reversed;
+        EXPECT_GT(visible, 200) << where;
+        EXPECT_EQ(tinted, visible) << where;
+        // A slab behind a surface shows faintly, unless a nearer slab covers the same pixel.
+        EXPECT_LE(strong, hidden / 2) << where;
+    }
 }
 
 TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {

@@ -8,6 +8,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -134,32 +135,42 @@ TEST_F(WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference) {
 }
 
 SI_TEST_IS(DriverIndependent, WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes);
+SI_TEST_IS(Product, WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes);
 TEST_F(WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes) {
-    for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(115, 0, 0), glm::dvec3(1e5, 0, -3e4)}) {
+    struct Angles {
+        double azimuth, elevation;
+    };
+    struct Map {
+        const char* format;
+        bool reversed;
+        const char* near_far;
+    };
+    for (const auto& [at, angles, kind, kernel, map] :
+         test::combinations<glm::dvec3, Angles, const char*, const char*, Map>(
+             {glm::dvec3(0), {115, 0, 0}, {1e5, 0, -3e4}}, {{70, 55}, {90, 90}, {180, 12}, {0, 20}},
+             {"receiver-plane", "receiver-plane-derivatives", "adaptive"}, {"hard", "pcf5", "tent3"},
+             {{"d16", false, "fitted"},
+              {"d24", true, "casters"},
+              {"d32f", false, "pancaking"},
+              {"d32f", true, "scene"}})) {
+        const auto& [azimuth, elevation] = angles;
+        const auto& [format, reversed, near_far] = map;
         const Scene scene = sheets(at);
-        for (const auto& [azimuth, elevation] : {std::pair{70.0, 55.0}, {90.0, 90.0}, {180.0, 12.0}, {0.0, 20.0}})
-            for (const char* kind : {"receiver-plane", "receiver-plane-derivatives", "adaptive"})
-                for (const char* kernel : {"hard", "pcf5", "tent3"})
-                    for (const auto& [format, reversed, near_far] : {std::tuple{"d16", false, "fitted"},
-                                                                     {"d24", true, "casters"},
-                                                                     {"d32f", false, "pancaking"},
-                                                                     {"d32f", true, "scene"}}) {
-                        SCOPED_TRACE(testing::Message() << at.x << " " << azimuth << " " << kind << " " << kernel << " "
-                                                        << format << (reversed ? " reversed " : " ") << near_far);
-                        Settings s = along_the_ground(at, "lispsm", 512);
-                        set_setting(s, "bias.kind", kind);
-                        set_setting(s, "filter.kernel", kernel);
-                        set_setting(s, "map.format", format);
-                        set_setting(s, "light.near_far", near_far);
-                        s.map.reversed_z = reversed;
-                        s.bias.constant = s.bias.slope = s.bias.normal = 0;
-                        s.lights[0].azimuth = azimuth;
-                        s.lights[0].elevation = elevation;
-                        const ErrorMetrics m = measure(scene, s).metrics;
-                        EXPECT_GT(m.counted, 2000u);
-                        EXPECT_EQ(m.artefacts[std::size_t(Artefact::Acne)], 0u);
-                        EXPECT_EQ(m.outside_map, 0);
-                    }
+        SCOPED_TRACE(testing::Message() << at.x << " " << azimuth << " " << kind << " " << kernel << " " << format
+                                        << (reversed ? " reversed " : " ") << near_far);
+        Settings s = along_the_ground(at, "lispsm", 512);
+        set_setting(s, "bias.kind", kind);
+        set_setting(s, "filter.kernel", kernel);
+        set_setting(s, "map.format", format);
+        set_setting(s, "light.near_far", near_far);
+        s.map.reversed_z = reversed;
+        s.bias.constant = s.bias.slope = s.bias.normal = 0;
+        s.lights[0].azimuth = azimuth;
+        s.lights[0].elevation = elevation;
+        const ErrorMetrics m = measure(scene, s).metrics;
+        EXPECT_GT(m.counted, 2000u);
+        EXPECT_EQ(m.artefacts[std::size_t(Artefact::Acne)], 0u);
+        EXPECT_EQ(m.outside_map, 0);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "tests/support/environment_number.h"
@@ -32,12 +33,13 @@ std::vector<Combination> full_product(const std::vector<std::size_t>& sizes);
 template <typename... Values>
 std::vector<std::tuple<Values...>> combinations(const std::vector<Values>&... factors) {
     const std::vector<std::size_t> sizes = {factors.size()...};
+    const auto row_values = [&]<std::size_t... factor>(const Combination& row, std::index_sequence<factor...>) {
+        return std::tuple<Values...>{factors[row[factor]]...};
+    };
     std::vector<std::tuple<Values...>> out;
     for (const Combination& row :
-         environment_number("SI_FULL_PRODUCTS", 0) != 0 ? full_product(sizes) : pairwise_table(sizes, 1)) {
-        std::size_t factor = 0;
-        out.push_back(std::tuple<Values...>{factors[row[factor++]]...});
-    }
+         environment_number("SI_FULL_PRODUCTS", 0) != 0 ? full_product(sizes) : pairwise_table(sizes, 1))
+        out.push_back(row_values(row, std::index_sequence_for<Values...>{}));
     return out;
 }
 

@@ -29,7 +29,10 @@ std::vector<Stated>& stated() {
 constexpr struct {
     const char* key;
     Trait trait;
-} kTraits[] = {{"driver-independent", Trait::DriverIndependent}, {"repeated", Trait::Repeated}, {"long", Trait::Long}};
+} kTraits[] = {{"driver-independent", Trait::DriverIndependent},
+               {"repeated", Trait::Repeated},
+               {"product", Trait::Product},
+               {"long", Trait::Long}};
 
 /// Returns googletest's patterns for a suite by itself and as an instance of a parameter.
 std::vector<std::string> patterns(const Stated& s) {
