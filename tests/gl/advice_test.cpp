@@ -78,12 +78,12 @@ TEST_F(AdviceTest, ItsPredictionsHoldOnBuiltInScenes) {
 
 TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    Settings s = settings_for(scene, {{"filter.kernel", "pcss"}, {"light.size", "0.01"}, {"light.cascades", "4"}});
+    Settings s = settings_for(scene, {"filter.kernel=pcss", "light.size=0.01", "light.cascades=4"});
     std::vector<TriedAdvice> all = advised(scene, s);
     EXPECT_TRUE(has(all, "narrow-penumbra"));
     expect_predicted_effects(scene, s, all);
     // Too little bias: the change corrects pixels.
-    s = settings_for(scene, {{"bias.normal", "0"}, {"bias.constant", "0"}});
+    s = settings_for(scene, {"bias.normal=0", "bias.constant=0"});
     all = advised(scene, s);
     EXPECT_TRUE(has(all, "bias"));
     expect_predicted_effects(scene, s, all);
@@ -94,12 +94,8 @@ TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
     // The camera and the light are straight above the scene, 115 m from the origin.
     const glm::dvec3 far_off(80, 0, 80);
     test::move_scene(scene, far_off);
-    const Settings s = settings_for(scene, {{"light.elevation", "90"},
-                                            {"camera.source", "manual"},
-                                            {"camera.elevation", "90"},
-                                            {"camera.target_x", "80"},
-                                            {"camera.target_z", "80"},
-                                            {"camera.orthographic", "true"}});
+    const Settings s = settings_for(scene, {"light.elevation=90", "camera.source=manual", "camera.elevation=90",
+                                            "camera.target_x=80", "camera.target_z=80", "camera.orthographic=true"});
     const std::vector<TriedAdvice> all = advised(scene, s);
     EXPECT_TRUE(has(all, "no-shadow"));
     expect_predicted_effects(scene, s, all);
@@ -143,8 +139,8 @@ TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
     EXPECT_EQ(camera.first, 0) << "the map is cached";
     EXPECT_GE(camera.second, 8);
     EXPECT_GE(light.first, 8);
-    EXPECT_GE(ran({{"light.cascades", "2"}}, CostCase::Camera).first, 8) << "these maps follow the camera";
-    EXPECT_GE(ran({{"light.elevation", "90"}}, CostCase::Light).first, 8) << "a light at the zenith moves, too";
+    EXPECT_GE(ran({"light.cascades=2"}, CostCase::Camera).first, 8) << "these maps follow the camera";
+    EXPECT_GE(ran({"light.elevation=90"}, CostCase::Light).first, 8) << "a light at the zenith moves, too";
 }
 
 /// Errors are real and the clock counts bytes. The result lies within a tenth of the optimum over all combinations.

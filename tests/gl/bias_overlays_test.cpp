@@ -2,6 +2,7 @@
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
@@ -13,23 +14,15 @@ class BiasOverlays : public FrameTest {
 protected:
     /// Makes a floor with a ball: planes of every direction.
     static Scene hills() {
-        Scene scene;
-        const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(6, 6), grey));
-        add_object(scene, "ball", -1, add_mesh(scene, "ball", make_sphere(1, 12, 8), grey), moved(0, 1.2, 0));
-        finalise(scene);
-        return scene;
+        return test::grey_scene({{"floor", make_plane(6, 6)}, {"ball", make_sphere(1, 12, 8), moved(0, 1.2, 0)}});
     }
     struct Pixels {
         FrameResult frame;
         FloatImage values;
     };
     Pixels draw(const Scene& scene, Settings s, const char* overlay) {
-        set_setting(s, "view.overlay", overlay);
-        FrameRequest request{.width = 80, .height = 60};
-        request.outputs.overlay = true;
-        Pixels p{renderer.render(scene, s, request), {}};
-        p.values = renderer.read_float(p.frame.overlay, 4);
+        Pixels p;
+        p.values = overlay_values(scene, s, overlay, {.width = 80, .height = 60}, &p.frame);
         return p;
     }
     /// Calls check(hit, value) for each pixel that holds a number away from the outlines of triangles.
@@ -68,14 +61,9 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     LightSettings& light = s.lights[0];
     light.type = type;
     light.fit = fit;
-    if (type != LightType::Directional) {
-        light.distance = 6;
-        light.cone = 80;
-    }
-    s.bias.unit = BiasUnit::Texels;
-    s.bias.constant = 0.4;
-    s.bias.slope = 2.5;
-    s.bias.normal = 1.3;
+    light.distance = 6;
+    light.cone = 80;
+    set_all(s, {"bias.unit=texels", "bias.constant=0.4", "bias.slope=2.5", "bias.normal=1.3"});
     return s;
 }
 
@@ -112,12 +100,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackEqualTheFormulas) {
             const RasterTraits& driver = renderer.driver();
             double worst = 0;
             const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
-                const BiasBreakdown a = bias_breakdown(p.frame.lights[0], s, p.frame.map_resolution,
-                                                       {.position_ws = hit.position,
-                                                        .geometric = hit.normal,
-                                                        .bias_normal = hit.normal,
-                                                        .origin_ws = p.frame.camera.origin()},
-                                                       driver);
+                const BiasBreakdown a = test::breakdown_at(p.frame, s, driver, hit.position, hit.normal);
                 if (a.receiver.n_dot_l < 0.02) return;  // edge-on surfaces leave no digits in single precision
                 const double scale = a.amount(a.least.total()).texels;
                 worst = std::max(worst, std::abs(value - expected_texels(a)) / (1 + scale));

@@ -12,13 +12,10 @@
 namespace si {
 namespace {
 
-using Change = std::vector<std::pair<std::string, std::string>>;
-
 class CascadesTest : public FrameTest {
 protected:
     FloatImage visibility(const Scene& scene, const Settings& s, FrameResult* frame = nullptr) {
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .shadow_map = true, .visibility = true};
+        FrameRequest request = small_request({.colour = false, .shadow_map = true, .visibility = true});
         const FrameResult f = renderer.render(scene, s, request);
         if (frame) *frame = f;
         return renderer.read_float(f.visibility, 1);
@@ -27,13 +24,10 @@ protected:
 
 TEST_F(CascadesTest, OneCascadeEqualsASingleMap) {
     const Scene scene = load_scene("stage");
-    for (const Change& plain :
-         {Change{}, {{"light.fit", "manual"}, {"light.extent", "4"}}, {{"light.type", "point"}}}) {
+    for (const Sets& plain : {Sets{}, {"light.fit=manual", "light.extent=4"}, {"light.type=point"}}) {
         const Settings s = settings_for(scene, plain);
         Settings with = s;
-        for (const auto& [key, value] :
-             Change{{"light.split_lambda", "0.9"}, {"light.cascade_blend", "0.7"}, {"light.cascade_choice", "map"}})
-            set_setting(with, key, value);
+        set_all(with, {"light.split_lambda=0.9", "light.cascade_blend=0.7", "light.cascade_choice=map"});
         if (!plain.empty()) set_setting(with, "light.cascades", "4");  // no effect for these lights
         EXPECT_EQ(picture(scene, s), picture(scene, with));
     }
@@ -43,12 +37,12 @@ TEST_F(CascadesTest, OneCascadeEqualsASingleMap) {
 TEST_F(CascadesTest, PixelsReadTheMapOfTheirCascade) {
     Scene near = load_scene("stage");
     for (const char* reversed : {"false", "true"}) {
-        const Settings s = settings_for(near, {{"light.cascades", "3"},
-                                               {"light.cascade_blend", "0.5"},
-                                               {"filter.kernel", "hard"},
-                                               {"map.resolution", "128"},
+        const Settings s = settings_for(near, {"light.cascades=3",
+                                               "light.cascade_blend=0.5",
+                                               "filter.kernel=hard",
+                                               "map.resolution=128",
                                                {"map.reversed_z", reversed},
-                                               {"bias.normal_source", "geometric"}});
+                                               "bias.normal_source=geometric"});
         FrameResult frame;
         const FloatImage drawn = visibility(near, s, &frame);
         const FittedLight& light = frame.lights[0];
@@ -100,22 +94,19 @@ TEST_F(CascadesTest, NothingIsReadOutsideAMap) {
     for (const char* name : {"stage", "landscape"}) {
         const Scene scene = load_scene(name);
         for (const char* elevation : {"90", "35"})
-            for (const Change& more : {Change{{"filter.kernel", "pcf9"}, {"bias.normal", "6"}},
-                                       {{"filter.kernel", "pcf3"}, {"map.blur_texels", "3"}},
-                                       {{"filter.kernel", "pcf9"}, {"light.cascade_choice", "map"}},
-                                       {{"camera.source", "manual"}, {"camera.elevation", "8"}}}) {
-                Settings s = settings_for(scene, {{"light.cascades", "4"},
-                                                  {"light.elevation", elevation},
-                                                  {"light.azimuth", "90"},
-                                                  {"map.resolution", "256"}});
-                for (const auto& [key, value] : more) set_setting(s, key, value);
+            for (const Sets& more : {Sets{"filter.kernel=pcf9", "bias.normal=6"},
+                                     {"filter.kernel=pcf3", "map.blur_texels=3"},
+                                     {"filter.kernel=pcf9", "light.cascade_choice=map"},
+                                     {"camera.source=manual", "camera.elevation=8"}}) {
+                Settings s = settings_for(
+                    scene,
+                    {"light.cascades=4", {"light.elevation", elevation}, "light.azimuth=90", "map.resolution=256"});
+                set_all(s, more);
                 const FloatImage lit = visibility(scene, s);
                 s.map.outside = Outside::Unlit;
                 const FloatImage unlit = visibility(scene, s);
-                std::size_t differ = 0;
-                for (std::size_t i = 0; i < lit.data.size(); ++i) differ += lit.data[i] != unlit.data[i];
                 // The border's colour equals that of empty texels under either setting.
-                EXPECT_EQ(differ, 0u) << name << " " << elevation << " " << more[0].second;
+                EXPECT_EQ(differing_values(lit, unlit), 0u) << name << " " << elevation << " " << more[0].second;
             }
     }
 }
@@ -124,7 +115,7 @@ SI_TEST_IS(Repeated, CascadesTest, FourMissLessThanOneAtTheSameResolution);
 TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
     const Scene scene = load_scene("landscape");
     for (const char* choice : {"interval", "map"}) {
-        Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.cascade_choice", choice}});
+        Settings s = settings_for(scene, {"map.resolution=512", {"light.cascade_choice", choice}});
         Measurer measurer(renderer, 320, 180);
         const ErrorMetrics one = measurer.classify(scene, s).error;
         s.lights[0].cascades = 4;
@@ -144,7 +135,7 @@ TEST_F(CascadesTest, OnlyCascadesFollowTheCamera) {
         return PassState::Skipped;
     };
     for (const bool cascaded : {false, true}) {
-        Settings s = settings_for(scene, {{"camera.source", "manual"}, {"light.cascades", cascaded ? "2" : "1"}});
+        Settings s = settings_for(scene, {"camera.source=manual", {"light.cascades", cascaded ? "2" : "1"}});
         EXPECT_EQ(map_state(s), PassState::Drawn);
         s.camera.azimuth += 20;
         EXPECT_EQ(map_state(s), cascaded ? PassState::Drawn : PassState::Cached);
@@ -156,7 +147,7 @@ TEST_F(CascadesTest, OnlyCascadesFollowTheCamera) {
 SI_TEST_IS(Repeated, CascadesTest, TheProbeNamesTheCascade);
 TEST_F(CascadesTest, TheProbeNamesTheCascade) {
     const Scene scene = load_scene("stage");
-    const Settings s = settings_for(scene, {{"light.cascades", "4"}, {"light.cascade_blend", "0.3"}});
+    const Settings s = settings_for(scene, {"light.cascades=4", "light.cascade_blend=0.3"});
     FrameResult frame;
     const FloatImage drawn = visibility(scene, s, &frame);
     int blended = 0;
@@ -178,7 +169,7 @@ TEST_F(CascadesTest, TheProbeNamesTheCascade) {
 
 TEST_F(CascadesTest, ACameraThroughTheLightHasTheWholeScenesMap) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"camera.source", "light"}});
+    Settings s = settings_for(scene, {"camera.source=light"});
     const Camera one = renderer.render(scene, s, small_request()).camera;
     s.lights[0].cascades = 3;
     const FrameResult several = renderer.render(scene, s, small_request());

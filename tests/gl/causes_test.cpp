@@ -7,6 +7,7 @@
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -180,30 +181,24 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
     const Scene teapot = load_scene("teapot");
     for (const char* slope : {"1", "3", "10"})
         EXPECT_GT(count(agree(teapot,
-                              settings_for(teapot, {{"light.fit", "scene"},
-                                                    {"bias.normal_source", "shading"},
-                                                    {"bias.constant", "0"},
+                              settings_for(teapot, {"light.fit=scene",
+                                                    "bias.normal_source=shading",
+                                                    "bias.constant=0",
                                                     {"bias.slope", slope},
-                                                    {"bias.normal", "1"},
-                                                    {"map.resolution", "512"}}),
+                                                    "bias.normal=1",
+                                                    "map.resolution=512"}),
                               "vertices' normals"),
                         Artefact::EdgeAliasing),
                   20u);
     const Scene stage = load_scene("stage");
-    for (const char* extra : {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"}) {
-        const std::string text = extra;
-        const auto at = text.find('=');
-        agree(stage, settings_for(stage, {{text.substr(0, at), text.substr(at + 1)}}), extra);
-    }
+    for (const char* extra : {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"})
+        agree(stage, settings_for(stage, {extra}), extra);
 }
 
 TEST_F(CausesTest, TrialsOfOneTexelObeyTheGuards) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    Settings s = test::texel_settings("hard", 256, 1);
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].extent = 1.2;
-    s.bias.normal = 40;
-    s.map.wrap = MapWrap::Range;
+    Settings s = settings_with(test::texel_settings("hard", 256, 1),
+                               {"light.fit=manual", "light.extent=1.2", "bias.normal=40", "map.wrap=range"});
     for (const Outside outside : {Outside::Lit, Outside::Unlit}) {
         s.map.outside = outside;
         FrameRequest all = request;
@@ -246,13 +241,7 @@ TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsAttributedToTheOffset) {
 }
 
 TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
-    const int bar = add_mesh(scene, "bar", make_box({0.03, 1.6, 0.03}), grey);
-    for (int i = 0; i < 24; ++i)
-        add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.25 * i + 0.013 * (i % 5), 0.9, 0));
-    finalise(scene);
+    const Scene scene = test::fence(24, 0.03, 0.25);
     request = {.width = 800, .height = 600};
     Settings s = test::texel_settings("hard", 128, 3);
     s.camera.distance = 7;
@@ -289,25 +278,19 @@ TEST_F(CausesTest, EdgesOfABoxOnAPlaneAreClassifiedAsEdges) {
 /// Fault of a scene: settings that cause the fault, settings that repair it, and its cause.
 struct Fault {
     const char* what;
-    void (*wrong)(Settings&);
+    Assignment wrong;
     std::vector<Artefact> causes;
 };
 
 const std::vector<Fault>& faults() {
     static const std::vector<Fault> all = {
-        {"little bias", [](Settings& s) { s.bias.constant = 0.3; }, {Artefact::Acne}},
-        {"much bias", [](Settings& s) { s.bias.constant = 60; }, {Artefact::PeterPanning}},
-        {"much offset",
-         [](Settings& s) { s.bias.normal = 30; },
-         {Artefact::PeterPanningOffset, Artefact::OffsetShadow}},
-        {"polygon offset", [](Settings& s) { s.bias.raster_slope = 60; }, {Artefact::PeterPanningRaster}},
-        {"front culling",
-         [](Settings& s) { s.caster.cull = Cull::Front; },
-         {Artefact::LostCaster, Artefact::PeterPanning}},
+        {"little bias", "bias.constant=0.3", {Artefact::Acne}},
+        {"much bias", "bias.constant=60", {Artefact::PeterPanning}},
+        {"much offset", "bias.normal=30", {Artefact::PeterPanningOffset, Artefact::OffsetShadow}},
+        {"polygon offset", "bias.raster_slope=60", {Artefact::PeterPanningRaster}},
+        {"front culling", "caster.cull=front", {Artefact::LostCaster, Artefact::PeterPanning}},
         // At the bias of a narrow kernel the scene shadows itself, which more bias fixes as well.
-        {"wide kernel",
-         [](Settings& s) { set_setting(s, "filter.kernel", "pcf9"); },
-         {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
+        {"wide kernel", "filter.kernel=pcf9", {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
     };
     return all;
 }
@@ -318,20 +301,15 @@ TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) 
     const int grey = add_material(scene, "more grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(1.5, 1.5), grey), moved(2.5, 1.1, 1));
     finalise(scene);
-    const auto base = [&] {
-        Settings s = test::texel_settings("hw2x2", 512, 3.2);
-        s.camera.distance = 9;
-        return s;
-    };
     std::string table;
     for (std::size_t a = 0; a < faults().size(); ++a)
         for (std::size_t b = 0; b < faults().size(); ++b) {
-            Settings both = base(), twin = base();
+            Settings both = test::texel_settings("hw2x2", 512, 3.2), twin = both;
             if (a != b) {
-                faults()[b].wrong(both);
-                faults()[b].wrong(twin);
+                set_all(both, {faults()[b].wrong});
+                set_all(twin, {faults()[b].wrong});
             }
-            faults()[a].wrong(both);
+            set_all(both, {faults()[a].wrong});
             if (both == twin) continue;
             // Thirty texels of normal offset exceed the plane's need: its constant bias is not too little then.
             if (faults()[a].what == std::string("little bias") && faults()[b].what == std::string("much offset"))
@@ -412,10 +390,8 @@ TEST_F(CausesTest, MasksThinnedByCoarserMipLevelsAreLostCasters) {
 
 TEST_F(CausesTest, TapsOutsideTheMapAreClassifiedAsItsSeam) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
-    Settings s = test::texel_settings("pcf9", 64, 12);
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].extent = 2;
-    s.map.outside = Outside::Unlit;
+    Settings s = settings_with(test::texel_settings("pcf9", 64, 12),
+                               {"light.fit=manual", "light.extent=2", "map.outside=unlit"});
     Settings twin = s;
     twin.map.outside = Outside::Lit;
     const MeasuredError dark = measure(scene, s), lit = measure(scene, twin);
@@ -444,51 +420,24 @@ TEST_F(CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight) {
     struct Place {
         const char* what;
         Scene scene;
-        void (*light)(Settings&);
+        Sets sets;
     };
-    std::vector<Place> places;
-    places.push_back({"room", room(), [](Settings& s) {
-                          s.lights[0].azimuth = 40;
-                          s.lights[0].elevation = 50;
-                      }});
-    places.push_back({"terrain in tiles", tiles(), [](Settings& s) { s.lights[0].elevation = 55; }});
-    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
-                          s.lights[0].azimuth = 90;
-                          s.lights[0].elevation = 80;
-                      }});
-    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
-                          s.lights[0].type = LightType::Spot;
-                          s.lights[0].distance = 9;
-                      }});
-    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
-                          s.lights[0].type = LightType::Point;
-                          s.lights[0].distance = 6;
-                      }});
-    places.push_back({"far away",
-                      [] {
-                          Scene scene;
-                          const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-                          add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey),
-                                     moved(1150, 30, -820));
-                          add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey),
-                                     moved(1150, 30.6, -820));
-                          finalise(scene);
-                          return scene;
-                      }(),
-                      [](Settings& s) {
-                          s.camera.target_x = 1150;
-                          s.camera.target_y = 30.2;
-                          s.camera.target_z = -820;
-                      }});
+    const Scene box = test::floor_and_box(10, {1.5, 0.6, 2}, 0.3);
+    const Place places[] = {{"room", room(), {"light.azimuth=40", "light.elevation=50"}},
+                            {"terrain in tiles", tiles(), {"light.elevation=55"}},
+                            {"straight above", box, {"light.azimuth=90", "light.elevation=80"}},
+                            {"spot", box, {"light.type=spot", "light.distance=9"}},
+                            {"point", box, {"light.type=point", "light.distance=6"}},
+                            {"far away",
+                             test::grey_scene({{"floor", make_plane(10, 10), moved(1150, 30, -820)},
+                                               {"box", make_box({1.5, 0.6, 2}), moved(1150, 30.6, -820)}}),
+                             {"camera.target_x=1150", "camera.target_y=30.2", "camera.target_z=-820"}}};
     for (const Place& place : places)
         for (std::size_t a = 0; a < faults().size(); ++a) {
             if (faults()[a].what == std::string("front culling") || faults()[a].what == std::string("wide kernel"))
                 continue;
-            Settings twin = test::texel_settings("hw2x2", 512, 4);
-            twin.camera.distance = 9;
-            place.light(twin);
-            Settings wrong = twin;
-            faults()[a].wrong(wrong);
+            const Settings twin = settings_with(test::texel_settings("hw2x2", 512, 4), place.sets);
+            const Settings wrong = settings_with(twin, {faults()[a].wrong});
             const double share = named_share(place.scene, wrong, twin, faults()[a].causes, 0);
             if (std::stoul(last_) < 30) continue;
             EXPECT_GE(share, 0.95) << place.what << ", " << faults()[a].what << ": " << share << " of " << last_;

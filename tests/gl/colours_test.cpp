@@ -19,11 +19,9 @@ protected:
 
 TEST_F(ColoursTest, DepthBandsFollowDepth) {
     const Scene scene = load_scene("boxes");
-    const Settings s = settings_for(
-        scene,
-        {{"view.map", "bands"}, {"map.resolution", "128"}, {"view.band_low", "0.45"}, {"view.band_high", "0.6"}});
-    FrameRequest request = small_request();
-    request.outputs = {.colour = false, .shadow_map = true};
+    const Settings s =
+        settings_for(scene, {"view.map=bands", "map.resolution=128", "view.band_low=0.45", "view.band_high=0.6"});
+    FrameRequest request = small_request({.colour = false, .shadow_map = true});
     const FrameResult f = renderer.render(scene, s, request);
     const FloatImage depth = renderer.read_map_view_depth(f);
     const ByteImage shown = renderer.read_colour(f.map_view);
@@ -47,9 +45,8 @@ TEST_F(ColoursTest, OverlayScalesFollowTheirValues) {
     for (const auto& [overlay, low, middle, high] :
          {std::tuple{"own-depth", shared::SEQUENTIAL_LOW, shared::SEQUENTIAL_MIDDLE, shared::SEQUENTIAL_HIGH},
           {"n-dot-l", shared::DIVERGING_LOW, shared::DIVERGING_MIDDLE, shared::DIVERGING_HIGH}}) {
-        const Settings s = settings_for(scene, {{"view.overlay", overlay}, {"view.overlay_range", "fitted"}});
-        FrameRequest request = small_request();
-        request.outputs.overlay = true;
+        const Settings s = settings_for(scene, {{"view.overlay", overlay}, "view.overlay_range=fitted"});
+        FrameRequest request = small_request({.overlay = true});
         const FrameResult f = renderer.render(scene, s, request);
         const FloatImage values = renderer.read_float(f.overlay, 4);
         const ByteImage shown = renderer.read_colour(f.colour);

@@ -18,15 +18,12 @@ TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf9", 128, 6);
         s.lights[0].type = type;
-        if (type != LightType::Directional) {
-            s.lights[0].distance = 9;
-            s.lights[0].cone = 90;
-        }
+        s.lights[0].distance = 9;
+        s.lights[0].cone = 90;
         s.shading = {.ambient = 0.1, .diffuse = 0.7, .specular = 0};
         s.shading.composition = Composition::DimLit;
         s.shading.dim = 0.3;
-        FrameRequest request = small_request();
-        request.outputs.visibility = true;
+        FrameRequest request = small_request({.visibility = true});
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage v = renderer.read_float(frame.visibility, 1);
         const ByteImage drawn = renderer.read_colour(frame.colour);
@@ -52,7 +49,7 @@ TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
 
 TEST_F(CompositionTest, FusedAndSeparateVisibilityGiveTheSamePicture) {
     const Scene scene = load_scene("stage");
-    Settings s = settings_for(scene, {{"shading.composition", "dim-lit"}});
+    Settings s = settings_for(scene, {"shading.composition=dim-lit"});
     const ByteImage fused = picture(scene, s);
     s.shading.separate_visibility = true;
     EXPECT_EQ(different_pixels(fused, picture(scene, s)), 0u);
@@ -67,17 +64,12 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf3", 1024, 3);
         s.lights[0].type = type;
-        if (type != LightType::Directional) {
-            s.lights[0].distance = 9;
-            s.lights[0].cone = 90;
-        }
-        set_setting(s, "view.overlay", "transform-difference");
-        FrameRequest request = small_request();
-        request.outputs.overlay = true;
+        s.lights[0].distance = 9;
+        s.lights[0].cone = 90;
         const auto worst = [&](double distance_m) {
             s.camera.distance = distance_m;
             s.camera.fov = 2 * std::atan(4 / distance_m) * 180 / 3.14159265;
-            const FloatImage image = renderer.read_float(renderer.render(scene, s, request).overlay, 4);
+            const FloatImage image = overlay_values(scene, s, "transform-difference");
             double most = 0;
             for (std::size_t i = 0; i < image.data.size(); i += 4)
                 if (std::isfinite(image.data[i])) most = std::max(most, double(image.data[i]));

@@ -18,24 +18,13 @@ class ContactTest : public FrameTest {
 protected:
     ReferenceCache cache;
     FrameRequest request{.width = 320, .height = 240, .outputs = {.colour = false, .visibility = true}};
-
-    FloatImage visibility(const Scene& scene, const Settings& s) {
-        return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-    }
     static Settings under(LightType type, const test::Place& place) {
         Settings s = test::hard_settings();
-        LightSettings& light = s.lights[0];
-        light.type = type;
-        light.azimuth = place.azimuth;
-        light.elevation = std::min(place.elevation, 60.0);
-        if (type != LightType::Directional) {
-            light.distance = 9;
-            light.cone = 80;
-        }
-        light.contact = 0.5;
+        test::place_light(s, type, place);
+        s.lights[0].elevation = std::min(place.elevation, 60.0);
+        s.lights[0].contact = 0.5;
         s.contact.steps = 64;
         s.contact.thickness = 1;
-        test::move_camera(s, place.at);
         return s;
     }
 };
@@ -45,16 +34,13 @@ TEST_F(ContactTest, APlaneAloneStaysLit) {
     for (const test::Place& place : kPlaces)
         for (const LightType type : kLightTypes)
             for (const bool orthographic : {false, true}) {
-                Scene floor;
-                const int grey = add_material(floor, "grey", {0.6f, 0.6f, 0.6f});
-                add_object(floor, "floor", -1, add_mesh(floor, "floor", make_plane(10, 10), grey));
-                finalise(floor);
+                Scene floor = make_scene(make_plane(10, 10));
                 test::move_scene(floor, place.at);
                 Settings s = under(type, place);
                 set_setting(s, "light.source", "none");
                 s.camera.orthographic = orthographic;
                 s.camera.elevation = 8;  // grazing: a pixel spans a long stretch of the plane
-                const FloatImage v = visibility(floor, s);
+                const FloatImage v = visibility(floor, s, request);
                 EXPECT_TRUE(std::ranges::all_of(v.data, [](float x) { return x == 1; })) << int(type) << orthographic;
             }
 }
@@ -73,27 +59,22 @@ TEST_F(ContactTest, OccludersWithinTheRayLengthDarkenAPixel) {
             const FloatImage v = renderer.read_float(frame.visibility, 1);
             const test::RayReference rays(scene);
             int dark = 0, found = 0, lit = 0, wrong = 0;
-            for (int y = 0; y < v.height; ++y)
-                for (int x = 0; x < v.width; ++x) {
-                    glm::dvec3 origin, dir;
-                    frame.camera.pixel_ray(x, y, v.width, v.height, origin, dir);
-                    const auto hit = rays.first_hit(origin, dir);
-                    if (!hit || hit->normal.y < 0.5 || hit->position.y > place.at.y + 1e-3) continue;
-                    const FittedLight& light = frame.lights[0];
-                    const glm::dvec3 to = type == LightType::Directional
-                                              ? light.to_light
-                                              : glm::normalize(light.position - hit->position);
-                    const auto met = rays.first_hit(hit->position + 1e-6 * to, to);
-                    const double within = met ? glm::distance(met->position, hit->position) : 1e9;
-                    if (within < 0.45) {
-                        ++dark;
-                        found += v.at(x, y) == 0;
-                    }
-                    if (within > 1e8) {
-                        ++lit;
-                        wrong += v.at(x, y) == 0;
-                    }
+            for (const auto& [x, y, hit] : test::pixel_hits(rays, frame.camera, v.width, v.height)) {
+                if (hit.normal.y < 0.5 || hit.position.y > place.at.y + 1e-3) continue;
+                const FittedLight& light = frame.lights[0];
+                const glm::dvec3 to =
+                    type == LightType::Directional ? light.to_light : glm::normalize(light.position - hit.position);
+                const auto met = rays.first_hit(hit.position + 1e-6 * to, to);
+                const double within = met ? glm::distance(met->position, hit.position) : 1e9;
+                if (within < 0.45) {
+                    ++dark;
+                    found += v.at(x, y) == 0;
                 }
+                if (within > 1e8) {
+                    ++lit;
+                    wrong += v.at(x, y) == 0;
+                }
+            }
             SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x);
             EXPECT_GT(lit, 5000);
             EXPECT_LT(wrong, lit / 100) << "what lies free behind the box's edges";
@@ -122,8 +103,8 @@ TEST_F(ContactTest, ContactShadowsRestoreShadowsThatBiasRemoved) {
 
 TEST_F(ContactTest, ContactShadowsMultiplyAnySource) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"light.source", "none"}, {"light.contact", "1"}});
-    const FloatImage factor = visibility(scene, s);
+    Settings s = settings_for(scene, {"light.source=none", "light.contact=1"});
+    const FloatImage factor = visibility(scene, s, request);
     ASSERT_GT(std::ranges::count(factor.data, 0.f), 300);
     for (const Source& source : sources()) {
         SCOPED_TRACE(source.key);

@@ -59,11 +59,8 @@ protected:
 /// A probe answers by each light's own map, source and sides, for any shown light and for light numbers out of range.
 TEST_F(DiagnosisTest, AnswersConcernTheChosenLight) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"map.resolution", "128"},
-                                      {"light.count", "2"},
-                                      {"light.0.source", "none"},
-                                      {"light.1.azimuth", "120"},
-                                      {"light.1.contact", "0.1"}});
+    Settings s = settings_for(scene, {"map.resolution=128", "light.count=2", "light.0.source=none",
+                                      "light.1.azimuth=120", "light.1.contact=0.1"});
     const auto bits_of = [&](int shown) {
         s.view.light = shown;
         std::vector<std::array<glm::vec4, kEvidenceImages>> bits;

@@ -163,8 +163,7 @@ TEST_F(DriverTest, CompilesOnlyTheProgramsThatAFrameUses) {
     used.clear();
     Renderer fresh;
     EXPECT_TRUE(linked.empty()) << "before the first frame";
-    FrameRequest request = small_request();
-    request.outputs.shadow_map = true;
+    FrameRequest request = small_request({.shadow_map = true});
     for (const char* kernel : {"pcf3", "pcss", "vsm", "savsm"}) {
         const Settings s = settings_for(scene, {{"filter.kernel", kernel}});
         // The very first frame shows the new picture, with its programs compiled.
@@ -198,7 +197,7 @@ TEST_F(DriverTest, PassTimesUseTheReliableClockAndSumUpToTheFrame) {
             ++stamps;
             real_stamp(id, target);
         });
-    const Settings s = settings_for(scene, {{"filter.kernel", "pcf9"}, {"map.resolution", "4096"}});
+    const Settings s = settings_for(scene, {"filter.kernel=pcf9", "map.resolution=4096"});
     FrameRequest request{.width = 1280, .height = 720};
     request.force = request.timing = true;
     renderer.render(scene, s, request);

@@ -17,11 +17,7 @@ protected:
     FrameResult frame;
     /// Returns the first pane's values, x of each pixel; NaN for background and undefined values.
     std::vector<float> values(const Scene& scene, Settings s, const char* overlay) {
-        set_setting(s, "view.overlay", overlay);
-        FrameRequest request{.width = kWidth, .height = kHeight};
-        request.outputs = {.colour = false, .overlay = true};
-        frame = renderer.render(scene, s, request);
-        const FloatImage image = renderer.read_float(frame.overlay, 4);
+        const FloatImage image = overlay_values(scene, s, overlay, {.width = kWidth, .height = kHeight}, &frame);
         std::vector<float> out;
         for (std::size_t i = 0; i < image.data.size(); i += 4)
             out.push_back(image.data[i + 3] > 0 ? image.data[i] : std::numeric_limits<float>::quiet_NaN());
@@ -44,30 +40,23 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
                 Settings s = test::hard_settings();
                 set_setting(s, "filter.kernel", "pcf3");
                 s.lights[0].elevation = 1.64;
-                s.camera.target_x = place.x;
-                s.camera.target_y = place.y;
-                s.camera.target_z = place.z;
+                set_target(s.camera, place);
                 s.camera.distance = view.distance * size;
                 s.camera.elevation = view.elevation;
                 s.camera.fov = view.distance > 10 ? 4 : 45;
                 const std::vector<float> shown = values(scene, s, "least-bias");
                 int told = 0;
                 double least = 1e30, most = 0;
-                for (int y = 0; y < kHeight; ++y)
-                    for (int x = 0; x < kWidth; ++x) {
-                        const float value = shown[std::size_t(y * kWidth + x)];
-                        if (std::isnan(value)) continue;
-                        ++told;
-                        glm::dvec3 origin, dir;
-                        frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
-                        const glm::dvec3 at = origin + dir * ((place.y - origin.y) / dir.y);
-                        const BiasBreakdown a =
-                            bias_breakdown(frame.lights[0], s, frame.map_resolution,
-                                           {at, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, renderer.driver());
-                        const double ratio = value / a.amount(a.least.total()).texels;
-                        least = std::min(least, ratio);
-                        most = std::max(most, ratio);
-                    }
+                for (const auto& [x, y, origin, dir] : test::pixel_rays(frame.camera, kWidth, kHeight)) {
+                    const float value = shown[std::size_t(y * kWidth + x)];
+                    if (std::isnan(value)) continue;
+                    ++told;
+                    const glm::dvec3 at = origin + dir * ((place.y - origin.y) / dir.y);
+                    const BiasBreakdown a = test::breakdown_at(frame, s, renderer.driver(), at);
+                    const double ratio = value / a.amount(a.least.total()).texels;
+                    least = std::min(least, ratio);
+                    most = std::max(most, ratio);
+                }
                 EXPECT_GT(told, 500);
                 EXPECT_GT(least, 0.99);
                 EXPECT_LT(most, 1.01);
@@ -96,17 +85,13 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
         const std::vector<float> shown = values(scene, s, "n-dot-l");
         const test::RayReference rays(scene);
         int checked = 0, off = 0, facing = 0;
-        for (int y = 0; y < kHeight; y += 3)
-            for (int x = 0; x < kWidth; x += 3) {
-                const float value = shown[std::size_t(y * kWidth + x)];
-                glm::dvec3 origin, dir;
-                frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
-                const auto hit = rays.first_hit(origin, dir);
-                if (std::isnan(value) || !hit) continue;
-                ++checked;
-                facing += value > 0;
-                off += std::abs(value - glm::dot(hit->normal, frame.lights[0].to_light)) > 5e-7;
-            }
+        for (const auto& [x, y, hit] : test::pixel_hits(rays, frame.camera, kWidth, kHeight, 3)) {
+            const float value = shown[std::size_t(y * kWidth + x)];
+            if (std::isnan(value)) continue;
+            ++checked;
+            facing += value > 0;
+            off += std::abs(value - glm::dot(hit.normal, frame.lights[0].to_light)) > 5e-7;
+        }
         EXPECT_GT(checked, 300);
         EXPECT_GT(facing, checked / 8);
         EXPECT_LE(off, checked / 50) << "only where the ray and the rasteriser choose another triangle";
@@ -141,16 +126,12 @@ TEST_F(FaceNormalsOnGpu, FollowPoses) {
         before = shown;
         const test::RayReference rays(scene);
         int checked = 0, off = 0;
-        for (int y = 0; y < kHeight; y += 4)
-            for (int x = 0; x < kWidth; x += 4) {
-                const float value = shown[std::size_t(y * kWidth + x)];
-                glm::dvec3 origin, dir;
-                frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
-                const auto hit = rays.first_hit(origin, dir);
-                if (std::isnan(value) || !hit) continue;
-                ++checked;
-                off += std::abs(value - glm::dot(hit->normal, frame.lights[0].to_light)) > 5e-7;
-            }
+        for (const auto& [x, y, hit] : test::pixel_hits(rays, frame.camera, kWidth, kHeight, 4)) {
+            const float value = shown[std::size_t(y * kWidth + x)];
+            if (std::isnan(value)) continue;
+            ++checked;
+            off += std::abs(value - glm::dot(hit.normal, frame.lights[0].to_light)) > 5e-7;
+        }
         EXPECT_GT(checked, 500);
         EXPECT_LE(off, checked / 50) << time;
     }

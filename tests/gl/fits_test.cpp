@@ -28,8 +28,9 @@ protected:
 
     /// Compares every pixel's visibility with the hard reference.
     Comparison compare_with_reference(const Scene& scene, const Settings& s, int width = 240, int height = 135) {
-        FrameRequest request{.width = width, .height = height};
-        request.outputs = {.colour = false, .visibility = true, .map_coordinates = true};
+        FrameRequest request{.width = width,
+                             .height = height,
+                             .outputs = {.colour = false, .visibility = true, .map_coordinates = true}};
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage coordinates = renderer.read_float(frame.map_coordinates, 4);
         const FloatImage visibility = renderer.read_float(frame.visibility, 1);
@@ -58,8 +59,8 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirectio
     struct Sun {
         const char *azimuth, *elevation;
     };
-    std::vector<Sets> lights = {{{"light.type", "spot"}, {"light.cone", "50"}, {"light.elevation", "60"}},
-                                {{"light.type", "spot"}, {"light.cone", "100"}, {"light.azimuth", "90"}}};
+    std::vector<Sets> lights = {{"light.type=spot", "light.cone=50", "light.elevation=60"},
+                                {"light.type=spot", "light.cone=100", "light.azimuth=90"}};
     for (const Sun& sun : {Sun{"0", "90"}, Sun{"90", "20"}, Sun{"180", "45"}, Sun{"-33", "62"}})
         lights.push_back({{"light.azimuth", sun.azimuth}, {"light.elevation", sun.elevation}});
     std::vector<std::string> scenes, narrowing;
@@ -95,7 +96,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
         const double r = scene.bounds.radius();
         for (int i = 0; i < 16; ++i) {
             SCOPED_TRACE(testing::Message() << name << " " << i);
-            Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.fit", "view"}});
+            Settings s = settings_for(scene, {"map.resolution=512", "light.fit=view"});
             LightSettings& light = s.lights[0];
             light.azimuth = i % 3 == 0 ? 90 * (i % 4) : 180 * unit(random);
             light.elevation = i % 5 == 0 ? 90 : 15 + 60 * std::abs(unit(random));
@@ -107,9 +108,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
             CameraSettings& camera = s.camera;
             camera.source = CameraSource::Manual;
             const glm::dvec3 at = scene.bounds.centre() + 0.4 * r * glm::dvec3(unit(random), 0, unit(random));
-            camera.target_x = at.x;
-            camera.target_y = at.y;
-            camera.target_z = at.z;
+            set_target(camera, at);
             camera.azimuth = 180 * unit(random);
             camera.elevation = i == 7 ? -60 : 10 + 60 * std::abs(unit(random));
             camera.distance = r * (i % 2 ? 0.15 : 1.2);
@@ -136,9 +135,7 @@ TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
         for (const char* outside : {"lit", "unlit"}) {
             SCOPED_TRACE(std::string(wrap) + " " + outside);
             Settings s = test::texel_settings("pcf3", 512, 3);
-            for (const auto& [key, value] :
-                 Sets{{"map.wrap", wrap}, {"map.outside", outside}, {"light.fit", "casters"}, {"bias.normal", "0"}})
-                set_setting(s, key, value);
+            set_all(s, {{"map.wrap", wrap}, {"map.outside", outside}, "light.fit=casters", "bias.normal=0"});
             const Comparison j = compare_with_reference(scene, s);
             EXPECT_TRUE(j.light.closed);
             EXPECT_GT(j.beyond, 3000u) << "the floor is much wider than the box";
@@ -158,12 +155,9 @@ TEST_F(FitsTest, KernelsAreCompleteAtTheMapsRim) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.5);
     for (const char* kernel : {"hard", "pcf3", "pcf9"}) {
         SCOPED_TRACE(kernel);
-        Settings s = test::texel_settings(kernel, 128, 8);
-        s.lights[0].elevation = 90;
-        s.lights[0].azimuth = 0;
-        s.lights[0].fit = LightFit::Casters;
-        FrameRequest request{.width = 300, .height = 200};
-        request.outputs = {.colour = false, .visibility = true};
+        Settings s = settings_with(test::texel_settings(kernel, 128, 8),
+                                   {"light.elevation=90", "light.azimuth=0", "light.fit=casters"});
+        FrameRequest request{.width = 300, .height = 200, .outputs = {.colour = false, .visibility = true}};
         const FrameResult frame = renderer.render(scene, s, request);
         ASSERT_TRUE(frame.lights[0].closed);
         const FloatImage narrowed = renderer.read_float(frame.visibility, 1);
@@ -172,9 +166,7 @@ TEST_F(FitsTest, KernelsAreCompleteAtTheMapsRim) {
         light.fit = LightFit::Manual;
         light.extent = view.half_width;
         const glm::dvec3 aside = view.eye - frame.lights[0].position;
-        light.target_x = aside.x;
-        light.target_y = aside.y;
-        light.target_z = aside.z;
+        set_target(light, aside);
         const FrameResult by_hand = renderer.render(scene, s, request);
         ASSERT_NEAR(by_hand.lights[0].views[0].half_width, view.half_width, 1e-9);
         const FloatImage read = renderer.read_float(by_hand.visibility, 1);
@@ -205,8 +197,7 @@ TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
     const Scene scene = load_scene("stage");
     const auto half_width = [&](const char* fit, const char* azimuth) {
         const Settings s = settings_for(
-            scene,
-            {{"light.fit", fit}, {"camera.source", "manual"}, {"camera.distance", "4"}, {"camera.azimuth", azimuth}});
+            scene, {{"light.fit", fit}, "camera.source=manual", "camera.distance=4", {"camera.azimuth", azimuth}});
         const FrameResult frame = renderer.render(scene, s, small_request());
         EXPECT_TRUE(frame.lights[0].closed);
         return std::pair(frame.lights[0].views[0].half_width, frame.lights[0].views[0].eye);

@@ -8,6 +8,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/fits.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -97,23 +98,14 @@ TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
     width = 320;
     height = 180;
     // Under this light few pixels are wrong, for two causes at once.
-    const auto under = [&](std::vector<std::pair<std::string_view, std::string_view>> sets) {
-        Settings s = settings_for(stage, {{"light.fit", "scene"}, {"light.azimuth", "72"}, {"light.elevation", "36"}});
-        for (const auto& [key, value] : sets) set_setting(s, key, value);
-        return s;
-    };
-    expect_fixes(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 120);
-    expect_fixes(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
+    const Settings lit = settings_for(stage, {"light.fit=scene", "light.azimuth=72", "light.elevation=36"});
+    const auto under = [&](const Sets& sets) { return settings_with(lit, sets); };
+    expect_fixes(stage, under({"bias.constant=40", "bias.normal=0"}), {Artefact::PeterPanning}, 120);
+    expect_fixes(stage, under({"caster.cull=front"}), {Artefact::LostCaster}, 120);
 }
 
 TEST_F(FixesTest, TheNeededResolutionRestoresAFence) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
-    const int bar = add_mesh(scene, "bar", make_box({0.05, 1.6, 0.05}), grey);
-    for (int i = 0; i < 16; ++i)
-        add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.4 * i + 0.013 * (i % 5), 0.9, 0));
-    finalise(scene);
+    const Scene scene = test::fence(16, 0.05, 0.4);
     Settings s = test::texel_settings("hard", 128, 3);
     s.camera.distance = 7;
     width = 480;
@@ -255,7 +247,7 @@ TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     width = 320;
     height = 180;
     const Scene scene = load_scene("landscape");
-    const Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.fit", "scene"}});
+    const Settings s = settings_for(scene, {"map.resolution=512", "light.fit=scene"});
     const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
     const MeasuredFix* four = row(table, "4 cascades");
     ASSERT_TRUE(four);

@@ -9,19 +9,16 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/support/requested_driver.h"
+#include "tests/support/sets.h"
 
 namespace si {
-
-/// Changes of settings: keys with values.
-using Sets = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns default settings with the scene's suggested changes and then `extra`. @throws Error for an unknown key or
 /// value
 inline Settings settings_for(const Scene& scene, const Sets& extra = {}) {
     Settings s;
     for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
-    for (const auto& [key, value] : extra) set_setting(s, key, value);
-    return s;
+    return settings_with(std::move(s), extra);
 }
 
 /// Fixture with a renderer that has drawn nothing, in a context of its own. A test fails if the driver reports a
@@ -37,10 +34,31 @@ protected:
         for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;
     }
     /// Returns a request for a picture of 320 x 180 pixels.
-    static FrameRequest small_request() { return {.width = 320, .height = 180}; }
+    static FrameRequest small_request(Outputs outputs = {}) {
+        return {.width = 320, .height = 180, .outputs = outputs};
+    }
     /// Draws a scene and returns the shaded picture.
     ByteImage picture(const Scene& scene, const Settings& s, FrameRequest request = small_request()) {
         return renderer.read_colour(renderer.render(scene, s, request).colour);
+    }
+    /// Draws the visibility of view.light alone, without the shaded picture.
+    /// @param frame receives the frame's result
+    FloatImage visibility(const Scene& scene, const Settings& s, FrameRequest request = small_request(),
+                          FrameResult* frame = nullptr) {
+        request.outputs = {.colour = false, .visibility = true};
+        const FrameResult drawn = renderer.render(scene, s, request);
+        if (frame) *frame = drawn;
+        return renderer.read_float(drawn.visibility, 1);
+    }
+    /// Draws the values of an overlay alone: four numbers a pixel, the last above 0 where there is a value.
+    /// @param frame receives the frame's result
+    FloatImage overlay_values(const Scene& scene, Settings s, const char* overlay,
+                              FrameRequest request = small_request(), FrameResult* frame = nullptr) {
+        set_setting(s, "view.overlay", overlay);
+        request.outputs = {.colour = false, .overlay = true};
+        const FrameResult drawn = renderer.render(scene, s, request);
+        if (frame) *frame = drawn;
+        return renderer.read_float(drawn.overlay, 4);
     }
 };
 
@@ -57,23 +75,37 @@ inline std::size_t different_pixels(const ByteImage& a, const ByteImage& b, int 
     return count;
 }
 
+/// Counts the values of two images of equal size that differ by more than `tolerance`.
+inline std::size_t differing_values(const FloatImage& a, const FloatImage& b, float tolerance = 0) {
+    EXPECT_EQ(a.data.size(), b.data.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < std::min(a.data.size(), b.data.size()); ++i)
+        count += std::abs(a.data[i] - b.data[i]) > tolerance;
+    return count;
+}
+
+/// Counts the values of an image between the two bounds.
+inline std::size_t values_between(const FloatImage& image, float low, float high) {
+    return std::size_t(std::ranges::count_if(image.data, [&](float v) { return v > low && v < high; }));
+}
+
 /// Returns settings for the built-in scene "stage" with an orthographic camera straight above it. Pickets and walls are
 /// then seen edge-on and cover pixels by rounding only.
 /// @param map_resolution value of map.resolution
 inline Settings stage_from_above(const Scene& scene, const char* map_resolution) {
     return settings_for(scene, {{"map.resolution", map_resolution},
-                                {"light.azimuth", "116"},
-                                {"light.elevation", "25"},
-                                {"camera.source", "manual"},
-                                {"camera.target_x", "-0.23797406781627828"},
-                                {"camera.target_y", "-0.16742197011035742"},
-                                {"camera.target_z", "-2.2264730011999188"},
-                                {"camera.azimuth", "83.80000000000001"},
-                                {"camera.elevation", "90"},
-                                {"camera.roll", "-164.22600139226103"},
-                                {"camera.distance", "37.123769102030515"},
-                                {"camera.orthographic", "true"},
-                                {"camera.height", "14.140426469191436"}});
+                                "light.azimuth=116",
+                                "light.elevation=25",
+                                "camera.source=manual",
+                                "camera.target_x=-0.23797406781627828",
+                                "camera.target_y=-0.16742197011035742",
+                                "camera.target_z=-2.2264730011999188",
+                                "camera.azimuth=83.80000000000001",
+                                "camera.elevation=90",
+                                "camera.roll=-164.22600139226103",
+                                "camera.distance=37.123769102030515",
+                                "camera.orthographic=true",
+                                "camera.height=14.140426469191436"});
 }
 
 }  // namespace si

@@ -59,19 +59,13 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
 SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePicture);
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     const Scene scene = load_scene("stage");
-    FrameRequest request = small_request();
-    request.outputs = {.colour = false, .visibility = true};
     for (const Filter& filter : filters()) {
-        Settings s = settings_for(scene, {{"filter.kernel", std::string(filter.key)}, {"filter.method", "gather"}});
-        const FloatImage gather = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+        Settings s = settings_for(scene, {{"filter.kernel", std::string(filter.key)}, "filter.method=gather"});
+        const FloatImage gather = visibility(scene, s);
         set_setting(s, "filter.method", "sampler");
-        const FloatImage sampler = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-        std::size_t differing = 0;
-        for (std::size_t i = 0; i < gather.data.size(); ++i)
-            differing += std::abs(gather.data[i] - sampler.data[i]) > 1e-3f;
         // The two paths round texture coordinates differently, so a fragment on a texel border may choose the other
         // texel.
-        EXPECT_LE(differing, gather.data.size() / 1000) << filter.key;
+        EXPECT_LE(differing_values(gather, visibility(scene, s), 1e-3f), gather.data.size() / 1000) << filter.key;
         EXPECT_GT(shadowed_share(gather), 0.02) << filter.key;
     }
 }
@@ -81,8 +75,6 @@ SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMa
 // does not.
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small_request();
-    request.outputs = {.colour = false, .visibility = true};
     for (const char* format : {"d16", "d24", "d32f"})
         for (const char* reversed : {"false", "true"})
             for (const char* compare : {"less", "lequal"})
@@ -93,27 +85,19 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
                                                       {"map.format", format},
                                                       {"map.reversed_z", reversed},
                                                       {"map.compare", compare},
-                                                      {"map.far_guard", "false"},
-                                                      {"map.wrap", "clamp"},
-                                                      {"map.resolution", "256"}});
-                    std::vector<float>
-                        pictures[2][2];  // gather, sampler; far plane through the scene, near plane behind it
-                    for (const bool sampler : {false, true})
-                        for (const bool behind : {false, true}) {
-                            set_setting(s, "filter.method", sampler ? "sampler" : "gather");
-                            s.lights[0].fit = LightFit::Manual;
-                            s.lights[0].distance = 20;
-                            s.lights[0].near = behind ? 24 : 1;
-                            s.lights[0].far = behind ? 60 : 20;
-                            pictures[sampler][behind] =
-                                renderer.read_float(renderer.render(scene, s, request).visibility, 1).data;
-                        }
+                                                      "map.far_guard=false",
+                                                      "map.wrap=clamp",
+                                                      "map.resolution=256"});
+                    s.lights[0].fit = LightFit::Manual;
+                    s.lights[0].distance = 20;
+                    // The far plane cuts through the scene, or the near plane lies behind it.
                     for (const bool behind : {false, true}) {
-                        const auto &gather = pictures[0][behind], &sampled = pictures[1][behind];
-                        std::size_t differing = 0;
-                        for (std::size_t i = 0; i < gather.size(); ++i)
-                            differing += std::abs(gather[i] - sampled[i]) > 1e-3f;
-                        EXPECT_LE(differing, gather.size() / 1000)
+                        s.lights[0].near = behind ? 24 : 1;
+                        s.lights[0].far = behind ? 60 : 20;
+                        set_setting(s, "filter.method", "gather");
+                        const FloatImage gather = visibility(scene, s);
+                        set_setting(s, "filter.method", "sampler");
+                        EXPECT_LE(differing_values(gather, visibility(scene, s), 1e-3f), gather.data.size() / 1000)
                             << (behind ? "before the near plane" : "beyond the far plane");
                     }
                 }
@@ -121,15 +105,10 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
 
 TEST_F(FrameTest, WiderKernelsSoftenMore) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small_request();
-    request.outputs = {.colour = false, .visibility = true};
     std::size_t previous = 0;
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5", "pcf7", "pcf9"}) {
-        const Settings s =
-            settings_for(scene, {{"filter.kernel", kernel}, {"map.resolution", "512"}, {"bias.normal", "8"}});
-        const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-        const auto grey =
-            std::size_t(std::count_if(v.data.begin(), v.data.end(), [](float x) { return x > 0.01f && x < 0.99f; }));
+        const Settings s = settings_for(scene, {{"filter.kernel", kernel}, "map.resolution=512", "bias.normal=8"});
+        const std::size_t grey = values_between(visibility(scene, s), 0.01f, 0.99f);
         if (std::string_view(kernel) == "hard") {
             EXPECT_EQ(grey, 0u);
         } else {
@@ -149,9 +128,8 @@ protected:
     }
     static int choices(const Param* p) { return p->choices ? int(p->choices().size()) : 2; }
     void draw(const Scene& scene, std::initializer_list<std::pair<const Param*, int>> chosen) {
-        FrameRequest request{.width = 32, .height = 18};
-        request.outputs = {.colour = true, .shadow_map = true};
-        Settings s = settings_for(scene, {{"map.resolution", "16"}, {"filter.kernel", "hard"}});
+        FrameRequest request{.width = 32, .height = 18, .outputs = {.colour = true, .shadow_map = true}};
+        Settings s = settings_for(scene, {"map.resolution=16", "filter.kernel=hard"});
         std::string what;
         for (const auto& [p, v] : chosen) {
             set_value(s, {p, 0, {}}, p->choices ? Value(v) : Value(v != 0));
@@ -220,9 +198,8 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
 TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {
     const Scene scene = load_scene("boxes");
     const ByteImage plain = picture(scene, settings_for(scene));
-    const ByteImage full = picture(scene, settings_for(scene, {{"view.overlay", "n-dot-l"}}));
-    const ByteImage none =
-        picture(scene, settings_for(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}}));
+    const ByteImage full = picture(scene, settings_for(scene, {"view.overlay=n-dot-l"}));
+    const ByteImage none = picture(scene, settings_for(scene, {"view.overlay=n-dot-l", "view.overlay_opacity=0"}));
     EXPECT_GT(different_pixels(plain, full), plain.data.size() / 4 / 3);
     EXPECT_EQ(different_pixels(plain, none), 0u);
 }
@@ -230,8 +207,7 @@ TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {
 TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene);
-    FrameRequest request = small_request();
-    request.outputs.shadow_map = true;
+    FrameRequest request = small_request({.shadow_map = true});
     using Names = std::set<std::string>;
     Names reused;
     const auto ran = [&] {
@@ -264,9 +240,7 @@ TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
     EXPECT_EQ(ran(), Names{});
     s.view.overlay_opacity = 0.5;
     EXPECT_EQ(ran(), Names{"overlay over picture"});
-    set_setting(s, "view.panes", "four");
-    set_setting(s, "view.overlay_3", "n-dot-l");
-    set_setting(s, "view.overlay_4", "n-dot-l");
+    set_all(s, {"view.panes=four", "view.overlay_3=n-dot-l", "view.overlay_4=n-dot-l"});
     EXPECT_EQ(ran(), (Names{"overlay values (n-dot-l)", "overlay over picture (n-dot-l)"}))
         << "drawn once for two panes";
     EXPECT_EQ(ran(), Names{});
@@ -307,14 +281,14 @@ std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequ
 SI_TEST_IS(Repeated, FrameTest, SkippingAndCachingChangeNoPixel);
 TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
     const Scene scene = load_scene("stage");
-    for (const auto& extra : std::vector<std::vector<std::pair<std::string, std::string>>>{
-             {},
-             {{"light.cast", "false"}},
-             {{"view.overlay", "visibility"}},
-             {{"light.type", "spot"}},
-             {{"camera.source", "light"}, {"light.type", "point"}},
-             {{"view.slabs", "both"}, {"view.map_source", "camera"}},
-             {{"view.panes", "four"}, {"view.overlay_2", "n-dot-l"}, {"view.overlay_range", "fitted"}}}) {
+    for (const auto& extra :
+         std::vector<Sets>{{},
+                           {"light.cast=false"},
+                           {"view.overlay=visibility"},
+                           {"light.type=spot"},
+                           {"camera.source=light", "light.type=point"},
+                           {"view.slabs=both", "view.map_source=camera"},
+                           {"view.panes=four", "view.overlay_2=n-dot-l", "view.overlay_range=fitted"}}) {
         const Settings s = settings_for(scene, extra);
         FrameRequest all = small_request();
         all.force = true;
@@ -326,11 +300,8 @@ TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
     }
 }
 
-/// Steps through settings. After each step a renderer with all earlier steps draws the same as a new renderer.
-using Walk = std::vector<std::pair<std::string, std::string>>;
-
 void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const Scene& scene, Settings s,
-                            const Walk& walk) {
+                            const Sets& walk) {
     for (const auto& [key, value] : walk) {
         set_setting(s, key, value);
         const auto cached = pictures(scene, s, {.width = 320, .height = 180}, renderer);
@@ -352,61 +323,46 @@ SI_TEST_IS(Repeated, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSet
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
     const Scene scene = load_scene("stage");
     expect_cached_as_fresh(context, renderer, scene, settings_for(scene),
-                           {{"map.resolution", "512"},
-                            {"filter.kernel", "hard"},
-                            {"light.azimuth", "100"},
+                           {"map.resolution=512",
+                            "filter.kernel=hard",
+                            "light.azimuth=100",
                             {"object.Stage/Ground.receive", "false"},
-                            {"caster.cull", "front"},
-                            {"map.reversed_z", "true"},
-                            {"light.type", "point"},
-                            {"shading.separate_visibility", "true"},
-                            {"light.count", "2"},
-                            {"light.1.elevation", "70"},
-                            {"map.format", "colour"},
-                            {"shading.textures", "false"},
-                            {"camera.source", "manual"},
-                            {"view.overlay", "light-uv"},
-                            {"light.count", "1"},
-                            {"map.format", "d24"}});
+                            "caster.cull=front",
+                            "map.reversed_z=true",
+                            "light.type=point",
+                            "shading.separate_visibility=true",
+                            "light.count=2",
+                            "light.1.elevation=70",
+                            "map.format=colour",
+                            "shading.textures=false",
+                            "camera.source=manual",
+                            "view.overlay=light-uv",
+                            "light.count=1",
+                            "map.format=d24"});
 }
 
 SI_TEST_IS(DriverIndependent, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews);
 SI_TEST_IS(Repeated, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews);
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
     const Scene scene = load_scene("boxes");
-    expect_cached_as_fresh(context, renderer, scene, settings_for(scene, {{"map.resolution", "256"}}),
-                           {{"camera.source", "light"},
-                            {"view.slabs", "stored"},
-                            {"bias.constant", "2"},
-                            {"view.slabs", "both"},
-                            {"bias.unit", "metres"},
-                            {"light.elevation", "60"},
-                            {"view.panes", "two"},
-                            {"view.overlay_2", "own-depth"},
-                            {"view.overlay_range", "fitted"},
-                            {"view.map_source", "camera"},
-                            {"view.map_fit", "true"},
-                            {"camera.source", "auto"},
-                            {"view.map", "raw"},
-                            {"view.overlay_2", "overdraw"},
-                            {"view.overlay", "wireframe"},
-                            {"view.map_source", "light"},
-                            {"map.reversed_z", "true"},
-                            {"view.slabs_u", "0.4"},
-                            {"view.slabs", "none"}});
+    expect_cached_as_fresh(context, renderer, scene, settings_for(scene, {"map.resolution=256"}),
+                           {"camera.source=light", "view.slabs=stored", "bias.constant=2", "view.slabs=both",
+                            "bias.unit=metres", "light.elevation=60", "view.panes=two", "view.overlay_2=own-depth",
+                            "view.overlay_range=fitted", "view.map_source=camera", "view.map_fit=true",
+                            "camera.source=auto", "view.map=raw", "view.overlay_2=overdraw", "view.overlay=wireframe",
+                            "view.map_source=light", "map.reversed_z=true", "view.slabs_u=0.4", "view.slabs=none"});
 }
 
 TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small_request();
-    request.outputs = {.colour = false, .shadow_map = true};
+    FrameRequest request = small_request({.colour = false, .shadow_map = true});
     const auto sum = [&](const Settings& s) {
         const FloatImage map = renderer.read_shadow_map(renderer.render(scene, s, request), 0, 0);
         double total = 0;
         for (const float d : map.data) total += d;
         return total / double(map.data.size());
     };
-    Settings s = settings_for(scene, {{"map.resolution", "256"}});
+    Settings s = settings_for(scene, {"map.resolution=256"});
     const double none = sum(s);
     set_setting(s, "caster.cull", "front");
     const double front = sum(s);
@@ -439,8 +395,7 @@ TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
     const Scene scene = load_scene("stage");
     for (const char* light : {"directional", "spot", "point"}) {
         const Settings s = settings_for(scene, {{"light.type", light}});
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .visibility = true};
+        FrameRequest request = small_request({.colour = false, .visibility = true});
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
         int hits = 0, dark = 0;
         for (int y = 5; y < 180; y += 17)
@@ -463,13 +418,11 @@ TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
 
 TEST_F(FrameTest, MapViewerShowsTheMap) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small_request();
-    request.outputs = {.colour = false, .shadow_map = true};
+    FrameRequest request = small_request({.colour = false, .shadow_map = true});
     for (const char* format : {"d16", "d24", "d32f", "colour"})
         for (const char* reversed : {"false", "true"}) {
             const Settings s = settings_for(
-                scene,
-                {{"map.format", format}, {"map.reversed_z", reversed}, {"map.resolution", "128"}, {"view.map", "raw"}});
+                scene, {{"map.format", format}, {"map.reversed_z", reversed}, "map.resolution=128", "view.map=raw"});
             const FrameResult f = renderer.render(scene, s, request);
             const ByteImage shown = renderer.read_colour(f.map_view);
             const FloatImage stored = renderer.read_shadow_map(f, 0, 0);

@@ -19,15 +19,9 @@ protected:
         return scene;
     }
     FloatImage values(const Scene& scene, const char* overlay) {
-        const Settings s = settings_for(scene, {{"view.overlay", overlay},
-                                                {"camera.source", "manual"},
-                                                {"camera.orthographic", "true"},
-                                                {"camera.height", "5"},
-                                                {"camera.elevation", "90"},
-                                                {"camera.azimuth", "0"}});
-        FrameRequest request{.width = 100, .height = 100};
-        request.outputs.overlay = true;
-        return renderer.read_float(renderer.render(scene, s, request).overlay, 4);
+        const Settings s = settings_for(scene, {"camera.source=manual", "camera.orthographic=true", "camera.height=5",
+                                                "camera.elevation=90", "camera.azimuth=0"});
+        return overlay_values(scene, s, overlay, {.width = 100, .height = 100});
     }
 };
 
@@ -67,8 +61,7 @@ TEST_F(GeometryOverlays, ChangeNothingInLaterPasses) {
         {
             HeadlessContext fresh_context;
             Renderer fresh;
-            FrameRequest values_only = small_request();
-            values_only.outputs = {.colour = false, .overlay = true};
+            FrameRequest values_only = small_request({.colour = false, .overlay = true});
             const Settings s = settings_for(scene, {{"view.overlay", overlay}});
             const FloatImage alone = fresh.read_float(fresh.render(scene, s, values_only).overlay, 4);
             const FrameRequest both{.width = 320, .height = 180, .outputs = {.overlay = true}, .force = true};

@@ -104,8 +104,7 @@ std::vector<bool> floors_of(const Scene& scene) {
 class GroundTest : public FrameTest {
 protected:
     FirstPicture first_picture(const Session& session) {
-        FrameRequest request{.width = 320, .height = 180};
-        request.outputs.surface_ids = request.outputs.map_coordinates = true;
+        FrameRequest request{.width = 320, .height = 180, .outputs = {.surface_ids = true, .map_coordinates = true}};
         ReferenceCache cache;
         const FrameResult frame = renderer.render(session.scene, session.settings, request);
         const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
@@ -186,8 +185,8 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
                 EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (1 + 1e-9));
             }
     const auto drawn = [&](const Scene& scene) {
-        FrameRequest whole = small_request();
-        whole.outputs.shadow_map = whole.force = true;
+        FrameRequest whole = small_request({.shadow_map = true});
+        whole.force = true;
         for (const PassInfo& pass : renderer.render(scene, with.settings, whole).passes)
             if (pass.name.starts_with("shadow map 0")) return pass.triangles;
         return std::uint64_t(0);
@@ -200,8 +199,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
     Settings s = with.settings;
     s.camera = manual_camera(without.scene, without.settings, 16.0 / 9);
     s.lights[0].elevation = -60;
-    FrameRequest request = small_request();
-    request.outputs.visibility = request.outputs.surface_ids = true;
+    FrameRequest request = small_request({.visibility = true, .surface_ids = true});
     const auto of_box = [&](const Scene& scene) {
         const FrameResult frame = renderer.render(scene, s, request);
         const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
@@ -275,8 +273,7 @@ TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
             s.camera = manual_camera(model.with.scene, model.with.settings, 16.0 / 9);
             Settings bare = s;
             bare.scene = model.without.settings.scene;
-            FrameRequest request = small_request();
-            request.outputs.visibility = request.outputs.surface_ids = true;
+            FrameRequest request = small_request({.visibility = true, .surface_ids = true});
             const FrameResult stands = renderer.render(model.with.scene, s, request);
             const SurfaceIds ids = renderer.read_surface_ids(stands.surface_ids);
             const FloatImage on = renderer.read_float(stands.visibility, 1);
@@ -307,8 +304,7 @@ TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
             Settings s = session.settings;
             s.camera = manual_camera(session.scene, session.settings, 16.0 / 9);
             s.camera.distance *= nearer;
-            FrameRequest request = small_request();
-            request.outputs.visibility = request.outputs.surface_ids = true;
+            FrameRequest request = small_request({.visibility = true, .surface_ids = true});
             const auto visibility = [&](std::string_view fit, const char* cascades) {
                 set_setting(s, "light.fit", fit);
                 set_setting(s, "light.cascades", cascades);

@@ -19,8 +19,7 @@ protected:
         bool operator==(const Drawn&) const = default;
     };
     Drawn draw(const Scene& scene, const Settings& settings) {
-        FrameRequest request{.width = 160, .height = 90};
-        request.outputs = {.visibility = true, .error = true};
+        FrameRequest request{.width = 160, .height = 90, .outputs = {.visibility = true, .error = true}};
         ReferenceCache cache;
         const FrameResult frame = render_with_reference(renderer, scene, settings, request, cache);
         return {renderer.read_colour(frame.colour).data, renderer.read_float(frame.visibility, 1).data,

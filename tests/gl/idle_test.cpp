@@ -13,43 +13,39 @@ namespace {
 const std::vector<Sets>& states() {
     static const std::vector<Sets> list = {
         {},
-        {{"light.type", "spot"}},
-        {{"light.type", "spot"}, {"light.cone", "175"}},
-        {{"light.type", "point"}, {"view.face", "3"}},
-        {{"light.fit", "manual"}},
-        {{"light.fit", "manual"}, {"light.projection", "perspective"}},
-        {{"light.cascades", "3"}},
-        {{"light.cascades", "3"}, {"camera.source", "manual"}, {"camera.orthographic", "true"}},
-        {{"light.cascades", "3"}, {"light.fit", "manual"}},
-        {{"light.cascades", "3"}, {"camera.source", "light"}},
-        {{"light.cast", "false"}},
-        {{"light.cast", "false"}, {"camera.source", "light"}},
-        {{"light.cast", "false"}, {"camera.source", "light"}, {"light.type", "point"}},
-        {{"camera.source", "light"}},
-        {{"camera.source", "manual"}, {"camera.orthographic", "true"}},
-        {{"camera.source", "manual"}},
-        {{"light.count", "2"},
-         {"light.1.type", "spot"},
-         {"light.1.cast", "false"},
-         {"view.light", "1"},
-         {"camera.source", "light"}},
-        {{"light.count", "0"}},
-        {{"map.format", "colour"}},
-        {{"map.wrap", "repeat"}, {"map.far_guard", "false"}},
-        {{"map.wrap", "clamp"}, {"map.far_guard", "false"}},
-        {{"bias.constant", "5"}, {"bias.slope", "2"}, {"bias.normal", "0"}},
-        {{"shading.specular", "0"}},
-        {{"view.map", "bands"}},
-        {{"view.map_fit", "true"}},
-        {{"view.panes", "two"}, {"view.overlay_2", "visibility"}},
-        {{"view.panes", "four"}, {"view.overlay_4", "normals"}},
-        {{"view.overlay", "normals"}, {"bias.constant", "5"}, {"bias.normal", "0"}},
-        {{"view.overlay", "depth-difference"}, {"view.overlay_range", "manual"}},
-        {{"view.slabs", "both"}},
-        {{"view.slabs", "both"}, {"light.cast", "false"}},
-        {{"map.virtual", "true"}},
-        {{"map.virtual", "true"}, {"filter.kernel", "vsm"}},
-        {{"map.virtual", "true"}, {"map.virtual_levels", "1"}, {"light.type", "spot"}},
+        {"light.type=spot"},
+        {"light.type=spot", "light.cone=175"},
+        {"light.type=point", "view.face=3"},
+        {"light.fit=manual"},
+        {"light.fit=manual", "light.projection=perspective"},
+        {"light.cascades=3"},
+        {"light.cascades=3", "camera.source=manual", "camera.orthographic=true"},
+        {"light.cascades=3", "light.fit=manual"},
+        {"light.cascades=3", "camera.source=light"},
+        {"light.cast=false"},
+        {"light.cast=false", "camera.source=light"},
+        {"light.cast=false", "camera.source=light", "light.type=point"},
+        {"camera.source=light"},
+        {"camera.source=manual", "camera.orthographic=true"},
+        {"camera.source=manual"},
+        {"light.count=2", "light.1.type=spot", "light.1.cast=false", "view.light=1", "camera.source=light"},
+        {"light.count=0"},
+        {"map.format=colour"},
+        {"map.wrap=repeat", "map.far_guard=false"},
+        {"map.wrap=clamp", "map.far_guard=false"},
+        {"bias.constant=5", "bias.slope=2", "bias.normal=0"},
+        {"shading.specular=0"},
+        {"view.map=bands"},
+        {"view.map_fit=true"},
+        {"view.panes=two", "view.overlay_2=visibility"},
+        {"view.panes=four", "view.overlay_4=normals"},
+        {"view.overlay=normals", "bias.constant=5", "bias.normal=0"},
+        {"view.overlay=depth-difference", "view.overlay_range=manual"},
+        {"view.slabs=both"},
+        {"view.slabs=both", "light.cast=false"},
+        {"map.virtual=true"},
+        {"map.virtual=true", "filter.kernel=vsm"},
+        {"map.virtual=true", "map.virtual_levels=1", "light.type=spot"},
     };
     return list;
 }
@@ -93,8 +89,7 @@ std::string difference(const Bytes& a, const Bytes& b) {
 class IdleTest : public FrameTest {
 protected:
     Bytes pictures(const Scene& scene, const Settings& s, bool force = false) {
-        FrameRequest request{.width = 64, .height = 48, .force = force};
-        request.outputs.shadow_map = true;
+        FrameRequest request{.width = 64, .height = 48, .outputs = {.shadow_map = true}, .force = force};
         const FrameResult frame = renderer.render(scene, s, request);
         Bytes out;
         for (const Pane& pane : frame.panes) {
@@ -115,7 +110,7 @@ TEST_F(IdleTest, IdleSettingsChangeNoPixel) {
     const Scene scene = load_scene("boxes");
     std::size_t compared = 0;
     for (const Sets& sets : states()) {
-        Settings s = settings_for(scene, {{"map.resolution", "64"}, {"filter.kernel", "hard"}});
+        Settings s = settings_for(scene, {"map.resolution=64", "filter.kernel=hard"});
         std::string what;
         for (const auto& [key, value] : sets) {
             set_setting(s, key, value);
@@ -141,43 +136,25 @@ TEST_F(IdleTest, IdleSettingsChangeNoPixel) {
 /// Returns states in which every pass has work.
 const std::vector<Sets>& busy_states() {
     static const std::vector<Sets> list = {
-        {{"light.count", "2"},
-         {"light.1.type", "spot"},
-         {"light.1.elevation", "60"},
-         {"filter.kernel", "vsm"},
-         {"map.blur_texels", "1"},
-         {"bias.raster_slope", "1"},
-         {"bias.slope", "2"},
-         {"view.panes", "four"},
-         {"view.overlay", "depth-difference"},
-         {"view.overlay_range", "manual"},
-         {"view.overlay_2", "visibility"},
-         {"view.slabs", "both"},
+        {"light.count=2",
+         "light.1.type=spot",
+         "light.1.elevation=60",
+         "filter.kernel=vsm",
+         "map.blur_texels=1",
+         "bias.raster_slope=1",
+         "bias.slope=2",
+         "view.panes=four",
+         "view.overlay=depth-difference",
+         "view.overlay_range=manual",
+         "view.overlay_2=visibility",
+         "view.slabs=both",
          {"object.Boxes/Floor.receive", "true"}},
-        {{"light.cascades", "3"},
-         {"filter.kernel", "pcss"},
-         {"bias.kind", "receiver-plane"},
-         {"map.format", "colour"},
-         {"caster.cull", "front"},
-         {"view.face", "1"},
-         {"view.map", "bands"},
-         {"view.panes", "two"},
-         {"view.overlay_2", "least-bias"},
-         {"view.overlay_range", "fitted"}},
-        {{"light.type", "point"},
-         {"light.source", "volumes-zfail"},
-         {"camera.source", "manual"},
-         {"view.map_source", "camera"},
-         {"view.map_fit", "true"},
-         {"shading.separate_visibility", "true"}},
-        {{"map.virtual", "true"},
-         {"map.page_size", "16"},
-         {"map.resolution", "256"},
-         {"bias.raster_slope", "1"},
-         {"view.face", "7"},
-         {"view.panes", "two"},
-         {"view.overlay", "stored-depth"},
-         {"view.overlay_2", "page-level"}},
+        {"light.cascades=3", "filter.kernel=pcss", "bias.kind=receiver-plane", "map.format=colour", "caster.cull=front",
+         "view.face=1", "view.map=bands", "view.panes=two", "view.overlay_2=least-bias", "view.overlay_range=fitted"},
+        {"light.type=point", "light.source=volumes-zfail", "camera.source=manual", "view.map_source=camera",
+         "view.map_fit=true", "shading.separate_visibility=true"},
+        {"map.virtual=true", "map.page_size=16", "map.resolution=256", "bias.raster_slope=1", "view.face=7",
+         "view.panes=two", "view.overlay=stored-depth", "view.overlay_2=page-level"},
     };
     return list;
 }
@@ -199,17 +176,13 @@ SI_TESTS_ARE(DriverIndependent, BusyStates);
 // drawn without caches, right after one that shares nothing with it.
 TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
     const Scene scene = boxes_and_ball();
-    const Settings apart = settings_for(scene, {{"map.resolution", "32"},
-                                                {"light.azimuth", "200"},
-                                                {"camera.source", "light"},
-                                                {"view.slabs", "both"},
-                                                {"view.slabs_texels", "4"},
-                                                {"view.map_fit", "true"}});
+    const Settings apart = settings_for(scene, {"map.resolution=32", "light.azimuth=200", "camera.source=light",
+                                                "view.slabs=both", "view.slabs_texels=4", "view.map_fit=true"});
     const auto drawn_again = [&](const Settings& s) {
         pictures(scene, apart, true);
         return pictures(scene, s, true);
     };
-    Settings s = settings_for(scene, {{"map.resolution", "64"}});
+    Settings s = settings_for(scene, {"map.resolution=64"});
     for (const auto& [key, value] : busy_states()[GetParam()]) set_setting(s, key, value);
     const Bytes before = drawn_again(s);
     std::size_t seen = 0;

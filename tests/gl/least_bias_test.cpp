@@ -43,9 +43,7 @@ protected:
         Settings& s = sight.settings;
         s.camera.source = CameraSource::Manual;
         const glm::dvec3 from = glm::normalize(sight.normal + 0.4 * glm::dvec3(place[0]));
-        s.camera.target_x = sight.at.x;
-        s.camera.target_y = sight.at.y;
-        s.camera.target_z = sight.at.z;
+        set_target(s.camera, sight.at);
         s.camera.azimuth = glm::degrees(std::atan2(from.x, from.z));
         s.camera.elevation = glm::degrees(std::asin(std::clamp(from.y, -1.0, 1.0)));
         s.camera.distance = 4;
@@ -91,46 +89,41 @@ TEST_F(LeastBiasTwins, CpuAndGpuAgreeOnRandomPlanes) {
             set_setting(s, "view.overlay", "least-bias");
             s.map.reversed_z = uniform(0, 1) < 0.5;
             s.bias.plane_clamp = uniform(0, 1) < 0.5 ? 0 : uniform(0.1, 20);
-            FrameRequest request{.width = kWidth, .height = kHeight};
-            request.outputs = {.colour = false, .overlay = true};
+            FrameRequest request{.width = kWidth, .height = kHeight, .outputs = {.colour = false, .overlay = true}};
             const FrameResult frame = renderer.render(sight.scene, s, request);
             const FloatImage values = renderer.read_float(frame.overlay, 4);
             int here = 0;
-            for (int y = 0; y < kHeight; ++y)
-                for (int x = 0; x < kWidth; ++x) {
-                    const float value = values.at(x, y);
-                    if (std::isnan(value)) continue;
-                    glm::dvec3 origin, dir;
-                    frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
-                    const double along = glm::dot(sight.at - origin, sight.normal) / glm::dot(dir, sight.normal);
-                    const glm::dvec3 p = origin + dir * along;
-                    const glm::dvec3 n = glm::dot(dir, sight.normal) < 0 ? sight.normal : -sight.normal;
-                    const BiasBreakdown a = bias_breakdown(frame.lights[0], s, frame.map_resolution,
-                                                           {p, n, n, frame.camera.origin()}, renderer.driver());
-                    const double cosine = a.receiver.n_dot_l;
-                    if (cosine < 0.01) continue;  // half a degree: single precision keeps few digits
-                    const double expected = a.amount(a.least.total()).texels;
-                    // The tangent of the angle carries the normal's rounding over its cosine. Some dozens of roundings
-                    // of single precision, and of coordinates up to the scene's extent, come on top.
-                    double scale = expected;
-                    // Both terms of the kernel's part under bias.plane_clamp round.
-                    if (a.per_texel && a.least.kernel > 0) scale += a.amount(a.max_texel_shift).texels;
-                    double tolerance = scale * 2e-5 / cosine;
-                    const double share = (a.receiver.own_m - a.curve.near) / (a.curve.far - a.curve.near);
-                    if (at_power_of_two(a.receiver.uvd.z) || at_power_of_two(share) || at_power_of_two(1 - share))
-                        tolerance += a.amount(a.least.quantum).texels;
-                    const double off = std::abs(value - expected);
-                    ASSERT_LE(off, tolerance)
-                        << int(type) << " " << int(fit) << " " << format << " " << filter.key << " " << kind.key
-                        << (s.map.reversed_z ? " reversed" : "") << ", cosine " << cosine << ", at " << x << "," << y
-                        << ": " << value << " on the GPU, " << expected << " here";
-                    worst = std::max(worst, off / tolerance);
-                    ++compared;
-                    ++here;
-                    perspective += a.curve.perspective;
-                    warped += frame.lights[0].is_warped();
-                    grazing += cosine < 0.2;
-                }
+            for (const auto& [x, y, origin, dir] : test::pixel_rays(frame.camera, kWidth, kHeight)) {
+                const float value = values.at(x, y);
+                if (std::isnan(value)) continue;
+                const double along = glm::dot(sight.at - origin, sight.normal) / glm::dot(dir, sight.normal);
+                const glm::dvec3 p = origin + dir * along;
+                const glm::dvec3 n = glm::dot(dir, sight.normal) < 0 ? sight.normal : -sight.normal;
+                const BiasBreakdown a = test::breakdown_at(frame, s, renderer.driver(), p, n);
+                const double cosine = a.receiver.n_dot_l;
+                if (cosine < 0.01) continue;  // half a degree: single precision keeps few digits
+                const double expected = a.amount(a.least.total()).texels;
+                // The tangent of the angle carries the normal's rounding over its cosine. Some dozens of roundings
+                // of single precision, and of coordinates up to the scene's extent, come on top.
+                double scale = expected;
+                // Both terms of the kernel's part under bias.plane_clamp round.
+                if (a.per_texel && a.least.kernel > 0) scale += a.amount(a.max_texel_shift).texels;
+                double tolerance = scale * 2e-5 / cosine;
+                const double share = (a.receiver.own_m - a.curve.near) / (a.curve.far - a.curve.near);
+                if (at_power_of_two(a.receiver.uvd.z) || at_power_of_two(share) || at_power_of_two(1 - share))
+                    tolerance += a.amount(a.least.quantum).texels;
+                const double off = std::abs(value - expected);
+                ASSERT_LE(off, tolerance)
+                    << int(type) << " " << int(fit) << " " << format << " " << filter.key << " " << kind.key
+                    << (s.map.reversed_z ? " reversed" : "") << ", cosine " << cosine << ", at " << x << "," << y
+                    << ": " << value << " on the GPU, " << expected << " here";
+                worst = std::max(worst, off / tolerance);
+                ++compared;
+                ++here;
+                perspective += a.curve.perspective;
+                warped += frame.lights[0].is_warped();
+                grazing += cosine < 0.2;
+            }
         }
     EXPECT_GT(compared, 10000);
     EXPECT_GT(perspective, 3000);

@@ -13,8 +13,9 @@ namespace {
 class LightCamera : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Settings& s, int width, int height) {
-        FrameRequest request{.width = width, .height = height};
-        request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
+        FrameRequest request{.width = width,
+                             .height = height,
+                             .outputs = {.colour = false, .shadow_map = true, .map_coordinates = true}};
         return renderer.render(scene, s, request);
     }
 };
@@ -30,11 +31,11 @@ TEST_F(LightCamera, MapCoordinatesArePixelCoordinates) {
     const Scene scene = load_scene("boxes");
     for (const Kind& kind : kKinds)
         for (const glm::ivec2 size : {glm::ivec2(200, 200), {300, 180}, {150, 240}}) {
-            const Settings s = settings_for(scene, {{"camera.source", "light"},
+            const Settings s = settings_for(scene, {"camera.source=light",
                                                     {"light.type", kind.type},
                                                     {"light.projection", kind.projection},
                                                     {"view.face", kind.face},
-                                                    {"bias.normal", "0"}});
+                                                    "bias.normal=0"});
             const FrameResult f = frame(scene, s, size.x, size.y);
             const LightView& view = f.lights[0].views[std::size_t(std::atoi(kind.face))];
             EXPECT_EQ(f.camera.curve.near, view.curve.near);
@@ -61,13 +62,13 @@ TEST_F(LightCamera, MapCoordinatesArePixelCoordinates) {
 TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
     const Scene scene = load_scene("boxes");
     for (const Kind& kind : kKinds) {
-        const Settings s = settings_for(scene, {{"camera.source", "light"},
+        const Settings s = settings_for(scene, {"camera.source=light",
                                                 {"light.type", kind.type},
                                                 {"light.projection", kind.projection},
                                                 {"view.face", kind.face},
-                                                {"map.resolution", "256"},
-                                                {"map.reversed_z", "true"},  // as in the camera
-                                                {"view.map_source", "camera"}});
+                                                "map.resolution=256",
+                                                "map.reversed_z=true",  // as in the camera
+                                                "view.map_source=camera"});
         const FrameResult f = frame(scene, s, 256, 256);
         const FloatImage camera = renderer.read_map_view_depth(f),
                          map = renderer.read_shadow_map(f, 0, std::atoi(kind.face));
@@ -86,9 +87,9 @@ TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
 
 TEST_F(LightCamera, WithoutLightsTheAutomaticCameraIsUsedAndReported) {
     const Scene scene = load_scene("boxes");
-    const Settings s = settings_for(scene, {{"camera.source", "light"}, {"light.count", "0"}});
+    const Settings s = settings_for(scene, {"camera.source=light", "light.count=0"});
     const FrameResult f = renderer.render(scene, s, small_request());
-    const Settings automatic = settings_for(scene, {{"light.count", "0"}});
+    const Settings automatic = settings_for(scene, {"light.count=0"});
     EXPECT_EQ(f.camera.eye, make_camera(scene, automatic, 320.0 / 180).eye);
     EXPECT_TRUE(std::any_of(f.notes.begin(), f.notes.end(),
                             [](const std::string& n) { return n.starts_with("camera.source light"); }));
@@ -98,7 +99,7 @@ SI_TEST_IS(Repeated, LightCamera, CanBecomeAManualCamera);
 TEST_F(LightCamera, CanBecomeAManualCamera) {
     const Scene scene = load_scene("boxes");
     for (const Kind& kind : kKinds) {
-        Settings s = settings_for(scene, {{"camera.source", "light"},
+        Settings s = settings_for(scene, {"camera.source=light",
                                           {"light.type", kind.type},
                                           {"light.projection", kind.projection},
                                           {"view.face", kind.face}});
@@ -120,7 +121,7 @@ TEST_F(LightCamera, UtilisationOfAFlatMapEqualsTheCoveredShare) {
     // Through the light at one pixel per texel, each texel with a lit surface is read by its own pixel.
     const Scene scene = load_scene("boxes");
     const int n = 128;
-    Settings s = settings_for(scene, {{"camera.source", "light"}, {"bias.normal", "0"}, {"filter.kernel", "hard"}});
+    Settings s = settings_for(scene, {"camera.source=light", "bias.normal=0", "filter.kernel=hard"});
     s.map.resolution = n;
     const FrameResult f = frame(scene, s, n, n);
     const FloatImage at = renderer.read_float(f.map_coordinates, 4);
@@ -152,10 +153,8 @@ TEST_F(LightCamera, CoordinatesNameTheTexelOfTheProbe) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "spot", "point"}) {
         // An offset of many texels: coordinates without it would name another texel.
-        const Settings s =
-            settings_for(scene, {{"light.type", type}, {"bias.normal", "12"}, {"map.resolution", "512"}});
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .map_coordinates = true};
+        const Settings s = settings_for(scene, {{"light.type", type}, "bias.normal=12", "map.resolution=512"});
+        FrameRequest request = small_request({.colour = false, .map_coordinates = true});
         const FloatImage at = renderer.read_float(renderer.render(scene, s, request).map_coordinates, 4);
         int tested = 0, apart = 0;
         for (int y = 3; y < 180; y += 19)
@@ -175,10 +174,9 @@ TEST_F(LightCamera, CoordinatesNameTheTexelOfTheProbe) {
 SI_TEST_IS(Repeated, LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel);
 TEST_F(LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel) {
     const Scene scene = load_scene("boxes");
-    const auto reading = [&](const std::vector<std::pair<std::string, std::string>>& extra) {
+    const auto reading = [&](const Sets& extra) {
         const Settings s = settings_for(scene, extra);
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .map_coordinates = true};
+        FrameRequest request = small_request({.colour = false, .map_coordinates = true});
         const FrameResult f = renderer.render(scene, s, request);
         if (!f.map_coordinates.texture) return -1;
         const FloatImage at = renderer.read_float(f.map_coordinates, 4);
@@ -190,10 +188,10 @@ TEST_F(LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel) {
     EXPECT_GT(all, 320 * 180 / 4);
     EXPECT_LT(all, 320 * 180) << "the background reads nothing";
     EXPECT_LT(reading({{"object.Boxes/Floor.receive", "false"}}), all / 2);
-    EXPECT_LT(reading({{"light.elevation", "-30"}}), all / 2) << "what is turned away reads nothing";
-    EXPECT_EQ(reading({{"light.cast", "false"}}), -1) << "no map, no coordinates";
+    EXPECT_LT(reading({"light.elevation=-30"}), all / 2) << "what is turned away reads nothing";
+    EXPECT_EQ(reading({"light.cast=false"}), -1) << "no map, no coordinates";
     // The map is much smaller than the scene: outside it nothing is read unless the map repeats.
-    const std::vector<std::pair<std::string, std::string>> narrow = {{"light.fit", "manual"}, {"light.extent", "1"}};
+    const Sets narrow = {"light.fit=manual", "light.extent=1"};
     for (const auto& [wrap, everywhere] :
          {std::pair{"border", false}, {"range", false}, {"clamp", true}, {"repeat", true}}) {
         auto extra = narrow;

@@ -79,12 +79,7 @@ TEST_F(LightMapTest, EdgesDeviateByAtMostHalfATexelDiagonal) {
             for (const int resolution : {64, 256}) {
                 SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x << ", " << resolution);
                 Settings s = light_mapped(test::hard_settings(), resolution);
-                s.lights[0].type = type;
-                s.lights[0].azimuth = place.azimuth;
-                s.lights[0].elevation = place.elevation;
-                s.lights[0].distance = type == LightType::Directional ? 0 : 9;
-                s.lights[0].cone = 80;
-                test::move_camera(s, place.at);
+                test::place_light(s, type, place);
                 double most_m = 0;
                 std::size_t dark = 0, lit = 0;
                 each_pixel(scene, s, {.nearest = false}, [&](const Receiver& r, double v, double) {
@@ -114,7 +109,7 @@ TEST_F(LightMapTest, FinerTexelsApproachRaysOnTheStage) {
     const Scene scene = load_scene("stage");
     std::vector<double> shares;
     for (const int resolution : {256, 512, 1024, 2048}) {
-        const Settings s = settings_for(scene, {{"light.azimuth", "72"}, {"light.elevation", "36"}});
+        const Settings s = settings_for(scene, {"light.azimuth=72", "light.elevation=36"});
         shares.push_back(wrong_share(scene, light_mapped(s, resolution)));
         std::printf("%4d: %.3f %% wrong, %.1f texels/m\n", resolution, 100 * shares.back(), 1 / texel_m());
     }
@@ -200,14 +195,9 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
         s.lights[0].elevation = 55;
         s.camera.source = CameraSource::Manual;
         const glm::dvec3 target(turned(kRoomsTurned) * glm::dvec4(-0.6, 0.3, 0, 1));
-        s.camera.target_x = target.x;
-        s.camera.target_y = target.y;
-        s.camera.target_z = target.z;
+        set_target(s.camera, target);
         s.camera.azimuth = 265 + kRoomsTurned;
-        s.camera.elevation = 15;
-        s.camera.distance = 2;
-        s.camera.near = 0.05;
-        s.camera.fov = 80;
+        set_all(s, {"camera.elevation=15", "camera.distance=2", "camera.near=0.05", "camera.fov=80"});
         double brightest = 0, reach_m = 0;
         std::size_t pixels = 0;
         each_pixel(scene, s, {.nearest = false}, [&](const Receiver& r, double v, double t) {
@@ -256,11 +246,8 @@ TEST_F(LightMapTest, ContainsMirroredTurnedAndDoubleSidedObjects) {
 
 TEST_F(LightMapTest, LightsAndInstancesHaveSeparateMaps) {
     const Scene scene = load_scene("boxes");
-    Settings s = light_mapped(scene, {{"light.count", "3"},
-                                      {"light.1.source", "volumes-zfail"},
-                                      {"light.2.type", "point"},
-                                      {"light.2.azimuth", "100"},
-                                      {"light.2.source", "light-map"}});
+    Settings s = light_mapped(scene, {"light.count=3", "light.1.source=volumes-zfail", "light.2.type=point",
+                                      "light.2.azimuth=100", "light.2.source=light-map"});
     for (const int light : {0, 2}) {
         s.view.light = light;
         frame = render_with_reference(renderer, scene, s, request, cache, workers);
@@ -281,7 +268,7 @@ TEST_F(LightMapTest, LightsAndInstancesHaveSeparateMaps) {
 // Cameras share a map; each change that rays can see needs another.
 TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAgainForOtherChanges) {
     const Scene scene = load_scene("figures");
-    Settings s = light_mapped(scene, {{"light_map.resolution", "256"}});
+    Settings s = light_mapped(scene, {"light_map.resolution=256"});
     const std::size_t before = baked();
     visibility(scene, s);
     EXPECT_EQ(baked(), before + 1);
@@ -341,8 +328,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAgainForOtherChanges) {
 
 TEST_F(LightMapTest, HasTheSameBytesAfterEviction) {
     const Scene scene = load_scene("boxes");
-    const Settings s =
-        light_mapped(scene, {{"light.size", "2"}, {"light_map.samples", "64"}, {"light_map.resolution", "200"}});
+    const Settings s = light_mapped(scene, {"light.size=2", "light_map.samples=64", "light_map.resolution=200"});
     const FloatImage first = visibility(scene, s);
     light_maps().clear();
     request.light_maps.clear();

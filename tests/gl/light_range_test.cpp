@@ -29,16 +29,16 @@ protected:
     }
     Settings lit(const char* type, double range) {
         return settings_for(scene, {{"light.type", type},
-                                    {"light.elevation", "90"},
+                                    "light.elevation=90",
                                     {"light.distance", std::to_string(kLightHeight)},
-                                    {"light.cone", "140"},
-                                    {"light.cone_blend", "0"},
+                                    "light.cone=140",
+                                    "light.cone_blend=0",
                                     {"light.range", std::to_string(range)},
-                                    {"shading.ambient", "0"},
-                                    {"shading.diffuse", "1"},
-                                    {"shading.specular", "0"},
-                                    {"shading.sky", "plain"},
-                                    {"shading.curve", "plain"}});
+                                    "shading.ambient=0",
+                                    "shading.diffuse=1",
+                                    "shading.specular=0",
+                                    "shading.sky=plain",
+                                    "shading.curve=plain"});
     }
 };
 
@@ -54,25 +54,23 @@ TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
             const ByteImage ended = picture(scene, s);
             const FrameResult frame = renderer.render(scene, s, request);
             std::size_t dark = 0, half = 0;
-            for (int y = 0; y < request.height; ++y)
-                for (int x = 0; x < request.width; ++x) {
-                    glm::dvec3 origin, direction;
-                    frame.camera.pixel_ray(x, y, request.width, request.height, origin, direction);
-                    const glm::dvec3 p = origin - direction * (origin.y / direction.y);
-                    const std::size_t i = (std::size_t(y) * std::size_t(request.width) + std::size_t(x)) * 4;
-                    if (direction.y >= 0 || std::abs(p.x) > 4.9 || std::abs(p.z) > 4.9) continue;
-                    const double d = std::hypot(p.x, p.z, kLightHeight), share = d / range;
-                    const double before = linear(endless.data[i]), after = linear(ended.data[i]);
-                    if (d > 1.01 * range) {
-                        EXPECT_EQ(ended.data[i], 0) << type << " at " << x << ',' << y;
-                        dark += endless.data[i] > 0;
-                    } else if (before > 0.02) {
-                        const double window = std::max(1 - std::pow(share, 4), 0.0);
-                        // Both values are rounded to steps of 1/255, the steepest of which is 0.0091 in linear light.
-                        EXPECT_NEAR(after, before * window, 0.0091) << type << " at " << x << ',' << y;
-                        half += share > 0.7 && share < 0.85;
-                    }
+            for (const auto& [x, y, origin, direction] :
+                 test::pixel_rays(frame.camera, request.width, request.height)) {
+                const glm::dvec3 p = origin - direction * (origin.y / direction.y);
+                const std::size_t i = (std::size_t(y) * std::size_t(request.width) + std::size_t(x)) * 4;
+                if (direction.y >= 0 || std::abs(p.x) > 4.9 || std::abs(p.z) > 4.9) continue;
+                const double d = std::hypot(p.x, p.z, kLightHeight), share = d / range;
+                const double before = linear(endless.data[i]), after = linear(ended.data[i]);
+                if (d > 1.01 * range) {
+                    EXPECT_EQ(ended.data[i], 0) << type << " at " << x << ',' << y;
+                    dark += endless.data[i] > 0;
+                } else if (before > 0.02) {
+                    const double window = std::max(1 - std::pow(share, 4), 0.0);
+                    // Both values are rounded to steps of 1/255, the steepest of which is 0.0091 in linear light.
+                    EXPECT_NEAR(after, before * window, 0.0091) << type << " at " << x << ',' << y;
+                    half += share > 0.7 && share < 0.85;
                 }
+            }
             EXPECT_GT(dark, 500u) << type;
             EXPECT_GT(half, 500u) << type;
         }
@@ -80,8 +78,7 @@ TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
 
 TEST_F(LightRange, AtHalfTheRangeFifteenSixteenthsAreLeft) {
     Settings s = lit("point", 0);
-    set_setting(s, "camera.source", "manual");
-    set_setting(s, "camera.elevation", "89.9");
+    set_all(s, {"camera.source=manual", "camera.elevation=89.9"});
     const FrameRequest request{.width = 65, .height = 65};
     const auto middle = [&] { return linear(picture(scene, s, request).data[(32 * 65 + 32) * 4]); };
     set_setting(s, "light.intensity", "1");
@@ -118,10 +115,7 @@ TEST_F(LightRange, PointsOutOfRangeAreNotMeasured) {
     EXPECT_GT(beyond, 1000u);
     EXPECT_GT(error.metrics.counted, 1000u);
     EXPECT_EQ(error.metrics.false_shadow, 0);
-    set_setting(s, "map.outside", "unlit");
-    set_setting(s, "light.near", "0.1");
-    set_setting(s, "light.far", "1.9");
-    set_setting(s, "light.fit", "manual");
+    set_all(s, {"map.outside=unlit", "light.near=0.1", "light.far=1.9", "light.fit=manual"});
     const MeasuredError cut = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
     EXPECT_EQ(cut.metrics.counted, error.metrics.counted);
     EXPECT_GT(cut.metrics.outside_false_shadow, 0) << "the map ends before the light does";

@@ -7,6 +7,7 @@
 #include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 
 namespace si {
@@ -85,15 +86,9 @@ TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     s.lights[0].type = LightType::Spot;
     s.map.reversed_z = true;
     agree(s, "peter-panning under a spot light");
-}
 
-TEST_F(LiveErrorTest, AgreesOnLostCasters) {
-    scene = {};
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2, 2), grey), moved(0, 1.2, 0));
-    finalise(scene);
-    Settings s = hard(512, 3);
+    scene = test::grey_scene({{"floor", make_plane(10, 10)}, {"sheet", make_plane(2, 2), moved(0, 1.2, 0)}});
+    s = hard(512, 3);
     s.caster.cull = Cull::Front;
     EXPECT_GT(agree(s, "front culling").artefacts[std::size_t(Artefact::LostCaster)], 300u);
 }
@@ -206,8 +201,7 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapMinusThePlanesNeed) {
                 if (std::isnan(nearest)) continue;
                 const Receiver& r = request.reference->traced.receivers->pixels[i];
                 const BiasBreakdown account =
-                    bias_breakdown(light, s, frame.map_resolution,
-                                   {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.origin()}, renderer.driver());
+                    test::breakdown_at(frame, s, renderer.driver(), r.position_ws, r.normal_ws);
                 const glm::dvec3 axis = light.views[account.receiver.view].axes[2];
                 const double gap = nearest * glm::dot(account.receiver.to_light, axis) / account.receiver.texel_m;
                 const double texels = gap - account.amount(account.least.total()).texels;

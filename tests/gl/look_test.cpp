@@ -45,10 +45,9 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook) {
     for (const BuiltinScene& row : builtin_scenes()) {
         SCOPED_TRACE(row.key);
         const Scene scene = row.make();
-        Settings on = settings_for(scene, {{"map.resolution", "512"}});
+        Settings on = settings_for(scene, {"map.resolution=512"});
         on.shading.exposure = 1;
-        FrameRequest request{.width = 96, .height = 54};
-        request.outputs.visibility = true;
+        FrameRequest request{.width = 96, .height = 54, .outputs = {.visibility = true}};
         FrameRequest smooth = request;
         smooth.smoothed = kMaxSmoothedShadings;
         const FrameResult drawn = renderer.render(scene, on, smooth);
@@ -92,8 +91,8 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
         Settings on = with.settings;
         on.shading.exposure = 1;
         on.camera = manual_camera(with.scene, with.settings, 16.0 / 9);
-        FrameRequest request = small_request();
-        request.force = request.outputs.visibility = request.outputs.surface_ids = true;
+        FrameRequest request = small_request({.visibility = true, .surface_ids = true});
+        request.force = true;
         struct Drawn {
             FloatImage visibility;
             SurfaceIds ids;
@@ -148,8 +147,7 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
     const auto tones = [&](const Settings& of) {
         std::vector<int> greens;
         const ByteImage image = picture(scene, of);
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .surface_ids = true};
+        FrameRequest request = small_request({.colour = false, .surface_ids = true});
         const SurfaceIds ids = renderer.read_surface_ids(renderer.render(scene, of, request).surface_ids);
         for (std::size_t i = 0; i < ids.data.size(); ++i)
             if (ids.data[i].x == 2) greens.push_back(image.data[4 * i + 1]);  // pixels of the box
@@ -166,8 +164,7 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
 TEST_F(LookTest, TheStageIsNeitherTooDarkNorOverexposed) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene);
-    FrameRequest request{.width = 480, .height = 270};
-    request.outputs.visibility = request.outputs.surface_ids = true;
+    FrameRequest request{.width = 480, .height = 270, .outputs = {.visibility = true, .surface_ids = true}};
     const FrameResult frame = renderer.render(scene, s, request);
     const ByteImage image = renderer.read_colour(frame.colour);
     const FloatImage visibility = renderer.read_float(frame.visibility, 1);
@@ -199,7 +196,7 @@ TEST_F(LookTest, TheStageIsNeitherTooDarkNorOverexposed) {
 
 TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyBackgroundPixels) {
     const Scene scene = load_scene("stage");
-    Settings s = settings_for(scene, {{"map.resolution", "256"}});
+    Settings s = settings_for(scene, {"map.resolution=256"});
     const ByteImage high = picture(scene, s);
     EXPECT_GT(std::abs(pixel(high, 4, 2).z - pixel(high, 4, 70).z), 5) << "a gradient";
     EXPECT_GT(pixel(high, 4, 2).z, pixel(high, 4, 2).x) << "and a blue one";
@@ -213,10 +210,8 @@ TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyBackgroundPixels) {
 
 TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    Settings s = test::texel_settings("hard", 64, 3);
-    s.shading.specular = 0;
-    s.shading.sky = SkyLook::Plain;
-    s.shading.exposure = 1;
+    Settings s = settings_with(test::texel_settings("hard", 64, 3),
+                               {"shading.specular=0", "shading.sky=plain", "shading.exposure=1"});
     const ByteImage exposed = picture(scene, s);
     s.shading.exposure = 0;
     s.lights[0].intensity *= 2;
@@ -226,7 +221,7 @@ TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
 
 TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     const Scene scene = load_scene("boxes");
-    const Settings s = settings_for(scene, {{"map.resolution", "512"}});
+    const Settings s = settings_for(scene, {"map.resolution=512"});
     FrameRequest request = small_request();
     const FrameResult first = renderer.render(scene, s, request);
     const ByteImage as_drawn = renderer.read_colour(first.colour);
@@ -280,7 +275,7 @@ TEST_F(LookTest, TheEditorAccumulatesAStaticViewAndThenSleeps) {
     const Scene scene = load_scene("boxes");
     FrameLoop loop(false);
     PictureState state;
-    state.settings = settings_for(scene, {{"map.resolution", "64"}});
+    state.settings = settings_for(scene, {"map.resolution=64"});
     EditorRequests requests;
     requests.scene_width = 64;
     requests.scene_height = 36;
@@ -322,7 +317,7 @@ TEST_F(LookTest, ThePlanReportsEachLookPass) {
         ADD_FAILURE() << name;
         return Effect{};
     };
-    const Settings s = settings_for(scene, {{"map.resolution", "64"}});
+    const Settings s = settings_for(scene, {"map.resolution=64"});
     for (const char* name : {"sky and its ambient light", "tone curve", "smoothing of a static view"}) {
         EXPECT_EQ(told(s, name).state, EffectState::Drawn) << name;
         EXPECT_FALSE(told(s, name).reason.empty()) << name;

@@ -14,8 +14,7 @@ namespace {
 class MapViewTest : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Settings& s) {
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .shadow_map = true};
+        FrameRequest request = small_request({.colour = false, .shadow_map = true});
         return renderer.render(scene, s, request);
     }
     int grey(const ByteImage& image, int x, int y) {
@@ -28,12 +27,12 @@ TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
     const Scene scene = load_scene("boxes");
     for (const char* orthographic : {"false", "true"})
         for (const char* reversed_map : {"false", "true"}) {  // must not affect the camera
-            Settings s = settings_for(scene, {{"camera.source", "manual"},
-                                              {"camera.distance", "9"},
+            Settings s = settings_for(scene, {"camera.source=manual",
+                                              "camera.distance=9",
                                               {"camera.orthographic", orthographic},
                                               {"map.reversed_z", reversed_map},
-                                              {"view.map_source", "camera"},
-                                              {"view.map", "linear"}});
+                                              "view.map_source=camera",
+                                              "view.map=linear"});
             const FrameResult f = frame(scene, s);
             EXPECT_EQ(f.map_view_size, glm::ivec2(320, 180));
             EXPECT_EQ(f.map_view_curve.perspective, orthographic == std::string("false"));
@@ -66,12 +65,12 @@ TEST_F(MapViewTest, NearAndFarPlanesCutSharply) {
     // A floor reaches from behind the camera past the far plane, seen nearly level.
     const Scene scene = load_scene("boxes");
     for (const auto& [near, far] : {std::pair{"1", "8"}, {"1", "7.5"}, {"3", "5"}}) {
-        const Settings s = settings_for(scene, {{"camera.source", "manual"},
-                                                {"camera.distance", "6"},
-                                                {"camera.elevation", "12"},
+        const Settings s = settings_for(scene, {"camera.source=manual",
+                                                "camera.distance=6",
+                                                "camera.elevation=12",
                                                 {"camera.near", near},
                                                 {"camera.far", far},
-                                                {"view.map_source", "camera"}});
+                                                "view.map_source=camera"});
         const FrameResult f = frame(scene, s);
         EXPECT_EQ(f.map_view_curve.near, std::stod(near));
         EXPECT_EQ(f.map_view_curve.far, std::stod(far));
@@ -94,9 +93,9 @@ TEST_F(MapViewTest, FitsGreysToTheDrawnDepths) {
                                                             {"light.type", type},
                                                             {"view.map", view},
                                                             {"map.reversed_z", reversed},
-                                                            {"map.resolution", "200"},
-                                                            {"view.face", "3"},
-                                                            {"view.map_fit", "true"}});
+                                                            "map.resolution=200",
+                                                            "view.face=3",
+                                                            "view.map_fit=true"});
                     const FrameResult f = frame(scene, s);
                     const FloatImage depth = renderer.read_map_view_depth(f);
                     const DepthStatistics d = depth_statistics(depth, f.map_view_curve);
@@ -125,7 +124,7 @@ TEST_F(MapViewTest, FitsGreysToTheDrawnDepths) {
 // A plane under slanted light covers the whole range of depths.
 TEST_F(MapViewTest, RampsFollowDepth) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"map.resolution", "128"}, {"view.map_fit", "true"}});
+    Settings s = settings_for(scene, {"map.resolution=128", "view.map_fit=true"});
     const FrameResult grey_frame = frame(scene, s);
     const ByteImage greys = renderer.read_colour(grey_frame.map_view);
     for (const char* ramp : {"turbo", "viridis"}) {
@@ -151,7 +150,7 @@ TEST_F(MapViewTest, RampsFollowDepth) {
 
 TEST_F(MapViewTest, ManualGreysAreReturned) {
     const Scene scene = load_scene("boxes");
-    const FrameResult f = frame(scene, settings_for(scene, {{"view.map_black", "0.25"}, {"view.map_white", "0.5"}}));
+    const FrameResult f = frame(scene, settings_for(scene, {"view.map_black=0.25", "view.map_white=0.5"}));
     EXPECT_EQ(f.map_black, 0.25f);
     EXPECT_EQ(f.map_white, 0.5f);
     EXPECT_EQ(f.map_view_size, glm::ivec2(f.map_resolution));
@@ -176,8 +175,7 @@ TEST_F(MapViewTest, ANumberAfterTheLastMapShowsTheLastAndIsReported) {
 
 TEST_F(MapViewTest, ReadBackGivesTheShownMap) {
     const Scene scene = load_scene("boxes");
-    const Settings s =
-        settings_for(scene, {{"light.type", "point"}, {"light.count", "2"}, {"view.light", "0"}, {"view.face", "3"}});
+    const Settings s = settings_for(scene, {"light.type=point", "light.count=2", "view.light=0", "view.face=3"});
     const FrameResult f = frame(scene, s);
     EXPECT_EQ(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 3).data);
     EXPECT_NE(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 2).data);

@@ -2,6 +2,7 @@
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -90,11 +91,8 @@ TEST_F(MeasureTest, ClassifiesTooMuchBiasAsPeterPanning) {
 }
 
 TEST_F(MeasureTest, ClassifiesCulledFacesAsLostCasters) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2, 2), grey), moved(0, 1.2, 0));
-    finalise(scene);
+    const Scene scene =
+        test::grey_scene({{"floor", make_plane(10, 10)}, {"sheet", make_plane(2, 2), moved(0, 1.2, 0)}});
     Settings s = hard(512);
     EXPECT_EQ(measure(scene, s).lost_false_light, 0);
     s.caster.cull = Cull::Front;

@@ -55,9 +55,9 @@ TEST_F(MemoryReportTest, ImageBytesFollowFormatSizeLayersLevelsAndSamples) {
 
 TEST_F(MemoryReportTest, MapsAreCountedAtTheirActualSize) {
     const Scene scene = load_scene("boxes");
-    picture(scene, settings_for(scene, {{"map.resolution", "512"}, {"map.format", "d32f"}}));
+    picture(scene, settings_for(scene, {"map.resolution=512", "map.format=d32f"}));
     EXPECT_EQ(memory_of("shadow maps").bytes, 512u * 512 * 4);
-    picture(scene, settings_for(scene, {{"map.resolution", "64"}, {"map.format", "d32f"}}));
+    picture(scene, settings_for(scene, {"map.resolution=64", "map.format=d32f"}));
     EXPECT_EQ(memory_of("shadow maps").bytes, 64u * 64 * 4) << "the larger one is still there";
     EXPECT_GT(memory_of("scene's vertices").bytes, 100u);
 }
@@ -68,7 +68,7 @@ TEST_F(MemoryReportTest, MapsAreCountedAtTheirActualSize) {
 TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "other drivers may keep memory";
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"map.resolution", "32"}, {"map.format", "d32f"}});
+    Settings s = settings_for(scene, {"map.resolution=32", "map.format=d32f"});
     s.light_count = 7;
     for (int i = 0; i < s.light_count; ++i) s.lights[std::size_t(i)].type = LightType::Point;
     const auto heap_at_rest = [&](int resolution) {
@@ -87,7 +87,7 @@ TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
 TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "other drivers may keep memory";
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
-    WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
+    WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {"map.format=d32f"}), .request = {}};
     next.settings.light_count = 7;
     for (int i = 0; i < next.settings.light_count; ++i) next.settings.lights[std::size_t(i)].type = LightType::Point;
     ShaderWarmup warmup;
@@ -148,7 +148,7 @@ TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
 }
 
 TEST_F(MemoryReportTest, BackgroundMeasurementsReleaseMemoryWhenIdle) {
-    const Settings s = settings_for(load_scene("boxes"), {{"map.resolution", "256"}});
+    const Settings s = settings_for(load_scene("boxes"), {"map.resolution=256"});
     MeasuringThread thread(std::chrono::milliseconds(300));
     thread.start_measurement({.scene = std::make_shared<const Scene>(load_scene("boxes")),
                               .scene_name = "boxes",
@@ -205,7 +205,7 @@ TEST_F(MemoryReportTest, FramesWithFewProgramsDrawTheSamePicture) {
     std::size_t most = 0;
     for (int round = 0; round < 2; ++round)
         for (const char* overlay : {"visibility", "normals", "stored-depth", "bias-applied", "light-uv", "n-dot-l"}) {
-            Settings s = settings_for(scene, {{"map.resolution", "64"}});
+            Settings s = settings_for(scene, {"map.resolution=64"});
             set_setting(s, "view.overlay", overlay);
             const ByteImage drawn = picture(scene, s, tiny);
             most = std::max(most, memory_of("texts of shader programs").count);

@@ -12,6 +12,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/idle_reason.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si::test {
@@ -282,19 +283,10 @@ Scene covered_floor(double upper, double lower = 0) {
 }
 
 Settings overhead(const Filter& row) {
-    Settings s = texel_settings(row.key, 64, 0.2);
-    s.lights[0].elevation = 90;
-    s.lights[0].azimuth = 0;
-    s.camera.elevation = 2;
-    s.camera.azimuth = 0;
-    s.camera.distance = 4;
-    s.bias.constant = 5e-4;
-    s.filter.bleed = 0;
-    s.filter.min_variance = 0;
-    s.filter.moment_bias = 1e-6;
-    s.filter.blur = 1;
-    s.filter.window = 3;
-    return s;
+    return settings_with(texel_settings(row.key, 64, 0.2),
+                         {"light.elevation=90", "light.azimuth=0", "camera.elevation=2", "camera.azimuth=0",
+                          "camera.distance=4", "bias.constant=5e-4", "filter.bleed=0", "filter.min_variance=0",
+                          "filter.moment_bias=1e-6", "filter.blur=1", "filter.window=3"});
 }
 
 /// Probes floor pixels along the edge at x = 0, each with its shares of the map's depths that the kernel averages.
@@ -309,17 +301,13 @@ void along_the_edge(const Scene& scene, const Settings& s, Visit visit) {
     const Shares shares(renderer.read_shadow_map(frame, 0, 0), view.curve);
     const FloatImage visibility = renderer.read_float(frame.visibility, 1);
     const RayReference rays(scene);
-    for (int y = 0; y < kPicture.height; ++y)
-        for (int x = 0; x < kPicture.width; ++x) {
-            glm::dvec3 origin, dir;
-            frame.camera.pixel_ray(x, y, kPicture.width, kPicture.height, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit || hit->position.y > 1e-6) continue;
-            const glm::dvec3 p = hit->position;
-            if (std::abs(p.x) > 0.6 || std::abs(p.z) > 1.5) continue;
-            const glm::dvec4 uvd = uvdw(view, p);
-            visit(shares, glm::dvec2(uvd), share_of(view.curve, uvd.z), double(visibility.at(x, y)));
-        }
+    for (const auto& [x, y, hit] : pixel_hits(rays, frame.camera, kPicture.width, kPicture.height)) {
+        if (hit.position.y > 1e-6) continue;
+        const glm::dvec3 p = hit.position;
+        if (std::abs(p.x) > 0.6 || std::abs(p.z) > 1.5) continue;
+        const glm::dvec4 uvd = uvdw(view, p);
+        visit(shares, glm::dvec2(uvd), share_of(view.curve, uvd.z), double(visibility.at(x, y)));
+    }
 }
 
 // Between two depths each bound by spread is exact: the share of lit texels. ESM gives that share plus a rest that
@@ -425,9 +413,7 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
                             {LightType::Point, 60, {0, 0, 115}}};
     for (const Filter* row : moment_rows())
         for (const Place& place : places) {
-            Scene scene;
-            const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-            add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(6, 6), grey));
+            Scene scene = make_scene(make_plane(6, 6));
             move_scene(scene, place.at);
             Settings s = texel_settings(row->key, 128, row->moments.quantised ? 24 : 5);
             s.lights[0].type = place.light;
@@ -484,11 +470,9 @@ TEST(Moments, In16BitsAreCloseToThoseIn32) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     for (const Filter* row : moment_rows()) {
         if (!reads(*row, "filter.moment_format")) continue;
-        Settings s = texel_settings(row->key, 96, 6);
-        s.filter.exponent = 5;
-        s.filter.negative_exponent = 5;
-        s.filter.min_variance = 1e-4;
-        s.filter.moment_bias = 1e-4;
+        Settings s = settings_with(
+            texel_settings(row->key, 96, 6),
+            {"filter.exponent=5", "filter.negative_exponent=5", "filter.min_variance=1e-4", "filter.moment_bias=1e-4"});
         const Shot wide = draw_shot(scene, s);
         s.filter.moment_format = MomentFormat::Bits16;
         const Shot narrow = draw_shot(scene, s);
@@ -562,12 +546,8 @@ TEST(Moments, OfSeveralSamplesAreTheirMeans) {
 
 /// Sets a camera that looks straight down on a floor, with pixels `texels` wide in the map.
 Settings from_above(const Filter& row, const Scene& scene, double texels) {
-    Settings s = overhead(row);
-    s.map.resolution = 128;
-    s.camera.elevation = 90;
-    s.camera.orthographic = true;
-    s.filter.mips = true;
-    s.filter.blur = 0;
+    Settings s = settings_with(overhead(row), {"map.resolution=128", "camera.elevation=90", "camera.orthographic=true",
+                                               "filter.mips=true", "filter.blur=0"});
     const FrameResult frame = hard_renderer().render(scene, s, kPicture);
     s.camera.target_x += 0.13;  // no pixel is centred in a texel of a level
     s.camera.height = texels * frame.lights[0].views[0].texel_size(1, 128) * kPicture.height;
@@ -616,11 +596,8 @@ TEST(Moments, OfMipLevelsAreMeansOverThePixelFootprint) {
 // At grazing views a pixel is long in the map: several samples along it keep detail across it.
 TEST(Moments, OfMipLevelsAreSharperWithAnisotropy) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
-    Settings s = texel_settings("vsm", 512, 1);
-    s.camera.elevation = 6;
-    s.camera.distance = 14;
-    s.filter.blur = 0;
-    s.filter.mips = true;
+    Settings s = settings_with(texel_settings("vsm", 512, 1),
+                               {"camera.elevation=6", "camera.distance=14", "filter.blur=0", "filter.mips=true"});
     const Shot plain = draw_shot(scene, s);
     s.filter.anisotropy = 16;
     const double most = hard_renderer().driver().max_anisotropy;
@@ -645,10 +622,8 @@ TEST(Moments, AreShownByTheMapViewer) {
     Renderer& renderer = hard_renderer();
     const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
     for (const Filter* row : moment_rows()) {
-        Settings s = texel_settings(row->key, 64, 1);
-        s.map.reversed_z = true;
-        s.filter.exponent = 4;
-        s.filter.negative_exponent = 3;
+        Settings s = settings_with(texel_settings(row->key, 64, 1),
+                                   {"map.reversed_z=true", "filter.exponent=4", "filter.negative_exponent=3"});
         s.filter.blur = row->moments.summed ? 0 : 2;
         const FrameResult plain = renderer.render(scene, s, maps);
         EXPECT_EQ(plain.shown_map.channel, 0);
@@ -722,11 +697,8 @@ TEST(Moments, AreShownByMipLevel) {
     Renderer& renderer = hard_renderer();
     const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
     for (const Filter* row : moment_rows()) {
-        Settings s = texel_settings(row->key, 64, 1);
-        s.filter.mips = true;
-        s.filter.moment_format = MomentFormat::Bits32;
-        s.view.map = MapView::Raw;
-        s.view.map_channel = 1;
+        Settings s = settings_with(texel_settings(row->key, 64, 1), {"filter.mips=true", "filter.moment_format=32-bit",
+                                                                     "view.map=raw", "view.map_channel=moment-1"});
         FloatImage finer;
         for (const int level : {0, 1, 2, 3, 6}) {
             s.view.map_mip = level;

@@ -38,16 +38,14 @@ protected:
     }
     std::size_t uploads(const Scene& scene) {
         const UploadCount count;
-        FrameRequest request{.width = 160, .height = 90};
-        request.outputs.visibility = true;
+        FrameRequest request{.width = 160, .height = 90, .outputs = {.visibility = true}};
         picture_ = renderer.read_colour(renderer.render(scene, settings_, request).colour);
         return count.bytes();
     }
     /// Compares the last picture with one by a new renderer.
     void expect_as_fresh(const Scene& scene) {
         Renderer fresh;
-        FrameRequest request{.width = 160, .height = 90};
-        request.outputs.visibility = true;
+        FrameRequest request{.width = 160, .height = 90, .outputs = {.visibility = true}};
         EXPECT_EQ(picture_.data, fresh.read_colour(fresh.render(scene, settings_, request).colour).data);
     }
     Settings settings_;

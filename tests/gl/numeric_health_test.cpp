@@ -48,8 +48,7 @@ protected:
         };
     }
     NumericHealth health_of(const Scene& scene, const Settings& s) {
-        FrameRequest request{.width = 96, .height = 54, .force = true};
-        request.outputs.health = true;
+        FrameRequest request{.width = 96, .height = 54, .outputs = {.health = true}, .force = true};
         ReferenceCache references;
         trace_sources(renderer, scene, s, request, references);
         const FrameResult frame = renderer.render(scene, s, request);
@@ -57,7 +56,7 @@ protected:
     }
     NumericHealth health_of(const char* scene, const Sets& sets) {
         const Scene loaded = load_scene(scene);
-        Sets small = {{"map.resolution", "128"}};
+        Sets small = {"map.resolution=128"};
         small.insert(small.end(), sets.begin(), sets.end());
         return health_of(loaded, settings_for(loaded, small));
     }
@@ -88,24 +87,12 @@ TEST_F(NumericHealthTest, FindsEachDepthFaultInEachKindOfMap) {
         const char* place;
     };
     const Kind kinds[] = {
-        {"boxes", {{"map.format", "colour"}}, "shadow map", 0, "shadow map of light 0"},
-        {"boxes", {{"map.format", "linear"}, {"light.type", "spot"}}, "shadow map", 0, "shadow map of light 0"},
-        {"stage",
-         {{"map.format", "colour"}, {"light.cascades", "4"}},
-         "shadow map",
-         2,
-         "shadow map, cascade 3 of 4 of light 0"},
-        {"boxes",
-         {{"map.format", "linear"}, {"light.type", "point"}},
-         "shadow map",
-         5,
-         "shadow map, face -z of light 0"},
-        {"boxes", {{"map.format", "colour"}, {"light.count", "2"}}, "shadow map", 1, "shadow map of light 1"},
-        {"boxes",
-         {{"map.format", "colour"}, {"map.blur_texels", "2"}},
-         "blurred shadow map",
-         0,
-         "blurred shadow map of light 0"},
+        {"boxes", {"map.format=colour"}, "shadow map", 0, "shadow map of light 0"},
+        {"boxes", {"map.format=linear", "light.type=spot"}, "shadow map", 0, "shadow map of light 0"},
+        {"stage", {"map.format=colour", "light.cascades=4"}, "shadow map", 2, "shadow map, cascade 3 of 4 of light 0"},
+        {"boxes", {"map.format=linear", "light.type=point"}, "shadow map", 5, "shadow map, face -z of light 0"},
+        {"boxes", {"map.format=colour", "light.count=2"}, "shadow map", 1, "shadow map of light 1"},
+        {"boxes", {"map.format=colour", "map.blur_texels=2"}, "blurred shadow map", 0, "blurred shadow map of light 0"},
     };
     for (const Kind& k : kinds)
         for (const auto& [value, fault] : {std::pair{kNaN, NumberFault::NotANumber},
@@ -122,37 +109,36 @@ TEST_F(NumericHealthTest, FindsEachDepthFaultInEachKindOfMap) {
 
 TEST_F(NumericHealthTest, FindsFaultyValuesOfFloatDepthBuffers) {
     inject_faults({{.image = "shadow map", .at = {3, 127}, .numbers = {kNaN}, .depth = true}});
-    const NumericHealth health = health_of("boxes", {{"map.format", "d32f"}});
+    const NumericHealth health = health_of("boxes", {"map.format=d32f"});
     // Drivers may refuse NaN.
     for (const NumberFinding& f : health.findings) EXPECT_EQ(f.first, glm::ivec2(3, 127)) << finding_text(f);
-    EXPECT_TRUE(health_of("boxes", {{"map.format", "d16"}}).findings.size() <= 1);
+    EXPECT_TRUE(health_of("boxes", {"map.format=d16"}).findings.size() <= 1);
 }
 
 TEST_F(NumericHealthTest, FindsNegativeVariancesAndOverflowsAtEveryLevel) {
     const std::string moments = "moments of light 0";
     for (const char* format : {"16-bit", "32-bit"}) {
-        const Sets vsm = {{"filter.kernel", "vsm"}, {"filter.moment_format", format}, {"filter.blur", "2"}};
+        const Sets vsm = {"filter.kernel=vsm", {"filter.moment_format", format}, "filter.blur=2"};
         expect_alone("boxes", vsm, {.image = "moments", .at = {9, 100}, .numbers = {0.5f, 0.125f}},
                      NumberFault::NegativeVariance, moments, {9, 100});
         expect_alone("boxes", vsm, {.image = "moments", .at = {0, 0}, .numbers = {kNaN, 0.5f}}, NumberFault::NotANumber,
                      moments, {0, 0});
         Sets mips = vsm;
-        mips.insert(mips.end(), {{"filter.mips", "true"}, {"filter.anisotropy", "1"}});
+        mips.insert(mips.end(), {"filter.mips=true", "filter.anisotropy=1"});
         expect_alone("boxes", mips, {.image = "moments", .level = 3, .at = {15, 2}, .numbers = {0.9f, 0.2f}},
                      NumberFault::NegativeVariance, moments + ", mip level 3", {15, 2});
-        const Sets evsm = {{"filter.kernel", "evsm4"}, {"filter.moment_format", format}};
+        const Sets evsm = {"filter.kernel=evsm4", {"filter.moment_format", format}};
         expect_alone("boxes", evsm, {.image = "moments", .at = {64, 64}, .numbers = {2, kInf, -1, 1}},
                      NumberFault::Overflow, moments, {64, 64});
         expect_alone("boxes", evsm, {.image = "moments", .at = {64, 64}, .numbers = {2, 4, 0, 1}},
                      NumberFault::Overflow, moments, {64, 64});
         expect_alone("boxes", evsm, {.image = "moments", .at = {1, 64}, .numbers = {2, 4, -1, 0.5f}},
                      NumberFault::NegativeVariance, moments, {1, 64});
-        expect_alone("boxes", {{"filter.kernel", "esm"}, {"filter.moment_format", format}},
+        expect_alone("boxes", {"filter.kernel=esm", {"filter.moment_format", format}},
                      {.image = "moments", .at = {127, 0}, .numbers = {kInf}}, NumberFault::Overflow, moments, {127, 0});
     }
     // The last of four faces' layers reports the number of its face.
-    expect_alone("boxes",
-                 {{"filter.kernel", "msm_hausdorff"}, {"filter.moment_format", "32-bit"}, {"light.type", "point"}},
+    expect_alone("boxes", {"filter.kernel=msm_hausdorff", "filter.moment_format=32-bit", "light.type=point"},
                  {.image = "moments", .layer = 4, .at = {5, 6}, .numbers = {0.5f, 0.1f, 0.1f, 0.1f}},
                  NumberFault::NegativeVariance, "moments, face +z of light 0", {5, 6});
 }
@@ -160,7 +146,7 @@ TEST_F(NumericHealthTest, FindsNegativeVariancesAndOverflowsAtEveryLevel) {
 TEST_F(NumericHealthTest, FindsFaultyPixels) {
     // Rows of pixels count from the top.
     for (const auto& [value, fault] : {std::pair{kNaN, NumberFault::NotANumber}, {-0.1f, NumberFault::OutsideRange}})
-        expect_alone("boxes", {{"light.count", "2"}},
+        expect_alone("boxes", {"light.count=2"},
                      {.image = "visibility", .layer = 1, .at = {70, 53}, .numbers = {value}}, fault,
                      "visibility of light 1", {70, 0});
 }
@@ -169,7 +155,7 @@ TEST_F(NumericHealthTest, ReportsFirstWorstAndCount) {
     inject_faults({{.image = "shadow map", .at = {90, 40}, .numbers = {1.25f}},
                    {.image = "shadow map", .at = {11, 41}, .numbers = {-7}},
                    {.image = "shadow map", .at = {12, 41}, .numbers = {1.5f}}});
-    const NumericHealth health = health_of("boxes", {{"map.format", "colour"}});
+    const NumericHealth health = health_of("boxes", {"map.format=colour"});
     ASSERT_EQ(health.findings.size(), 1u) << health_text(health);
     const NumberFinding& f = health.findings[0];
     EXPECT_EQ(f.count, 3u);
@@ -188,8 +174,7 @@ TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
         const float nan = kNaN;
         glClearTexImage(texture, 0, GL_RED, GL_FLOAT, &nan);
     };
-    const Sets sets = {
-        {"map.format", "colour"}, {"map.virtual", "true"}, {"map.resolution", "512"}, {"map.page_size", "32"}};
+    const Sets sets = {"map.format=colour", "map.virtual=true", "map.resolution=512", "map.page_size=32"};
     const NumericHealth health = health_of("boxes", sets);
     ASSERT_FALSE(health.findings.empty());
     std::uint64_t texels = 0;
@@ -201,8 +186,7 @@ TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
         texels += f.count;
     }
     const Scene scene = load_scene("boxes");
-    FrameRequest request{.width = 96, .height = 54};
-    request.outputs.health = true;
+    FrameRequest request{.width = 96, .height = 54, .outputs = {.health = true}};
     const FrameResult frame = renderer.render(scene, settings_for(scene, sets), request);
     ASSERT_TRUE(frame.pages);
     EXPECT_EQ(texels, frame.pages->read_texels());
@@ -221,7 +205,7 @@ TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
 TEST_F(NumericHealthTest, FindsMatricesThatSinglePrecisionCannotHold) {
     Scene scene = load_scene("boxes");
     scene.objects[1].world[3].x = 1e39;
-    const NumericHealth health = health_of(scene, settings_for(scene, {{"map.resolution", "64"}}));
+    const NumericHealth health = health_of(scene, settings_for(scene, {"map.resolution=64"}));
     ASSERT_FALSE(health.sound());
     bool found = false;
     for (const NumberFinding& f : health.findings)
@@ -235,8 +219,7 @@ TEST_F(NumericHealthTest, SurfacesSeenEdgeOnHaveNoFault) {
     const Scene scene = load_scene("stage");
     Settings s = stage_from_above(scene, "1024");
     const auto expect_sound = [&] {
-        FrameRequest request{.width = 295, .height = 332};
-        request.outputs.health = request.outputs.visibility = true;
+        FrameRequest request{.width = 295, .height = 332, .outputs = {.visibility = true, .health = true}};
         const auto health = renderer.numeric_health(renderer.render(scene, s, request));
         EXPECT_TRUE(health->sound()) << health_text(*health);
     };
@@ -259,7 +242,7 @@ TEST_F(NumericHealthTest, BuiltInScenesHaveNoFault) {
 
 TEST_F(NumericHealthTest, RunsOnlyWhenEnabledAndChangesNoPixel) {
     const Scene scene = load_scene("stage");
-    const Settings s = settings_for(scene, {{"map.resolution", "256"}});
+    const Settings s = settings_for(scene, {"map.resolution=256"});
     FrameRequest request{.width = 96, .height = 54};
     const FrameResult plain = renderer.render(scene, s, request);
     const ByteImage before = renderer.read_colour(plain.colour);

@@ -62,15 +62,15 @@ protected:
 const std::vector<Sets>& cases() {
     static const std::vector<Sets> all = {
         {},
-        {{"light.type", "spot"}},
-        {{"light.type", "point"}, {"filter.kernel", "pcf3"}},
-        {{"light.cascades", "4"}, {"filter.kernel", "pcf5"}},
-        {{"filter.kernel", "pcss"}, {"filter.taps", "32"}, {"filter.blocker_taps", "32"}},
-        {{"filter.kernel", "vsm"}},
-        {{"map.virtual", "true"}},
-        {{"shading.separate_visibility", "true"}, {"light.cast", "false"}},
-        {{"filter.kernel", "pcss"}, {"light.size", "0"}},
-        {{"filter.kernel", "smrt"}, {"light.size", "0"}},
+        {"light.type=spot"},
+        {"light.type=point", "filter.kernel=pcf3"},
+        {"light.cascades=4", "filter.kernel=pcf5"},
+        {"filter.kernel=pcss", "filter.taps=32", "filter.blocker_taps=32"},
+        {"filter.kernel=vsm"},
+        {"map.virtual=true"},
+        {"shading.separate_visibility=true", "light.cast=false"},
+        {"filter.kernel=pcss", "light.size=0"},
+        {"filter.kernel=smrt", "light.size=0"},
     };
     return all;
 }

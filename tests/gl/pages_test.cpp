@@ -24,16 +24,11 @@ class PagesTest : public FrameTest {
 protected:
     FloatImage visibility(Renderer& by, const Scene& scene, const Settings& s, FrameResult* frame = nullptr,
                           bool force = false) {
-        FrameRequest request{.width = 160, .height = 90, .force = force};
-        request.outputs = {.colour = false, .visibility = true};
+        FrameRequest request{
+            .width = 160, .height = 90, .outputs = {.colour = false, .visibility = true}, .force = force};
         const FrameResult f = by.render(scene, s, request);
         if (frame) *frame = f;
         return by.read_float(f.visibility, 1);
-    }
-    static std::size_t differing(const FloatImage& a, const FloatImage& b) {
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < a.data.size(); ++i) count += a.data[i] != b.data[i];
-        return count;
     }
 };
 
@@ -42,14 +37,14 @@ SI_TEST_IS(Repeated, PagesTest, PagesHoldTheTexelsOfTheWholeMap);
 // 1/256 of a texel.
 TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {
     std::size_t pixels = 0, wrong = 0, dark = 0;
-    const Sets kinds[] = {{{"filter.kernel", "hard"}, {"light.elevation", "90"}},
-                          {{"filter.kernel", "pcf5"}, {"map.reversed_z", "true"}, {"light.azimuth", "90"}},
-                          {{"filter.kernel", "poisson"}, {"light.type", "spot"}, {"map.format", "d16"}},
-                          {{"filter.kernel", "pcf3"}, {"light.type", "point"}, {"map.format", "colour"}},
-                          {{"filter.kernel", "pcf3"}, {"light.type", "spot"}, {"map.format", "linear16"}},
-                          {{"filter.kernel", "pcf3_nearest"}, {"light.cascades", "3"}, {"light.cascade_blend", "0.5"}},
-                          {{"filter.kernel", "pcss"}, {"light.fit", "manual"}, {"map.wrap", "repeat"}},
-                          {{"filter.kernel", "tent3"}, {"light.fit", "manual"}, {"map.wrap", "clamp"}}};
+    const Sets kinds[] = {{"filter.kernel=hard", "light.elevation=90"},
+                          {"filter.kernel=pcf5", "map.reversed_z=true", "light.azimuth=90"},
+                          {"filter.kernel=poisson", "light.type=spot", "map.format=d16"},
+                          {"filter.kernel=pcf3", "light.type=point", "map.format=colour"},
+                          {"filter.kernel=pcf3", "light.type=spot", "map.format=linear16"},
+                          {"filter.kernel=pcf3_nearest", "light.cascades=3", "light.cascade_blend=0.5"},
+                          {"filter.kernel=pcss", "light.fit=manual", "map.wrap=repeat"},
+                          {"filter.kernel=tent3", "light.fit=manual", "map.wrap=clamp"}};
     const Scene home = load_scene("stage");
     for (const glm::dvec3& place : {glm::dvec3(0), glm::dvec3(115, 3, -40), glm::dvec3(1e5, 20, 1e5)}) {
         const Scene scene = displaced(home, place);
@@ -57,17 +52,15 @@ TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {
             if (place.x > 0 && i % 3 != 1) continue;
             Settings s = settings_for(scene, kinds[i]);
             set_setting(s, "camera.index", "-1");  // the file's camera does not move with the scene
-            set_setting(s, "map.resolution", "450");
-            set_setting(s, "map.page_size", "32");
+            set_all(s, {"map.resolution=450", "map.page_size=32"});
             const FloatImage whole = visibility(renderer, scene, s);
-            set_setting(s, "map.virtual", "true");
-            set_setting(s, "map.virtual_levels", "1");
+            set_all(s, {"map.virtual=true", "map.virtual_levels=1"});
             FrameResult frame;
             const FloatImage paged = visibility(renderer, scene, s, &frame);
             ASSERT_TRUE(frame.pages);
             EXPECT_GT(frame.pages->drawn, 10);
             EXPECT_LT(frame.pages->drawn, int(frame.lights[0].views.size()) * 225);
-            const std::size_t differ = differing(whole, paged);
+            const std::size_t differ = differing_values(whole, paged);
             EXPECT_LE(differ, whole.data.size() / 1000) << "kind " << i << " at " << place.x;
             pixels += whole.data.size();
             wrong += differ;
@@ -83,16 +76,9 @@ TEST_F(PagesTest, CachedPagesEqualDrawnPages) {
     Scene scene = displaced(load_scene("boxes"), {115, 3, -40});
     std::mt19937 engine(2);
     const auto between = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine); };
-    Settings s = settings_for(scene, {{"map.virtual", "true"},
-                                      {"map.resolution", "512"},
-                                      {"map.page_size", "32"},
-                                      {"map.page_pool", "150"},
-                                      {"camera.source", "manual"},
-                                      {"camera.distance", "9"},
-                                      {"camera.target_x", "115"},
-                                      {"camera.target_y", "3"},
-                                      {"camera.target_z", "-40"},
-                                      {"light.elevation", "90"}});
+    Settings s = settings_for(scene, {"map.virtual=true", "map.resolution=512", "map.page_size=32", "map.page_pool=150",
+                                      "camera.source=manual", "camera.distance=9", "camera.target_x=115",
+                                      "camera.target_y=3", "camera.target_z=-40", "light.elevation=90"});
     Renderer cold;
     std::size_t kept = 0, evicted = 0, coarser = 0;
     for (int step = 0; step < 110; ++step) {
@@ -118,7 +104,7 @@ TEST_F(PagesTest, CachedPagesEqualDrawnPages) {
         FrameResult frame;
         const FloatImage a = visibility(renderer, scene, s, &frame);
         const FloatImage b = visibility(cold, scene, s, nullptr, true);
-        ASSERT_EQ(differing(a, b), 0u) << "step " << step;
+        ASSERT_EQ(differing_values(a, b), 0u) << "step " << step;
         kept += std::size_t(frame.pages->kept);
         evicted += std::size_t(frame.pages->evicted);
         coarser += std::size_t(frame.pages->coarser);
@@ -131,7 +117,7 @@ TEST_F(PagesTest, CachedPagesEqualDrawnPages) {
 
 TEST_F(PagesTest, OnlyPagesOfMovedCastersAreDrawnAgain) {
     Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "2048"}, {"map.page_size", "64"}});
+    Settings s = settings_for(scene, {"map.virtual=true", "map.resolution=2048", "map.page_size=64"});
     const auto pages = [&] {
         FrameResult frame;
         visibility(renderer, scene, s, &frame);
@@ -161,7 +147,7 @@ TEST_F(PagesTest, OnlyPagesOfMovedCastersAreDrawnAgain) {
 // With too small a pool coarser pages replace the missing ones: without holes, and with a note.
 TEST_F(PagesTest, AFullPoolReducesSharpnessOnly) {
     const Scene scene = load_scene("stage");
-    Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "1024"}, {"map.page_size", "32"}});
+    Settings s = settings_for(scene, {"map.virtual=true", "map.resolution=1024", "map.page_size=32"});
     FrameResult frame;
     const FloatImage all = visibility(renderer, scene, s, &frame);
     EXPECT_EQ(frame.pages->coarser, 0);
@@ -196,16 +182,9 @@ TEST_F(PagesTest, BlendedSurfacesReadTheirPages) {
     scene.nodes = {{.name = "glass", .local = moved(0, 0, 0)}, {.name = "card", .local = moved(0.4, 0.3, 1)}};
     scene.objects = {{.node = 0, .mesh = 0}, {.node = 1, .mesh = 1}};
     finalise(scene);
-    Settings s = settings_for(scene, {{"map.resolution", "512"},
-                                      {"map.page_size", "16"},
-                                      {"light.count", "2"},
-                                      {"light.azimuth", "20"},
-                                      {"light.1.type", "spot"},
-                                      {"light.1.azimuth", "-30"},
-                                      {"camera.source", "manual"},
-                                      {"camera.azimuth", "0"},
-                                      {"camera.elevation", "0"},
-                                      {"camera.distance", "6"}});
+    Settings s = settings_for(scene, {"map.resolution=512", "map.page_size=16", "light.count=2", "light.azimuth=20",
+                                      "light.1.type=spot", "light.1.azimuth=-30", "camera.source=manual",
+                                      "camera.azimuth=0", "camera.elevation=0", "camera.distance=6"});
     const ByteImage whole = picture(scene, s);
     s.map.paged = true;
     s.map.virtual_levels = 1;
@@ -219,10 +198,9 @@ SI_TEST_IS(Repeated, PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels);
 TEST_F(PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");
     Measurer measurer(renderer, 160, 90);
-    Settings s = settings_for(scene, {{"map.resolution", "4096"}});
+    Settings s = settings_for(scene, {"map.resolution=4096"});
     const Classification fixed = measurer.classify(scene, s);
-    set_setting(s, "map.virtual", "true");
-    set_setting(s, "map.virtual_bias", "-1");
+    set_all(s, {"map.virtual=true", "map.virtual_bias=-1"});
     const Classification paged = measurer.classify(scene, s);
     ASSERT_TRUE(paged.pages);
     const auto wrong = [](const Classification& j) { return j.error.false_shadow + j.error.false_light; };

@@ -12,13 +12,10 @@
 namespace si {
 namespace {
 
-using Extra = std::vector<std::pair<std::string, std::string>>;
-
 class PanesTest : public FrameTest {
 protected:
-    FrameResult frame(const Scene& scene, const Extra& extra) {
-        FrameRequest request = small_request();
-        request.outputs.overlay = true;
+    FrameResult frame(const Scene& scene, const Sets& extra) {
+        FrameRequest request = small_request({.overlay = true});
         return renderer.render(scene, settings_for(scene, extra), request);
     }
 };
@@ -26,7 +23,7 @@ protected:
 TEST_F(PanesTest, EachPaneIsThePictureOfItsOverlay) {
     const Scene scene = load_scene("stage");
     const char* const overlays_shown[] = {"visibility", "none", "light-uv", "depth-difference"};
-    const FrameResult f = frame(scene, {{"view.panes", "four"},
+    const FrameResult f = frame(scene, {"view.panes=four",
                                         {"view.overlay", overlays_shown[0]},
                                         {"view.overlay_2", overlays_shown[1]},
                                         {"view.overlay_3", overlays_shown[2]},
@@ -44,7 +41,7 @@ TEST_F(PanesTest, EachPaneIsThePictureOfItsOverlay) {
     for (std::size_t i = 0; i < 4; ++i) {
         // The visibility overlay needs visibility as a separate pass, for all panes.
         const FrameResult alone =
-            frame(scene, {{"view.overlay", overlays_shown[i]}, {"shading.separate_visibility", "true"}});
+            frame(scene, {{"view.overlay", overlays_shown[i]}, "shading.separate_visibility=true"});
         ASSERT_EQ(alone.panes.size(), 1u);
         EXPECT_EQ(f.panes[i].overlay, alone.panes[0].overlay);
         EXPECT_EQ(pictures[i], renderer.read_colour(alone.colour)) << overlays_shown[i];
@@ -64,8 +61,7 @@ TEST_F(PanesTest, EachPaneIsThePictureOfItsOverlay) {
 
 TEST_F(PanesTest, PanesOfOneOverlayShareItsImages) {
     const Scene scene = load_scene("boxes");
-    const FrameResult f =
-        frame(scene, {{"view.panes", "two"}, {"view.overlay", "n-dot-l"}, {"view.overlay_2", "n-dot-l"}});
+    const FrameResult f = frame(scene, {"view.panes=two", "view.overlay=n-dot-l", "view.overlay_2=n-dot-l"});
     ASSERT_EQ(f.panes.size(), 2u);
     EXPECT_EQ(f.panes[0].picture.texture, f.panes[1].picture.texture);
     EXPECT_EQ(std::count_if(f.passes.begin(), f.passes.end(),
@@ -77,13 +73,9 @@ TEST_F(PanesTest, PanesOfOneOverlayShareItsImages) {
 
 TEST_F(PanesTest, ManualRangesHoldForTheFirstPanesOverlayOnly) {
     const Scene scene = load_scene("boxes");
-    const FrameResult f = frame(scene, {{"view.panes", "four"},
-                                        {"view.overlay", "own-depth"},
-                                        {"view.overlay_2", "bias-applied"},
-                                        {"view.overlay_3", "own-depth"},
-                                        {"view.overlay_range", "manual"},
-                                        {"view.overlay_min", "0.25"},
-                                        {"view.overlay_max", "0.75"}});
+    const FrameResult f = frame(
+        scene, {"view.panes=four", "view.overlay=own-depth", "view.overlay_2=bias-applied", "view.overlay_3=own-depth",
+                "view.overlay_range=manual", "view.overlay_min=0.25", "view.overlay_max=0.75"});
     const auto range = [&](std::size_t i) { return std::pair(f.panes[i].overlay_min, f.panes[i].overlay_max); };
     EXPECT_EQ(range(0), std::pair(0.25f, 0.75f));
     EXPECT_EQ(range(1), std::pair(0.0f, 5.0f));
@@ -92,7 +84,7 @@ TEST_F(PanesTest, ManualRangesHoldForTheFirstPanesOverlayOnly) {
 
 TEST_F(PanesTest, FittedRangesFollowThePicture) {
     const Scene scene = load_scene("boxes");
-    Extra settings = {{"view.overlay", "own-depth"}, {"view.overlay_range", "fitted"}};
+    Sets settings = {"view.overlay=own-depth", "view.overlay_range=fitted"};
     const FrameResult f = frame(scene, settings);
     const auto expected = fitted_range(renderer.read_float(f.overlay, 4), false);
     ASSERT_TRUE(expected);
@@ -101,12 +93,12 @@ TEST_F(PanesTest, FittedRangesFollowThePicture) {
     EXPECT_GT(f.overlay_min, 0.01f) << "the boxes do not fill the whole range of depth";
     // The picture equals one with these numbers as manual settings.
     const ByteImage fitted = renderer.read_colour(f.colour);
-    Settings manual = settings_for(scene, {{"view.overlay", "own-depth"}, {"view.overlay_range", "manual"}});
+    Settings manual = settings_for(scene, {"view.overlay=own-depth", "view.overlay_range=manual"});
     manual.view.overlay_min = expected->min;
     manual.view.overlay_max = expected->max;
     EXPECT_EQ(fitted, picture(scene, manual));
     // The picture changes once the values change.
-    settings.push_back({"light.elevation", "80"});
+    settings.push_back("light.elevation=80");
     EXPECT_NE(frame(scene, settings).overlay_min, f.overlay_min);
     // The range is symmetric where zero is the middle of the scale.
     settings[0].second = "depth-difference";
@@ -120,10 +112,10 @@ TEST_F(PanesTest, AFileHoldsAllPanesSideBySide) {
     const auto folder = fresh_test_folder();
     for (const char* panes : {"one", "two", "four"}) {
         const Settings s = settings_for(scene, {{"view.panes", panes},
-                                                {"view.overlay", "n-dot-l"},
-                                                {"view.overlay_2", "light-uv"},
-                                                {"view.overlay_4", "normals"},
-                                                {"view.slabs", "stored"}});
+                                                "view.overlay=n-dot-l",
+                                                "view.overlay_2=light-uv",
+                                                "view.overlay_4=normals",
+                                                "view.slabs=stored"});
         const std::string path = (folder / (std::string(panes) + ".png")).string();
         const FrameRequest request{.width = 323, .height = 181};
         write_view(renderer, scene, s, request, find_view("shaded"), path);

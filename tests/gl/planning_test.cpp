@@ -54,41 +54,30 @@ protected:
 
 TEST_F(PlanningTest, ADiscardedPlanKeepsTheLastFrameReusable) {
     const std::vector<Sets> frames = {
-        {{"light.count", "2"},
-         {"light.1.type", "spot"},
-         {"light.1.elevation", "60"},
-         {"filter.kernel", "vsm"},
-         {"map.blur_texels", "1"},
-         {"bias.raster_slope", "1"},
-         {"view.panes", "two"},
-         {"view.overlay", "visibility"},
-         {"view.overlay_2", "n-dot-l"},
-         {"view.slabs", "both"},
-         {"view.map_fit", "true"}},
-        {{"light.count", "2"},
-         {"light.source", "volumes-zfail"},
-         {"light.1.source", "volumes-zfail"},
-         {"map.format", "colour"}},
+        {"light.count=2", "light.1.type=spot", "light.1.elevation=60", "filter.kernel=vsm", "map.blur_texels=1",
+         "bias.raster_slope=1", "view.panes=two", "view.overlay=visibility", "view.overlay_2=n-dot-l",
+         "view.slabs=both", "view.map_fit=true"},
+        {"light.count=2", "light.source=volumes-zfail", "light.1.source=volumes-zfail", "map.format=colour"},
     };
     const std::vector<Sets> others = {{},
-                                      {{"map.resolution", "96"}},
-                                      {{"map.format", "d16"}},
-                                      {{"filter.kernel", "hard"}},
-                                      {{"map.blur_texels", "0"}},
-                                      {{"map.blur_texels", "3"}},
-                                      {{"bias.raster_slope", "0"}},
-                                      {{"light.count", "1"}},
-                                      {{"light.count", "3"}},
-                                      {{"light.type", "point"}},
-                                      {{"light.cast", "false"}, {"light.1.cast", "false"}},
-                                      {{"light.source", "none"}},
-                                      {{"light.source", "none"}, {"light.1.source", "none"}},
-                                      {{"light.azimuth", "77"}},
-                                      {{"view.panes", "one"}, {"view.slabs", "none"}},
-                                      {{"view.map_source", "camera"}}};
+                                      {"map.resolution=96"},
+                                      {"map.format=d16"},
+                                      {"filter.kernel=hard"},
+                                      {"map.blur_texels=0"},
+                                      {"map.blur_texels=3"},
+                                      {"bias.raster_slope=0"},
+                                      {"light.count=1"},
+                                      {"light.count=3"},
+                                      {"light.type=point"},
+                                      {"light.cast=false", "light.1.cast=false"},
+                                      {"light.source=none"},
+                                      {"light.source=none", "light.1.source=none"},
+                                      {"light.azimuth=77"},
+                                      {"view.panes=one", "view.slabs=none"},
+                                      {"view.map_source=camera"}};
     for (const Sets& frame : frames) {
-        Settings s = settings_for(scene, {{"map.resolution", "64"}});
-        for (const auto& [key, value] : frame) set_setting(s, key, value);
+        Settings s = settings_for(scene, {"map.resolution=64"});
+        set_all(s, frame);
         const FrameResult first = draw(s, request(96, 72));
         std::vector<std::vector<std::uint8_t>> before;
         for (const Image& image : images(first))

@@ -45,22 +45,18 @@ TEST(PrecisionTest, EqualsASecondComputation) {
             const FloatImage coordinates = hard_renderer().read_float(frame.map_coordinates, 4);
             const RayReference rays(scene);
             int compared = 0;
-            for (int y = 2; y < kHeight; y += 5)
-                for (int x = 2; x < kWidth; x += 5) {
-                    glm::dvec3 origin, dir;
-                    frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
-                    const auto hit = rays.first_hit(origin, dir);
-                    const float told = frame.precision->error.at(x, y, 0);
-                    if (!hit || std::isnan(told) || coordinates.at(x, y, 3) == 0) continue;
-                    const LightView& view = frame.lights[0].views[std::size_t(coordinates.at(x, y, 2))];
-                    const glm::dvec2 looked_up(coordinates.at(x, y, 0), coordinates.at(x, y, 1));
-                    const double texels =
-                        glm::distance(glm::dvec2(uvdw(view, hit->position)), looked_up) * frame.map_resolution;
-                    // At a triangle's edge a pixel's ray may miss the triangle whose rounded corners cover the pixel.
-                    if (texels > 50 && told < 50) continue;
-                    EXPECT_NEAR(told, texels, 2e-3 * texels + 2e-4) << int(type) << " " << x << "," << y;
-                    ++compared;
-                }
+            for (const auto& [x, y, hit] : pixel_hits(rays, frame.camera, kWidth, kHeight, 5, 2)) {
+                const float told = frame.precision->error.at(x, y, 0);
+                if (std::isnan(told) || coordinates.at(x, y, 3) == 0) continue;
+                const LightView& view = frame.lights[0].views[std::size_t(coordinates.at(x, y, 2))];
+                const glm::dvec2 looked_up(coordinates.at(x, y, 0), coordinates.at(x, y, 1));
+                const double texels =
+                    glm::distance(glm::dvec2(uvdw(view, hit.position)), looked_up) * frame.map_resolution;
+                // At a triangle's edge a pixel's ray may miss the triangle whose rounded corners cover the pixel.
+                if (texels > 50 && told < 50) continue;
+                EXPECT_NEAR(told, texels, 2e-3 * texels + 2e-4) << int(type) << " " << x << "," << y;
+                ++compared;
+            }
             EXPECT_GT(compared, 20) << int(type);
         }
 }

@@ -21,7 +21,7 @@ TEST_F(ProxySceneTest, NeedsTheProgramsOfItsScene) {
     const FrameRequest small_frame = small_request();
     for (const std::string& name : names) {
         const Scene scene = load_scene(name);
-        const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
+        const Settings s = settings_for(scene, {"filter.kernel=pcf3"});
         const Scene small = stand_in(scene, s);
         EXPECT_LT(glm::distance(small.bounds.lo, scene.bounds.lo), 0.05 * scene.bounds.radius()) << name;
         EXPECT_LT(glm::distance(small.bounds.hi, scene.bounds.hi), 0.05 * scene.bounds.radius()) << name;

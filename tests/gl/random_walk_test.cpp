@@ -25,13 +25,10 @@ public:
     explicit RandomWalk(unsigned seed) : random_(seed) {
         for (const char* name : {"boxes", "figures"}) {
             Stop stop{.scene = load_scene(name), .settings = {}};
-            stop.settings = settings_for(
-                stop.scene, {{"map.resolution", "256"}, {"camera.source", "manual"}, {"light.fit", "scene"}});
+            stop.settings = settings_for(stop.scene, {"map.resolution=256", "camera.source=manual", "light.fit=scene"});
             const Bounds& b = stop.scene.bounds;
             CameraSettings& c = stop.settings.camera;
-            c.target_x = b.centre().x;
-            c.target_y = b.centre().y;
-            c.target_z = b.centre().z;
+            set_target(c, b.centre());
             stops_.push_back(std::move(stop));
         }
     }
@@ -189,10 +186,9 @@ TEST_F(RandomWalkTest, MapsReplacedByAnotherLightAreDrawnAgain) {
     Stop stops[2];
     for (int i = 0; i < 2; ++i) {
         stops[i].scene = scene;
-        stops[i].settings = settings_for(scene, {{"light.count", "2"},
-                                                 {"light.1.azimuth", "200"},
-                                                 {fmt::format("light.{}.cast", i), "false"},
-                                                 {"map.resolution", "128"}});
+        stops[i].settings = settings_for(
+            scene,
+            {"light.count=2", "light.1.azimuth=200", {fmt::format("light.{}.cast", i), "false"}, "map.resolution=128"});
     }
     for (const int i : {0, 1, 0, 1})
         EXPECT_EQ(draw(renderer, stops[i], {}) == draw(other, stops[i], {.force = true}), true) << i;

@@ -17,11 +17,6 @@ using test::Json;
 
 class RealScenes : public FrameTest {
 protected:
-    FloatImage visibility(const Scene& scene, const Settings& s) {
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .visibility = true};
-        return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-    }
     /// Returns the mean column and the number of pixels in shadow.
     glm::dvec2 shadow(const Scene& scene, const Settings& s) {
         const FloatImage v = visibility(scene, s);
@@ -35,11 +30,8 @@ protected:
         return {count > 0 ? sum / count : -1, count};
     }
     /// Returns the middle pixel of an overlay's picture.
-    glm::dvec3 middle(const Scene& scene, Settings s, const char* overlay) {
-        set_setting(s, "view.overlay", overlay);
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .overlay = true};
-        const FloatImage v = renderer.read_float(renderer.render(scene, s, request).overlay, 4);
+    glm::dvec3 middle(const Scene& scene, const Settings& s, const char* overlay) {
+        const FloatImage v = overlay_values(scene, s, overlay);
         const int x = v.width / 2, y = v.height / 2;
         return {v.at(x, y, 0), v.at(x, y, 1), v.at(x, y, 2)};
     }
@@ -148,7 +140,7 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
             const Scene scene = mapped_floor(c.map, tangents, c.local);
             const std::string distance = c.local == tiny ? "0.000003" : "3";
             Settings s = settings_for(
-                scene, {{"camera.source", "manual"}, {"camera.elevation", c.elevation}, {"camera.distance", distance}});
+                scene, {"camera.source=manual", {"camera.elevation", c.elevation}, {"camera.distance", distance}});
             const glm::dvec3 n = middle(scene, s, "normals") * 2.0 - 1.0;
             EXPECT_LE(glm::distance(n, c.expected), 0.015)
                 << c.name << (tangents ? " with tangents: " : ": ") << n.x << ' ' << n.y << ' ' << n.z;
@@ -171,8 +163,7 @@ TEST_F(RealScenes, TangentsOfTheFileOrientNormalMaps) {
         Scene scene = mapped_floor(c.map, true);
         scene.meshes[0].tangents.assign(4, c.tangent);
         finalise(scene);
-        const Settings s =
-            settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"camera.distance", "3"}});
+        const Settings s = settings_for(scene, {"camera.source=manual", "camera.elevation=60", "camera.distance=3"});
         const glm::dvec3 n = middle(scene, s, "normals") * 2.0 - 1.0;
         EXPECT_LE(glm::distance(n, c.expected), 0.015) << n.x << ' ' << n.y << ' ' << n.z;
     }
@@ -191,12 +182,9 @@ TEST_F(RealScenes, PosesShareTexturesAndOtherScenesDoNot) {
         return scene;
     };
     const auto normal = [&](Renderer& r, const Scene& scene) {
-        Settings s = settings_for(scene, {{"camera.source", "manual"},
-                                          {"camera.elevation", "60"},
-                                          {"camera.distance", "3"},
-                                          {"view.overlay", "normals"}});
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .overlay = true};
+        Settings s = settings_for(
+            scene, {"camera.source=manual", "camera.elevation=60", "camera.distance=3", "view.overlay=normals"});
+        FrameRequest request = small_request({.colour = false, .overlay = true});
         return r.read_float(r.render(scene, s, request).overlay, 4).data;
     };
     Scene scene = moving({0.6f, 0, 0.8f}), other = moving({0, 0.6f, 0.8f});
@@ -223,12 +211,8 @@ TEST_F(RealScenes, TheBiasFollowsTheChosenNormal) {
     scene.meshes[0].tangents.assign(4, glm::vec4(glm::vec3(tangent), 1));
     finalise(scene);
     const glm::dvec3 mapped = 0.6 * tangent + 0.8 * vertex;
-    const Settings base = settings_for(scene, {{"light.0.azimuth", "90"},
-                                               {"light.0.elevation", "45"},
-                                               {"bias.unit", "texels"},
-                                               {"bias.constant", "0"},
-                                               {"bias.slope", "1"},
-                                               {"bias.normal", "0"}});
+    const Settings base = settings_for(scene, {"light.0.azimuth=90", "light.0.elevation=45", "bias.unit=texels",
+                                               "bias.constant=0", "bias.slope=1", "bias.normal=0"});
     for (const auto& [source, normal] :
          {std::pair<const char*, glm::dvec3>{"geometric", {0, 1, 0}}, {"shading", vertex}, {"mapped", mapped}}) {
         Settings s = base;

@@ -124,19 +124,19 @@ SI_TESTS_ARE(DriverIndependent, SectionTest);
 SI_TEST_IS(Repeated, SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap);
 TEST_F(SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
-    const std::vector<Sets> kinds{{{"light.type", "directional"}},
-                                  {{"light.type", "directional"}, {"map.format", "d16"}},
-                                  {{"map.reversed_z", "true"}},
-                                  {{"light.fit", "lispsm"}},
-                                  {{"light.cascades", "3"}, {"light.fit", "view"}},
-                                  {{"light.type", "spot"}},
-                                  {{"light.type", "spot"}, {"map.reversed_z", "true"}},
-                                  {{"light.type", "spot"}, {"map.format", "linear"}},
-                                  {{"light.type", "point"}},
-                                  {{"light.type", "point"}, {"map.format", "linear16"}, {"map.reversed_z", "true"}}};
+    const std::vector<Sets> kinds{{"light.type=directional"},
+                                  {"light.type=directional", "map.format=d16"},
+                                  {"map.reversed_z=true"},
+                                  {"light.fit=lispsm"},
+                                  {"light.cascades=3", "light.fit=view"},
+                                  {"light.type=spot"},
+                                  {"light.type=spot", "map.reversed_z=true"},
+                                  {"light.type=spot", "map.format=linear"},
+                                  {"light.type=point"},
+                                  {"light.type=point", "map.format=linear16", "map.reversed_z=true"}};
     for (const Sets& kind : kinds) {
         Settings s = test::texel_settings("pcf3", 256, 1);
-        for (const auto& [key, value] : kind) set_setting(s, key, value);
+        set_all(s, kind);
         const std::string name = kind.front().second + (kind.size() > 1 ? " " + kind[1].second : "");
         int steps = 0, nearer = 0;
         for (const glm::ivec2 pixel : {glm::ivec2(80, 60), {66, 58}, {64, 66}, {72, 70}, {94, 66}, {84, 48}}) {

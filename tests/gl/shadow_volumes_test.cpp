@@ -8,6 +8,7 @@
 #include "renderer/render/reference_frames.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -96,7 +97,7 @@ TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
                              settings_for(scene, {{"light.type", type},
                                                   {"light.azimuth", azimuth},
                                                   {"light.elevation", elevation},
-                                                  {"volumes.allow_large", "true"}}),
+                                                  "volumes.allow_large=true"}),
                              std::string(name) == "plane" || std::string(name) == "relief" ? 0 : 100);
             }
     }
@@ -123,11 +124,8 @@ TEST_F(ShadowVolumesTest, ZPassFailsWithTheCameraInside) {
     }
     // The camera is under a sheet with the sun straight above, then outside the sheet's shadow.
     const Scene sheet = test::floor_under_sheet({});
-    Settings s = test::hard_settings();
-    s.lights[0].elevation = 90;
-    s.camera.target_y = 0.5;
-    s.camera.elevation = 10;
-    s.camera.distance = 1.2;
+    Settings s = settings_with(test::hard_settings(), {"light.elevation=90", "camera.target_y=0.5",
+                                                       "camera.elevation=10", "camera.distance=1.2"});
     EXPECT_GT(differing(sheet, s), 0.5);
     s.camera.distance = 8;
     s.camera.elevation = 30;
@@ -164,16 +162,15 @@ Scene room(bool inside_out) {
 TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
     for (const bool inside_out : {false, true}) {
         const Scene scene = room(inside_out);
-        const std::vector<std::pair<std::string, std::string>> camera = {
-            {"camera.source", "manual"}, {"camera.target_x", "0"}, {"camera.target_y", "-0.4"},
-            {"camera.target_z", "-1"},   {"camera.azimuth", "20"}, {"camera.elevation", "10"},
-            {"camera.distance", "3"},    {"camera.fov", "70"}};
-        for (const auto& light : std::vector<std::vector<std::pair<std::string, std::string>>>{
-                 {{"light.type", "directional"}},
-                 {{"light.type", "directional"}, {"light.elevation", "90"}},
-                 {{"light.type", "point"}, {"light.distance", "1.1"}, {"light.elevation", "60"}},
-                 {{"light.type", "spot"}, {"light.distance", "1.3"}, {"light.elevation", "90"}, {"light.cone", "150"}},
-                 {{"light.type", "point"}, {"light.distance", "20"}}}) {
+        const Sets camera = {"camera.source=manual", "camera.target_x=0", "camera.target_y=-0.4",
+                             "camera.target_z=-1",   "camera.azimuth=20", "camera.elevation=10",
+                             "camera.distance=3",    "camera.fov=70"};
+        for (const auto& light :
+             std::vector<Sets>{{"light.type=directional"},
+                               {"light.type=directional", "light.elevation=90"},
+                               {"light.type=point", "light.distance=1.1", "light.elevation=60"},
+                               {"light.type=spot", "light.distance=1.3", "light.elevation=90", "light.cone=150"},
+                               {"light.type=point", "light.distance=20"}}) {
             auto all = camera;
             all.insert(all.end(), light.begin(), light.end());
             SCOPED_TRACE(testing::Message() << inside_out << " " << light[0].second << " " << light.back().second);
@@ -185,13 +182,13 @@ TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
     for (const char* elevation : {"5", "20", "60"}) {
         SCOPED_TRACE(elevation);
         expect_exact(boxes,
-                     settings_for(boxes, {{"light.azimuth", "180"},
+                     settings_for(boxes, {"light.azimuth=180",
                                           {"light.elevation", elevation},
-                                          {"camera.source", "manual"},
-                                          {"camera.azimuth", "0"},
-                                          {"camera.elevation", "3"},
-                                          {"camera.distance", "4"},
-                                          {"camera.near", "0.4"}}),
+                                          "camera.source=manual",
+                                          "camera.azimuth=0",
+                                          "camera.elevation=3",
+                                          "camera.distance=4",
+                                          "camera.near=0.4"}),
                      100);
     }
 }
@@ -207,12 +204,12 @@ TEST_F(ShadowVolumesTest, AreExactAtTheNearAndFarPlanes) {
                     expect_exact(scene,
                                  settings_for(scene, {{"light.type", type},
                                                       {"light.azimuth", azimuth},
-                                                      {"light.elevation", "25"},
-                                                      {"camera.source", "manual"},
+                                                      "light.elevation=25",
+                                                      "camera.source=manual",
                                                       {"camera.orthographic", parallel},
-                                                      {"camera.distance", "8"},
-                                                      {"camera.azimuth", "35"},
-                                                      {"camera.elevation", "25"},
+                                                      "camera.distance=8",
+                                                      "camera.azimuth=35",
+                                                      "camera.elevation=25",
                                                       {"camera.near", near},
                                                       {"camera.far", far}}),
                                  50);
@@ -233,7 +230,7 @@ TEST_F(ShadowVolumesTest, AreExactAlongTheView) {
             expect_exact(scene,
                          settings_for(scene, {{"light.azimuth", azimuth},
                                               {"light.elevation", elevation},
-                                              {"camera.source", "manual"},
+                                              "camera.source=manual",
                                               {"camera.orthographic", parallel},
                                               {"camera.azimuth", camera_azimuth},
                                               {"camera.elevation", camera_elevation}}),
@@ -260,13 +257,9 @@ TEST_F(ShadowVolumesTest, ObjectsThatDoNotCastOrReceiveAreLeftOut) {
 
 TEST_F(ShadowVolumesTest, LightsMayMixVolumesAndMaps) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"light.count", "3"},
-                                      {"light.0.source", "volumes-zfail"},
-                                      {"light.1.type", "spot"},
-                                      {"light.1.azimuth", "70"},
-                                      {"light.2.type", "point"},
-                                      {"light.2.azimuth", "140"},
-                                      {"light.2.source", "volumes-zfail"}});
+    Settings s =
+        settings_for(scene, {"light.count=3", "light.0.source=volumes-zfail", "light.1.type=spot", "light.1.azimuth=70",
+                             "light.2.type=point", "light.2.azimuth=140", "light.2.source=volumes-zfail"});
     const auto layer = [&](const Settings& of, int light) {
         Settings shown = of;
         shown.view.light = light;
@@ -284,7 +277,7 @@ TEST_F(ShadowVolumesTest, LightsMayMixVolumesAndMaps) {
 // The plan reports each pass, its reason and its costs; unchanged results are cached.
 TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"light.source", "volumes-zfail"}});
+    Settings s = settings_for(scene, {"light.source=volumes-zfail"});
     FrameRequest colour = small_request();
     FrameResult f = renderer.render(scene, s, colour);
     const auto state = [&](const char* name) { return f.pass(name)->state; };
@@ -313,12 +306,9 @@ TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
 // Scenes with too many open triangles draw no volumes without consent: the light has no shadow, and the plan and a
 // note report the cost.
 TEST_F(ShadowVolumesTest, LargeVolumesNeedConsent) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2, 2, 101, 100), grey), moved(0, 1, 0));
-    finalise(scene);
-    Settings s = settings_for(scene, {{"light.source", "volumes-zfail"}});
+    const Scene scene =
+        test::grey_scene({{"floor", make_plane(10, 10)}, {"sheet", make_plane(2, 2, 101, 100), moved(0, 1, 0)}});
+    Settings s = settings_for(scene, {"light.source=volumes-zfail"});
     FrameResult f = renderer.render(scene, s, request);
     EXPECT_EQ(f.pass("shadow volumes 0")->state, PassState::Skipped);
     ASSERT_EQ(f.notes.size(), 1u);

@@ -112,7 +112,7 @@ TEST_F(SlabsTest, LieAtTheStoredDepth) {
 
 TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"light.fit", "scene"}, {"map.resolution", "256"}, {"view.slabs_texels", "16"}});
+    Settings s = settings_for(scene, {"light.fit=scene", "map.resolution=256", "view.slabs_texels=16"});
     const ByteImage without = picture(scene, s);
     s.view.slabs = Slabs::Both;
     const FrameResult f = renderer.render(scene, s, small_request());
@@ -142,13 +142,9 @@ TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
 TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
     // Light straight down on the floor: as stored, its slabs lie in the floor and show; with bias they lie beneath.
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"light.elevation", "90"},
-                                      {"map.resolution", "128"},
-                                      {"view.slabs_u", "0.25"},
-                                      {"view.slabs_v", "0.25"},
-                                      {"view.slabs_texels", "24"},
-                                      {"bias.unit", "metres"},
-                                      {"bias.constant", "0.3"}});
+    Settings s =
+        settings_for(scene, {"light.elevation=90", "map.resolution=128", "view.slabs_u=0.25", "view.slabs_v=0.25",
+                             "view.slabs_texels=24", "bias.unit=metres", "bias.constant=0.3"});
     const ByteImage without = picture(scene, s);
     const auto strongly = [&](Slabs which) {
         s.view.slabs = which;
@@ -172,7 +168,7 @@ TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
 
 TEST_F(SlabsTest, AreDrawnInEveryPane) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_for(scene, {{"view.panes", "two"}, {"view.overlay_2", "n-dot-l"}, {"map.resolution", "128"}});
+    Settings s = settings_for(scene, {"view.panes=two", "view.overlay_2=n-dot-l", "map.resolution=128"});
     const auto panes = [&] {
         std::vector<ByteImage> out;
         for (const Pane& p : renderer.render(scene, s, small_request()).panes)

@@ -20,8 +20,7 @@ protected:
     Workers workers{.threads = 2};
 
     static FrameRequest asks_for_visibility() {
-        FrameRequest request{.width = 161, .height = 93};
-        request.outputs = {.colour = false, .visibility = true};
+        FrameRequest request{.width = 161, .height = 93, .outputs = {.colour = false, .visibility = true}};
         return request;
     }
     FloatImage visibility(const Scene& scene, const Settings& s) {
@@ -56,8 +55,7 @@ TEST_F(SourcesTest, OnlyShadowMapsDrawMaps) {
         for (const char* type : {"directional", "spot", "point"}) {
             SCOPED_TRACE(testing::Message() << source.key << " " << type);
             const Settings s = settings_for(scene, {{"light.type", type}, {"light.source", std::string(source.key)}});
-            FrameRequest request = small_request();
-            request.outputs.visibility = request.outputs.shadow_map = true;
+            FrameRequest request = small_request({.shadow_map = true, .visibility = true});
             const FrameResult f = render_with_reference(renderer, scene, s, request, cache, workers);
             EXPECT_EQ(f.lights[0].casts, source.needs.map);
             EXPECT_TRUE(f.lights[0].shadowed);
@@ -83,16 +81,8 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             test::move_scene(scene, place.at);
             Settings s = test::hard_settings();
             set_setting(s, "light.source", "blob");
-            LightSettings& light = s.lights[0];
-            light.type = type;
-            light.azimuth = place.azimuth;
-            light.elevation = place.elevation;
-            if (type != LightType::Directional) {
-                light.distance = 9;
-                light.cone = 90;
-            }
+            test::place_light(s, type, place);
             s.blob = {.size = 1.5, .softness = 0.4, .opacity = 0.8, .reach = 6};
-            test::move_camera(s, place.at);
             const test::Shot shot = test::draw_shot(scene, s, 160, 120);
             const test::RayReference rays(scene);
             const FittedLight& fitted = shot.light();
@@ -104,22 +94,18 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             for (int k = 0; k < 3; ++k) squares -= std::pow(half[k] * axis[k], 2);
             const double radius = 1.5 * std::sqrt(squares / 2);
             int dark = 0, lit = 0;
-            for (int y = 0; y < shot.height; ++y)
-                for (int x = 0; x < shot.width; ++x) {
-                    glm::dvec3 origin, dir;
-                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-                    const auto hit = rays.first_hit(origin, dir);
-                    if (!hit || std::abs(hit->position.y - place.at.y) > 1e-3) continue;
-                    const glm::dvec3 from = hit->position - middle;
-                    const double along = glm::dot(from, axis), across = glm::length(from - axis * along);
-                    const double spread = fitted.type == LightType::Directional ? 1 : 1 + along / glm::length(away);
-                    const double rim = std::clamp((1 - across / (radius * spread)) / 0.4, 0.0, 1.0);
-                    const double fades =
-                        std::clamp(along / radius / 0.25, 0.0, 1.0) * std::clamp(1 - along / radius / 6, 0.0, 1.0);
-                    const double expected = 1 - 0.8 * rim * fades;
-                    ASSERT_NEAR(shot.visibility.at(x, y), expected, 5e-3) << x << ' ' << y;
-                    expected < 0.5 ? ++dark : ++lit;
-                }
+            for (const auto& [x, y, hit] : test::pixel_hits(rays, shot)) {
+                if (std::abs(hit.position.y - place.at.y) > 1e-3) continue;
+                const glm::dvec3 from = hit.position - middle;
+                const double along = glm::dot(from, axis), across = glm::length(from - axis * along);
+                const double spread = fitted.type == LightType::Directional ? 1 : 1 + along / glm::length(away);
+                const double rim = std::clamp((1 - across / (radius * spread)) / 0.4, 0.0, 1.0);
+                const double fades =
+                    std::clamp(along / radius / 0.25, 0.0, 1.0) * std::clamp(1 - along / radius / 6, 0.0, 1.0);
+                const double expected = 1 - 0.8 * rim * fades;
+                ASSERT_NEAR(shot.visibility.at(x, y), expected, 5e-3) << x << ' ' << y;
+                expected < 0.5 ? ++dark : ++lit;
+            }
             EXPECT_GT(dark, 40);
             EXPECT_GT(lit, 1000);
         }
@@ -131,10 +117,10 @@ TEST_F(SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture) {
     for (const Source& source : sources()) {
         if (!source.fused) continue;
         SCOPED_TRACE(source.key);
-        Settings s = settings_for(scene, {{"light.count", "2"},
+        Settings s = settings_for(scene, {"light.count=2",
                                           {"light.0.source", std::string(source.key)},
-                                          {"light.1.type", "spot"},
-                                          {"light.1.elevation", "60"}});
+                                          "light.1.type=spot",
+                                          "light.1.elevation=60"});
         const FrameResult fused = renderer.render(scene, s, small_request());
         EXPECT_NE(fused.pass("shading (with visibility)"), nullptr);
         const ByteImage picture = renderer.read_colour(fused.colour);
@@ -157,9 +143,9 @@ TEST_F(SourcesTest, TracedEqualsTheReference) {
                 SCOPED_TRACE(testing::Message() << type << " " << elevation << " " << area);
                 Settings s = settings_for(scene, {{"light.type", type},
                                                   {"light.elevation", elevation},
-                                                  {"light.source", "traced"},
-                                                  {"light.size", "2"},
-                                                  {"truth.samples", "64"}});
+                                                  "light.source=traced",
+                                                  "light.size=2",
+                                                  "truth.samples=64"});
                 s.truth.area = area;
                 s.truth.step = area ? 2 : 1;
                 const FloatImage v = visibility(scene, s);
@@ -179,12 +165,8 @@ TEST_F(SourcesTest, TracedEqualsTheReference) {
 SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwnSource);
 TEST_F(SourcesTest, EachLightHasItsOwnSource) {
     const Scene scene = load_scene("stage");
-    Settings s = settings_for(scene, {{"light.count", "3"},
-                                      {"light.1.type", "spot"},
-                                      {"light.1.azimuth", "60"},
-                                      {"light.1.source", "traced"},
-                                      {"light.2.type", "point"},
-                                      {"light.2.azimuth", "100"}});
+    Settings s = settings_for(scene, {"light.count=3", "light.1.type=spot", "light.1.azimuth=60",
+                                      "light.1.source=traced", "light.2.type=point", "light.2.azimuth=100"});
     Settings maps = s;
     maps.lights[1].source = 0;
     for (const int light : {0, 2}) {
@@ -197,8 +179,8 @@ TEST_F(SourcesTest, EachLightHasItsOwnSource) {
 
 TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndANoteReportsIt) {
     const Scene scene = load_scene("boxes");
-    const Settings s = settings_for(scene, {{"light.source", "traced"}});
-    const Settings none = settings_for(scene, {{"light.source", "none"}});
+    const Settings s = settings_for(scene, {"light.source=traced"});
+    const Settings none = settings_for(scene, {"light.source=none"});
     FrameRequest request = small_request();
     const FrameResult untraced = renderer.render(scene, s, request);
     ASSERT_EQ(untraced.traced.size(), 1u);
@@ -221,11 +203,10 @@ SI_TEST_IS(Repeated, SourcesTest, TheReferencePictureEqualsTheTracedSource);
 // The reference picture equals the row's result.
 TEST_F(SourcesTest, TheReferencePictureEqualsTheTracedSource) {
     const Scene scene = load_scene("stage");
-    Settings s = settings_for(scene, {{"light.count", "2"}, {"light.1.type", "spot"}, {"map.resolution", "256"}});
+    Settings s = settings_for(scene, {"light.count=2", "light.1.type=spot", "map.resolution=256"});
     for (const int light : {0, 1}) {
         s.view.light = light;
-        FrameRequest request = small_request();
-        request.outputs.true_colour = true;
+        FrameRequest request = small_request({.true_colour = true});
         const ByteImage reference =
             renderer.read_colour(render_with_reference(renderer, scene, s, request, cache, workers).true_colour);
         Settings traced = s;
@@ -247,8 +228,8 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap) {
     for (const char* type : {"directional", "point"})
         for (const bool area : {false, true}) {
             SCOPED_TRACE(testing::Message() << type << " " << area);
-            Settings s = settings_for(
-                scene, {{"light.type", type}, {"light.source", "none"}, {"light.size", "1"}, {"truth.samples", "64"}});
+            Settings s =
+                settings_for(scene, {{"light.type", type}, "light.source=none", "light.size=1", "truth.samples=64"});
             s.truth.area = area;
             const Reference t = reference(scene, s, 0);
             std::size_t dark = 0, penumbra = 0;
@@ -282,7 +263,7 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap) {
 
 TEST_F(SourcesTest, AProbeReportsTheSourcesVisibility) {
     const Scene scene = load_scene("boxes");
-    const Settings s = settings_for(scene, {{"light.source", "traced"}});
+    const Settings s = settings_for(scene, {"light.source=traced"});
     FrameRequest request = asks_for_visibility();
     const FloatImage v =
         renderer.read_float(render_with_reference(renderer, scene, s, request, cache, workers).visibility, 1);

@@ -64,8 +64,7 @@ TEST_F(SurfaceIdsTest, AreCachedAndFollowTheCamera) {
     set_setting(settings, "bias.constant", "7");
     EXPECT_EQ(draw(scene, settings).data, first.data);
     EXPECT_EQ(frame.pass("surface ids")->state, PassState::Cached);
-    set_setting(settings, "camera.source", "manual");
-    set_setting(settings, "camera.azimuth", "100");
+    set_all(settings, {"camera.source=manual", "camera.azimuth=100"});
     EXPECT_NE(draw(scene, settings).data, first.data);
     const FrameResult other = renderer.render(scene, settings, small_request());
     EXPECT_EQ(other.pass("surface ids")->state, PassState::Skipped);
@@ -104,30 +103,25 @@ TEST_F(SurfaceIdsTest, MasksAgreeWithTheReferenceAtMipLevelZero) {
     for (const bool nearest : {true, false})
         for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp, TextureWrap::Mirror}) {
             const Scene scene = masked_quad(nearest, wrap);
-            const Settings settings = settings_for(scene, {{"camera.source", "manual"},
-                                                           {"camera.azimuth", "20"},
-                                                           {"camera.elevation", "15"},
-                                                           {"camera.distance", "3"},
-                                                           {"camera.target_y", "1"}});
+            const Settings settings =
+                settings_for(scene, {"camera.source=manual", "camera.azimuth=20", "camera.elevation=15",
+                                     "camera.distance=3", "camera.target_y=1"});
             const SurfaceIds drawn = draw(scene, settings, 400, 300);
             const SurfaceIds behind = test::ids_by_rays(scene, frame.camera, 400, 300);  // ignores masks
             const ReferenceGeometry geometry(scene, settings);
             const AlphaMask& mask = *geometry.objects[0].mesh->mask;
             std::size_t holes = 0, solid = 0, wrong = 0;
-            for (int y = 0; y < 300; ++y)
-                for (int x = 0; x < 400; ++x) {
-                    const std::size_t i = std::size_t(y) * 400 + std::size_t(x);
-                    if (!behind.data[i].x) continue;
-                    const TriangleWs t = geometry.triangle(0, behind.data[i].y);
-                    glm::dvec3 origin, dir;
-                    frame.camera.pixel_ray(x, y, 400, 300, origin, dir);
-                    const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, p = glm::cross(dir, e2), s = origin - t.a;
-                    const double det = glm::dot(e1, p);
-                    const bool is_solid =
-                        mask.is_solid(behind.data[i].y, glm::dot(s, p) / det, glm::dot(dir, glm::cross(s, e1)) / det);
-                    ++(is_solid ? solid : holes);
-                    wrong += is_solid != (drawn.data[i].x != 0);
-                }
+            for (const auto& [x, y, origin, dir] : test::pixel_rays(frame.camera, 400, 300)) {
+                const std::size_t i = std::size_t(y) * 400 + std::size_t(x);
+                if (!behind.data[i].x) continue;
+                const TriangleWs t = geometry.triangle(0, behind.data[i].y);
+                const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, p = glm::cross(dir, e2), s = origin - t.a;
+                const double det = glm::dot(e1, p);
+                const bool is_solid =
+                    mask.is_solid(behind.data[i].y, glm::dot(s, p) / det, glm::dot(dir, glm::cross(s, e1)) / det);
+                ++(is_solid ? solid : holes);
+                wrong += is_solid != (drawn.data[i].x != 0);
+            }
             EXPECT_GT(holes, 5000u);
             EXPECT_GT(solid, 5000u);
             // The quad's outline is snapped, and single precision decides at the alpha cutoff.
@@ -141,8 +135,7 @@ TEST_F(SurfaceIdsTest, ReferenceAndShadowMapHoldTheSameTriangles) {
             Session session = open_session({.scene = name, .sets = {time, "light.0.type=directional"}});
             const std::size_t first = std::size_t(session.scene.objects[0].node);
             set_setting(session.settings, "object." + session.scene.nodes[first].path + ".cast", "false");
-            FrameRequest request = small_request();
-            request.outputs = {.colour = false, .shadow_map = true};
+            FrameRequest request = small_request({.colour = false, .shadow_map = true});
             request.force = true;
             const FrameResult result = renderer.render(session.scene, session.settings, request);
             ASSERT_EQ(result.passes[0].state, PassState::Drawn) << name;

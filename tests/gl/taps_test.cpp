@@ -148,12 +148,10 @@ TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {
             s.filter.size = size;
             const int pairs = size / 2 + 1;
             EXPECT_EQ(cost_of(s).sampler_taps, pairs * pairs) << kernel << " " << size;
-            FrameRequest request{.width = 96, .height = 72};
-            request.outputs = {.colour = false, .visibility = true};
             std::vector<FloatImage> pictures;
             for (const char* method : {"gather", "sampler"}) {
                 set_setting(s, "filter.method", method);
-                pictures.push_back(renderer.read_float(renderer.render(scene, s, request).visibility, 1));
+                pictures.push_back(visibility(scene, s, {.width = 96, .height = 72}));
             }
             double worst = 0;
             int soft = 0;
@@ -204,8 +202,8 @@ TEST_F(TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside) {
 
 TEST_F(TapsTest, TexelsReadAreTheTapsOfAllPixels) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    FrameRequest request{.width = 12, .height = 8};
-    request.outputs = {.colour = false, .map_coordinates = true, .texels_read = true};
+    FrameRequest request{
+        .width = 12, .height = 8, .outputs = {.colour = false, .map_coordinates = true, .texels_read = true}};
     for (const char* kernel : {"hard", "tent3", "pcf3", "tent5", "poisson"})
         for (const char* wrap : {"border", "repeat"}) {
             SCOPED_TRACE(std::string(kernel) + " " + wrap);

@@ -9,14 +9,11 @@
 namespace si {
 namespace {
 
-using Change = std::vector<std::pair<std::string, std::string>>;
-
 class ViewChoiceTest : public FrameTest {
 protected:
     /// Compares both choices at every pixel that reads the map. @return pixels by view
     std::vector<std::size_t> compare(const Scene& scene, const Settings& s) {
-        FrameRequest request = small_request();
-        request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
+        FrameRequest request = small_request({.colour = false, .shadow_map = true, .map_coordinates = true});
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
         const ReferenceTask task = reference_task(renderer, scene, s, request, 0);
@@ -46,7 +43,7 @@ SI_TESTS_ARE(Repeated, ViewChoiceTest);
 TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameFace) {
     Scene scene = load_scene("boxes");
     for (const char* elevation : {"90", "30"})
-        for (const Change& kind : {Change{{"light.type", "point"}}, {{"light.type", "spot"}, {"light.cone", "250"}}}) {
+        for (const Sets& kind : {Sets{"light.type=point"}, {"light.type=spot", "light.cone=250"}}) {
             Settings s = settings_for(scene, kind);
             set_setting(s, "light.elevation", elevation);
             set_setting(s, "light.distance", "4");
@@ -60,12 +57,12 @@ TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameCascade) {
     const Scene scene = load_scene("stage");
     for (const char* choice : {"interval", "map"})
         for (const char* blend : {"0", "0.4"})
-            for (const Change& camera : {Change{},
-                                         {{"camera.source", "manual"}, {"camera.distance", "3"}},
-                                         {{"camera.source", "manual"}, {"camera.orthographic", "true"}}}) {
+            for (const Sets& camera : {Sets{},
+                                       {"camera.source=manual", "camera.distance=3"},
+                                       {"camera.source=manual", "camera.orthographic=true"}}) {
                 Settings s = settings_for(
-                    scene, {{"light.cascades", "3"}, {"light.cascade_choice", choice}, {"light.cascade_blend", blend}});
-                for (const auto& [key, value] : camera) set_setting(s, key, value);
+                    scene, {"light.cascades=3", {"light.cascade_choice", choice}, {"light.cascade_blend", blend}});
+                set_all(s, camera);
                 const auto pixels = compare(scene, s);
                 ASSERT_EQ(pixels.size(), 3u);
                 EXPECT_GE(std::count_if(pixels.begin(), pixels.end(), [](std::size_t n) { return n > 100; }), 2);
@@ -74,11 +71,11 @@ TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameCascade) {
 
 TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameClipLevel) {
     const Scene scene = load_scene("stage");
-    for (const Change& camera : {Change{{"light.elevation", "90"}},
-                                 {{"camera.source", "manual"}, {"camera.distance", "3"}},
-                                 {{"camera.source", "manual"}, {"camera.orthographic", "true"}}}) {
-        Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "512"}});
-        for (const auto& [key, value] : camera) set_setting(s, key, value);
+    for (const Sets& camera : {Sets{"light.elevation=90"},
+                               {"camera.source=manual", "camera.distance=3"},
+                               {"camera.source=manual", "camera.orthographic=true"}}) {
+        Settings s = settings_for(scene, {"map.virtual=true", "map.resolution=512"});
+        set_all(s, camera);
         const auto pixels = compare(scene, s);
         ASSERT_EQ(pixels.size(), 8u);
         EXPECT_GE(std::count_if(pixels.begin(), pixels.end(), [](std::size_t n) { return n > 100; }), 2);

@@ -15,44 +15,23 @@
 namespace si {
 namespace {
 
-class ViewDepthsTest : public FrameTest {
-protected:
-    FloatImage visibility(const Scene& scene, const Settings& s, FrameResult* frame = nullptr) {
-        FrameRequest request{.width = 160, .height = 90};
-        request.outputs = {.colour = false, .visibility = true};
-        const FrameResult f = renderer.render(scene, s, request);
-        if (frame) *frame = f;
-        return renderer.read_float(f.visibility, 1);
-    }
-};
+class ViewDepthsTest : public FrameTest {};
 
-std::size_t differing(const FloatImage& a, const FloatImage& b, float tolerance = 1e-3f) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < a.data.size(); ++i) count += std::abs(a.data[i] - b.data[i]) > tolerance;
-    return count;
-}
+const FrameRequest kDepthPicture{.width = 160, .height = 90};
 
 // ---- light.depth_bounds sdsm
 
 SI_TESTS_ARE(Repeated, ViewDepthsTest);
 TEST_F(ViewDepthsTest, MeasuredBoundsEqualThoseOfReadBackDepths) {
     for (const char* name : {"stage", "landscape", "plane"})
-        for (const Sets& camera :
-             {Sets{},
-              {{"camera.source", "manual"}, {"camera.distance", "4"}, {"camera.elevation", "12"}},
-              {{"camera.source", "manual"}, {"camera.orthographic", "true"}, {"camera.height", "5"}}}) {
+        for (const Sets& camera : {Sets{},
+                                   {"camera.source=manual", "camera.distance=4", "camera.elevation=12"},
+                                   {"camera.source=manual", "camera.orthographic=true", "camera.height=5"}}) {
             Scene scene = load_scene(name);
             Settings s = settings_for(scene, camera);
-            for (const auto& [key, value] : Sets{{"light.cascades", "3"},
-                                                 {"light.depth_bounds", "sdsm"},
-                                                 {"light.projection", "auto"},
-                                                 {"light.type", "directional"},
-                                                 {"light.fit", "casters"},
-                                                 {"map.resolution", "64"},
-                                                 {"view.map_source", "camera"}})
-                set_setting(s, key, value);
-            FrameRequest request = small_request();
-            request.outputs = {.colour = false, .shadow_map = true, .visibility = true};
+            set_all(s, {"light.cascades=3", "light.depth_bounds=sdsm", "light.projection=auto",
+                        "light.type=directional", "light.fit=casters", "map.resolution=64", "view.map_source=camera"});
+            FrameRequest request = small_request({.colour = false, .shadow_map = true, .visibility = true});
             const FrameResult frame = renderer.render(scene, s, request);
             const FloatImage depths = renderer.read_map_view_depth(frame);
             double from = 1e300, to = -1e300;
@@ -79,8 +58,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsEqualThoseOfReadBackDepths) {
 
 TEST_F(ViewDepthsTest, MeasuredBoundsMissLessThanBoxesOnTerrain) {
     const Scene scene = load_scene("landscape");
-    Settings s =
-        settings_for(scene, {{"map.resolution", "512"}, {"light.cascades", "4"}, {"light.split", "logarithmic"}});
+    Settings s = settings_for(scene, {"map.resolution=512", "light.cascades=4", "light.split=logarithmic"});
     Measurer measurer(renderer, 240, 135);
     const double boxes = measurer.classify(scene, s).error.mae;
     set_setting(s, "light.depth_bounds", "sdsm");
@@ -111,12 +89,8 @@ Settings far_sheet_settings(const Scene& scene, const test::Place& place, const 
     s.lights[0].elevation = place.elevation;
     s.lights[0].cascades = cascades;
     const glm::dvec3 target = place.at - scene.bounds.centre();
-    s.camera.target_x = place.at.x;
-    s.camera.target_y = place.at.y;
-    s.camera.target_z = place.at.z;
-    s.lights[0].target_x = target.x;
-    s.lights[0].target_y = target.y;
-    s.lights[0].target_z = target.z;
+    set_target(s.camera, place.at);
+    set_target(s.lights[0], target);
     return s;
 }
 
@@ -136,18 +110,18 @@ TEST_F(ViewDepthsTest, PancakingGivesTheSameShadowFromAShorterRange) {
             const Scene scene = floor_under_far_sheet(place);
             const Settings whole = far_sheet_settings(scene, place, fit, cascades);
             for (const Sets& bias : {Sets{},
-                                     {{"bias.unit", "metres"}, {"bias.constant", "0.4"}},
-                                     {{"bias.normal", "4"}, {"map.reversed_z", "true"}},
-                                     {{"bias.kind", "receiver-plane"}, {"bias.constant", "0.5"}}}) {
+                                     {"bias.unit=metres", "bias.constant=0.4"},
+                                     {"bias.normal=4", "map.reversed_z=true"},
+                                     {"bias.kind=receiver-plane", "bias.constant=0.5"}}) {
                 Settings s = whole;
-                for (const auto& [key, value] : bias) set_setting(s, key, value);
+                set_all(s, bias);
                 FrameResult wide, flat;
-                const FloatImage wanted = visibility(scene, s, &wide);
+                const FloatImage wanted = visibility(scene, s, kDepthPicture, &wide);
                 set_setting(s, "light.near_far", "pancaking");
-                const FloatImage drawn = visibility(scene, s, &flat);
+                const FloatImage drawn = visibility(scene, s, kDepthPicture, &flat);
                 const auto dark = std::ranges::count(wanted.data, 0.f);
                 EXPECT_GT(dark, 500);
-                EXPECT_EQ(differing(wanted, drawn), 0u) << (bias.empty() ? "" : bias[0].second);
+                EXPECT_EQ(differing_values(wanted, drawn, 1e-3f), 0u) << (bias.empty() ? "" : bias[0].second);
                 EXPECT_EQ(flat.lights[0].clipped_casters, 0) << "none is lost";
                 for (std::size_t v = 0; v < flat.lights[0].views.size(); ++v) {
                     const LightView &a = wide.lights[0].views[v], &b = flat.lights[0].views[v];
@@ -173,9 +147,7 @@ TEST_F(ViewDepthsTest, PancakingNarrowsPenumbrae) {
     Settings s = far_sheet_settings(scene, place, "view", 1);
     s.filter.kernel = test::kernel_row("pcss");
     s.lights[0].size = 0.4;
-    const auto grey = [&] {
-        return std::ranges::count_if(visibility(scene, s).data, [](float v) { return v > 0.02f && v < 0.98f; });
-    };
+    const auto grey = [&] { return values_between(visibility(scene, s, kDepthPicture), 0.02f, 0.98f); };
     const auto wide = grey();
     set_setting(s, "light.near_far", "pancaking");
     const auto narrow = grey();
@@ -192,10 +164,10 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
         Settings s = far_sheet_settings(scene, place, "view", 1);
         const glm::dvec3 way = direction_from_angles(place.azimuth, place.elevation);
         FrameResult frame;
-        const FloatImage fitted = visibility(scene, s, &frame);
+        const FloatImage fitted = visibility(scene, s, kDepthPicture, &frame);
         for (const char* choice : {"casters", "scene"}) {
             set_setting(s, "light.near_far", choice);
-            EXPECT_EQ(differing(fitted, visibility(scene, s, &frame)), 0u) << choice;
+            EXPECT_EQ(differing_values(fitted, visibility(scene, s, kDepthPicture, &frame), 1e-3f), 0u) << choice;
         }
         // The range goes from the sheet's near rim to the floor's far rim: half the diagonals of surfaces askew to the
         // light.
@@ -209,7 +181,7 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
             s.lights[0].cascades = cascades;
             s.lights[0].near = depth_of(all, place.at) - 9;
             s.lights[0].far = depth_of(all, place.at) + 8;
-            const FloatImage cut = visibility(scene, s, &frame);
+            const FloatImage cut = visibility(scene, s, kDepthPicture, &frame);
             for (const LightView& view : frame.lights[0].views) EXPECT_NEAR(range_of(view), 17, 1e-9);
             EXPECT_EQ(std::ranges::count_if(cut.data, [](float v) { return v < 0.5f; }), 0);
             EXPECT_EQ(frame.lights[0].clipped_casters, 1);
@@ -222,18 +194,17 @@ TEST_F(ViewDepthsTest, PancakingWorksForSpotAndPointLights) {
     for (const char* type : {"spot", "point"})
         for (const char* reversed : {"false", "true"}) {
             Settings s = test::texel_settings("pcf3", 256, 3);
-            for (const auto& [key, value] : Sets{{"light.type", type},
-                                                 {"light.distance", "4"},
-                                                 {"light.elevation", "90"},
-                                                 {"map.reversed_z", reversed},
-                                                 {"object.cover.receive", "false"}})
-                set_setting(s, key, value);
+            set_all(s, {{"light.type", type},
+                        "light.distance=4",
+                        "light.elevation=90",
+                        {"map.reversed_z", reversed},
+                        "object.cover.receive=false"});
             FrameResult wide, flat;
-            const FloatImage wanted = visibility(scene, s, &wide);
+            const FloatImage wanted = visibility(scene, s, kDepthPicture, &wide);
             set_setting(s, "light.near_far", "pancaking");
-            const FloatImage drawn = visibility(scene, s, &flat);
+            const FloatImage drawn = visibility(scene, s, kDepthPicture, &flat);
             EXPECT_GT(std::ranges::count(wanted.data, 0.f), 300);
-            EXPECT_EQ(differing(wanted, drawn), 0u) << type;
+            EXPECT_EQ(differing_values(wanted, drawn, 1e-3f), 0u) << type;
             const auto lowest = [](const FrameResult& f) {
                 double near = 0;
                 for (const LightView& v : f.lights[0].views) near = std::max(near, v.curve.near);
@@ -248,14 +219,12 @@ TEST_F(ViewDepthsTest, PancakingWorksForSpotAndPointLights) {
 TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
     const Scene scene = load_scene("stage");
     for (const char* bounds : {"boxes", "sdsm"})
-        for (const Sets& fit : {Sets{{"light.cascades", "3"}}, {{"light.fit", "view"}}}) {
-            Settings s = settings_for(scene, {{"camera.source", "manual"},
-                                              {"camera.distance", "5"},
-                                              {"map.resolution", "256"},
-                                              {"light.depth_bounds", bounds}});
-            for (const auto& [key, value] : fit) set_setting(s, key, value);
-            FrameRequest request = small_request();
-            request.outputs = {.colour = false, .visibility = true};
+        for (const Sets& fit : {Sets{"light.cascades=3"}, {"light.fit=view"}}) {
+            Settings s = settings_for(
+                scene,
+                {"camera.source=manual", "camera.distance=5", "map.resolution=256", {"light.depth_bounds", bounds}});
+            set_all(s, fit);
+            FrameRequest request = small_request({.colour = false, .visibility = true});
             const FrameResult own = renderer.render(scene, s, request);
             s.camera.azimuth += 120;
             s.camera.distance = 14;
@@ -279,18 +248,17 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
 TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
     const Scene scene = load_scene("boxes");
     const auto flips = [&](const char* fit) {
-        Settings s = settings_for(scene, {{"light.cascades", "2"},
-                                          {"light.cascade_blend", "0"},
+        Settings s = settings_for(scene, {"light.cascades=2",
+                                          "light.cascade_blend=0",
                                           {"light.fit", fit},
-                                          {"filter.kernel", "hard"},
-                                          {"bias.normal", "0"},
-                                          {"bias.constant", "4"},
-                                          {"map.resolution", "256"}});
+                                          "filter.kernel=hard",
+                                          "bias.normal=0",
+                                          "bias.constant=4",
+                                          "map.resolution=256"});
         Settings walking = s;
         walking.camera.source = CameraSource::Manual;
         walking.camera.distance = 3;
-        FrameRequest request{.width = 160, .height = 90};
-        request.outputs = {.colour = false, .visibility = true};
+        FrameRequest request{.width = 160, .height = 90, .outputs = {.colour = false, .visibility = true}};
         std::vector<float> before;
         std::vector<std::size_t> chosen_before;
         std::size_t count = 0;
@@ -304,12 +272,8 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
             const FrameResult frame = renderer.render(scene, s, request);
             const FloatImage v = renderer.read_float(frame.visibility, 1);
             if (hits.empty())
-                for (int y = 0; y < 90; ++y)
-                    for (int x = 0; x < 160; ++x) {
-                        glm::dvec3 origin, direction;
-                        frame.camera.pixel_ray(x, y, 160, 90, origin, direction);
-                        hits.push_back(rays.first_hit(origin, direction));
-                    }
+                for (const test::PixelRay& ray : test::pixel_rays(frame.camera, 160, 90))
+                    hits.push_back(rays.first_hit(ray.origin, ray.direction));
             // Points on a texel's border and the background are left out.
             std::vector<std::size_t> chosen;
             for (const auto& hit : hits) {

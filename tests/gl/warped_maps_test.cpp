@@ -66,11 +66,8 @@ protected:
         return s;
     }
 
-    FloatImage values(const Scene& scene, Settings s, const char* overlay) {
-        set_setting(s, "view.overlay", overlay);
-        FrameRequest request = kPicture;
-        request.outputs = {.colour = false, .overlay = true};
-        return renderer.read_float(renderer.render(scene, s, request).overlay, 4);
+    FloatImage values(const Scene& scene, const Settings& s, const char* overlay) {
+        return overlay_values(scene, s, overlay, kPicture);
     }
 
     /// Returns the median of the numbers in rows of the picture, from the top.
@@ -99,7 +96,7 @@ TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndUniformInThePicture) {
     double near[2], far[2];
     const char* fits[] = {"view", "lispsm"};
     for (int i = 0; i < 2; ++i) {
-        const Settings s = settings_for(scene, {{"light.fit", fits[i]}, {"map.resolution", "1024"}});
+        const Settings s = settings_for(scene, {{"light.fit", fits[i]}, "map.resolution=1024"});
         const FloatImage pixels = values(scene, s, "pixels-per-texel");
         near[i] = median(pixels, 82, 90);
         far[i] = median(pixels, 28, 36);
@@ -114,14 +111,13 @@ TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndUniformInThePicture) {
 
 TEST_F(WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference) {
     const auto error = [&](const Scene& scene, Settings s) {
-        set_setting(s, "filter.kernel", "hard");
-        set_setting(s, "bias.kind", "receiver-plane");
+        set_all(s, {"filter.kernel=hard", "bias.kind=receiver-plane"});
         s.bias.normal = 0;
         return measure(scene, s).metrics;
     };
     const Scene land = load_scene("landscape"), ground = long_ground({0, 0, 0});
     const auto on_land = [&](const char* fit) {
-        return error(land, settings_for(land, {{"light.fit", fit}, {"map.resolution", "1024"}})).mae;
+        return error(land, settings_for(land, {{"light.fit", fit}, "map.resolution=1024"})).mae;
     };
     const double view = on_land("view"), warped = on_land("lispsm");
     EXPECT_LT(warped, 0.65 * view) << view;
@@ -225,19 +221,16 @@ TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAUniformMap) {
         SCOPED_TRACE(kernel);
         const auto drawn = [&](const char* fit) {
             Settings s = along_the_ground({0, 0, 0}, fit, 512);
-            for (const auto& [key, value] : Sets{{"filter.kernel", kernel},
-                                                 {"bias.kind", "receiver-plane"},
-                                                 {"filter.radius_unit", "metres"},
-                                                 {"filter.radius", "0.15"},
-                                                 {"filter.max_radius", "64"},
-                                                 {"filter.rotate", "false"},
-                                                 {"light.size", "6"}})
-                set_setting(s, key, value);
+            set_all(s, {{"filter.kernel", kernel},
+                        "bias.kind=receiver-plane",
+                        "filter.radius_unit=metres",
+                        "filter.radius=0.15",
+                        "filter.max_radius=64",
+                        "filter.rotate=false",
+                        "light.size=6"});
             s.filter.taps = s.filter.blocker_taps = 64;
             s.bias.constant = s.bias.slope = s.bias.normal = 0;
-            FrameRequest request{.width = 320, .height = 180};
-            request.outputs = {.colour = false, .visibility = true};
-            return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+            return visibility(scene, s);
         };
         const FloatImage even = drawn("view"), warped = drawn("lispsm");
         double off = 0, grey_even = 0, grey_warped = 0;
@@ -260,14 +253,10 @@ TEST_F(WarpedMapsTest, CullingSelectsTheSameFaces) {
         const auto shadow = [&](const char* fit) {
             Settings s = along_the_ground({0, 0, 0}, fit, 2048);
             set_setting(s, "caster.cull", cull);
-            FrameRequest request = kPicture;
-            request.outputs = {.colour = false, .visibility = true};
-            return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
+            return visibility(scene, s, kPicture);
         };
-        const FloatImage even = shadow("casters"), warped = shadow("lispsm");
-        std::size_t differ = 0;
-        for (std::size_t i = 0; i < even.data.size(); ++i) differ += std::abs(even.data[i] - warped.data[i]) > 0.5f;
-        EXPECT_LT(differ, even.data.size() / 100) << cull;
+        const FloatImage even = shadow("casters");
+        EXPECT_LT(differing_values(even, shadow("lispsm"), 0.5f), even.data.size() / 100) << cull;
     }
 }
 
@@ -275,15 +264,13 @@ TEST_F(WarpedMapsTest, CullingSelectsTheSameFaces) {
 TEST_F(WarpedMapsTest, PagesHoldTheSameTexels) {
     const Scene scene = long_ground({0, 0, 0});
     Settings s = along_the_ground({0, 0, 0}, "lispsm", 1024);
-    FrameRequest request = kPicture;
-    request.outputs = {.colour = false, .visibility = true};
-    const FloatImage whole = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-    set_setting(s, "map.virtual", "true");
-    set_setting(s, "map.virtual_levels", "1");
-    const FrameResult frame = renderer.render(scene, s, request);
+    const FloatImage whole = visibility(scene, s, kPicture);
+    set_all(s, {"map.virtual=true", "map.virtual_levels=1"});
+    FrameResult frame;
+    const FloatImage paged = visibility(scene, s, kPicture, &frame);
     ASSERT_TRUE(frame.pages);
     ASSERT_TRUE(frame.lights[0].is_warped());
-    EXPECT_EQ(renderer.read_float(frame.visibility, 1).data, whole.data);
+    EXPECT_EQ(paged.data, whole.data);
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ private:
 };
 
 /// Choices with the settings that make each of them.
-using Change = std::vector<std::pair<std::string, std::string>>;
+using Change = Sets;
 
 struct Axis {
     std::set<std::string> names;  ///< names in shaders
@@ -218,37 +218,37 @@ std::vector<Axis> axes() {
         out.push_back(std::move(axis));
     }
     EXPECT_GE(out.size(), 10u);
-    out.push_back({{"BIAS_NORMAL_OFFSET"}, {{{"bias.normal", "0"}}, {{"bias.normal", "3"}}}});
-    out.push_back({{"SURFACE_FLAGS"}, {{}, {{"object.plain.receive", "false"}}}});
-    out.push_back({{"SEPARATE_VISIBILITY"}, {{}, {{"shading.separate_visibility", "true"}}}});
+    out.push_back({{"BIAS_NORMAL_OFFSET"}, {{"bias.normal=0"}, {"bias.normal=3"}}});
+    out.push_back({{"SURFACE_FLAGS"}, {{}, {"object.plain.receive=false"}}});
+    out.push_back({{"SEPARATE_VISIBILITY"}, {{}, {"shading.separate_visibility=true"}}});
     out.push_back({{"SKY_LIGHTS", "CURVE_FILMIC", "EXPOSED", "GROUND"},
                    {{},
-                    {{"shading.sky", "plain"}},
-                    {{"shading.curve", "plain"}, {"shading.exposure", "1"}},
-                    {{"shading.sky", "plain"}, {"shading.exposure", "1"}}}});
-    out.push_back({{"BLUR_COLUMNS"}, {{}, {{"map.blur_texels", "3"}}}});
-    out.push_back({{"HAS_CONTACTS"}, {{}, {{"light.contact", "1"}}}});
-    out.push_back({{"MOMENTS_FROM"}, {{}, {{"map.samples", "4"}}}});
-    out.push_back({{"FROM_CHANNEL"}, {{}, {{"view.map_channel", "moment-1"}}}});
-    out.push_back({{"FROM_CAMERA"}, {{}, {{"view.map_source", "camera"}}}});
-    out.push_back({{}, {{}, {{"caster.blend", "mask"}}}});
-    out.push_back({{}, {{}, {{"view.slabs", "both"}}}});
-    out.push_back({{}, {{}, {{"view.map_fit", "true"}}}});
+                    {"shading.sky=plain"},
+                    {"shading.curve=plain", "shading.exposure=1"},
+                    {"shading.sky=plain", "shading.exposure=1"}}});
+    out.push_back({{"BLUR_COLUMNS"}, {{}, {"map.blur_texels=3"}}});
+    out.push_back({{"HAS_CONTACTS"}, {{}, {"light.contact=1"}}});
+    out.push_back({{"MOMENTS_FROM"}, {{}, {"map.samples=4"}}});
+    out.push_back({{"FROM_CHANNEL"}, {{}, {"view.map_channel=moment-1"}}});
+    out.push_back({{"FROM_CAMERA"}, {{}, {"view.map_source=camera"}}});
+    out.push_back({{}, {{}, {"caster.blend=mask"}}});
+    out.push_back({{}, {{}, {"view.slabs=both"}}});
+    out.push_back({{}, {{}, {"view.map_fit=true"}}});
     out.push_back({{"MAP_LAYERS", "LIGHT_TYPE", "LIGHT_CLOSED", "LIGHT_CHOICE", "LIGHT_PERSPECTIVE", "VIEWS_BLEND"},
                    {{},
-                    {{"light.type", "spot"}},
-                    {{"light.type", "point"}},
-                    {{"light.projection", "perspective"}},
-                    {{"light.type", "spot"}, {"light.projection", "orthographic"}, {"light.range", "9"}},
-                    {{"light.cascades", "3"}},
-                    {{"light.cascades", "2"}, {"light.cascade_choice", "map"}, {"light.cascade_blend", "0"}},
-                    {{"light.fit", "casters"}},
-                    {{"light.count", "2"}, {"light.1.type", "point"}, {"view.light", "1"}}}});
+                    {"light.type=spot"},
+                    {"light.type=point"},
+                    {"light.projection=perspective"},
+                    {"light.type=spot", "light.projection=orthographic", "light.range=9"},
+                    {"light.cascades=3"},
+                    {"light.cascades=2", "light.cascade_choice=map", "light.cascade_blend=0"},
+                    {"light.fit=casters"},
+                    {"light.count=2", "light.1.type=point", "view.light=1"}}});
     out.push_back({.names = {"PAGE_SIZE"},
                    .choices = {{},
-                               {{"map.virtual", "true"}, {"map.virtual_levels", "1"}},
-                               {{"map.virtual", "true"}, {"map.page_size", "32"}, {"map.resolution", "256"}}}});
-    out.push_back({.names = {"LIGHT_CASTS"}, .choices = {{}, {{"light.cast", "false"}}}, .hides = true});
+                               {"map.virtual=true", "map.virtual_levels=1"},
+                               {"map.virtual=true", "map.page_size=32", "map.resolution=256"}}});
+    out.push_back({.names = {"LIGHT_CASTS"}, .choices = {{}, {"light.cast=false"}}, .hides = true});
     Axis source{.names = {"SOURCE_FILE", "HAS_MAP"}, .hides = true};
     for (const Source& row : sources()) {
         source.choices.push_back({{"light.source", std::string(row.key)}});
@@ -309,7 +309,7 @@ std::vector<const Change*> kinds_of(const Axis& table) {
     std::set<std::string> seen;
     for (const Change& choice : table.choices) {
         Settings s;
-        for (const auto& [key, value] : choice) set_setting(s, key, value);
+        set_all(s, choice);
         const Filter& filter = filter_of(s);
         const SourceNeeds& needs = source_of(s, 0).needs;
         const Bias& bias = bias_of(s);
@@ -372,15 +372,21 @@ protected:
             renderer_ = std::make_unique<Renderer>();
         }
         Settings s;
-        const Change always = {{"map.resolution", "16"}, {"filter.kernel", "hard"}, {"truth.samples", "1"}};
+        const Change always = {"map.resolution=16", "filter.kernel=hard", "truth.samples=1"};
         try {
-            for (const auto& [key, value] : always) set_setting(s, key, value);
-            for (const Change* choice : chosen)
-                for (const auto& [key, value] : *choice) set_setting(s, key, value);
-            FrameRequest request{.width = 8, .height = 8, .smoothed = 1};
-            request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
-            request.outputs.map_coordinates = request.outputs.texels_read = request.outputs.error =
-                request.outputs.true_colour = true;
+            set_all(s, always);
+            for (const Change* choice : chosen) set_all(s, *choice);
+            FrameRequest request{.width = 8,
+                                 .height = 8,
+                                 .outputs = {.colour = true,
+                                             .shadow_map = true,
+                                             .visibility = true,
+                                             .overlay = true,
+                                             .map_coordinates = true,
+                                             .texels_read = true,
+                                             .error = true,
+                                             .true_colour = true},
+                                 .smoothed = 1};
             if (chosen.size() == 1) {
                 // Draws a probe's passes after a hit, and the passes that run without a reference.
                 FrameRequest untold = request;
@@ -549,7 +555,7 @@ TEST_F(Permutations, CompileWithTheReferenceCompiler) {
     for (const Axis& axis : all)
         for (const Change& choice : axis.choices) draw(every_kind, {&choice});
     // A kernel's stored values are shown by code of its own, which some third choice may leave out of the frame.
-    const Change moment = {{"view.map_channel", "moment-1"}};
+    const Change moment = {"view.map_channel=moment-1"};
     for (const Axis& axis : all)
         if (axis.names.contains("FILTER_FILE"))
             for (const Change* kernel : kinds_of(axis)) draw(every_kind, {kernel, &moment});

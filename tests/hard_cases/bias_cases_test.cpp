@@ -6,6 +6,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -47,14 +48,10 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
 double acne_share(const Shot& shot) {
     std::size_t acne = 0, seen = 0;
     const RayReference rays(plane_scene());
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) {
-            glm::dvec3 origin, dir;
-            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-            if (!rays.first_hit(origin, dir)) continue;
-            ++seen;
-            acne += shot.visibility.at(x, y) < 1 - 1e-3f;
-        }
+    for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+        ++seen;
+        acne += shot.visibility.at(x, y) < 1 - 1e-3f;
+    }
     EXPECT_GT(seen, 5000u);
     return seen ? double(acne) / double(seen) : 0;
 }
@@ -113,9 +110,7 @@ TEST_P(HardCase5Offset, ClearsAPlaneByTheEquivalentDepthBiasAndNotByATenthLess) 
             double needed = 0;
             for (double x : {-5.0, 0.0, 5.0})
                 for (double z : {-5.0, 0.0, 5.0}) {
-                    const BiasBreakdown a =
-                        bias_breakdown(bare.light(), s, bare.frame.map_resolution,
-                                       {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
+                    const BiasBreakdown a = breakdown_at(bare.frame, s, driver, {x, 0, z});
                     EXPECT_GT(a.raster, 0);
                     EXPECT_EQ(a.equivalent_depth(), a.raster);
                     needed = std::max(needed, a.least.total() / a.raster);
@@ -154,9 +149,7 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 const Scene scene =
                     make_scene(make_plane(place.size, place.size), moved(place.at.x, place.at.y, place.at.z));
                 Settings s = plane_settings(MapFormat::D32F, "hard");
-                s.camera.target_x = place.at.x;
-                s.camera.target_y = place.at.y;
-                s.camera.target_z = place.at.z;
+                set_target(s.camera, place.at);
                 s.camera.distance *= place.size / 10;
                 s.lights[0].type = type;
                 if (type == LightType::Spot) {
@@ -167,25 +160,20 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 s.bias.unit = BiasUnit::Texels;
                 const auto visible = [&](Shot& shot) {
                     std::vector<std::pair<std::size_t, glm::dvec3>> seen;
-                    for (int y = 0; y < shot.height; ++y)
-                        for (int x = 0; x < shot.width; ++x) {
-                            glm::dvec3 origin, dir;
-                            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-                            const glm::dvec3 at = origin + dir * ((place.at.y - origin.y) / dir.y);
-                            const glm::dvec3 off = glm::abs(at - place.at);
-                            const glm::dvec4 uvd = uvdw(shot.view(), at);
-                            if (std::max(off.x, off.z) < 0.49 * place.size && std::min(uvd.x, uvd.y) > 0.02 &&
-                                std::max(uvd.x, uvd.y) < 0.98)
-                                seen.emplace_back(std::size_t(y * shot.width + x), at);
-                        }
+                    for (const auto& [x, y, origin, dir] : pixel_rays(shot)) {
+                        const glm::dvec3 at = origin + dir * ((place.at.y - origin.y) / dir.y);
+                        const glm::dvec3 off = glm::abs(at - place.at);
+                        const glm::dvec4 uvd = uvdw(shot.view(), at);
+                        if (std::max(off.x, off.z) < 0.49 * place.size && std::min(uvd.x, uvd.y) > 0.02 &&
+                            std::max(uvd.x, uvd.y) < 0.98)
+                            seen.emplace_back(std::size_t(y * shot.width + x), at);
+                    }
                     return seen;
                 };
                 Shot bare = draw_shot(scene, s);
                 double most = 0;
                 for (const auto& [pixel, at] : visible(bare)) {
-                    const BiasBreakdown a = bias_breakdown(bare.light(), s, bare.frame.map_resolution,
-                                                           {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()},
-                                                           hard_renderer().driver());
+                    const BiasBreakdown a = breakdown_at(bare.frame, s, hard_renderer().driver(), at);
                     most = std::max(most, a.amount(a.least.total()).texels);
                 }
                 s.bias.constant = most;
@@ -220,16 +208,12 @@ TEST(HardCase2, TheTerminatorOfASphereHasLittleError) {
         const RayReference rays(scene);
         double error = 0;
         int domain = 0;
-        for (int y = 0; y < shot.height; ++y)
-            for (int x = 0; x < shot.width; ++x) {
-                glm::dvec3 origin, dir;
-                shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-                const auto hit = rays.first_hit(origin, dir);
-                const double n_dot_l = hit ? glm::dot(hit->normal, shot.light().to_light) : 0;
-                if (n_dot_l <= 0) continue;
-                ++domain;
-                error += n_dot_l * (1 - shot.visibility.at(x, y));
-            }
+        for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+            const double n_dot_l = glm::dot(hit.normal, shot.light().to_light);
+            if (n_dot_l <= 0) continue;
+            ++domain;
+            error += n_dot_l * (1 - shot.visibility.at(x, y));
+        }
         EXPECT_GT(domain, 1000);
         return error / domain;
     };

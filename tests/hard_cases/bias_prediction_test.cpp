@@ -60,17 +60,12 @@ struct PlanePixels {
 PlanePixels seen_points(const Scene& scene, const FrameResult& frame) {
     static const RayReference rays(scene);
     PlanePixels seen;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            glm::dvec3 origin, dir;
-            frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit) continue;
-            const glm::dvec4 at = uvdw(view_of(frame.lights[0], hit->position), hit->position);
-            if (at.x < 0.02 || at.x > 0.98 || at.y < 0.02 || at.y > 0.98) continue;
-            seen.pixels.push_back(std::size_t(y * kWidth + x));
-            seen.points.push_back(hit->position);
-        }
+    for (const auto& [x, y, hit] : pixel_hits(rays, frame.camera, kWidth, kHeight)) {
+        const glm::dvec4 at = uvdw(view_of(frame.lights[0], hit.position), hit.position);
+        if (at.x < 0.02 || at.x > 0.98 || at.y < 0.02 || at.y > 0.98) continue;
+        seen.pixels.push_back(std::size_t(y * kWidth + x));
+        seen.points.push_back(hit.position);
+    }
     return seen;
 }
 
@@ -98,8 +93,7 @@ Row measured(const Scene& scene, const Case& c, const char* filter, double theta
     EXPECT_GT(seen.pixels.size(), 4000u);
     Row row;
     for (const glm::dvec3& point : seen.points) {
-        const BiasBreakdown a = bias_breakdown(frame.lights[0], s, frame.map_resolution,
-                                               {point, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, driver);
+        const BiasBreakdown a = breakdown_at(frame, s, driver, point);
         // The maximum counts in texels, the unit of the setting: another point may need more in units of depth.
         const double texels = a.amount(a.least.total()).texels;
         if (texels <= row.texels) continue;

@@ -5,6 +5,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/hard_view.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -23,19 +24,13 @@ int faults_of(const DrawnCase& c) {
     EXPECT_EQ(light.chooser.choice, ViewChoice::Interval);
     static const RayReference rays(c.scene);
     int seen = 0;
-    for (int y = 0; y < 60; ++y)
-        for (int x = 0; x < 80; ++x) {
-            glm::dvec3 origin, dir;
-            camera.pixel_ray(x, y, 80, 60, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit || (c.settings.camera.far > 0 &&
-                         glm::dot(hit->position - camera.eye, -camera.axes[2]) > c.settings.camera.far))
-                continue;
-            ++seen;
-            const glm::dvec4 at =
-                uvdw(light.views[light.chooser.choose(light.views, hit->position).view], hit->position);
-            faults += !(at.x >= 0 && at.x <= 1 && at.y >= 0 && at.y <= 1 && at.z >= 0 && at.z <= 1);
-        }
+    for (const auto& [x, y, hit] : pixel_hits(rays, camera, 80, 60)) {
+        if (c.settings.camera.far > 0 && glm::dot(hit.position - camera.eye, -camera.axes[2]) > c.settings.camera.far)
+            continue;
+        ++seen;
+        const glm::dvec4 at = uvdw(light.views[light.chooser.choose(light.views, hit.position).view], hit.position);
+        faults += !(at.x >= 0 && at.x <= 1 && at.y >= 0 && at.y <= 1 && at.z >= 0 && at.z <= 1);
+    }
     EXPECT_GT(seen, 200);
     return faults;
 }
@@ -64,12 +59,12 @@ TEST(HardCase28, SplitsStayDistinctAndCoverVisiblePoints) {
     expect_fault(28, none);
     // The drawn results are finite.
     draw_shot(hard_view("split-ends", true));
-    draw_shot(hard_view("split-ends", true, {{"camera.near", "8"}, {"camera.far", "8"}}));
+    draw_shot(hard_view("split-ends", true, {"camera.near=8", "camera.far=8"}));
 }
 
 TEST(HardCase31, ALongTriangleAcrossTheNearPlaneIsNotBent) {
     for (const char* reversed : {"false", "true"}) {
-        const Changes depth = {{"map.reversed_z", reversed}};
+        const Sets depth = {{"map.reversed_z", reversed}};
         DrawnCase wide = hard_view("pancaking", true, depth);
         set_setting(wide.settings, "light.near_far", "fitted");
         const Shot whole = draw_shot(wide), flat = draw_shot(hard_view("pancaking", true, depth));

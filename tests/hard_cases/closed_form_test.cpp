@@ -7,22 +7,6 @@
 namespace si::test {
 namespace {
 
-/// Returns whether the segment or ray from `p` along `d` (to the parameter `most`) meets the box; the slab test.
-bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi) {
-    double from = 0, to = most;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (d[axis] == 0) {
-            if (p[axis] < lo[axis] || p[axis] > hi[axis]) return false;
-            continue;
-        }
-        double a = (lo[axis] - p[axis]) / d[axis], b = (hi[axis] - p[axis]) / d[axis];
-        if (a > b) std::swap(a, b);
-        from = std::max(from, a);
-        to = std::min(to, b);
-    }
-    return from <= to;
-}
-
 struct OutlineCase {
     const char* name;
     LightType type;
@@ -56,35 +40,31 @@ TEST_P(BoxShadow, EdgesLieWithinATexel) {
         return meets_box(p, directional ? light.to_light : light.position - p, directional ? 1e9 : 1, lo, hi);
     };
     int inside = 0, outside = 0, edge = 0, wrong = 0;
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) {
-            glm::dvec3 origin, dir;
-            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit || hit->normal.y < 0.5 || hit->position.y > 1e-6) continue;
-            const LightView& view = view_of(light, hit->position);
-            const glm::dvec4 p = uvdw(view, hit->position);
-            // Outside a map that holds all shadows the floor is lit.
-            if (!light.closed && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1)) continue;
-            // One texel to each side on the floor, along the map's axes.
-            const double z = glm::dot(view.eye - hit->position, view.axes[2]);
-            const double texel = view.texel_size(z, shot.frame.map_resolution);
-            const bool dark = in_shadow(hit->position);
-            bool near_edge = false;
-            for (int i = -4; i <= 4; ++i)
-                for (int j = -4; j <= 4; ++j) {
-                    glm::dvec3 q = hit->position + texel * 0.25 * (double(i) * view.axes[0] + double(j) * view.axes[1]);
-                    const glm::dvec3 ray = view.curve.perspective ? q - view.eye : -view.axes[2];
-                    q -= ray * (q.y / ray.y);  // back onto the floor, along the light
-                    near_edge = near_edge || in_shadow(q) != dark;
-                }
-            if (near_edge) {
-                ++edge;
-                continue;
+    for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+        if (hit.normal.y < 0.5 || hit.position.y > 1e-6) continue;
+        const LightView& view = view_of(light, hit.position);
+        const glm::dvec4 p = uvdw(view, hit.position);
+        // Outside a map that holds all shadows the floor is lit.
+        if (!light.closed && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1)) continue;
+        // One texel to each side on the floor, along the map's axes.
+        const double z = glm::dot(view.eye - hit.position, view.axes[2]);
+        const double texel = view.texel_size(z, shot.frame.map_resolution);
+        const bool dark = in_shadow(hit.position);
+        bool near_edge = false;
+        for (int i = -4; i <= 4; ++i)
+            for (int j = -4; j <= 4; ++j) {
+                glm::dvec3 q = hit.position + texel * 0.25 * (double(i) * view.axes[0] + double(j) * view.axes[1]);
+                const glm::dvec3 ray = view.curve.perspective ? q - view.eye : -view.axes[2];
+                q -= ray * (q.y / ray.y);  // back onto the floor, along the light
+                near_edge = near_edge || in_shadow(q) != dark;
             }
-            ++(dark ? inside : outside);
-            wrong += (shot.visibility.at(x, y) < 0.5f) != dark;
+        if (near_edge) {
+            ++edge;
+            continue;
         }
+        ++(dark ? inside : outside);
+        wrong += (shot.visibility.at(x, y) < 0.5f) != dark;
+    }
     EXPECT_GT(inside, 500) << "the box must cast";
     EXPECT_GT(outside, 5000);
     EXPECT_GT(edge, 20);

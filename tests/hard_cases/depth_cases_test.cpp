@@ -39,9 +39,8 @@ std::vector<StoredCase> stored_cases() {
 }
 
 std::string case_name(const StoredCase& c) {
-    const char* types[] = {"directional", "spot", "point"};
     const char* projections[] = {"", "_ortho", "_persp"};
-    return fmt::format("{}{}_{}_{}{}", types[int(c.type)], projections[int(c.projection)], format_name(c.format),
+    return fmt::format("{}{}_{}_{}{}", light_name(c.type), projections[int(c.projection)], format_name(c.format),
                        c.reversed ? "reversed" : "standard", c.ratio > 0 ? fmt::format("_{:.0f}", c.ratio) : "");
 }
 

@@ -28,9 +28,7 @@ constexpr double kFinestPlace = 1e-6, kFinestSameBytes = 1e-9;
 constexpr double kLastBits = 1e-3;
 
 std::string key_name(const testing::TestParamInfo<const HardCase*>& info) {
-    std::string name(info.param->key);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
+    return identifier(info.param->key);
 }
 
 /// Case whose picture may differ by more than rounding, with the reason.

@@ -6,6 +6,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_view.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -23,8 +24,7 @@ double grey_share(const DrawnCase& c) {
     const Shot shot = draw_shot(c);
     const double reach =
         kernel_reach_in_light(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
-    const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(), shot.width,
-                                                     shot.height, shot.frame.map_resolution, reach + 2);
+    const ReferenceImage reference = trace_reference(RayReference(c.scene), shot, reach + 2);
     int grey = 0, sheet = 0;
     for (std::size_t i = 0; i < reference.states.size(); ++i) {
         if (reference.states[i] != ReferenceState::Lit ||
@@ -107,7 +107,7 @@ TEST(HardCase24, FixedMomentsKeepSixteenBitsLit) {
 }
 
 TEST(HardCase25, SumsOfIntegersEqualABlur) {
-    const Shot blurred = draw_shot(hard_view("summed-areas", true, {{"filter.kernel", "vsm"}, {"filter.blur", "2"}}));
+    const Shot blurred = draw_shot(hard_view("summed-areas", true, {"filter.kernel=vsm", "filter.blur=2"}));
     const auto off = [&](bool fixed) {
         const Shot summed = draw_shot(hard_view("summed-areas", fixed));
         double total = 0;
@@ -127,8 +127,7 @@ TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
             const DrawnCase c = hard_view("no-blockers", true, {{"filter.kernel", kernel}, {"light.size", size}});
             const Shot shot = draw_shot(c);
             const double reach = kernel_reach_in_light(c.settings, shot.light(), shot.frame.map_resolution).edge + 2;
-            const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(),
-                                                             shot.width, shot.height, shot.frame.map_resolution, reach);
+            const ReferenceImage reference = trace_reference(RayReference(c.scene), shot, reach);
             double worst = 0;
             int clear = 0, covered = 0;
             for (std::size_t i = 0; i < reference.states.size(); ++i) {

@@ -27,12 +27,6 @@ std::vector<std::string> preset_keys() {
     return keys;
 }
 
-std::string identifier(const testing::TestParamInfo<std::string>& info) {
-    std::string name = info.param;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
-
 bool holds(double left, const std::string& op, double right) {
     if (op == "<") return left < right;
     if (op == "<=") return left <= right;
@@ -78,7 +72,8 @@ TEST_P(GuidedPresets, ShowsWhatItsSentenceClaims) {
     for (const PresetClaim& claim : preset.claims) expect_claim(claim, drawings);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, GuidedPresets, testing::ValuesIn(preset_keys()), identifier);
+INSTANTIATE_TEST_SUITE_P(Each, GuidedPresets, testing::ValuesIn(preset_keys()),
+                         [](const auto& info) { return identifier(info.param); });
 
 TEST(Claims, WithAnUnknownMetricFail) {
     Drawings drawings("hard-edges");

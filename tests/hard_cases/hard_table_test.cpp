@@ -17,9 +17,7 @@ namespace si::test {
 namespace {
 
 std::string view_identifier(const testing::TestParamInfo<HardCaseView>& info) {
-    std::string name = info.param.name().substr(kHardPrefix.size());
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
+    return identifier(info.param.name().substr(kHardPrefix.size()));
 }
 
 TEST(HardCaseTable, EveryRowHasATextASceneAndALimit) {

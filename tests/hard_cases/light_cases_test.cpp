@@ -6,7 +6,9 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -51,16 +53,11 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
             const Shot shot = draw_shot(scene, s);
             const RayReference rays(scene);
             int parallel = 0, lit = 0;
-            for (int y = 0; y < shot.height; ++y)
-                for (int x = 0; x < shot.width; ++x) {
-                    glm::dvec3 origin, dir;
-                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-                    const auto hit = rays.first_hit(origin, dir);
-                    if (!hit || std::abs(glm::dot(hit->normal, direction_to(shot.light(), hit->position))) > 1e-12)
-                        continue;
-                    ++parallel;
-                    lit += shot.visibility.at(x, y) > 0;
-                }
+            for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+                if (std::abs(glm::dot(hit.normal, direction_to(shot.light(), hit.position))) > 1e-12) continue;
+                ++parallel;
+                lit += shot.visibility.at(x, y) > 0;
+            }
             if (type == LightType::Directional) {
                 EXPECT_GT(parallel, 50);
             }
@@ -122,18 +119,10 @@ TEST(HardCase7, ALightInsideABoxKeepsItsNearPlanePositive) {
 
 // Case 8: behind a spot the division by w mirrors the map onto the floor.
 TEST(HardCase8, NothingIsMirroredBehindASpot) {
-    Scene scene;
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), -1));
-    add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({3, 3, 0.2}), -1), moved(0, 1.5, -4));
-    finalise(scene);
-    Settings s = hard_settings();
-    s.camera.distance = 24;
-    s.camera.elevation = 80;
-    s.lights[0].type = LightType::Spot;
-    s.lights[0].azimuth = 0;
-    s.lights[0].elevation = 2;
-    s.lights[0].cone = 100;
-    s.lights[0].distance = 1.5;
+    const Scene scene = grey_scene({{"floor", make_plane(20, 20)}, {"wall", make_box({3, 3, 0.2}), moved(0, 1.5, -4)}});
+    Settings s = settings_with(hard_settings(),
+                               {"camera.distance=24", "camera.elevation=80", "light.type=spot", "light.azimuth=0",
+                                "light.elevation=2", "light.cone=100", "light.distance=1.5"});
     // With the far guard on, depths behind the light also count as past its far plane. With it off, only the guard on
     // w remains.
     for (bool far_guard : {true, false})
@@ -146,22 +135,18 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
             const LightView& view = shot.view();
             const FloatImage& map = shot.maps.at(0);
             int behind = 0, affected = 0, mirrored = 0;
-            for (int y = 0; y < shot.height; ++y)
-                for (int x = 0; x < shot.width; ++x) {
-                    glm::dvec3 origin, dir;
-                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-                    const auto hit = rays.first_hit(origin, dir);
-                    if (!hit || glm::dot(hit->normal, direction_to(shot.light(), hit->position)) <= 0) continue;
-                    const glm::dvec4 p = uvdw(view, hit->position);
-                    if (p.w > 0) continue;
-                    ++behind;
-                    affected += shot.visibility.at(x, y) != 1;
-                    if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
-                    // An unguarded test would compare these depths: rows of the map are read back from the top.
-                    const int u = std::min(int(p.x * map.width), map.width - 1);
-                    const int v = std::min(int((1 - p.y) * map.height), map.height - 1);
-                    mirrored += reversed ? p.z < map.at(u, v) : p.z > map.at(u, v);
-                }
+            for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+                if (glm::dot(hit.normal, direction_to(shot.light(), hit.position)) <= 0) continue;
+                const glm::dvec4 p = uvdw(view, hit.position);
+                if (p.w > 0) continue;
+                ++behind;
+                affected += shot.visibility.at(x, y) != 1;
+                if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
+                // An unguarded test would compare these depths: rows of the map are read back from the top.
+                const int u = std::min(int(p.x * map.width), map.width - 1);
+                const int v = std::min(int((1 - p.y) * map.height), map.height - 1);
+                mirrored += reversed ? p.z < map.at(u, v) : p.z > map.at(u, v);
+            }
             EXPECT_GT(behind, 500) << "the case must show the floor behind the light";
             expect_fault(8, mirrored);
             expect_within_limit(8, affected);

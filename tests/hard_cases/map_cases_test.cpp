@@ -5,7 +5,9 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -109,10 +111,8 @@ TEST(HardCase20, ResolutionsAboveTheDriversLimitAreReduced) {
 TEST(HardCase29, PointsOutsideTheMapAreLit) {
     const Scene scene = floor_and_box(10, {6, 1, 0.5}, 0.2);
     for (const char* filter : {"hard", "hw2x2", "pcf5"}) {
-        Settings s = hard_settings();
-        s.camera.elevation = 70;
-        s.camera.distance = 14;
-        s.map.resolution = 128;
+        Settings s =
+            settings_with(hard_settings(), {"camera.elevation=70", "camera.distance=14", "map.resolution=128"});
         set_setting(s, "filter.kernel", filter);
         // A map of 4 x 4 m in the middle of 10 x 10 m of floor: the bar's shadow crosses its border.
         s.lights[0].fit = LightFit::Manual;
@@ -120,19 +120,15 @@ TEST(HardCase29, PointsOutsideTheMapAreLit) {
         const auto wrong_outside = [&](const Shot& shot) {
             const RayReference rays(scene);
             int wrong = 0, outside = 0;
-            for (int y = 0; y < shot.height; ++y)
-                for (int x = 0; x < shot.width; ++x) {
-                    glm::dvec3 origin, dir;
-                    shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-                    const auto hit = rays.first_hit(origin, dir);
-                    if (!hit || glm::dot(hit->normal, shot.light().to_light) <= 1e-3) continue;
-                    const glm::dvec4 p = uvdw(shot.view(), hit->position);
-                    // Outside the reach of kernel and normal offset.
-                    const double pad = (reach_of(s).read + 4) / s.map.resolution;
-                    if (p.x > -pad && p.x < 1 + pad && p.y > -pad && p.y < 1 + pad) continue;
-                    ++outside;
-                    wrong += shot.visibility.at(x, y) < 1 - 1e-5f;  // a mean of weights rounds
-                }
+            for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+                if (glm::dot(hit.normal, shot.light().to_light) <= 1e-3) continue;
+                const glm::dvec4 p = uvdw(shot.view(), hit.position);
+                // Outside the reach of kernel and normal offset.
+                const double pad = (reach_of(s).read + 4) / s.map.resolution;
+                if (p.x > -pad && p.x < 1 + pad && p.y > -pad && p.y < 1 + pad) continue;
+                ++outside;
+                wrong += shot.visibility.at(x, y) < 1 - 1e-5f;  // a mean of weights rounds
+            }
             EXPECT_GT(outside, 1000);
             return wrong;
         };
@@ -150,15 +146,11 @@ TEST(HardCase29, PointsOutsideTheMapAreLit) {
 // Inside the map, along the border, the fitted map's margin keeps every kernel correct.
 TEST(HardCase29, NoErrorsLieAlongTheBorder) {
     // The bar touches the edge of the scene, and so of the map.
-    Scene scene;
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
-    add_object(scene, "bar", -1, add_mesh(scene, "bar", make_box({10, 1, 0.5}), -1), moved(0, 0.8, 4.75));
-    finalise(scene);
+    const Scene scene =
+        grey_scene({{"floor", make_plane(10, 10)}, {"bar", make_box({10, 1, 0.5}), moved(0, 0.8, 4.75)}});
     for (const char* filter : {"hard", "pcf3", "pcf9"}) {
-        Settings s = hard_settings();
-        s.camera.elevation = 70;
-        s.camera.distance = 14;
-        s.map.resolution = 256;
+        Settings s =
+            settings_with(hard_settings(), {"camera.elevation=70", "camera.distance=14", "map.resolution=256"});
         set_setting(s, "filter.kernel", filter);
         s.bias = no_bias();
         s.bias.unit = BiasUnit::Texels;

@@ -8,7 +8,9 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -26,9 +28,7 @@ struct Plane {
 Settings over(const Plane& plane, LightType type, double theta_deg) {
     Settings s = hard_settings();
     s.camera.elevation = 70;
-    s.camera.target_x = plane.at.x;
-    s.camera.target_y = plane.at.y;
-    s.camera.target_z = plane.at.z;
+    set_target(s.camera, plane.at);
     s.camera.distance *= plane.size / 10;
     s.bias = no_bias();
     LightSettings& light = s.lights[0];
@@ -36,27 +36,22 @@ Settings over(const Plane& plane, LightType type, double theta_deg) {
     light.azimuth = plane.azimuth;
     light.elevation = 90 - theta_deg;
     light.target_x = light.target_y = light.target_z = 0;
-    if (type != LightType::Directional) {
-        light.distance = 2 * plane.size;
-        light.cone = 50;
-    }
+    light.distance = 2 * plane.size;
+    light.cone = 50;
     return s;
 }
 
 /// Returns the plane's pixels inside the map, with their world positions.
 std::vector<std::pair<std::size_t, glm::dvec3>> seen(const Shot& shot, const Plane& plane) {
     std::vector<std::pair<std::size_t, glm::dvec3>> out;
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) {
-            glm::dvec3 origin, dir;
-            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-            const glm::dvec3 at = origin + dir * ((plane.at.y - origin.y) / dir.y);
-            const glm::dvec3 off = glm::abs(at - plane.at);
-            if (std::max(off.x, off.z) > 0.4999 * plane.size) continue;
-            const glm::dvec4 uvd = uvdw(view_of(shot.light(), at), at);
-            if (std::min(uvd.x, uvd.y) >= 0 && std::max(uvd.x, uvd.y) <= 1)
-                out.emplace_back(std::size_t(y * shot.width + x), at);
-        }
+    for (const auto& [x, y, origin, dir] : pixel_rays(shot)) {
+        const glm::dvec3 at = origin + dir * ((plane.at.y - origin.y) / dir.y);
+        const glm::dvec3 off = glm::abs(at - plane.at);
+        if (std::max(off.x, off.z) > 0.4999 * plane.size) continue;
+        const glm::dvec4 uvd = uvdw(view_of(shot.light(), at), at);
+        if (std::min(uvd.x, uvd.y) >= 0 && std::max(uvd.x, uvd.y) <= 1)
+            out.emplace_back(std::size_t(y * shot.width + x), at);
+    }
     return out;
 }
 
@@ -98,9 +93,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 std::size_t acne = 0;
                 for (const auto& [i, at] : pixels) {
                     acne += shot.visibility.data[i] < 1 - 1e-3f;
-                    const BiasBreakdown a = bias_breakdown(shot.light(), s, shot.frame.map_resolution,
-                                                           {at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()},
-                                                           hard_renderer().driver());
+                    const BiasBreakdown a = breakdown_at(shot.frame, s, hard_renderer().driver(), at);
                     ASSERT_EQ(a.least.kernel, 0) << "whatever the kernel reaches";
                     ASSERT_EQ(a.equivalent_depth(), a.least.total()) << "of itself just enough";
                     if (c.format == MapFormat::D32F && plane.at == glm::dvec3(0))
@@ -109,9 +102,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 EXPECT_EQ(acne, 0u) << "of " << pixels.size();
                 if (!against_one) continue;
                 // One constant bias of that size for all texels is not enough.
-                const BiasBreakdown middle = bias_breakdown(
-                    shot.light(), s, shot.frame.map_resolution,
-                    {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+                const BiasBreakdown middle = breakdown_at(shot.frame, s, hard_renderer().driver(), plane.at);
                 choose(s, "constant");
                 s.bias.constant = middle.equivalent_depth();
                 const Shot one = draw_shot(scene, s);
@@ -137,8 +128,7 @@ std::vector<PlaneCase> plane_cases() {
 }
 
 std::string plane_case_name(const testing::TestParamInfo<PlaneCase>& named) {
-    const char* types[] = {"directional", "spot", "point"};
-    return std::string(types[int(named.param.type)]) + "_" + format_name(named.param.format) +
+    return light_name(named.param.type) + "_" + format_name(named.param.format) +
            (named.param.reversed ? "_reversed" : "");
 }
 
@@ -147,11 +137,7 @@ INSTANTIATE_TEST_SUITE_P(All, ReceiverPlaneBias, testing::ValuesIn(plane_cases()
 // A wall without thickness stands on a floor, turned against the map's axes so that its foot meets texels in every
 // position. Between the wall and its shadow light leaks along b sin(theta).
 TEST(ReceiverPlane, LightsAStripAtAWallOfTheClosedFormsWidth) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
-    add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({6, 3, 1e-4}), grey), moved(0, 1.5, 0));
-    finalise(scene);
+    const Scene scene = grey_scene({{"floor", make_plane(20, 20)}, {"wall", make_box({6, 3, 1e-4}), moved(0, 1.5, 0)}});
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         double narrow = 0, narrow_expected = 0;
         for (const double texels : {2.0, 6.0}) {
@@ -182,9 +168,7 @@ TEST(ReceiverPlane, LightsAStripAtAWallOfTheClosedFormsWidth) {
                 const glm::dvec3 to_light =
                     type == LightType::Directional ? light.to_light : glm::normalize(light.position - foot);
                 const glm::dvec3 along = -glm::normalize(glm::dvec3(to_light.x, 0, to_light.z));
-                const BiasBreakdown a =
-                    bias_breakdown(light, s, shot.frame.map_resolution,
-                                   {foot, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+                const BiasBreakdown a = breakdown_at(shot.frame, s, hard_renderer().driver(), foot);
                 const double step = 0.005;
                 for (double d = 0.5 * step; d < 1.5; d += step) {
                     const glm::dvec4 p = shot.frame.camera.project(foot + along * d, shot.width, shot.height);
@@ -229,20 +213,16 @@ TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
             const Shot one = draw_shot(scene, s, 320, 240);
             const RayReference rays(scene);
             int floor = 0, partly = 0, dark = 0, differ = 0;
-            for (int y = 0; y < plane.height; ++y)
-                for (int x = 0; x < plane.width; ++x) {
-                    glm::dvec3 origin, dir;
-                    plane.frame.camera.pixel_ray(x, y, plane.width, plane.height, origin, dir);
-                    const auto hit = rays.first_hit(origin, dir);
-                    if (!hit || hit->normal.y < 0.5 || hit->position.y > 1e-6) continue;
-                    const glm::dvec4 uvd = uvdw(view_of(plane.light(), hit->position), hit->position);
-                    if (std::min(uvd.x, uvd.y) < 0.02 || std::max(uvd.x, uvd.y) > 0.98) continue;
-                    const float a = plane.visibility.at(x, y), b = one.visibility.at(x, y);
-                    ++floor;
-                    dark += b == 0;
-                    partly += b > 0 && b < 1;
-                    differ += std::abs(a - b) > 1e-5f;
-                }
+            for (const auto& [x, y, hit] : pixel_hits(rays, plane)) {
+                if (hit.normal.y < 0.5 || hit.position.y > 1e-6) continue;
+                const glm::dvec4 uvd = uvdw(view_of(plane.light(), hit.position), hit.position);
+                if (std::min(uvd.x, uvd.y) < 0.02 || std::max(uvd.x, uvd.y) > 0.98) continue;
+                const float a = plane.visibility.at(x, y), b = one.visibility.at(x, y);
+                ++floor;
+                dark += b == 0;
+                partly += b > 0 && b < 1;
+                differ += std::abs(a - b) > 1e-5f;
+            }
             EXPECT_GT(floor, 5000);
             EXPECT_GT(dark, 200);
             EXPECT_TRUE((row.square && row.size == 1) || partly > 100) << partly;
@@ -265,8 +245,7 @@ TEST(ReceiverPlane, ClampBoundsTheDepthGradient) {
     };
     const auto account = [&] {
         const Shot shot = draw_shot(scene, s);
-        return bias_breakdown(shot.light(), s, shot.frame.map_resolution,
-                              {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+        return breakdown_at(shot.frame, s, hard_renderer().driver(), {0, 0, 0});
     };
     s.bias.plane_clamp = 0;  // no limit
     EXPECT_EQ(acne(), 0);

@@ -154,33 +154,30 @@ TEST_P(HardCase36Everywhere, TheReferenceEqualsTheClosedForm) {
         const bool by_place = type != LightType::Directional;
         const glm::dvec3 light = by_place ? home(e.lights[0].position - origin) : factor * home(e.lights[0].to_light);
         std::size_t otherwise = 0;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const auto i = std::size_t(y * width + x);
-                glm::dvec3 from, along;
-                e.camera.pixel_ray(x, y, width, height, from, along);
-                std::vector<CameraHit> answers;
-                double facing = 0;
-                for (const Solids& solids : variants())
-                    answers.push_back(
-                        first_hit(solids, home(from - origin), factor * home(along), light, by_place, &facing));
-                const CameraHit& seen = answers[0];
-                if (answers[1] != seen || answers[2] != seen || seen.body == Body::None) continue;
-                const PixelState state = e.traced.reference->state[i];
-                if (std::abs(facing) < 1e-12) {
-                    ++parallel;
-                    otherwise += state != PixelState::FacesAway;
-                }
-                // Facets lean: the ball's pixels near its terminator are left out.
-                if (std::abs(facing) < (seen.body == Body::Ball ? 0.1 : 1e-6)) continue;
-                ++classified;
-                if (facing < 0) {
-                    otherwise += state != PixelState::FacesAway;
-                    continue;
-                }
-                dark += !seen.lit;
-                otherwise += state != PixelState::Counted || (e.traced.reference->hard().data[i] > 0.5f) != seen.lit;
+        for (const auto& [x, y, from, along] : pixel_rays(e.camera, width, height)) {
+            const auto i = std::size_t(y * width + x);
+            std::vector<CameraHit> answers;
+            double facing = 0;
+            for (const Solids& solids : variants())
+                answers.push_back(
+                    first_hit(solids, home(from - origin), factor * home(along), light, by_place, &facing));
+            const CameraHit& seen = answers[0];
+            if (answers[1] != seen || answers[2] != seen || seen.body == Body::None) continue;
+            const PixelState state = e.traced.reference->state[i];
+            if (std::abs(facing) < 1e-12) {
+                ++parallel;
+                otherwise += state != PixelState::FacesAway;
             }
+            // Facets lean: the ball's pixels near its terminator are left out.
+            if (std::abs(facing) < (seen.body == Body::Ball ? 0.1 : 1e-6)) continue;
+            ++classified;
+            if (facing < 0) {
+                otherwise += state != PixelState::FacesAway;
+                continue;
+            }
+            dark += !seen.lit;
+            otherwise += state != PixelState::Counted || (e.traced.reference->hard().data[i] > 0.5f) != seen.lit;
+        }
         EXPECT_EQ(otherwise, 0u);
     }
     EXPECT_GT(classified, 100'000u);

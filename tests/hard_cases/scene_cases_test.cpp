@@ -4,6 +4,7 @@
 
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/stability.h"
 
@@ -137,10 +138,7 @@ TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
             draw_shot(scene, s);
         }
     // The flat scene still casts and receives.
-    Scene two;
-    add_object(two, "floor", -1, add_mesh(two, "floor", make_plane(10, 10), -1));
-    add_object(two, "plate", -1, add_mesh(two, "plate", make_plane(2, 2), -1), moved(0, 1e-2, 0));
-    finalise(two);
+    const Scene two = grey_scene({{"floor", make_plane(10, 10)}, {"plate", make_plane(2, 2), moved(0, 1e-2, 0)}});
     Settings s = hard_settings();
     s.map.resolution = 4096;
     s.bias = no_bias();
@@ -154,11 +152,7 @@ TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
 // Case 34: more than 65535 vertices, and index 65535, which 16-bit indices read as "restart".
 TEST(HardCase34, LargeIndicesAreDrawn) {
     const auto scene_with = [](const Mesh& plate) {
-        Scene scene;
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
-        add_object(scene, "plate", -1, add_mesh(scene, "plate", plate, -1), moved(0, 1.5, 0));
-        finalise(scene);
-        return scene;
+        return grey_scene({{"floor", make_plane(10, 10)}, {"plate", plate, moved(0, 1.5, 0)}});
     };
     const Mesh many = make_plane(4, 3, 300, 300);
     Mesh wrapped = many;

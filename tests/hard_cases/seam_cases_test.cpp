@@ -6,12 +6,11 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si {
 namespace {
-
-using Sets = std::vector<std::pair<std::string, std::string>>;
 
 struct Seams {
     std::size_t near = 0, near_wrong = 0, inside = 0, inside_wrong = 0;
@@ -28,8 +27,7 @@ protected:
     Seams count(const Scene& scene, const Settings& s) {
         const test::Shot shot = test::draw_shot(scene, s, 200, 150);
         const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 1.5;
-        const test::ReferenceImage reference = test::trace_reference(
-            test::RayReference(scene), shot.frame.camera, shot.light(), 200, 150, shot.frame.map_resolution, reach);
+        const test::ReferenceImage reference = test::trace_reference(test::RayReference(scene), shot, reach);
         Seams out;
         for (std::size_t i = 0; i < reference.states.size(); ++i) {
             if (reference.states[i] != test::ReferenceState::Lit && reference.states[i] != test::ReferenceState::Shadow)
@@ -57,18 +55,14 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
                 SCOPED_TRACE(testing::Message() << kernel << " " << lamp.x << " " << at.x);
                 Scene scene = hard_lamp();
                 test::move_scene(scene, at);
-                Settings s = test::texel_settings(kernel, 256, 0);
-                s.bias.unit = BiasUnit::Metres;
-                s.bias.constant = 0.25;
-                s.bias.normal = 3;
+                Settings s = settings_with(test::texel_settings(kernel, 256, 0),
+                                           {"bias.unit=metres", "bias.constant=0.25", "bias.normal=3"});
                 LightSettings& light = s.lights[0];
                 light.type = LightType::Point;
                 light.size = 0.02;
                 light.distance = 1e-3;  // at its target
                 const glm::dvec3 from = at + lamp - scene.bounds.centre();
-                light.target_x = from.x;
-                light.target_y = from.y;
-                light.target_z = from.z;
+                set_target(light, from);
                 s.camera.distance = 11;
                 s.camera.elevation = 65;
                 test::move_camera(s, at);
@@ -83,14 +77,12 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
 // All texels of a look-up lie in its face: nothing outside the sides is ever read.
 TEST_F(HardCase30, NothingIsReadOutsideAFace) {
     const Scene scene = hard_lamp();
-    for (const Sets& reach : {Sets{{"filter.kernel", "pcf9"}, {"bias.normal", "6"}},
-                              {{"filter.kernel", "pcss"}, {"light.size", "0.3"}},
-                              {{"filter.kernel", "pcf3"}, {"map.blur_texels", "5"}}}) {
+    for (const Sets& reach : {Sets{"filter.kernel=pcf9", "bias.normal=6"},
+                              {"filter.kernel=pcss", "light.size=0.3"},
+                              {"filter.kernel=pcf3", "map.blur_texels=5"}}) {
         Settings s = test::texel_settings("pcf3", 256, 3);
-        for (const auto& [key, value] :
-             Sets{{"light.type", "point"}, {"light.distance", "2"}, {"light.elevation", "90"}})
-            set_setting(s, key, value);
-        for (const auto& [key, value] : reach) set_setting(s, key, value);
+        set_all(s, {"light.type=point", "light.distance=2", "light.elevation=90"});
+        set_all(s, reach);
         const test::Shot lit = test::draw_shot(scene, s);
         s.map.outside = Outside::Unlit;
         EXPECT_EQ(test::differing_share(lit, test::draw_shot(scene, s), 1e-6), 0) << reach[0].second;

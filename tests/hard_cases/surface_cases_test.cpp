@@ -8,6 +8,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_view.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -46,8 +47,7 @@ TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
         const double caught =
             caught_share(width, texel * glm::dvec2(glm::dot(across, view.axes[0]), glm::dot(across, view.axes[1])));
         const RayReference rays(c.scene);
-        const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
-                                                         shot.frame.map_resolution, 0);
+        const ReferenceImage reference = trace_reference(rays, shot, 0);
         int shadow = 0, missing = 0;
         for (std::size_t i = 0; i < reference.states.size(); ++i) {
             if (!reference.hits[i] || reference.hits[i]->position.y > 1e-3 ||
@@ -93,8 +93,7 @@ TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
     };
     // In the light, too little slope bias makes the stairs shadow themselves.
     expect_within_limit(
-        27, share_of(hard_view("edge-on-planes", true, {{"light.azimuth", "30"}, {"light.elevation", "40"}}),
-                     Artefact::Acne));
+        27, share_of(hard_view("edge-on-planes", true, {"light.azimuth=30", "light.elevation=40"}), Artefact::Acne));
     EXPECT_LT(share_of(c, Artefact::PeterPanning), 0.01);
     expect_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
 }

@@ -6,6 +6,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/overlays.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -23,9 +24,7 @@ Scene placed_scene(const glm::dmat4& placed) {
 }
 
 Settings seen_from(Settings s, const glm::dvec3& target, double scale = 1) {
-    s.camera.target_x = target.x;
-    s.camera.target_y = target.y;
-    s.camera.target_z = target.z;
+    set_target(s.camera, target);
     s.camera.distance *= scale;
     return s;
 }
@@ -105,23 +104,19 @@ TEST(HardCase14, NormalsArePerpendicularToStretchedFaces) {
     const RayReference rays(scene);
     double worst = 0, naive_worst = 0;
     int seen = 0;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            glm::dvec3 origin, dir;
-            frame.camera.pixel_ray(x, y, image.width, image.height, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit || image.at(x, y, 3) == 0) continue;
-            const glm::dvec3 n = 2.0 * glm::dvec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)) - 1.0;
-            const auto degrees = [](const glm::dvec3& a, const glm::dvec3& b) {
-                return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / M_PI;
-            };
-            worst = std::max(worst, degrees(n, hit->normal));
-            // A normal transformed like a point would give this, computed back from the right normal.
-            const glm::dmat3 m(scene.objects[0].world);
-            const glm::dvec3 local = glm::transpose(m) * hit->normal;
-            naive_worst = std::max(naive_worst, degrees(m * local, hit->normal));
-            ++seen;
-        }
+    for (const auto& [x, y, hit] : pixel_hits(rays, frame.camera, image.width, image.height)) {
+        if (image.at(x, y, 3) == 0) continue;
+        const glm::dvec3 n = 2.0 * glm::dvec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)) - 1.0;
+        const auto degrees = [](const glm::dvec3& a, const glm::dvec3& b) {
+            return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / M_PI;
+        };
+        worst = std::max(worst, degrees(n, hit.normal));
+        // A normal transformed like a point would give this, computed back from the right normal.
+        const glm::dmat3 m(scene.objects[0].world);
+        const glm::dvec3 local = glm::transpose(m) * hit.normal;
+        naive_worst = std::max(naive_worst, degrees(m * local, hit.normal));
+        ++seen;
+    }
     EXPECT_GT(seen, 1000);
     expect_within_limit(14, worst);
     expect_fault(14, naive_worst);

@@ -77,12 +77,9 @@ std::vector<BiasCase> bias_cases() {
 }
 
 std::string bias_name(const testing::TestParamInfo<BiasCase>& info) {
-    const char* lights[] = {"directional", "spot", "point"};
     const BiasCase& c = info.param;
-    std::string name = c.bias + "_by_" + c.key.substr(5) + "_" + lights[int(c.light)] + "_" + format_name(c.format) +
-                       "_" + c.kernel + "_" + c.fit + "_" + std::to_string(info.index);
-    std::ranges::replace(name, '-', '_');
-    return name;
+    return identifier(c.bias + "_by_" + c.key.substr(5) + "_" + light_name(c.light) + "_" + format_name(c.format) +
+                      "_" + c.kernel + "_" + c.fit + "_" + std::to_string(info.index));
 }
 
 class EachBias : public testing::TestWithParam<BiasCase> {
@@ -104,23 +101,16 @@ protected:
         s.map.format = c.format;
         s.map.reversed_z = c.reversed;
         set_setting(s, "filter.kernel", c.kernel);
-        LightSettings& light = s.lights[0];
-        light.type = c.light;
-        light.azimuth = c.place.azimuth;
-        light.elevation = c.place.elevation;
-        light.distance = c.light == LightType::Directional ? 0 : 9;
-        light.cone = 80;
-        light.size = c.light == LightType::Directional ? 0.5 : 0.05;
+        place_light(s, c.light, c.place);
+        s.lights[0].size = c.light == LightType::Directional ? 0.5 : 0.05;
         set_setting(s, "light.fit", c.fit);
         s.camera.elevation = 35;  // sees below the cover
-        move_camera(s, c.place.at);
         set_amount(s, value);
         return s;
     }
 
     BiasBreakdown account(const Hit& hit, const FrameResult& frame, const Settings& s) const {
-        return bias_breakdown(frame.lights[0], s, frame.map_resolution,
-                              {hit.position, hit.normal, hit.normal, frame.camera.origin()}, hard_renderer().driver());
+        return breakdown_at(frame, s, hard_renderer().driver(), hit.position, hit.normal);
     }
     /// Counts of lit pixels of planes turned upwards: those that the settings clear by their account, and those that
     /// rise across the map by much more than rounding.
@@ -172,10 +162,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     if (row.gives_needed_bias) set_setting(bare, "bias.kind", "constant");
     const Shot none = draw_shot(scene, bare);
     const double reach = kernel_reach_in_light(s, none.light(), none.frame.map_resolution).edge + 1;
-    const auto reference_within = [&](double texels) {
-        return trace_reference(RayReference(scene), none.frame.camera, none.light(), none.width, none.height,
-                               none.frame.map_resolution, texels);
-    };
+    const auto reference_within = [&](double texels) { return trace_reference(RayReference(scene), none, texels); };
     ReferenceImage reference = reference_within(reach);
     const double value = least_value([&](double v) {
         set_amount(s, v);
@@ -222,8 +209,7 @@ TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
         s.objects["box"].cast = true;
         const Shot shot = draw_shot(scene, s, 64, 48);
         const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 5;
-        const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(),
-                                                         shot.width, shot.height, shot.frame.map_resolution, reach);
+        const ReferenceImage reference = trace_reference(RayReference(scene), shot, reach);
         int lit = 0;
         for (std::size_t i = 0; i < reference.states.size(); ++i) {
             if (reference.states[i] != ReferenceState::Lit ||

@@ -8,6 +8,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -40,11 +41,8 @@ std::vector<FitCase> fit_cases() {
 }
 
 std::string fit_name(const testing::TestParamInfo<FitCase>& info) {
-    const char* lights[] = {"directional", "spot", "point"};
-    std::string name = info.param.fit + "_" + lights[int(info.param.light)] + "_" + info.param.kernel + "_" +
-                       std::to_string(info.index);
-    std::ranges::replace(name, '-', '_');
-    return name;
+    return identifier(info.param.fit + "_" + light_name(info.param.light) + "_" + info.param.kernel + "_" +
+                      std::to_string(info.index));
 }
 
 class EachFit : public testing::TestWithParam<FitCase> {
@@ -53,18 +51,12 @@ protected:
 
     Settings settings() const {
         Settings s = texel_settings(c.kernel, 256, 0);
-        LightSettings& light = s.lights[0];
-        light.type = c.light;
-        light.azimuth = c.place.azimuth;
-        light.elevation = c.place.elevation;
-        light.distance = c.light == LightType::Directional ? 0 : 9;
-        light.cone = 80;
-        light.size = c.light == LightType::Directional ? 0.5 : 0.05;
+        place_light(s, c.light, c.place);
+        s.lights[0].size = c.light == LightType::Directional ? 0.5 : 0.05;
         if (c.seen_in_part) {
             s.camera.distance = 4;
-            s.camera.target_x = 1;
+            s.camera.target_x += 1;
         }
-        move_camera(s, c.place.at);
         // Enough for any of these maps: in metres, so that it is the same for all fits.
         s.bias.unit = BiasUnit::Metres;
         s.bias.constant = 0.6;
@@ -74,11 +66,9 @@ protected:
 
 /// Makes a floor, half of it covered at 2 m, and a floating box over the other half.
 Scene covered_in_part(const glm::dvec3& at) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
-    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(3, 5), grey), moved(-2, 2, 0));
-    add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.2, 0.4, 1.6}), grey), moved(2, 1.5, 0.5));
+    Scene scene = grey_scene({{"floor", make_plane(12, 12)},
+                              {"cover", make_plane(3, 5), moved(-2, 2, 0)},
+                              {"box", make_box({1.2, 0.4, 1.6}), moved(2, 1.5, 0.5)}});
     move_scene(scene, at);
     return scene;
 }
@@ -138,15 +128,12 @@ TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
 
 // Without shadows a fit has no region to narrow to: everything is lit, inside the map and outside.
 TEST_P(EachFit, LightsALonePlane) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
+    Scene scene = make_scene(make_plane(8, 8));
     move_scene(scene, c.place.at);
     Settings s = settings();
     set_setting(s, "light.fit", c.fit);
     const Shot shot = draw_shot(scene, s, 80, 60);
-    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
-                                                     shot.height, shot.frame.map_resolution, 0);
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot, 0);
     int lit = 0;
     for (std::size_t i = 0; i < reference.states.size(); ++i) {
         if (reference.states[i] != ReferenceState::Lit) continue;

@@ -19,6 +19,7 @@
 #include "renderer/settings/param.h"
 #include "tests/support/environment_number.h"
 #include "tests/support/requested_driver.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -44,9 +45,7 @@ protected:
     void SetUp() override { expect_requested_driver(); }
 
     FrameResult draw(const Scene& scene, const Settings& s, bool health) {
-        FrameRequest request{.width = kPixels, .height = kPixels};
-        request.outputs.health = health;
-        request.outputs.overlay = health;
+        FrameRequest request{.width = kPixels, .height = kPixels, .outputs = {.overlay = health, .health = health}};
         ReferenceCache references;
         trace_sources(*renderer, scene, s, request, references);
         return renderer->render(scene, s, request);
@@ -124,47 +123,34 @@ protected:
 TEST_F(RandomSettings, EarlierFaultsStayFixed) {
     struct Found {
         const char* scene;
-        std::vector<std::pair<const char*, const char*>> sets;
+        Sets sets;
     };
     const Found all[] = {
         // Triangles seen edge-on wrote depths far outside their range.
-        {"figures", {{"map.format", "colour"}, {"light.azimuth", "270"}, {"light.elevation", "14.899059362498523"}}},
+        {"figures", {"map.format=colour", "light.azimuth=270", "light.elevation=14.899059362498523"}},
         {"figures",
-         {{"map.format", "colour"},
-          {"light.azimuth", "-90"},
-          {"light.elevation", "5.392082575150003"},
-          {"light.fit", "scene"},
-          {"map.resolution", "512"}}},
+         {"map.format=colour", "light.azimuth=-90", "light.elevation=5.392082575150003", "light.fit=scene",
+          "map.resolution=512"}},
         // At this distance near and far were one number to shaders.
-        {"teapot", {{"light.target_z", "62172591.68624878"}, {"map.resolution", "64"}}},
-        {"teapot", {{"light.target_x", "84523618.22128296"}, {"light.fit", "lispsm"}, {"map.resolution", "64"}}},
+        {"teapot", {"light.target_z=62172591.68624878", "map.resolution=64"}},
+        {"teapot", {"light.target_x=84523618.22128296", "light.fit=lispsm", "map.resolution=64"}},
         // Shares of a blur's averages were flushed to zero.
-        {"figures", {{"filter.kernel", "evsm4"}, {"filter.exponent", "76"}, {"map.resolution", "512"}}},
+        {"figures", {"filter.kernel=evsm4", "filter.exponent=76", "map.resolution=512"}},
         {"figures",
-         {{"filter.kernel", "esm"},
-          {"filter.exponent", "88"},
-          {"filter.blur", "8"},
-          {"filter.blur_shape", "gaussian"},
-          {"map.resolution", "256"}}},
+         {"filter.kernel=esm", "filter.exponent=88", "filter.blur=8", "filter.blur_shape=gaussian",
+          "map.resolution=256"}},
         // With near a small share of far, rounding at the far plane moved depths out of their range.
-        {"figures",
-         {{"filter.kernel", "evsm2"},
-          {"light.projection", "perspective"},
-          {"light.stretch", "1e5"},
-          {"map.resolution", "256"}}},
+        {"figures", {"filter.kernel=evsm2", "light.projection=perspective", "light.stretch=1e5", "map.resolution=256"}},
     };
     for (const Found& found : all) {
         RandomCase of{.scene = found.scene, .settings = {}};
-        for (const auto& [key, value] : found.sets) set_setting(of.settings, key, value);
+        set_all(of.settings, found.sets);
         const Verdict verdict = check(of);
         EXPECT_TRUE(verdict.good()) << found.scene << " " << found.sets[0].first << ": " << verdict.text;
     }
     // In a depth buffer they were at the near plane.
-    Settings s;
-    set_setting(s, "light.azimuth", "270");
-    set_setting(s, "light.elevation", "14.899059362498523");
-    FrameRequest request{.width = kPixels, .height = kPixels};
-    request.outputs.shadow_map = true;
+    Settings s = settings_with({}, {"light.azimuth=270", "light.elevation=14.899059362498523"});
+    FrameRequest request{.width = kPixels, .height = kPixels, .outputs = {.shadow_map = true}};
     const FloatImage map = renderer->read_shadow_map(renderer->render(small_scene("figures"), s, request), 0, 0);
     EXPECT_GT(*std::min_element(map.data.begin(), map.data.end()), 0);
 }

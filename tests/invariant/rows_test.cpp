@@ -13,7 +13,9 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/square_kernels.h"
 
 namespace si::test {
@@ -54,11 +56,8 @@ struct Case {
 };
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
-    const char* lights[] = {"directional", "spot", "point"};
-    std::string name = info.param.kernel + "_" + lights[int(info.param.light)] + "_" + format_name(info.param.format) +
-                       (info.param.reversed ? "_reversed" : "");
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
+    return identifier(info.param.kernel + "_" + light_name(info.param.light) + "_" + format_name(info.param.format) +
+                      (info.param.reversed ? "_reversed" : ""));
 }
 
 /// Returns each kernel under each light, with alternating formats, depth directions, kinds of bias, fits and
@@ -127,8 +126,7 @@ protected:
 /// Visits each pixel's reference and visibility. Boundary pixels have an edge within the given number of texels.
 template <class Visit>
 void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit visit) {
-    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
-                                                     shot.height, shot.frame.map_resolution, reach_texels);
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot, reach_texels);
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) visit(reference.state_at(x, y), double(shot.visibility.at(x, y)));
 }
@@ -170,9 +168,7 @@ std::vector<Case> cases_of_one_map() {
 }
 
 TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(6, 6), grey));
+    Scene scene = make_scene(make_plane(6, 6));
     move_scene(scene, c.place.at);
     Settings s = settings_of(c, 256);
     s.lights[0].elevation = 20;
@@ -181,8 +177,7 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     int lit = 0;
     double least = 1;
     const Shot shot = draw_shot(scene, s);
-    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
-                                                     shot.height, shot.frame.map_resolution, 0);
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot, 0);
     for (std::size_t i = 0; i < reference.states.size(); ++i) {
         if (reference.states[i] != ReferenceState::Lit) continue;
         // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
@@ -257,19 +252,12 @@ INSTANTIATE_TEST_SUITE_P(All, EachKernelOfOneMap, testing::ValuesIn(cases_of_one
 
 /// Makes a floor, and 1 m above it a cover over the half where x is below 0.
 Scene half_covered_floor() {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
-    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 8), grey), moved(-2, 1, 0));
-    finalise(scene);
-    return scene;
+    return grey_scene({{"floor", make_plane(8, 8)}, {"cover", make_plane(4, 8), moved(-2, 1, 0)}});
 }
 
 Settings overhead(std::string_view kernel) {
-    Settings s = texel_settings(kernel, 64, 0.2);
-    s.lights[0].elevation = 90;
-    s.lights[0].azimuth = 0;
-    s.camera.elevation = 30;
+    Settings s = settings_with(texel_settings(kernel, 64, 0.2),
+                               {"light.elevation=90", "light.azimuth=0", "camera.elevation=30"});
     s.camera.azimuth = 90;  // sees below the cover
     s.camera.distance = 6;
     return s;
@@ -298,26 +286,21 @@ std::vector<EdgePixel> pixels_at_edge(const Shot& shot, const Scene& scene) {
     const int axis = std::abs(view.axes[0].x) > 0.5 ? 0 : 1;
     const bool grows = view.axes[axis].x > 0;
     const double edge = uvdw(view, {0, 0, 0})[axis] * n;
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) {
-            glm::dvec3 origin, dir;
-            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit || hit->position.y > 1e-6 || std::abs(hit->position.x) > 1.5 || std::abs(hit->position.z) > 1.5)
-                continue;
-            const double place = uvdw(view, hit->position)[axis] * n;
-            const EdgePixel p{x,
-                              y,
-                              axis,
-                              grows,
-                              n,
-                              grows ? place : n - place,
-                              std::ceil((grows ? edge : n - edge) - 0.5),
-                              shot.visibility.at(x, y)};
-            const double fraction = p.place - std::floor(p.place);
-            if (std::min(fraction, 1 - fraction) < 1e-3) continue;
-            out.push_back(p);
-        }
+    for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+        if (hit.position.y > 1e-6 || std::abs(hit.position.x) > 1.5 || std::abs(hit.position.z) > 1.5) continue;
+        const double place = uvdw(view, hit.position)[axis] * n;
+        const EdgePixel p{x,
+                          y,
+                          axis,
+                          grows,
+                          n,
+                          grows ? place : n - place,
+                          std::ceil((grows ? edge : n - edge) - 0.5),
+                          shot.visibility.at(x, y)};
+        const double fraction = p.place - std::floor(p.place);
+        if (std::min(fraction, 1 - fraction) < 1e-3) continue;
+        out.push_back(p);
+    }
     return out;
 }
 
@@ -403,11 +386,8 @@ TEST(Vsm, OfTwoPlanesEqualsTheLitShare) {
 
 TEST(Vsm, LightBleedReductionCutsAShareAndRescalesTheRest) {
     const Scene scene = half_covered_floor();
-    Settings s = overhead("vsm");
-    s.bias.constant = 0.01;
-    s.filter.blur = 1;
-    s.filter.bleed = 0.3;
-    s.filter.min_variance = 0;
+    Settings s = settings_with(overhead("vsm"),
+                               {"bias.constant=0.01", "filter.blur=1", "filter.bleed=0.3", "filter.min_variance=0"});
     double worst = 0;
     for (const EdgePixel& p : pixels_at_edge(draw_shot(scene, s, 320, 240), scene)) {
         const double share = box_profile(p, 3);
@@ -464,13 +444,8 @@ TEST_P(PenumbraKernels, PenumbraWidthsFollowSimilarTriangles) {
         s.lights[0].type = light.type;
         s.lights[0].size = light.size;
         s.lights[0].distance = light.type == LightType::Directional ? 0 : place_m;
-        s.lights[0].cone = 80;
-        s.filter.max_radius = 64;
-        s.filter.rays = 32;
-        s.filter.steps = 16;
-        s.camera.distance = 3;
-        FrameRequest request{.width = 320, .height = 240};
-        request.outputs = {.colour = false, .overlay = true};
+        set_all(s, {"light.cone=80", "filter.max_radius=64", "filter.rays=32", "filter.steps=16", "camera.distance=3"});
+        FrameRequest request{.width = 320, .height = 240, .outputs = {.colour = false, .overlay = true}};
         const auto values = [&](std::string_view overlay) {
             set_setting(s, "view.overlay", overlay);
             return hard_renderer().read_float(hard_renderer().render(scene, s, request).overlay, 4);
@@ -479,28 +454,24 @@ TEST_P(PenumbraKernels, PenumbraWidthsFollowSimilarTriangles) {
         const FrameResult frame = hard_renderer().render(scene, s, request);
         const RayReference rays(scene);
         int found = 0;
-        for (int y = 0; y < request.height; ++y)
-            for (int x = 0; x < request.width; ++x) {
-                glm::dvec3 origin, dir;
-                frame.camera.pixel_ray(x, y, request.width, request.height, origin, dir);
-                const auto hit = rays.first_hit(origin, dir);
-                // In the middle of the penumbra the search meets the cover with all its samples.
-                if (!hit || hit->position.y > 1e-6 || std::abs(hit->position.x) > 0.1 * light.penumbra_m ||
-                    std::abs(hit->position.z) > 1)
-                    continue;
-                const float gap_m = gap.at(x, y, 0), texels = width.at(x, y, 0);
-                if (std::isnan(gap_m)) continue;
-                ++found;
-                // A stopped ray takes no more of its steps.
-                const int most = cost_of(s).texels;
-                ASSERT_LE(taps.at(x, y, 0), most);
-                ASSERT_GE(taps.at(x, y, 0), s.filter.kernel == kernel_row("smrt") ? most / 4 : most);
-                const LightView& view = view_of(frame.lights[0], hit->position);
-                const double texel_m =
-                    view.texel_size(glm::dot(view.eye - hit->position, view.axes[2]), frame.map_resolution);
-                ASSERT_NEAR(gap_m, 1, 0.03) << x << "," << y;
-                ASSERT_NEAR(texels * texel_m, light.penumbra_m, 0.05 * light.penumbra_m) << int(light.type);
-            }
+        for (const auto& [x, y, hit] : pixel_hits(rays, frame.camera, request.width, request.height)) {
+            // In the middle of the penumbra the search meets the cover with all its samples.
+            if (hit.position.y > 1e-6 || std::abs(hit.position.x) > 0.1 * light.penumbra_m ||
+                std::abs(hit.position.z) > 1)
+                continue;
+            const float gap_m = gap.at(x, y, 0), texels = width.at(x, y, 0);
+            if (std::isnan(gap_m)) continue;
+            ++found;
+            // A stopped ray takes no more of its steps.
+            const int most = cost_of(s).texels;
+            ASSERT_LE(taps.at(x, y, 0), most);
+            ASSERT_GE(taps.at(x, y, 0), s.filter.kernel == kernel_row("smrt") ? most / 4 : most);
+            const LightView& view = view_of(frame.lights[0], hit.position);
+            const double texel_m =
+                view.texel_size(glm::dot(view.eye - hit.position, view.axes[2]), frame.map_resolution);
+            ASSERT_NEAR(gap_m, 1, 0.03) << x << "," << y;
+            ASSERT_NEAR(texels * texel_m, light.penumbra_m, 0.05 * light.penumbra_m) << int(light.type);
+        }
         EXPECT_GT(found, 20) << int(light.type);
     }
 }

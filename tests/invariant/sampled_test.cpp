@@ -8,7 +8,9 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -18,11 +20,9 @@ const glm::dvec3 kThere = {40, 3, -70};
 /// Makes a floor and, 1 m above it, a cover over the half where x is below 0. Far from both a brick of 3 m allows
 /// higher casters. The scene stands off the origin.
 Scene covered_floor_and_a_brick() {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
-    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 8), grey), moved(-2, 1, 0));
-    add_object(scene, "brick", -1, add_mesh(scene, "brick", make_box({0.2, 0.2, 0.2}), grey), moved(3.8, 3, 3.8));
+    Scene scene = grey_scene({{"floor", make_plane(8, 8)},
+                              {"cover", make_plane(4, 8), moved(-2, 1, 0)},
+                              {"brick", make_box({0.2, 0.2, 0.2}), moved(3.8, 3, 3.8)}});
     move_scene(scene, kThere);
     return scene;
 }
@@ -33,11 +33,8 @@ Settings soft_settings(std::string_view kernel, LightType type) {
     s.lights[0].type = type;
     s.lights[0].size = type == LightType::Directional ? 4 : 0.3;
     s.lights[0].distance = type == LightType::Directional ? 0 : 5;
-    s.lights[0].cone = 80;
-    s.lights[0].elevation = 90;
-    s.lights[0].azimuth = 0;
-    s.filter.max_radius = 64;
-    s.camera.elevation = 40;
+    set_all(s,
+            {"light.cone=80", "light.elevation=90", "light.azimuth=0", "filter.max_radius=64", "camera.elevation=40"});
     s.camera.azimuth = 90;  // sees below the cover
     s.camera.target_x = s.camera.target_y = s.camera.target_z = 0;
     s.camera.distance = 1.2;
@@ -48,13 +45,10 @@ Settings soft_settings(std::string_view kernel, LightType type) {
 /// Visits the floor's pixels: (metres across the edge, visibility).
 template <class Visit>
 void across_the_edge(const Shot& shot, Visit visit) {
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) {
-            glm::dvec3 origin, dir;
-            shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-            const glm::dvec3 at = origin + dir * ((kThere.y - origin.y) / dir.y) - kThere;
-            if (dir.y < 0 && std::abs(at.x) < 1 && std::abs(at.z) < 1) visit(at.x, double(shot.visibility.at(x, y)));
-        }
+    for (const auto& [x, y, origin, dir] : pixel_rays(shot)) {
+        const glm::dvec3 at = origin + dir * ((kThere.y - origin.y) / dir.y) - kThere;
+        if (dir.y < 0 && std::abs(at.x) < 1 && std::abs(at.z) < 1) visit(at.x, double(shot.visibility.at(x, y)));
+    }
 }
 
 /// Returns the place where mean visibility, over narrow stripes along the edge, first exceeds a share.
@@ -72,19 +66,18 @@ double crossing(const std::map<int, std::pair<double, int>>& stripes, double str
 
 TEST(SoftKernels, PenumbraWidthsMatchTheLightsSize) {
     const Scene scene = covered_floor_and_a_brick();
-    using Changes = std::vector<std::pair<const char*, const char*>>;
-    const std::pair<const char*, Changes> kernels[] = {
-        {"pcss", {{"filter.taps", "64"}, {"filter.blocker_taps", "64"}}},
-        {"pcss", {{"filter.disk", "spiral"}, {"filter.taps", "200"}, {"filter.blocker_taps", "200"}}},
-        {"dpcf", {{"filter.disk", "spiral"}, {"filter.taps", "400"}}},
-        {"smrt", {{"filter.rays", "64"}, {"filter.steps", "32"}}}};
+    const std::pair<const char*, Sets> kernels[] = {
+        {"pcss", {"filter.taps=64", "filter.blocker_taps=64"}},
+        {"pcss", {"filter.disk=spiral", "filter.taps=200", "filter.blocker_taps=200"}},
+        {"dpcf", {"filter.disk=spiral", "filter.taps=400"}},
+        {"smrt", {"filter.rays=64", "filter.steps=32"}}};
     for (const auto& [kernel, changes] : kernels)
         for (const LightType type : kLightTypes)
             for (const bool reversed : {false, true}) {
                 if (reversed && type != LightType::Spot) continue;
                 Settings s = soft_settings(kernel, type);
                 s.map.reversed_z = reversed;
-                for (const auto& [key, value] : changes) set_setting(s, key, value);
+                set_all(s, changes);
                 SCOPED_TRACE(std::string(kernel) + " " + changes.front().second + " light " +
                              std::to_string(int(type)));
                 const Shot shot = draw_shot(scene, s, 240, 120);
@@ -168,10 +161,8 @@ TEST(SampledKernels, NoiseFallsWithTheSlopeOfTheirRows) {
         ++rows;
         SCOPED_TRACE(row.key);
         const auto picture = [&](std::string_view kernel, int places, bool turned = true) {
-            Settings s = soft_settings(kernel, LightType::Directional);
-            s.map.resolution = 2048;
-            s.filter.radius = 16;
-            s.filter.disk = Disk::Spiral;
+            Settings s = settings_with(soft_settings(kernel, LightType::Directional),
+                                       {"map.resolution=2048", "filter.radius=16", "filter.disk=spiral"});
             set_setting(s, row.noise.taps, std::to_string(places));
             s.filter.blocker_taps = places;
             s.filter.rotate = turned;

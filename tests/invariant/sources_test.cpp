@@ -34,11 +34,8 @@ std::vector<SourceCase> source_cases(bool maps_too = true) {
 }
 
 std::string source_name(const testing::TestParamInfo<SourceCase>& info) {
-    const char* lights[] = {"directional", "spot", "point"};
-    std::string name =
-        info.param.source + "_" + lights[int(info.param.light)] + "_" + std::to_string(info.index % std::size(kPlaces));
-    std::ranges::replace(name, '-', '_');
-    return name;
+    return identifier(info.param.source + "_" + light_name(info.param.light) + "_" +
+                      std::to_string(info.index % std::size(kPlaces)));
 }
 
 constexpr double kCoverY = 1.5, kCoverHalf = 1.5;
@@ -50,16 +47,10 @@ protected:
 
     Settings settings() const {
         Settings s = texel_settings("hw2x2", 512, 4);
-        LightSettings& light = s.lights[0];
         set_setting(s, "light.source", c.source);
-        light.type = c.light;
-        light.azimuth = c.place.azimuth;
-        light.elevation = c.place.elevation;
-        light.distance = c.light == LightType::Directional ? 0 : 9;
-        light.cone = 80;
+        place_light(s, c.light, c.place);
         s.camera.elevation = 22;
         s.camera.distance = 11;  // sees below the cover
-        move_camera(s, c.place.at);
         return s;
     }
     /// Makes a floor of 12 m, and a cover of 3 x 3 m in the half where x is below 0.
@@ -83,14 +74,10 @@ protected:
     template <class Visit>
     void each_floor_pixel(const Shot& shot, const Scene& scene, Visit visit) const {
         const RayReference rays(scene);
-        for (int y = 0; y < shot.height; ++y)
-            for (int x = 0; x < shot.width; ++x) {
-                glm::dvec3 origin, dir;
-                shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, dir);
-                const auto hit = rays.first_hit(origin, dir);
-                if (!hit || std::abs(hit->position.y - c.place.at.y) > 1e-3) continue;
-                visit(hit->position, double(shot.visibility.at(x, y)));
-            }
+        for (const auto& [x, y, hit] : pixel_hits(rays, shot)) {
+            if (std::abs(hit.position.y - c.place.at.y) > 1e-3) continue;
+            visit(hit.position, double(shot.visibility.at(x, y)));
+        }
     }
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/scenes/shapes.h"
+
 namespace si::test {
 
 Scene box_scene(const std::vector<BoxExtent>& boxes, const glm::dvec3& offset) {
@@ -35,6 +37,25 @@ Scene blocks_on_ground(const glm::dvec3& at, double thickness_m) {
         for (int z = -3; z < 4; ++z)
             boxes.push_back({at + glm::dvec3(11 * x - 1, 0, 11 * z - 1), at + glm::dvec3(11 * x + 1, 3, 11 * z + 1)});
     return box_scene(boxes);
+}
+
+Scene grey_scene(std::vector<GreyPart> parts) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    for (GreyPart& part : parts) {
+        const int mesh = add_mesh(scene, part.name, std::move(part.mesh), grey);
+        add_object(scene, part.name, -1, mesh, part.place);
+    }
+    finalise(scene);
+    return scene;
+}
+
+Scene fence(int bars, double width_m, double step_m) {
+    std::vector<GreyPart> parts{{"floor", make_plane(12, 12)}};
+    const Mesh bar = make_box({width_m, 1.6, width_m});
+    for (int i = 0; i < bars; ++i)
+        parts.push_back({"bar " + std::to_string(i), bar, moved(-3 + step_m * i + 0.013 * (i % 5), 0.9, 0)});
+    return grey_scene(std::move(parts));
 }
 
 }  // namespace si::test

@@ -16,12 +16,11 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/source_tree.h"
 
 namespace si::test {
 namespace {
-
-using Sets = std::vector<std::pair<std::string, std::string>>;  // keys with values
 
 constexpr int kWidth = 128, kHeight = 72;
 
@@ -48,49 +47,37 @@ struct GoldenTable {
 };
 
 const std::vector<GoldenTable>& tables() {
-    const Sets cascades = {{"light.cascades", "3"}, {"camera.distance", "6"}, {"camera.elevation", "12"}};
-    const Sets pages = {{"map.virtual", "true"}, {"map.page_size", "16"}, {"map.resolution", "256"}};
-    const Sets few_pages = {
-        {"map.virtual", "true"}, {"map.page_size", "16"}, {"map.resolution", "256"}, {"map.page_pool", "24"}};
-    const Sets soft = {{"filter.kernel", "pcss"}, {"light.size", "4"}, {"bias.constant", "5"}};
-    const Sets wrong = {{"map.resolution", "48"}, {"bias.constant", "0.2"}};
+    const Sets cascades = {"light.cascades=3", "camera.distance=6", "camera.elevation=12"};
+    const Sets pages = {"map.virtual=true", "map.page_size=16", "map.resolution=256"};
+    const Sets few_pages = {"map.virtual=true", "map.page_size=16", "map.resolution=256", "map.page_pool=24"};
+    const Sets soft = {"filter.kernel=pcss", "light.size=4", "bias.constant=5"};
+    const Sets wrong = {"map.resolution=48", "bias.constant=0.2"};
     static const std::vector<GoldenTable> list = {
-        {"sources", "light.source", {{"view.overlay", "visibility"}, {"map.resolution", "128"}}},
+        {"sources", "light.source", {"view.overlay=visibility", "map.resolution=128"}},
         {"filters",
          "filter.kernel",
-         {{"view.overlay", "visibility"}, {"light.size", "4"}, {"bias.constant", "5"}, {"filter.exponent", "20"}},
-         {{"evsm2", {{"filter.exponent", "8"}}}, {"evsm4", {{"filter.exponent", "8"}}}}},
+         {"view.overlay=visibility", "light.size=4", "bias.constant=5", "filter.exponent=20"},
+         {{"evsm2", {"filter.exponent=8"}}, {"evsm4", {"filter.exponent=8"}}}},
         {"biases",
          "bias.kind",
-         {{"view.overlay", "bias-applied"},
-          {"view.overlay_range", "manual"},
-          {"view.overlay_min", "0"},
-          {"view.overlay_max", "3"},
-          {"view.overlay_opacity", "0.6"},
-          {"map.resolution", "48"},
-          {"light.elevation", "25"},
-          {"bias.constant", "0.4"},
-          {"bias.slope", "1.2"}}},
-        {"fits", "light.fit", {{"view.overlay", "light-uv"}, {"map.resolution", "48"}, {"camera.distance", "5"}}},
+         {"view.overlay=bias-applied", "view.overlay_range=manual", "view.overlay_min=0", "view.overlay_max=3",
+          "view.overlay_opacity=0.6", "map.resolution=48", "light.elevation=25", "bias.constant=0.4",
+          "bias.slope=1.2"}},
+        {"fits", "light.fit", {"view.overlay=light-uv", "map.resolution=48", "camera.distance=5"}},
         {"splits", "light.split",
          [&] {
              Sets sets = cascades;
-             sets.insert(sets.end(), {{"view.overlay", "cascade"}, {"map.resolution", "64"}, {"light.split_1", "0.2"}});
+             sets.insert(sets.end(), {"view.overlay=cascade", "map.resolution=64", "light.split_1=0.2"});
              return sets;
          }()},
         {"formats",
          "map.format",
-         {{"view.overlay", "depth-difference"},
-          {"view.overlay_range", "manual"},
-          {"view.overlay_min", "-0.0001"},
-          {"view.overlay_max", "0.0001"},
-          {"light.elevation", "90"}}},
-        {"moment-formats",
-         "filter.moment_format",
-         {{"view.overlay", "visibility"}, {"filter.kernel", "msm_hamburger"}}},
-        {"skies", "shading.sky", {{"light.elevation", "20"}}},
-        {"curves", "shading.curve", {{"shading.exposure", "1"}}},
-        {"sums", "filter.sums", {{"view.overlay", "visibility"}, {"filter.kernel", "savsm"}}},
+         {"view.overlay=depth-difference", "view.overlay_range=manual", "view.overlay_min=-0.0001",
+          "view.overlay_max=0.0001", "light.elevation=90"}},
+        {"moment-formats", "filter.moment_format", {"view.overlay=visibility", "filter.kernel=msm_hamburger"}},
+        {"skies", "shading.sky", {"light.elevation=20"}},
+        {"curves", "shading.curve", {"shading.exposure=1"}},
+        {"sums", "filter.sums", {"view.overlay=visibility", "filter.kernel=savsm"}},
         {"overlays",
          "view.overlay",
          {},
@@ -102,11 +89,11 @@ const std::vector<GoldenTable>& tables() {
           {"taps", soft},
           {"blocker-gap", soft},
           {"penumbra-width", soft},
-          {"contact-gap", {{"light.contact", "0.4"}}},
-          {"depth-variance", {{"filter.kernel", "vsm"}}},
-          {"invalid-moments", {{"filter.kernel", "vsm"}, {"filter.moment_format", "16-bit"}, {"filter.blur", "0"}}},
+          {"contact-gap", {"light.contact=0.4"}},
+          {"depth-variance", {"filter.kernel=vsm"}},
+          {"invalid-moments", {"filter.kernel=vsm", "filter.moment_format=16-bit", "filter.blur=0"}},
           {"cascade", cascades},
-          {"outside-map", {{"light.fit", "manual"}, {"light.extent", "2"}}}}},
+          {"outside-map", {"light.fit=manual", "light.extent=2"}}}},
     };
     return list;
 }
@@ -118,9 +105,7 @@ GoldenPicture picture_of(const GoldenTable& table, const std::string& row, const
     out.settings.view.overlay_opacity = 1;
     out.settings.shading.sky = SkyLook::Plain;
     out.settings.shading.curve = ToneCurve::Plain;
-    const auto set = [&](const Sets& of) {
-        for (const auto& [key, value] : of) set_setting(out.settings, key, value);
-    };
+    const auto set = [&](const Sets& of) { set_all(out.settings, of); };
     set(table.sets);
     if (const auto found = table.rows.find(row); found != table.rows.end()) set(found->second);
     set(sets);
@@ -146,9 +131,9 @@ std::vector<GoldenPicture> golden_pictures(const std::string& table) {
     if (table == "biases")  // in addition to bias.kind
         for (const Bias& bias : biases()) {
             const std::string row(bias.key);
-            if (bias.stage == BiasStage::LookUp) out.push_back(picture_of(*found, row, {{"bias.normal", "1.5"}}));
+            if (bias.stage == BiasStage::LookUp) out.push_back(picture_of(*found, row, {"bias.normal=1.5"}));
             if (bias.stage == BiasStage::Raster)
-                out.push_back(picture_of(*found, row, {{"bias.raster_slope", "1.5"}, {"view.overlay", "bias-slack"}}));
+                out.push_back(picture_of(*found, row, {"bias.raster_slope=1.5", "view.overlay=bias-slack"}));
         }
     return out;
 }

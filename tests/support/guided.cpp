@@ -41,12 +41,7 @@ const RayReference& GuidedDrawing::rays() const {
 
 const std::vector<std::optional<Hit>>& GuidedDrawing::hits() const {
     if (hits_.empty())
-        for (int y = 0; y < shot.height; ++y)
-            for (int x = 0; x < shot.width; ++x) {
-                glm::dvec3 origin, direction;
-                shot.frame.camera.pixel_ray(x, y, shot.width, shot.height, origin, direction);
-                hits_.push_back(rays().first_hit(origin, direction));
-            }
+        for (const PixelRay& ray : pixel_rays(shot)) hits_.push_back(rays().first_hit(ray.origin, ray.direction));
     return hits_;
 }
 

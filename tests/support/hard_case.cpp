@@ -9,7 +9,9 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/requested_driver.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -107,6 +109,12 @@ Shot draw_shot(const Scene& scene, const Settings& settings, int width, int heig
     return shot;
 }
 
+BiasBreakdown breakdown_at(const FrameResult& frame, const Settings& settings, const RasterTraits& driver,
+                           const glm::dvec3& point_ws, const glm::dvec3& normal) {
+    return bias_breakdown(frame.lights.at(0), settings, frame.map_resolution,
+                          {point_ws, normal, normal, frame.camera.origin()}, driver);
+}
+
 double differing_share(const Shot& a, const Shot& b, double tolerance) {
     EXPECT_EQ(a.visibility.data.size(), b.visibility.data.size());
     if (a.visibility.data.size() != b.visibility.data.size() || a.visibility.data.empty()) return 1;
@@ -125,8 +133,7 @@ double shadow_share(const Shot& shot) {
 ReferenceErrors compare_with_reference(const Shot& shot, const Scene& scene, double reach_texels) {
     const RayReference rays(scene);
     EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "reference and picture have different scenes";
-    const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
-                                                     shot.frame.map_resolution, reach_texels);
+    const ReferenceImage reference = trace_reference(rays, shot, reach_texels);
     ReferenceErrors e;
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
@@ -156,21 +163,22 @@ int kernel_row(std::string_view key) {
 }
 
 Scene floor_and_box(double size, const glm::dvec3& box, double gap) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(size, size), grey));
-    add_object(scene, "box", -1, add_mesh(scene, "box", make_box(box), grey), moved(0, 0.5 * box.y + gap, 0));
-    finalise(scene);
-    return scene;
+    return grey_scene({{"floor", make_plane(size, size)}, {"box", make_box(box), moved(0, 0.5 * box.y + gap, 0)}});
 }
 
 Scene sheet_over_floor(double height_m) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(0, height_m, 0));
-    finalise(scene);
-    return scene;
+    return grey_scene({{"floor", make_plane(10, 10)}, {"sheet", make_plane(3, 3), moved(0, height_m, 0)}});
+}
+
+std::string light_name(LightType type) {
+    const char* names[] = {"directional", "spot", "point"};
+    return names[int(type)];
+}
+
+std::string identifier(std::string_view key) {
+    std::string name(key);
+    std::ranges::replace(name, '-', '_');
+    return name;
 }
 
 std::string format_name(MapFormat format) {
@@ -179,16 +187,8 @@ std::string format_name(MapFormat format) {
 }
 
 Settings hard_settings() {
-    Settings s;
-    s.map.resolution = 512;
-    s.lights[0].azimuth = 30;
-    s.lights[0].elevation = 40;
-    s.camera.source = CameraSource::Manual;
-    s.camera.azimuth = -20;
-    s.camera.elevation = 55;
-    s.camera.distance = 9;
-    s.camera.target_y = 0.5;
-    return s;
+    return settings_with({}, {"map.resolution=512", "light.azimuth=30", "light.elevation=40", "camera.source=manual",
+                              "camera.azimuth=-20", "camera.elevation=55", "camera.distance=9", "camera.target_y=0.5"});
 }
 
 Settings texel_settings(std::string_view filter, int resolution, double constant_texels) {
@@ -203,22 +203,13 @@ Settings texel_settings(std::string_view filter, int resolution, double constant
 }
 
 Scene wall_on_plane() {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
-    add_object(scene, "wall", -1, add_mesh(scene, "wall", make_box({6, 2, 0.3}), grey), moved(0, 1, 0));
-    finalise(scene);
-    return scene;
+    return grey_scene({{"floor", make_plane(20, 20)}, {"wall", make_box({6, 2, 0.3}), moved(0, 1, 0)}});
 }
 
 Settings low_sun_settings(std::string_view filter, int resolution, double constant_texels) {
-    Settings s = texel_settings(filter, resolution, constant_texels);
-    s.lights[0].azimuth = 0;
-    s.lights[0].elevation = 15;
-    s.camera.distance = 18;
-    s.camera.elevation = 35;
-    s.camera.azimuth = 150;
-    return s;
+    return settings_with(
+        texel_settings(filter, resolution, constant_texels),
+        {"light.azimuth=0", "light.elevation=15", "camera.distance=18", "camera.elevation=35", "camera.azimuth=150"});
 }
 
 void move_scene(Scene& scene, const glm::dvec3& by) {
@@ -234,11 +225,18 @@ void move_camera(Settings& settings, const glm::dvec3& by) {
     settings.camera.target_z += by.z;
 }
 
+void place_light(Settings& settings, LightType type, const Place& place) {
+    LightSettings& light = settings.lights[0];
+    light.type = type;
+    light.azimuth = place.azimuth;
+    light.elevation = place.elevation;
+    light.distance = type == LightType::Directional ? 0 : 9;
+    light.cone = 80;
+    move_camera(settings, place.at);
+}
+
 Scene floor_under_sheet(const Place& place) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    add_object(scene, "cover", -1, add_mesh(scene, "cover", make_plane(4, 4), grey), moved(0, 2.25, 0));
+    Scene scene = grey_scene({{"floor", make_plane(10, 10)}, {"cover", make_plane(4, 4), moved(0, 2.25, 0)}});
     move_scene(scene, place.at);
     return scene;
 }

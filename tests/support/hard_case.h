@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/bias/account.h"
 #include "renderer/render/renderer.h"
 #include "tests/support/ray_reference.h"
 
@@ -33,6 +34,29 @@ struct Shot {
 /// visibility and depth within [0,1]; an empty NaN overlay; no message of the driver.
 /// @param width, height pixels
 Shot draw_shot(const Scene& scene, const Settings& settings, int width = 160, int height = 120);
+
+/// Returns the rays of all pixels of a drawn frame.
+inline std::vector<PixelRay> pixel_rays(const Shot& shot) {
+    return pixel_rays(shot.frame.camera, shot.width, shot.height);
+}
+
+/// Returns the pixels of a drawn frame whose rays meet the scene, with their first hits.
+inline std::vector<PixelHit> pixel_hits(const RayReference& scene, const Shot& shot) {
+    return pixel_hits(scene, shot.frame.camera, shot.width, shot.height);
+}
+
+/// Traces the reference of a drawn frame's first light for every pixel.
+/// @param reach_texels distance of Boundary pixels from a shadow edge, map texels
+inline ReferenceImage trace_reference(const RayReference& scene, const Shot& shot, double reach_texels) {
+    return trace_reference(scene, shot.frame.camera, shot.light(), shot.width, shot.height, shot.frame.map_resolution,
+                           reach_texels);
+}
+
+/// Returns the bias of a drawn frame's first light at a point of a surface.
+/// @param driver traits of the driver that drew the frame
+/// @param normal unit normal of the surface, world
+BiasBreakdown breakdown_at(const FrameResult& frame, const Settings& settings, const RasterTraits& driver,
+                           const glm::dvec3& point_ws, const glm::dvec3& normal = {0, 1, 0});
 
 /// Returns the share of pixels whose visibility differs by more than `tolerance`, among the pixels with geometry in
 /// `a`.
@@ -70,6 +94,12 @@ Scene sheet_over_floor(double height_m);
 /// All types of light, for loops over them.
 inline constexpr LightType kLightTypes[] = {LightType::Directional, LightType::Spot, LightType::Point};
 
+/// Returns the name of a type of light as in the setting light.type: "spot".
+std::string light_name(LightType type);
+
+/// Returns a name for parameterised tests: a key with '_' in place of '-'.
+std::string identifier(std::string_view key);
+
 /// Returns the name of a map format as in the setting map.format: "d16".
 std::string format_name(MapFormat format);
 
@@ -101,6 +131,9 @@ struct Place {
     double azimuth = 30;    ///< azimuth of the light, degrees
     double elevation = 60;  ///< elevation of the light, degrees
 };
+/// Turns the first light as a place requires and moves the camera to the place. Lights with a position stand 9 m away,
+/// with a cone of 80 degrees.
+void place_light(Settings& settings, LightType type, const Place& place);
 /// Places that tests of biases and kernels alternate between: the origin, a distant place with a light at an exact
 /// right angle, and a place near the origin with a light straight above.
 inline constexpr Place kPlaces[] = {{}, {{4e3, -120, 9e3}, 90, 60}, {{-70, 5, 8}, 180, 90}};

@@ -8,11 +8,9 @@
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/param.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
-
-/// Changes of settings: keys with values.
-using Changes = std::vector<std::pair<std::string, std::string>>;
 
 /// Scene and settings of one hard case, ready to draw.
 struct DrawnCase {
@@ -24,7 +22,7 @@ struct DrawnCase {
 /// case.
 /// @param key key of the row in the table of hard cases
 /// @param fixed chooses the preset with the fix; otherwise the preset that shows the fault
-inline DrawnCase hard_view(std::string_view key, bool fixed, const Changes& changes = {}) {
+inline DrawnCase hard_view(std::string_view key, bool fixed, const Sets& changes = {}) {
     for (const HardCaseView& view : hard_case_views())
         if (view.row->key == key && (view.fixed == fixed || view.row->broken.empty())) {
             DrawnCase out{view.scene(), view.settings()};

@@ -10,6 +10,7 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -122,9 +123,7 @@ void aim(Settings& s, Chance& of_programs, Chance& chance, const Scene& scene) {
     for (int i = 0; i < s.light_count; ++i) {
         LightSettings& l = s.lights[std::size_t(i)];
         if (chance.is(0.7)) {
-            l.target_x = centre.x;
-            l.target_y = centre.y;
-            l.target_z = centre.z;
+            set_target(l, centre);
             l.distance = chance.is(0.3) ? 0 : radius * chance.between(0.2, 4);
         }
         if (of_programs.is(0.7)) l.range = 0;

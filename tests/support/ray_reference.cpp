@@ -114,6 +114,39 @@ glm::dvec4 uvdw(const LightView& view, const glm::dvec3& point_ws) {
     return {0.5 * q.x / q.w + 0.5, 0.5 * q.y / q.w + 0.5, z, q.w};
 }
 
+bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi) {
+    double from = 0, to = most;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (d[axis] == 0) {
+            if (p[axis] < lo[axis] || p[axis] > hi[axis]) return false;
+            continue;
+        }
+        double a = (lo[axis] - p[axis]) / d[axis], b = (hi[axis] - p[axis]) / d[axis];
+        if (a > b) std::swap(a, b);
+        from = std::max(from, a);
+        to = std::min(to, b);
+    }
+    return from <= to;
+}
+
+std::vector<PixelRay> pixel_rays(const Camera& camera, int width, int height, int step, int first) {
+    std::vector<PixelRay> out;
+    for (int y = first; y < height; y += step)
+        for (int x = first; x < width; x += step) {
+            PixelRay& ray = out.emplace_back(PixelRay{.x = x, .y = y});
+            camera.pixel_ray(x, y, width, height, ray.origin, ray.direction);
+        }
+    return out;
+}
+
+std::vector<PixelHit> pixel_hits(const RayReference& scene, const Camera& camera, int width, int height, int step,
+                                 int first) {
+    std::vector<PixelHit> out;
+    for (const auto& [x, y, origin, direction] : pixel_rays(camera, width, height, step, first))
+        if (const auto hit = scene.first_hit(origin, direction)) out.push_back({x, y, *hit});
+    return out;
+}
+
 ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, const FittedLight& light, int width,
                                int height, int map_resolution, double reach_texels) {
     ReferenceImage image;
@@ -121,35 +154,31 @@ ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, 
     image.height = height;
     image.states.assign(std::size_t(width) * std::size_t(height), ReferenceState::Nothing);
     image.hits.resize(image.states.size());
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const std::size_t at = std::size_t(y) * std::size_t(width) + std::size_t(x);
-            glm::dvec3 origin, dir;
-            camera.pixel_ray(x, y, width, height, origin, dir);
-            const std::optional<Hit> hit = image.hits[at] = scene.first_hit(origin, dir);
-            if (!hit) continue;
-            if (!faces_light(glm::dot(hit->normal, direction_to(light, hit->position)))) {
-                image.states[at] = ReferenceState::Away;
-                continue;
-            }
-            const bool shadow = scene.occluded(hit->position, light, hit->triangle);
-            image.states[at] = shadow ? ReferenceState::Shadow : ReferenceState::Lit;
-            if (!(reach_texels > 0)) continue;
-            // The receiver's plane under map places around the point, along the light's rays.
-            const LightView& view = view_of(light, hit->position);
-            const double step = view.texel_size_at(hit->position, map_resolution).longest;
-            for (int i = -2; i <= 2; ++i)
-                for (int j = -2; j <= 2; ++j) {
-                    const glm::dvec3 aside =
-                        0.5 * reach_texels * step * (double(i) * view.axes[0] + double(j) * view.axes[1]);
-                    const glm::dvec3 at_depth = hit->position + aside;
-                    const glm::dvec3 ray = view.curve.perspective ? at_depth - view.eye : -view.axes[2];
-                    const double slope = glm::dot(ray, hit->normal);
-                    const glm::dvec3 moved = at_depth - ray * (glm::dot(aside, hit->normal) / slope);
-                    if (scene.occluded(moved, light, hit->triangle) != shadow)
-                        image.states[at] = ReferenceState::Boundary;
-                }
+    for (const auto& [x, y, origin, dir] : pixel_rays(camera, width, height)) {
+        const std::size_t at = std::size_t(y) * std::size_t(width) + std::size_t(x);
+        const std::optional<Hit> hit = image.hits[at] = scene.first_hit(origin, dir);
+        if (!hit) continue;
+        if (!faces_light(glm::dot(hit->normal, direction_to(light, hit->position)))) {
+            image.states[at] = ReferenceState::Away;
+            continue;
         }
+        const bool shadow = scene.occluded(hit->position, light, hit->triangle);
+        image.states[at] = shadow ? ReferenceState::Shadow : ReferenceState::Lit;
+        if (!(reach_texels > 0)) continue;
+        // The receiver's plane under map places around the point, along the light's rays.
+        const LightView& view = view_of(light, hit->position);
+        const double step = view.texel_size_at(hit->position, map_resolution).longest;
+        for (int i = -2; i <= 2; ++i)
+            for (int j = -2; j <= 2; ++j) {
+                const glm::dvec3 aside =
+                    0.5 * reach_texels * step * (double(i) * view.axes[0] + double(j) * view.axes[1]);
+                const glm::dvec3 at_depth = hit->position + aside;
+                const glm::dvec3 ray = view.curve.perspective ? at_depth - view.eye : -view.axes[2];
+                const double slope = glm::dot(ray, hit->normal);
+                const glm::dvec3 moved = at_depth - ray * (glm::dot(aside, hit->normal) / slope);
+                if (scene.occluded(moved, light, hit->triangle) != shadow) image.states[at] = ReferenceState::Boundary;
+            }
+    }
     return image;
 }
 

@@ -63,6 +63,36 @@ private:
     double radius_ = 1;
 };
 
+/// Returns whether the segment or ray from `p` along `d` meets an axis-aligned box, by the slab test.
+/// @param most parameter of the segment's end
+/// @param lo, hi opposite corners of the box
+bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi);
+
+/// Pixel of a picture with the ray through it.
+struct PixelRay {
+    int x = 0;
+    int y = 0;                ///< from the top
+    glm::dvec3 origin{0};     ///< world metres
+    glm::dvec3 direction{0};  ///< unit direction, world
+};
+
+/// Pixel of a picture with the first hit of its ray.
+struct PixelHit {
+    int x = 0;
+    int y = 0;  ///< from the top
+    Hit hit;
+};
+
+/// Returns the rays of a camera's pixels, row by row from the top.
+/// @param width, height size of the picture, pixels
+/// @param step distance of the returned pixels along both axes, pixels
+/// @param first coordinates of the first returned pixel
+std::vector<PixelRay> pixel_rays(const Camera& camera, int width, int height, int step = 1, int first = 0);
+
+/// Returns the pixels of pixel_rays() whose rays meet the scene, with their first hits.
+std::vector<PixelHit> pixel_hits(const RayReference& scene, const Camera& camera, int width, int height, int step = 1,
+                                 int first = 0);
+
 /// State of a pixel in the reference. Nothing: no geometry. Away: the surface faces away from the light. Boundary: a
 /// shadow edge lies within the reach of the comparison.
 enum class ReferenceState { Nothing, Away, Lit, Shadow, Boundary };

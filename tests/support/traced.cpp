@@ -17,6 +17,15 @@ Receiver receiver_on(const ReferenceGeometry& geometry, std::uint32_t object, st
     return r;
 }
 
+Receiver floor_receiver(const glm::dvec3& position_ws, double edge_m) {
+    Receiver r;
+    r.position_ws = position_ws;
+    r.normal_ws = {0, 1, 0};
+    r.edge_m = float(edge_m);
+    r.object = 0;
+    return r;
+}
+
 Receivers row_of(const std::vector<Receiver>& pixels) {
     return {int(pixels.size()), 1, {pixels.begin(), pixels.end()}};
 }
@@ -30,18 +39,15 @@ SurfaceIds ids_by_rays(const Scene& scene, const Camera& camera, int width, int 
         count += std::uint32_t(scene.meshes[std::size_t(o.mesh)].indices.size() / 3);
     }
     SurfaceIds ids{width, height, {}};
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            glm::dvec3 origin, dir;
-            camera.pixel_ray(x, y, width, height, origin, dir);
-            const auto hit = rays.first_hit(origin, dir);
-            if (!hit) {
-                ids.data.emplace_back(0, 0);
-                continue;
-            }
-            const auto object = std::uint32_t(rays.triangle(hit->triangle).object);
-            ids.data.emplace_back(object + 1, std::uint32_t(hit->triangle) - first[object]);
+    for (const auto& [x, y, origin, dir] : pixel_rays(camera, width, height)) {
+        const auto hit = rays.first_hit(origin, dir);
+        if (!hit) {
+            ids.data.emplace_back(0, 0);
+            continue;
         }
+        const auto object = std::uint32_t(rays.triangle(hit->triangle).object);
+        ids.data.emplace_back(object + 1, std::uint32_t(hit->triangle) - first[object]);
+    }
     return ids;
 }
 

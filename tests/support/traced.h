@@ -13,6 +13,10 @@ namespace si::test {
 Receiver receiver_on(const ReferenceGeometry& geometry, std::uint32_t object, std::uint32_t primitive, double u,
                      double v, bool turned = false);
 
+/// Returns the receiver at a point of object 0, a floor that faces up.
+/// @param edge_m length of the floor's triangles, metres
+Receiver floor_receiver(const glm::dvec3& position_ws, double edge_m);
+
 /// Returns receivers as a picture of one row, one pixel per receiver.
 Receivers row_of(const std::vector<Receiver>& pixels);
 
