@@ -16,6 +16,7 @@
 #include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/support/error_text.h"
 
 namespace si {
 
@@ -208,15 +209,7 @@ TEST(LoadScene, KnowsTheKeysAndTheDefault) {
 }
 
 TEST(LoadScene, NamesTheNearestKeyAndTheExtensions) {
-    try {
-        load_scene("teepot");
-        FAIL() << "loaded a scene that does not exist";
-    } catch (const Error& error) {
-        const std::string text = error.what();
-        EXPECT_NE(text.find("'teepot'"), std::string::npos) << text;
-        EXPECT_NE(text.find("did you mean teapot?"), std::string::npos) << text;
-        EXPECT_NE(text.find(".gltf or .glb"), std::string::npos) << text;
-    }
+    EXPECT_TRUE(test::fails_with([] { load_scene("teepot"); }, {"'teepot'", "did you mean teapot?", ".gltf or .glb"}));
 }
 
 TEST(LoadScene, TakesExtensionsInAnyCase) {

@@ -14,6 +14,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -26,14 +27,9 @@ void expect_orthonormal(const glm::dmat3& m) {
 }
 
 TEST(Camera, OrbitPositionFollowsTheAngles) {
-    Settings s;
-    s.camera.source = CameraSource::Manual;
-    s.camera.target_x = 1;
-    s.camera.target_y = 2;
-    s.camera.target_z = 3;
-    s.camera.distance = 5;
-    s.camera.azimuth = 90;
-    s.camera.elevation = 0;
+    Settings s =
+        settings_with({}, {"camera.source=manual", "camera.target_x=1", "camera.target_y=2", "camera.target_z=3",
+                           "camera.distance=5", "camera.azimuth=90", "camera.elevation=0"});
     const Camera c = make_camera(test::box_scene({}), s, 1.5);
     EXPECT_NEAR(glm::distance(c.eye, glm::dvec3(6, 2, 3)), 0, 1e-12);
     EXPECT_NEAR(glm::distance(c.axes[0], glm::dvec3(0, 0, -1)), 0, 1e-12);  // right

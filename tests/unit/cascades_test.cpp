@@ -11,6 +11,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -43,16 +44,9 @@ TEST(Cascades, SplitsAreTheClosedForm) {
 
 Settings looking(const glm::dvec3& target, double azimuth, double elevation, double distance, bool orthographic) {
     Settings s;
-    CameraSettings& c = s.camera;
-    c.source = CameraSource::Manual;
-    c.target_x = target.x;
-    c.target_y = target.y;
-    c.target_z = target.z;
-    c.azimuth = azimuth;
-    c.elevation = elevation;
-    c.distance = distance;
-    c.orthographic = orthographic;
-    c.height = 6;
+    s.camera = orbiting_camera(target, azimuth, elevation, distance);
+    s.camera.orthographic = orthographic;
+    s.camera.height = 6;
     return s;
 }
 

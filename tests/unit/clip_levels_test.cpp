@@ -10,6 +10,7 @@
 #include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -25,16 +26,9 @@ constexpr ClipLevelRequest kRequest{.convention = {true, false},
 
 Settings looking_at(const glm::dvec3& target, double azimuth, double elevation, double distance, bool orthographic) {
     Settings s;
-    CameraSettings& c = s.camera;
-    c.source = CameraSource::Manual;
-    c.target_x = target.x;
-    c.target_y = target.y;
-    c.target_z = target.z;
-    c.azimuth = azimuth;
-    c.elevation = elevation;
-    c.distance = distance;
-    c.orthographic = orthographic;
-    c.height = 14;
+    s.camera = orbiting_camera(target, azimuth, elevation, distance);
+    s.camera.orthographic = orthographic;
+    s.camera.height = 14;
     return s;
 }
 

@@ -12,6 +12,7 @@
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/sized_kernels.h"
+#include "tests/support/error_text.h"
 
 namespace si {
 namespace {
@@ -135,24 +136,17 @@ TEST(SizedKernels, SetSizeAndSamplingInEveryReader) {
 }
 
 TEST(SizedKernels, AreNoSecondValueOfASetting) {
-    try {
-        read_preset(kSettingsVersion, R"("filter.kernel":"pcf5","filter.size":3)");
-        ADD_FAILURE() << "the size stands there twice";
-    } catch (const Error& e) {
-        EXPECT_NE(std::string(e.what()).find("the same setting as \"filter.kernel\""), std::string::npos) << e.what();
-    }
+    const auto read_size_twice = [] { read_preset(kSettingsVersion, R"("filter.kernel":"pcf5","filter.size":3)"); };
+    EXPECT_TRUE(test::fails_with(read_size_twice, {"the same setting as \"filter.kernel\""}));
 }
 
 TEST(SizedKernels, AreNeitherChoicesNorProposed) {
     for (const SizedKernel& sized : sized_kernels())
         for (const Choice& choice : find_setting("filter.kernel")->param->choices()) EXPECT_NE(choice.key, sized.name);
-    try {
-        Settings s;
-        apply_set(s, "filter.kernel=pcf5_neares");
-        ADD_FAILURE();
-    } catch (const UsageError& e) {
-        EXPECT_EQ(std::string(e.what()).find("pcf5_nearest"), std::string::npos) << e.what();
-    }
+    Settings s;
+    const std::string text = test::error_text<UsageError>([&] { apply_set(s, "filter.kernel=pcf5_neares"); });
+    EXPECT_FALSE(text.empty());
+    EXPECT_EQ(text.find("pcf5_nearest"), std::string::npos) << text;
 }
 
 }  // namespace

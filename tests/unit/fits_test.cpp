@@ -297,25 +297,22 @@ void each_surface_point(const Scene& scene, const test::RayReference& rays, int 
 template <class Use>
 void each_visible_point(const Scene& scene, const test::RayReference& rays, const Camera& camera, int width, int height,
                         Use use) {
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            glm::dvec3 origin, dir;
-            camera.pixel_ray(x, y, width, height, origin, dir);
-            const double per_depth = 1 / -glm::dot(dir, camera.axes[2]);
-            double gone = camera.curve.near * per_depth;
-            for (int layers = 0; layers < 30; ++layers) {
-                const auto hit = rays.first_hit(origin + gone * dir, dir);
-                if (!hit) break;
-                gone += hit->distance;
-                if (gone > camera.curve.far * per_depth) break;
-                const OnSurface p = surface_point(scene, rays.triangle(hit->triangle), hit->position);
-                if (p.two_sided || glm::dot(p.normal, dir) < 0) {
-                    use(p);
-                    break;
-                }
-                gone += 1e-9 * scene.bounds.radius();
+    for (const auto& [x, y, origin, dir] : test::pixel_rays(camera, width, height)) {
+        const double per_depth = 1 / -glm::dot(dir, camera.axes[2]);
+        double gone = camera.curve.near * per_depth;
+        for (int layers = 0; layers < 30; ++layers) {
+            const auto hit = rays.first_hit(origin + gone * dir, dir);
+            if (!hit) break;
+            gone += hit->distance;
+            if (gone > camera.curve.far * per_depth) break;
+            const OnSurface p = surface_point(scene, rays.triangle(hit->triangle), hit->position);
+            if (p.two_sided || glm::dot(p.normal, dir) < 0) {
+                use(p);
+                break;
             }
+            gone += 1e-9 * scene.bounds.radius();
         }
+    }
 }
 
 /// Counts points inside and outside a region, and expects that no outer one is shadowed.

@@ -10,6 +10,7 @@
 #include "renderer/base/index_of.h"
 #include "renderer/settings/fits.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -164,10 +165,8 @@ TEST(LightFit, SceneFitHoldsTheScene) {
 }
 
 TEST(LightFit, ViewLooksAlongTheLight) {
-    Settings s = one_light(LightType::Spot);
-    s.lights[0].azimuth = 90;
-    s.lights[0].elevation = 0;
-    s.lights[0].distance = 7;
+    Settings s =
+        settings_with(one_light(LightType::Spot), {"light.azimuth=90", "light.elevation=0", "light.distance=7"});
     const Scene scene = box_scene({{glm::dvec3(1), glm::dvec3(3)}});
     const FittedLight light = fit_lights(scene, s)[0];
     EXPECT_NEAR(glm::distance(light.position, glm::dvec3(9, 2, 2)), 0, 1e-12);
@@ -426,14 +425,8 @@ TEST(LightFit, BrightestPunctualLightIsOneAtTheCentre) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}}, glm::dvec3(50, 0, 0));
     Settings s;
     s.light_count = 3;
-    s.lights[0].type = LightType::Spot;
-    s.lights[0].distance = 10;
-    s.lights[0].intensity = 100;
-    s.lights[1].type = LightType::Point;
-    s.lights[1].distance = 5;
-    s.lights[1].intensity = 50;
-    s.lights[1].green = 0.5;
-    s.lights[2].intensity = 3;
+    set_all(s, {"light.type=spot", "light.distance=10", "light.intensity=100", "light.1.type=point",
+                "light.1.distance=5", "light.1.intensity=50", "light.1.green=0.5", "light.2.intensity=3"});
     const auto lights = fit_lights(scene, s);
     const auto at_centre = [&](int i) {
         const glm::dvec3 d = lights[i].position - scene.bounds.centre();

@@ -12,6 +12,8 @@
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/error_text.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -29,12 +31,7 @@ LightMapTask task_of(const Scene& scene, int side = 128, const glm::dvec3& to_li
 
 /// Makes a floor of 10 m with a box of 1 m at (x, 0).
 Scene floor_with_box(double x = 0) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
-    add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1, 1, 1}), grey), moved(x, 0.6, 0));
-    finalise(scene);
-    return scene;
+    return test::grey_scene({{"floor", make_plane(10, 10)}, {"box", make_box({1, 1, 1}), moved(x, 0.6, 0)}});
 }
 
 /// Makes a spiral ramp of two turns that rises half a metre a turn: nowhere steep, and above itself.
@@ -131,13 +128,8 @@ TEST(LightMapLayout, RefusesAnUnfittingSizeAndNamesAFittingOne) {
         blades.push_back({{0.1 * i, 0, 0}, {0.1 * i + 0.05, 0, 0}, {0.1 * i, 0.3, 0.001 * (i % 7)}});
     const Scene grass = make_scene(make_polygons("grass", blades));
     const auto geometry = scene_geometry(grass);
-    try {
-        light_map_layout(*geometry, 32);
-        FAIL();
-    } catch (const Error& e) {
-        EXPECT_NE(std::string(e.what()).find("400 charts"), std::string::npos) << e.what();
-        EXPECT_NE(std::string(e.what()).find("set light_map.resolution to 64 or more"), std::string::npos) << e.what();
-    }
+    EXPECT_TRUE(test::fails_with([&] { light_map_layout(*geometry, 32); },
+                                 {"400 charts", "set light_map.resolution to 64 or more"}));
     expect_sound(*geometry, light_map_layout(*geometry, 64));
 }
 

@@ -6,6 +6,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -15,10 +16,8 @@ Scene box() {
     return test::box_scene({{{100, 50, -30}, {104, 52, -24}}});
 }
 
-FittedLight fitted(const std::vector<std::pair<const char*, const char*>>& sets) {
-    Settings s;
-    for (const auto& [key, value] : sets) set_setting(s, key, value);
-    return fit_lights(box(), s)[0];
+FittedLight fitted(const Sets& sets) {
+    return fit_lights(box(), settings_with({}, sets))[0];
 }
 
 bool reports(const FittedLight& light, const char* what) {
@@ -40,12 +39,12 @@ TEST(MapLimits, OrdinaryMapsHaveNone) {
 TEST(MapLimits, DepthRangeInOneStepIsReported) {
     // A light from overhead sees a depth of 2 m. 16 bits over 0 ... far step by far / 65535.
     const auto overhead = [](const char* format, const char* far, const char* reversed = "false") {
-        return fitted({{"light.elevation", "90"},
-                       {"light.azimuth", "0"},
-                       {"light.fit", "manual"},
+        return fitted({"light.elevation=90",
+                       "light.azimuth=0",
+                       "light.fit=manual",
                        {"light.far", far},
-                       {"light.near", "0.001"},
-                       {"light.distance", "10"},
+                       "light.near=0.001",
+                       "light.distance=10",
                        {"map.format", format},
                        {"map.reversed_z", reversed}});
     };
@@ -65,13 +64,13 @@ TEST(MapLimits, DepthRangeInOneStepIsReported) {
 TEST(MapLimits, PerspectiveDepthNearTheFarPlaneIsReported) {
     // d = far (z - near) / (z (far - near)): between z and z + 2 it moves by about 2 near / z^2.
     const auto spot = [](const char* near, const char* format) {
-        return fitted({{"light.type", "spot"},
-                       {"light.elevation", "90"},
-                       {"light.azimuth", "0"},
-                       {"light.fit", "manual"},
+        return fitted({"light.type=spot",
+                       "light.elevation=90",
+                       "light.azimuth=0",
+                       "light.fit=manual",
                        {"light.near", near},
-                       {"light.far", "1000"},
-                       {"light.distance", "100"},
+                       "light.far=1000",
+                       "light.distance=100",
                        {"map.format", format}});
     };
     EXPECT_FALSE(spot("10", "d16").limits.any());
@@ -83,9 +82,9 @@ TEST(MapLimits, PerspectiveDepthNearTheFarPlaneIsReported) {
 
 TEST(MapLimits, TexelLargerThanTheSceneIsReported) {
     const auto light = [](const char* resolution, const char* extent) {
-        return fitted({{"light.elevation", "90"},
-                       {"light.azimuth", "0"},
-                       {"light.fit", "manual"},
+        return fitted({"light.elevation=90",
+                       "light.azimuth=0",
+                       "light.fit=manual",
                        {"light.extent", extent},
                        {"map.resolution", resolution}});
     };
@@ -95,7 +94,7 @@ TEST(MapLimits, TexelLargerThanTheSceneIsReported) {
     EXPECT_NEAR(coarse.limits.across_m, 6, 1e-9);
     EXPECT_TRUE(reports(coarse, "one texel (10 m) is larger than the scene (6 m across)"));
     EXPECT_FALSE(light("128", "320").limits.one_texel) << "5 m";
-    EXPECT_TRUE(fitted({{"map.resolution", "1"}}).limits.one_texel);
+    EXPECT_TRUE(fitted({"map.resolution=1"}).limits.one_texel);
 }
 
 TEST(MapLimits, FlatSceneHasNoDepthLimit) {
@@ -107,7 +106,7 @@ TEST(MapLimits, FlatSceneHasNoDepthLimit) {
 }
 
 TEST(MapLimits, OnlyLightsWithAMapHaveSome) {
-    EXPECT_TRUE(fitted({{"map.resolution", "1"}, {"light.cast", "false"}}).notes.empty());
+    EXPECT_TRUE(fitted({"map.resolution=1", "light.cast=false"}).notes.empty());
 }
 
 }  // namespace

@@ -10,22 +10,23 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
+#include "tests/support/error_text.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
-
-using Sets = std::vector<std::pair<std::string, std::string>>;
-
-Settings settings_of(const Sets& sets) {
-    Settings s;
-    for (const auto& [key, value] : sets) set_setting(s, key, value);
-    return s;
-}
 
 std::vector<std::vector<Cluster>> all_clusters(const Scene& scene) {
     std::vector<std::vector<Cluster>> out;
     for (const Mesh& m : scene.meshes) out.push_back(build_clusters(m));
     return out;
+}
+
+/// Returns what a camera sees in a picture of 100 lines. @param clusters clusters of each mesh
+VisibleBodies visible_bodies(const Scene& scene, const Camera& camera,
+                             const std::vector<std::vector<Cluster>>& clusters) {
+    return find_visible_bodies(scene, camera, 100,
+                               [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
 }
 
 TEST(Clusters, HoldEveryTriangle) {
@@ -132,20 +133,17 @@ struct Kind {
 
 const Kind kKinds[] = {
     {"directional", {}},
-    {"directional by hand", {{"light.fit", "manual"}, {"light.extent", "0.7"}, {"map.wrap", "clamp"}}},
-    {"spot", {{"light.type", "spot"}, {"light.distance", "3"}}},
-    {"spot among the boxes", {{"light.type", "spot"}, {"light.distance", "0.6"}, {"map.wrap", "clamp"}}},
-    {"spot that looks along the floor",
-     {{"light.type", "spot"}, {"light.distance", "3"}, {"light.elevation", "3"}, {"map.wrap", "clamp"}}},
-    {"spot that repeats",
-     {{"light.type", "spot"}, {"light.distance", "2"}, {"light.cone", "20"}, {"map.wrap", "repeat"}},
-     true},
-    {"directional that repeats", {{"light.fit", "manual"}, {"light.extent", "0.7"}, {"map.wrap", "repeat"}}, true},
-    {"point", {{"light.type", "point"}, {"light.distance", "1"}}},
-    {"point, ranged", {{"light.type", "point"}, {"light.distance", "3"}, {"light.range", "2.5"}}},
-    {"cascades", {{"light.cascades", "4"}, {"light.cascade_blend", "0.2"}}},
-    {"stabilised", {{"light.cascades", "3"}, {"light.fit", "stabilised"}}},
-    {"warped", {{"light.fit", "lispsm"}}, true},
+    {"directional by hand", {"light.fit=manual", "light.extent=0.7", "map.wrap=clamp"}},
+    {"spot", {"light.type=spot", "light.distance=3"}},
+    {"spot among the boxes", {"light.type=spot", "light.distance=0.6", "map.wrap=clamp"}},
+    {"spot that looks along the floor", {"light.type=spot", "light.distance=3", "light.elevation=3", "map.wrap=clamp"}},
+    {"spot that repeats", {"light.type=spot", "light.distance=2", "light.cone=20", "map.wrap=repeat"}, true},
+    {"directional that repeats", {"light.fit=manual", "light.extent=0.7", "map.wrap=repeat"}, true},
+    {"point", {"light.type=point", "light.distance=1"}},
+    {"point, ranged", {"light.type=point", "light.distance=3", "light.range=2.5"}},
+    {"cascades", {"light.cascades=4", "light.cascade_blend=0.2"}},
+    {"stabilised", {"light.cascades=3", "light.fit=stabilised"}},
+    {"warped", {"light.fit=lispsm"}, true},
 };
 
 /// Returns whether shaders treat the side towards the camera as facing away from the light.
@@ -180,7 +178,7 @@ TEST(NeededMaps, HoldAllVisibleReceivers) {
         for (int round = 0; round < 16; ++round) {
             const Scene& scene = scenes[round / 2 % 2];
             const std::vector<std::vector<Cluster>>& clusters = of_scenes[round / 2 % 2];
-            Settings s = settings_of(kind.sets);
+            Settings s = settings_with({}, kind.sets);
             s.camera.source = CameraSource::Manual;
             s.camera.azimuth = random.in(0, 360);
             s.camera.elevation = random.in(-10, 80);
@@ -192,8 +190,7 @@ TEST(NeededMaps, HoldAllVisibleReceivers) {
             const Camera camera = make_camera(scene, s, 1.5);
             const FittedLight light = fit_lights(scene, s, &camera)[0];
             ASSERT_TRUE(light.casts) << light.reason;
-            const VisibleBodies seen = find_visible_bodies(
-                scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
+            const VisibleBodies seen = visible_bodies(scene, camera, clusters);
             const bool only_lit_points = round % 2 == 0;
             const LookupArea area{.resolution = 512,
                                   .reach_texels = 20,
@@ -257,19 +254,16 @@ TEST(NeededMaps, HoldAllVisibleReceivers) {
 }
 
 TEST(NeededMaps, SkipBackFacingReceivers) {
-    Scene scene;
-    add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(1, 200, 100), -1));
-    finalise(scene);
+    Scene scene = make_scene(make_sphere(1, 200, 100));
     const auto clusters = all_clusters(scene);
-    Settings s = settings_of({{"camera.source", "manual"}, {"camera.elevation", "0"}, {"camera.distance", "9"}});
+    Settings s = settings_with({}, {"camera.source=manual", "camera.elevation=0", "camera.distance=9"});
     s.lights[0].elevation = 0;
     int needed[2];
     for (const bool against : {false, true}) {
         s.camera.azimuth = 40;
         s.lights[0].azimuth = against ? 220 : 40;
         const Camera camera = make_camera(scene, s, 1.5);
-        const VisibleBodies seen = find_visible_bodies(
-            scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
+        const VisibleBodies seen = visible_bodies(scene, camera, clusters);
         const NeededMaps maps = needed_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
         int& cells = needed[against] = 0;
         for (int y = 0; y < 64; ++y)
@@ -282,17 +276,16 @@ TEST(NeededMaps, SkipBackFacingReceivers) {
 
 TEST(NeededMaps, GiveTheReasonIfNoneIsNeeded) {
     const Scene scene = load_scene("boxes");
-    Settings s = settings_of({{"light.intensity", "0"}});
+    Settings s = settings_with({}, {"light.intensity=0"});
     const Camera camera = make_camera(scene, s, 1.5);
     const auto clusters = all_clusters(scene);
-    const VisibleBodies seen =
-        find_visible_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
+    const VisibleBodies seen = visible_bodies(scene, camera, clusters);
     const FittedLight dark = fit_lights(scene, s, &camera)[0];
-    EXPECT_NE(needed_maps(dark, seen, {.resolution = 512, .only_lit_points = true}).unneeded_reason.find("intensity"),
-              std::string::npos);
+    const NeededMaps of_lit_points = needed_maps(dark, seen, {.resolution = 512, .only_lit_points = true});
+    EXPECT_TRUE(test::mentions(of_lit_points.unneeded_reason, {"intensity"}));
     EXPECT_EQ(needed_maps(dark, seen, {.resolution = 512}).unneeded_reason, "") << "its visibility may be looked at";
-    EXPECT_NE(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).unneeded_reason.find("sees nothing"),
-              std::string::npos);
+    EXPECT_TRUE(
+        test::mentions(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).unneeded_reason, {"sees nothing"}));
     VisibleBodies unknown{seen.view, {}, true};
     EXPECT_TRUE(needed_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
 }

@@ -15,22 +15,13 @@
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 #include "tests/support/environment_number.h"
+#include "tests/support/error_text.h"
 #include "tests/support/process.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class Action>
-std::string refusal_of(const Action& action) {
-    try {
-        action();
-    } catch (const Error& e) {
-        return e.what();
-    }
-    return {};
-}
 
 mode_t mode_of(const fs::path& file) {
     struct stat status {};
@@ -61,9 +52,8 @@ TEST(OutputFiles, ReadOnlyOnesAreRefused) {
     const fs::path folder = fresh_test_folder(), file = folder / "a.json";
     std::ofstream(file) << "old";
     ASSERT_EQ(::chmod(file.c_str(), 0444), 0);
-    EXPECT_NE(refusal_of([&] { require_writable(file); }).find("a.json: cannot be written: it is read-only"),
-              std::string::npos);
-    EXPECT_NE(refusal_of([&] { write_file(file, "new"); }), "");
+    EXPECT_TRUE(test::fails_with([&] { require_writable(file); }, {"a.json: cannot be written: it is read-only"}));
+    EXPECT_THROW(write_file(file, "new"), Error);
     EXPECT_EQ(file_bytes(file), "old");
     EXPECT_EQ(files_in(folder), 1u);
 }
@@ -87,7 +77,7 @@ TEST(OutputFiles, NamesMayHaveTheMaximumLength) {
                    beyond = folder / (std::string(251, 'n') + ".json");
     write_file(longest, "new");
     EXPECT_EQ(file_bytes(longest), "new");
-    EXPECT_NE(refusal_of([&] { require_writable(beyond); }).find("name too long"), std::string::npos);
+    EXPECT_TRUE(test::fails_with([&] { require_writable(beyond); }, {"name too long"}));
 }
 
 TEST(OutputFiles, DanglingLinksAreRefused) {
@@ -95,13 +85,11 @@ TEST(OutputFiles, DanglingLinksAreRefused) {
     fs::create_symlink("gone.json", folder / "dangling.json");
     fs::create_symlink("b.json", folder / "a.json");
     fs::create_symlink("a.json", folder / "b.json");
-    EXPECT_NE(refusal_of([&] {
-                  require_writable(folder / "dangling.json");
-              }).find("dangling.json: cannot be written: it is a link to gone.json, which does not exist"),
-              std::string::npos);
-    EXPECT_NE(refusal_of([&] { require_writable(folder / "a.json"); }).find("Too many levels of symbolic links"),
-              std::string::npos);
-    EXPECT_NE(refusal_of([&] { write_atomically(folder / "dangling.json", {"new"}); }), "");
+    EXPECT_TRUE(
+        test::fails_with([&] { require_writable(folder / "dangling.json"); },
+                         {"dangling.json: cannot be written: it is a link to gone.json, which does not exist"}));
+    EXPECT_TRUE(test::fails_with([&] { require_writable(folder / "a.json"); }, {"Too many levels of symbolic links"}));
+    EXPECT_THROW(write_atomically(folder / "dangling.json", {"new"}), Error);
     EXPECT_FALSE(fs::exists(folder / "gone.json"));
     std::ofstream(folder / "real.json") << "old";
     fs::create_symlink("real.json", folder / "link.json");
@@ -116,7 +104,7 @@ TEST(OutputFiles, TwoFilesOfOneNameAreRefused) {
     std::ofstream(folder / "a.png") << "old";
     fs::create_symlink("a.png", folder / "b.png");
     const auto refused = [&](const fs::path& a, const fs::path& b) {
-        return !refusal_of([&] { require_distinct(a, "-o", b, "--report"); }).empty();
+        return !test::error_text([&] { require_distinct(a, "-o", b, "--report"); }).empty();
     };
     EXPECT_TRUE(refused(folder / "new.png", folder / "new.png"));
     EXPECT_TRUE(refused(folder / "new.png", folder / "d" / ".." / "new.png"));

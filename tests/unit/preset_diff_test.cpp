@@ -5,13 +5,15 @@
 
 #include <algorithm>
 
+#include "tests/support/sets.h"
+
 namespace si {
 namespace {
 
-Preset preset_with(const std::vector<std::pair<std::string, std::string>>& settings, const std::string& scene = {}) {
+Preset preset_with(const Sets& settings, const std::string& scene = {}) {
     Preset p;
     p.scene = scene;
-    for (const auto& [key, value] : settings) set_setting(p.settings, key, value);
+    p.settings = settings_with({}, settings);
     return p;
 }
 
@@ -22,7 +24,7 @@ std::string line(const Preset& a, const Preset& b, const std::string& key) {
 }
 
 TEST(PresetDiff, EqualPresetsHaveNoDifferences) {
-    const Preset p = preset_with({{"bias.constant", "0.3"}, {"object.Root/Box.cull", "front"}}, "boxes");
+    const Preset p = preset_with({"bias.constant=0.3", {"object.Root/Box.cull", "front"}}, "boxes");
     EXPECT_TRUE(preset_differences(p, p).empty());
     EXPECT_EQ(differences_text({}, "a.json", "b.json"), "a.json and b.json are equal\n");
     Preset told = p;
@@ -31,19 +33,19 @@ TEST(PresetDiff, EqualPresetsHaveNoDifferences) {
 }
 
 TEST(PresetDiff, NamesKeyValuesUnitAndLabel) {
-    const Preset a = preset_with({}), b = preset_with({{"bias.constant", "0"}});
+    const Preset a = preset_with({}), b = preset_with({"bias.constant=0"});
     EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 → 0 texels (Constant bias)");
     EXPECT_EQ(line(b, a, "bias.constant"), "Bias | bias.constant: 0 → 0.1 texels (Constant bias)");
 }
 
 TEST(PresetDiff, NamesBothUnitsWhereTheyDiffer) {
-    const Preset a = preset_with({}), b = preset_with({{"bias.unit", "depth"}, {"bias.constant", "0.005"}});
+    const Preset a = preset_with({}), b = preset_with({"bias.unit=depth", "bias.constant=0.005"});
     EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 texels → 0.005 depth (Constant bias)");
     EXPECT_EQ(line(a, b, "bias.unit"), "Bias | bias.unit: texels → depth (Unit)");
 }
 
 TEST(PresetDiff, NamesALightByItsLabel) {
-    const Preset a = preset_with({{"light.count", "2"}, {"light.1.name", "key"}});
+    const Preset a = preset_with({"light.count=2", "light.1.name=key"});
     Preset b = a;
     set_setting(b.settings, "light.1.azimuth", "90");
     EXPECT_EQ(line(a, b, "light.1.azimuth"), "Light 1 (key) | light.1.azimuth: -40° → 90° (Azimuth)");
@@ -51,10 +53,10 @@ TEST(PresetDiff, NamesALightByItsLabel) {
 
 TEST(PresetDiff, DescribesChoicesSwitchesAnglesLightsObjectsAndScenes) {
     const Preset a = preset_with({}, "boxes");
-    const Preset b = preset_with({{"caster.cull", "front"},
-                                  {"map.far_guard", "false"},
-                                  {"light.count", "2"},
-                                  {"light.1.azimuth", "90"},
+    const Preset b = preset_with({"caster.cull=front",
+                                  "map.far_guard=false",
+                                  "light.count=2",
+                                  "light.1.azimuth=90",
                                   {"object.Root/Box.v1.cast", "false"}},
                                  "stage");
     EXPECT_EQ(line(a, b, "scene"), "Scene | scene: boxes → stage");
@@ -96,16 +98,16 @@ TEST(PresetDiff, FindsExactlyTheChangedSettings) {
 }
 
 TEST(PresetDiff, MarksSettingsThatAreIdleInBoth) {
-    const auto found = preset_differences(preset_with({}), preset_with({{"light.5.cone", "20"}}));
+    const auto found = preset_differences(preset_with({}), preset_with({"light.5.cone=20"}));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].note, "without effect: the light is off");
-    const auto lit = preset_differences(preset_with({}), preset_with({{"light.type", "spot"}, {"light.cone", "20"}}));
+    const auto lit = preset_differences(preset_with({}), preset_with({"light.type=spot", "light.cone=20"}));
     ASSERT_EQ(lit.size(), 2u);
     for (const PresetDifference& d : lit) EXPECT_EQ(d.note, "") << d.key;
 }
 
 TEST(PresetDiff, TextIsGroupedUnderHeadings) {
-    const Preset a, b = preset_with({{"bias.slope", "2"}, {"bias.normal", "0"}, {"map.resolution", "64"}});
+    const Preset a, b = preset_with({"bias.slope=2", "bias.normal=0", "map.resolution=64"});
     EXPECT_EQ(differences_text(preset_differences(a, b), "default", "b"),
               "default → b: 3 differences\n"
               "Shadow map\n  map.resolution: 2048 → 64 texels (Resolution)\n"

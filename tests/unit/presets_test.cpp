@@ -11,6 +11,9 @@
 #include "app/base/output.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
+#include "tests/support/error_text.h"
+#include "tests/support/process.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -37,12 +40,8 @@ Preset sample() {
     Preset p;
     p.about = "What to look at: \"edges\"";
     p.scene = "stage";
-    set_setting(p.settings, "bias.slope", "0.1");
-    set_setting(p.settings, "filter.kernel", "hard");
-    set_setting(p.settings, "light.2.azimuth", "-33.25");
-    set_setting(p.settings, "map.reversed_z", "true");
-    set_setting(p.settings, "map.resolution", "1024");
-    set_setting(p.settings, "object.Root/Leaves.v1.2.cull", "front");
+    set_all(p.settings, {"bias.slope=0.1", "filter.kernel=hard", "light.2.azimuth=-33.25", "map.reversed_z=true",
+                         "map.resolution=1024", "object.Root/Leaves.v1.2.cull=front"});
     return p;
 }
 
@@ -53,12 +52,7 @@ std::string with_claims(const std::string& list) {
 
 class PresetFiles : public testing::Test {
 protected:
-    void SetUp() override {
-        folder_ = fs::path(SI_TEST_OUTPUT_DIR) / testing::UnitTest::GetInstance()->current_test_info()->name();
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    fs::path folder_;
+    const fs::path folder_ = fresh_test_folder();
 };
 
 TEST(Presets, RoundTripThroughText) {
@@ -176,20 +170,10 @@ TEST_F(PresetFiles, AreSavedAndLoaded) {
 }
 
 TEST_F(PresetFiles, ErrorsNameTheFile) {
-    const auto message = [](auto&& action) -> std::string {
-        try {
-            action();
-        } catch (const Error& e) {
-            return e.what();
-        }
-        return {};
-    };
-    EXPECT_NE(message([&] { save_preset(sample(), folder_); }).find("is a directory"), std::string::npos);
-    EXPECT_NE(message([&] { save_preset(sample(), folder_ / "no" / "a.json"); }).find("does not exist"),
-              std::string::npos);
-    EXPECT_NE(message([&] { load_preset((folder_ / "b.json").string()); }).find("b.json: no such file"),
-              std::string::npos);
-    EXPECT_NE(message([&] { load_preset(folder_.string()); }).find("is not a file"), std::string::npos);
+    EXPECT_TRUE(test::fails_with([&] { save_preset(sample(), folder_); }, {"is a directory"}));
+    EXPECT_TRUE(test::fails_with([&] { save_preset(sample(), folder_ / "no" / "a.json"); }, {"does not exist"}));
+    EXPECT_TRUE(test::fails_with([&] { load_preset((folder_ / "b.json").string()); }, {"b.json: no such file"}));
+    EXPECT_TRUE(test::fails_with([&] { load_preset(folder_.string()); }, {"is not a file"}));
 }
 
 TEST_F(PresetFiles, LinkStaysALink) {

@@ -24,23 +24,20 @@ Receivers floor_points(double half, int size) {
     Receivers receivers{size, size, {}};
     for (int z = 0; z < size; ++z)
         for (int x = 0; x < size; ++x) {
-            Receiver r;
-            r.position_ws = {half * (2 * (x + 0.5) / size - 1), 0, half * (2 * (z + 0.5) / size - 1)};
-            r.normal_ws = {0, 1, 0};
-            r.edge_m = float(4 * half);
-            r.object = 0;
-            receivers.pixels.push_back(r);
+            const glm::dvec3 at(half * (2 * (x + 0.5) / size - 1), 0, half * (2 * (z + 0.5) / size - 1));
+            receivers.pixels.push_back(test::floor_receiver(at, 4 * half));
         }
     return receivers;
 }
 
-Scene floor_and(Mesh mesh, const std::vector<glm::dmat4>& places, Material material = {}) {
+Scene floor_and(Mesh mesh, const std::vector<glm::dmat4>& places) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
-    scene.materials.push_back(std::move(material));
+    scene.materials.push_back({});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
     const int index = add_mesh(scene, "caster", std::move(mesh), 1);
     for (const glm::dmat4& place : places) add_object(scene, "caster", -1, index, place);
+    finalise(scene);
     return scene;
 }
 
@@ -93,12 +90,9 @@ TEST(AlphaTexture, WrapsAndFiltersLikeOpenGl) {
 }
 
 TEST(Casters, MasksHaveTheirHoles) {
-    Material leaf;
-    leaf.alpha = AlphaMode::Mask;
-    leaf.base_colour_texture = 0;
-    leaf.alpha_cutoff = 0.5f;
     // Stripes 1 m apart over x in [-4, 4] lie over the floor.
-    Scene scene = floor_and(make_quad(8, 8), {moved(0, 1, 4) * turned(-90, {1, 0, 0})}, leaf);
+    Scene scene = floor_and(make_quad(8, 8), {moved(0, 1, 4) * turned(-90, {1, 0, 0})});
+    scene.materials[1] = {.base_colour_texture = 0, .alpha = AlphaMode::Mask, .alpha_cutoff = 0.5f};
     scene.textures.push_back(stripes(8, 1));
     const auto shares = [&](const Settings& settings = {}) {
         finalise(scene);
@@ -132,8 +126,7 @@ TEST(Casters, MasksHaveTheirHoles) {
 }
 
 TEST(Casters, NonCastingObjectsBlockNoRay) {
-    Scene scene = floor_and(make_box({2, 1, 2}), {moved(0, 2, 0)});
-    finalise(scene);
+    const Scene scene = floor_and(make_box({2, 1, 2}), {moved(0, 2, 0)});
     Settings settings;
     const auto lit = [&] {
         const auto geometry = geometry_of(scene, settings);
@@ -165,8 +158,7 @@ TEST(Casters, CulledFacesCastUnlessAsRasterised) {
         for (const CullCase& c : cases) {
             glm::dmat4 place = c.from_below ? turned(180, {1, 0, 0}) : glm::dmat4(1);
             if (c.mirrored) place = place * scaled(-1, 1, 1);
-            Scene scene = floor_and(make_plane(2, 2), {moved(0, 1, 0) * place, moved(9, 9, 9) * place});
-            finalise(scene);
+            const Scene scene = floor_and(make_plane(2, 2), {moved(0, 1, 0) * place, moved(9, 9, 9) * place});
             Settings settings;
             set_setting(settings, "caster.cull", c.cull);
             set_setting(settings, "object.caster.cull", c.object_cull);
@@ -191,8 +183,7 @@ TEST(Casters, CulledFacesCastUnlessAsRasterised) {
 }
 
 TEST(Casters, MapStoresTheSurfaceNearestTheLight) {
-    Scene scene = floor_and(make_plane(2, 2), {moved(0, 1, 0), moved(0, 3, 0), moved(0, 2, 0)});
-    finalise(scene);
+    const Scene scene = floor_and(make_plane(2, 2), {moved(0, 1, 0), moved(0, 3, 0), moved(0, 2, 0)});
     const auto geometry = geometry_of(scene);
     const ReferenceScene casters(geometry);
     Emitter lamp = sun({0, 1, 0});
@@ -228,9 +219,7 @@ Scene many_rings() {
                          turned(random.in(0, 360), random.direction()) * scaled(i % 3 ? s : -s, s, s * 0.7));
     }
     places.push_back(moved(0, 4, 0) * scaled(5, 1e-9, 5));  // too flat to be shared safely
-    Scene scene = floor_and(make_torus(0.6, 0.2, 24, 12), places);
-    finalise(scene);
-    return scene;
+    return floor_and(make_torus(0.6, 0.2, 24, 12), places);
 }
 
 TEST(Instances, SharedAndFlattenedScenesAgree) {
@@ -253,9 +242,8 @@ TEST(Instances, SharedAndFlattenedScenesAgree) {
 }
 
 TEST(Instances, DoNotShadowThemselves) {
-    Scene scene = floor_and(make_sphere(1, 24, 12),
-                            {moved(300, 2, -200) * turned(30, {1, 2, 3}) * scaled(1, 2, 0.5), moved(-1e3, 500, 0)});
-    finalise(scene);
+    const Scene scene = floor_and(
+        make_sphere(1, 24, 12), {moved(300, 2, -200) * turned(30, {1, 2, 3}) * scaled(1, 2, 0.5), moved(-1e3, 500, 0)});
     const auto geometry = geometry_of(scene);
     const ReferenceScene casters(geometry, {}, Instancing::Always);
     ASSERT_EQ(casters.instance_count(), 2u);

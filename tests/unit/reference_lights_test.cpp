@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "renderer/scenes/shapes.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/traced.h"
 
 namespace si {
@@ -27,13 +28,8 @@ double disk_share(double s) {
 
 /// Makes a floor, and a plane over it so wide that only its edge at x = 0 matters.
 Scene half_plane() {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
-    add_object(scene, "half plane", -1, add_mesh(scene, "half plane", make_plane(200, 200), grey),
-               moved(100, kHeight, 0));
-    finalise(scene);
-    return scene;
+    return test::grey_scene(
+        {{"floor", make_plane(8, 8)}, {"half plane", make_plane(200, 200), moved(100, kHeight, 0)}});
 }
 
 struct Penumbra {
@@ -51,14 +47,9 @@ Penumbra penumbra(const Emitter& light, double reach, const ReferenceOptions& op
     receivers.width = 400;
     receivers.height = 4;
     for (int y = 0; y < receivers.height; ++y)
-        for (int x = 0; x < receivers.width; ++x) {
-            Receiver r;
-            r.position_ws = {reach * (2 * (x + 0.5) / receivers.width - 1), 0, 0.1 * y};
-            r.normal_ws = {0, 1, 0};
-            r.edge_m = 8;
-            r.object = 0;
-            receivers.pixels.push_back(r);
-        }
+        for (int x = 0; x < receivers.width; ++x)
+            receivers.pixels.push_back(
+                test::floor_receiver({reach * (2 * (x + 0.5) / receivers.width - 1), 0, 0.1 * y}, 8));
     Penumbra p;
     p.reference = trace_visibility(ReferenceScene(geometry), receivers, query_for(scene, light, options), {});
     double squares = 0, sum = 0;

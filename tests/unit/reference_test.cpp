@@ -11,12 +11,14 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/ray_reference.h"
+#include "tests/support/sets.h"
 #include "tests/support/traced.h"
 
 namespace si {
 namespace {
 
 using test::geometry_of;
+using test::meets_box;
 using test::query_for;
 using test::receiver_on;
 using test::row_of;
@@ -111,22 +113,6 @@ Scene floor_and_box(double scale, const glm::dvec3& at) {
     return scene;
 }
 
-/// Returns whether the ray from `p` along `d` (up to parameter `most`) hits the box, by the slab test.
-bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm::dvec3& lo, const glm::dvec3& hi) {
-    double from = 0, to = most;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (d[axis] == 0) {
-            if (p[axis] < lo[axis] || p[axis] > hi[axis]) return false;
-            continue;
-        }
-        double a = (lo[axis] - p[axis]) / d[axis], b = (hi[axis] - p[axis]) / d[axis];
-        if (a > b) std::swap(a, b);
-        from = std::max(from, a);
-        to = std::min(to, b);
-    }
-    return from <= to;
-}
-
 TEST(Reference, BoxShadowIsTheClosedForm) {
     for (const double scale : {1.0, 1e3, 1e-4})
         for (const double away : {0.0, 1e6})
@@ -190,19 +176,16 @@ TEST(Reference, MatchesBruteForceOverTriangles) {
         const Reference reference =
             trace_visibility(casters, receivers, reference_query(scene, settings, lights, 0), {});
         std::size_t shadow = 0, lit = 0;
-        for (int y = 0; y < h; ++y)
-            for (int x = 0; x < w; ++x) {
-                const std::size_t i = std::size_t(y) * w + std::size_t(x);
-                if (reference.state[i] != PixelState::Counted) continue;
-                glm::dvec3 origin, dir;
-                camera.pixel_ray(x, y, w, h, origin, dir);
-                const auto hit = rays.first_hit(origin, dir);
-                ASSERT_TRUE(hit);
-                EXPECT_LT(glm::distance(hit->position, receivers.pixels[i].position_ws), 1e-9);
-                const bool expected = rays.occluded(hit->position, lights[0], hit->triangle);
-                EXPECT_EQ(reference.hard().data[i] < 0.5f, expected) << type << " at " << x << ',' << y;
-                ++(expected ? shadow : lit);
-            }
+        for (const auto& [x, y, origin, dir] : test::pixel_rays(camera, w, h)) {
+            const std::size_t i = std::size_t(y) * w + std::size_t(x);
+            if (reference.state[i] != PixelState::Counted) continue;
+            const auto hit = rays.first_hit(origin, dir);
+            ASSERT_TRUE(hit);
+            EXPECT_LT(glm::distance(hit->position, receivers.pixels[i].position_ws), 1e-9);
+            const bool expected = rays.occluded(hit->position, lights[0], hit->triangle);
+            EXPECT_EQ(reference.hard().data[i] < 0.5f, expected) << type << " at " << x << ',' << y;
+            ++(expected ? shadow : lit);
+        }
         EXPECT_GT(shadow, 100u) << type;
         EXPECT_GT(lit, 500u) << type;
     }
@@ -234,17 +217,15 @@ TEST(Reference, FastPathForDirectionalLightsIsEqual) {
 
 TEST(Reference, CountsReasonsOfExcludedPixels) {
     const Scene scene = floor_and_box(1, glm::dvec3(0));
-    Settings settings;
-    set_setting(settings, "light.0.type", "spot");
-    set_setting(settings, "light.0.cone", "20");
-    set_setting(settings, "light.0.distance", "12");
-    set_setting(settings, "light.0.elevation", "50");
-    set_setting(settings, "object.root/box.receive", "false");
+    Settings settings = settings_with({}, {"light.0.type=spot", "light.0.cone=20", "light.0.distance=12",
+                                           "light.0.elevation=50", "object.root/box.receive=false"});
     const Camera camera = make_camera(scene, settings, 1.5);
     const auto geometry = geometry_of(scene, settings);
     const Receivers receivers = reconstruct_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
-    Reference reference = trace_visibility(ReferenceScene(geometry), receivers,
-                                           reference_query(scene, settings, fit_lights(scene, settings), 0), {});
+    const auto traced = [&](const std::vector<FittedLight>& lights) {
+        return trace_visibility(ReferenceScene(geometry), receivers, reference_query(scene, settings, lights, 0), {});
+    };
+    Reference reference = traced(fit_lights(scene, settings));
     std::array<std::size_t, kPixelStates> counted{};
     for (const PixelState s : reference.state) ++counted[std::size_t(s)];
     EXPECT_EQ(counted, reference.pixels);
@@ -259,8 +240,7 @@ TEST(Reference, CountsReasonsOfExcludedPixels) {
     const double height = fit_lights(scene, settings)[0].position.y, range = std::hypot(height, 1.75);
     settings.lights[0].range = range;
     const FittedLight ranged = fit_lights(scene, settings)[0];
-    reference =
-        trace_visibility(ReferenceScene(geometry), receivers, reference_query(scene, settings, {ranged}, 0), {});
+    reference = traced({ranged});
     std::size_t outside = 0;
     for (std::size_t i = 0; i < reference.state.size(); ++i) {
         const Receiver& r = receivers.pixels[i];
@@ -273,21 +253,16 @@ TEST(Reference, CountsReasonsOfExcludedPixels) {
     EXPECT_GT(reference.counted(), 50u);
     EXPECT_EQ(reference.pixels[std::size_t(PixelState::BeyondRange)], outside);
     set_setting(settings, "light.0.range", "0");
-    const Reference endless = trace_visibility(ReferenceScene(geometry), receivers,
-                                               reference_query(scene, settings, fit_lights(scene, settings), 0), {});
+    const Reference endless = traced(fit_lights(scene, settings));
     EXPECT_EQ(endless.visibility.data, reference.visibility.data);
     EXPECT_EQ(endless.counted(), reference.counted() + outside);
 
-    set_setting(settings, "light.0.type", "directional");
-    set_setting(settings, "light.0.elevation", "-30");
-    reference = trace_visibility(ReferenceScene(geometry), receivers,
-                                 reference_query(scene, settings, fit_lights(scene, settings), 0), {});
+    set_all(settings, {"light.0.type=directional", "light.0.elevation=-30"});
+    reference = traced(fit_lights(scene, settings));
     EXPECT_EQ(reference.counted(), 0u) << "the floor is lit from below";
     EXPECT_GT(reference.pixels[std::size_t(PixelState::FacesAway)], 100u);
-    set_setting(settings, "light.0.elevation", "50");
-    set_setting(settings, "light.0.cast", "false");
-    reference = trace_visibility(ReferenceScene(geometry), receivers,
-                                 reference_query(scene, settings, fit_lights(scene, settings), 0), {});
+    set_all(settings, {"light.0.elevation=50", "light.0.cast=false"});
+    reference = traced(fit_lights(scene, settings));
     EXPECT_EQ(count_dark(reference), 0u) << "a light that casts nothing";
     EXPECT_THROW(reference_query(scene, settings, fit_lights(scene, settings), 1), Error);
 }

@@ -30,6 +30,7 @@ Mesh square() {
     return mesh;
 }
 
+/// Makes a scene of one object per mesh, without finalising it.
 Scene scene_of(const std::vector<Mesh>& meshes) {
     Scene scene;
     for (const Mesh& mesh : meshes) {
@@ -37,6 +38,14 @@ Scene scene_of(const std::vector<Mesh>& meshes) {
         add_object(scene, mesh.name, -1, int(scene.meshes.size()) - 1);
     }
     return scene;
+}
+
+Scene finalised(Scene scene) {
+    finalise(scene);
+    return scene;
+}
+Scene finalised(const std::vector<Mesh>& meshes) {
+    return finalised(scene_of(meshes));
 }
 
 double signed_volume(const Mesh& mesh) {
@@ -100,8 +109,7 @@ TEST(Bounds, TransformedHoldsTheEightCorners) {
 TEST(Finalise, MakesMissingNormalsFlatAndKeepsAttributesAligned) {
     Mesh bent = square();
     bent.positions.edit()[3] = {0, 1, 1};
-    Scene scene = scene_of({bent});
-    finalise(scene);
+    const Scene scene = finalised({bent});
     const Mesh& mesh = scene.meshes[0];
     ASSERT_EQ(mesh.positions.size(), 6u);
     ASSERT_EQ(mesh.normals.size(), 6u);
@@ -117,8 +125,7 @@ TEST(Finalise, ReplacesNormalsWithoutDirection) {
         Mesh mesh = square();
         mesh.normals.assign(4, glm::vec3(0, 0, 1));
         mesh.normals.edit()[2] = bad;
-        Scene scene = scene_of({mesh});
-        finalise(scene);
+        const Scene scene = finalised({mesh});
         EXPECT_EQ(wrong_normals(scene.meshes[0]), 0u);
         ASSERT_EQ(scene.warnings.size(), 1u);
         EXPECT_NE(scene.warnings[0].find("'square'"), std::string::npos);
@@ -128,8 +135,7 @@ TEST(Finalise, ReplacesNormalsWithoutDirection) {
 TEST(Finalise, NormalisesLongNormals) {
     Mesh mesh = square();
     mesh.normals.assign(4, glm::vec3(0, 0, 3));
-    Scene scene = scene_of({mesh});
-    finalise(scene);
+    const Scene scene = finalised({mesh});
     EXPECT_EQ(scene.meshes[0].normals[1], glm::vec3(0, 0, 1));
     EXPECT_EQ(scene.meshes[0].positions.size(), 4u);
 }
@@ -140,8 +146,7 @@ TEST(Finalise, DropsTrianglesWithoutArea) {
     // Two equal corners; three corners on a line.
     mesh.uv.push_back({0, 0});
     mesh.indices.append({1, 1, 2, 0, 1, 4});
-    Scene scene = scene_of({mesh, square()});
-    finalise(scene);
+    const Scene scene = finalised({mesh, square()});
     EXPECT_EQ(scene.dropped_triangles, 2u);
     EXPECT_EQ(scene.triangle_count(), 4u);
     ASSERT_EQ(scene.warnings.size(), 1u);
@@ -177,8 +182,7 @@ TEST(Finalise, DropsTrianglesWithoutAreaWhereverTheyStand) {
                     else
                         kept.push_back(std::uint32_t(3 * t + k));
             }
-            Scene scene = scene_of({mesh});
-            finalise(scene);
+            const Scene scene = finalised({mesh});
             EXPECT_EQ(scene.dropped_triangles, (count + every - 1) / every) << count << " every " << every;
             ASSERT_EQ(scene.meshes.empty(), kept.empty());
             if (kept.empty()) continue;
@@ -193,15 +197,13 @@ TEST(Finalise, KeepsSliversAndTrianglesOfEverySize) {
     for (const float size : {1e-19f, 1e-8f, 1.0f, 1e8f, 1e17f}) {
         Mesh mesh = row_of_triangles(100);
         for (glm::vec3& p : mesh.positions.edit()) p *= size;
-        Scene scene = scene_of({mesh});
-        finalise(scene);
+        const Scene scene = finalised({mesh});
         EXPECT_EQ(scene.dropped_triangles, 0u) << size;
         EXPECT_EQ(scene.meshes.at(0).indices.size(), 300u);
     }
     Mesh slivers = row_of_triangles(100);  // height is a ten-millionth of the width
     for (glm::vec3& p : slivers.positions.edit()) p.y *= 0.5e-7f;
-    Scene scene = scene_of({slivers});
-    finalise(scene);
+    const Scene scene = finalised({slivers});
     EXPECT_EQ(scene.dropped_triangles, 0u);
 }
 
@@ -209,8 +211,7 @@ TEST(Finalise, BoundsLeaveOutVerticesWithoutTriangles) {
     Mesh mesh = row_of_triangles(40);
     mesh.positions.emplace_back(1e6f, -1e6f, 5);
     mesh.normals.emplace_back(0, 0, 0);  // a zero normal of an unused vertex
-    Scene scene = scene_of({mesh});
-    finalise(scene);
+    const Scene scene = finalised({mesh});
     EXPECT_EQ(scene.meshes[0].bounds.hi, glm::dvec3(39.5, 1, 0));
     EXPECT_EQ(scene.meshes[0].bounds.lo, glm::dvec3(0));
     EXPECT_TRUE(scene.warnings.empty());
@@ -220,8 +221,7 @@ TEST(Finalise, BoundsLeaveOutVerticesWithoutTriangles) {
 TEST(Finalise, KeepsTinyTriangles) {
     Mesh mesh = square();
     for (glm::vec3& p : mesh.positions.edit()) p *= 1e-20f;
-    Scene scene = scene_of({mesh});
-    finalise(scene);
+    const Scene scene = finalised({mesh});
     EXPECT_EQ(scene.triangle_count(), 2u);
     EXPECT_EQ(wrong_normals(scene.meshes[0]), 0u);
 }
@@ -232,8 +232,7 @@ TEST(Finalise, DropsMeshesThatAreNotFinite) {
     bad.positions.edit()[1].y = kNoNumber;
     Mesh last = square();
     last.name = "last";
-    Scene scene = scene_of({square(), bad, last});
-    finalise(scene);
+    const Scene scene = finalised({square(), bad, last});
     ASSERT_EQ(scene.meshes.size(), 2u);
     ASSERT_EQ(scene.objects.size(), 2u);
     EXPECT_EQ(scene.meshes[scene.objects[1].mesh].name, "last");
@@ -247,8 +246,7 @@ TEST(Finalise, IgnoresAttributesThatAreNotFinite) {
     Mesh mesh = square();
     mesh.uv.edit()[0].x = kEndless;
     mesh.colours.assign(4, glm::vec4(1, 1, 1, kNoNumber));
-    Scene scene = scene_of({mesh});
-    finalise(scene);
+    const Scene scene = finalised({mesh});
     EXPECT_TRUE(scene.meshes[0].uv.empty());
     EXPECT_TRUE(scene.meshes[0].colours.empty());
     EXPECT_EQ(scene.warnings.size(), 2u);

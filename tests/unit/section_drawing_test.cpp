@@ -108,6 +108,12 @@ std::vector<std::string> legend_texts(const SectionDrawing& d) {
     return out;
 }
 
+/// Returns the first mark of a kind and ink; null without one.
+const Mark* mark_of(const SectionDrawing& d, Mark::Kind kind, Ink ink) {
+    const auto found = std::ranges::find_if(d.marks, [&](const Mark& m) { return m.kind == kind && m.ink == ink; });
+    return found == d.marks.end() ? nullptr : &*found;
+}
+
 bool legend_has(const SectionDrawing& d, std::string_view text) {
     return std::ranges::any_of(d.legend, [&](const LegendRow& row) { return row.text == text; });
 }
@@ -327,9 +333,8 @@ TEST(SectionDrawing, BiasWindowIsNextToTheRingAlongItsRay) {
         const SectionPage page{.height = 640};
         const SectionDrawing d = draw_section(s, page);
         ASSERT_FALSE(d.broken);
-        const auto ring = std::ranges::find_if(
-            d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Dot && m.ink == Ink::Text; });
-        ASSERT_NE(ring, d.marks.end());
+        const Mark* ring = mark_of(d, Mark::Kind::Dot, Ink::Text);
+        ASSERT_TRUE(ring);
         EXPECT_NEAR(glm::length(ring->points[0] - glm::dvec2(d.zero_x, d.zero_y)), 0, 1e-9);
         const std::vector<glm::dvec2> ends = ends_of_window(d);
         ASSERT_EQ(ends.size(), 2u);
@@ -339,9 +344,8 @@ TEST(SectionDrawing, BiasWindowIsNextToTheRingAlongItsRay) {
         }
         EXPECT_TRUE(words_of(d, "needs 0.6 texels of bias"));
         // The bar between the two lines.
-        const auto bar = std::ranges::find_if(
-            d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Area && m.ink == Ink::Window; });
-        ASSERT_NE(bar, d.marks.end());
+        const Mark* bar = mark_of(d, Mark::Kind::Area, Ink::Window);
+        ASSERT_TRUE(bar);
         const auto [top, bottom] = std::ranges::minmax(bar->points, {}, [](const glm::dvec2& p) { return p.y; });
         EXPECT_NEAR(top.y - d.zero_y, ends[1].y, 1e-6);
         EXPECT_NEAR(bottom.y - d.zero_y, ends[0].y, 1e-6);
@@ -384,9 +388,8 @@ TEST(SectionDrawing, ArrowHasTheLengthOfItsLabel) {
     leaves.surface_at = {0, -0.08};
     for (const Section& s : {offset_look_up(), leaves}) {
         const SectionDrawing d = draw_section(s, {});
-        const auto arrow = std::ranges::find_if(
-            d.marks, [](const Mark& m) { return m.kind == Mark::Kind::Line && m.ink == Ink::Offset; });
-        ASSERT_NE(arrow, d.marks.end());
+        const Mark* arrow = mark_of(d, Mark::Kind::Line, Ink::Offset);
+        ASSERT_TRUE(arrow);
         const glm::dvec2 way = (arrow->points[1] - arrow->points[0]) / glm::dvec2(d.across, d.along);
         EXPECT_NEAR(glm::length(way), std::hypot(0.1, 0.06), 1e-9);
         const bool in_cut = s.surface_offset_texels == 0;

@@ -11,6 +11,7 @@
 #include "renderer/view/cascades/cascades.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -24,13 +25,7 @@ struct Divided {
 /// Makes boxes in front of a camera that looks along -z, and returns the cascade borders of a sun.
 Divided divided(const LightSettings& light, const glm::dvec3& at = glm::dvec3(0), bool orthographic = false) {
     Settings s;
-    s.camera.source = CameraSource::Manual;
-    s.camera.target_x = at.x;
-    s.camera.target_y = at.y;
-    s.camera.target_z = at.z;
-    s.camera.azimuth = 0;
-    s.camera.elevation = 0;
-    s.camera.distance = 10;
+    s.camera = orbiting_camera(at, 0, 0, 10);
     s.camera.orthographic = orthographic;
     const Scene scene = test::box_scene({{at + glm::dvec3(-1, -1, 0), at + glm::dvec3(1, 1, 2)},
                                          {at + glm::dvec3(-1, -1, -190), at + glm::dvec3(1, 1, -188)}});

@@ -11,6 +11,7 @@
 #include "app/sweep/merge.h"
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/support/error_text.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
 
@@ -263,21 +264,13 @@ TEST(Sweep, MissingPicturesAreDrawnAgain) {
 
 TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
     const fs::path root = fresh_test_folder();
-    const auto refusal = [](const auto& act) -> std::string {
-        try {
-            act();
-        } catch (const Error& e) {
-            return e.what();
-        }
-        return {};
-    };
     for (const char* name : {"results.json", "report.html", "base.json", "journal.jsonl", "pictures/0003.jpg"}) {
         const fs::path folder = root / fs::path(name).stem(), file = folder / name;
         fs::create_directories(file.parent_path());
         std::ofstream(file) << "mine";
-        for (const auto& said :
-             {refusal([&] { require_sweep_folder(folder); }), refusal([&] { remove_sweep_files(folder); })})
-            EXPECT_NE(said.find(std::string("holds ") + name), std::string::npos) << name << ": " << said;
+        const std::string said = std::string("holds ") + name;
+        EXPECT_TRUE(test::fails_with([&] { require_sweep_folder(folder); }, {said})) << name;
+        EXPECT_TRUE(test::fails_with([&] { remove_sweep_files(folder); }, {said})) << name;
         EXPECT_EQ(file_bytes(file), "mine") << name;
     }
     // A foreign file next to a sweep.
@@ -295,7 +288,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
     const FakeSweep killed(root / "killed");
     fs::create_directories(killed.folder);
     std::ofstream(killed.folder / kJournalFile) << "{\"format\":\"shadow-insp";
-    EXPECT_EQ(refusal([&] { require_sweep_folder(killed.folder); }), "");
+    EXPECT_NO_THROW(require_sweep_folder(killed.folder));
     FakeMeter first;
     killed.run(first, 10'000, {.on = false});
     EXPECT_EQ(first.measured.size(), 8u);
@@ -305,32 +298,20 @@ TEST(Sweep, OtherArgumentsAreRefused) {
     FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 2);
-    const auto message = [&](auto change) -> std::string {
+    const auto refused = [&](auto change, std::string_view reason) {
         FakeSweep other = f;
         change(other);
-        try {
-            other.run(meter, 1);
-        } catch (const Error& e) {
-            return e.what();
-        }
-        return "no error";
+        return test::fails_with([&] { other.run(meter, 1); }, {reason});
     };
-    EXPECT_NE(message([](FakeSweep& o) { o.spec.width = 9; }).find("--size 8x8 there, 9x8 here"), std::string::npos);
-    EXPECT_NE(message([](FakeSweep& o) { o.spec.base.bias.slope = 2; }).find("bias.slope: the default there, 2 here"),
-              std::string::npos);
-    EXPECT_NE(message([](FakeSweep& o) { o.spec.axes.pop_back(); }).find("filter.kernel=hard,pcf3 there"),
-              std::string::npos);
-    EXPECT_NE(message([](FakeSweep& o) {
-                  o.spec.shard = {1, 2};
-              }).find("--shard 1/1 there, 1/2 here"),
-              std::string::npos);
-    EXPECT_NE(message([](FakeSweep& o) {
-                  o.spec.scene_content = 5;
-                  o.spec.scene = "boxes";
-              }).find("boxes here"),
-              std::string::npos);
-    EXPECT_NE(message([](FakeSweep& o) { o.spec.scene_content = 5; }).find("stage has changed"), std::string::npos);
-    EXPECT_EQ(message([](FakeSweep&) {}), "no error");
+    EXPECT_TRUE(refused([](FakeSweep& o) { o.spec.width = 9; }, "--size 8x8 there, 9x8 here"));
+    EXPECT_TRUE(refused([](FakeSweep& o) { o.spec.base.bias.slope = 2; }, "bias.slope: the default there, 2 here"));
+    EXPECT_TRUE(refused([](FakeSweep& o) { o.spec.axes.pop_back(); }, "filter.kernel=hard,pcf3 there"));
+    EXPECT_TRUE(refused([](FakeSweep& o) { o.spec.shard = {1, 2}; }, "--shard 1/1 there, 1/2 here"));
+    EXPECT_TRUE(refused([](FakeSweep& o) { o.spec.scene_content = 5; }, "stage has changed"));
+    f.spec.scene = "boxes";
+    EXPECT_TRUE(refused([](FakeSweep& o) { o.spec.scene_content = 5; }, "boxes here"));
+    f.spec.scene = "stage";
+    EXPECT_NO_THROW(f.run(meter, 1));
 }
 
 TEST(Sweep, OneProcessAtATime) {
@@ -393,14 +374,6 @@ TEST(Sweep, ErrorsOfAnotherDefinitionAreNotMixed) {
     const fs::path file = old.folder / kJournalFile;
     const std::string text = file_bytes(file);
     const std::string number = "\"meaning\":" + std::to_string(kErrorMeaning);
-    const auto message = [](auto act) -> std::string {
-        try {
-            act();
-        } catch (const Error& e) {
-            return e.what();
-        }
-        return "no error";
-    };
     const auto replaced = [&](std::string t, const std::string& by, bool all) {
         for (auto at = t.find(number); at != std::string::npos; at = all ? t.find(number, at + 1) : std::string::npos)
             t.replace(at, number.size(), by);
@@ -412,12 +385,9 @@ TEST(Sweep, ErrorsOfAnotherDefinitionAreNotMixed) {
         ASSERT_NE(changed, text);
         std::ofstream(file, std::ios::binary) << changed;
         const bool seven = changed.find("\"meaning\":7") != std::string::npos;
-        for (const std::string& said :
-             {message([&] { old.run(meter, 1); }), message([&] { read_journal(old.folder); })}) {
-            EXPECT_NE(said.find(file.string() + ": line "), std::string::npos) << said;
-            EXPECT_NE(said.find(seven ? "meaning 7" : "meaning 1"), std::string::npos) << said;
-            EXPECT_NE(said.find("--fresh"), std::string::npos) << said;
-        }
+        const std::string place = file.string() + ": line ", meaning = seven ? "meaning 7" : "meaning 1";
+        EXPECT_TRUE(test::fails_with([&] { old.run(meter, 1); }, {place, meaning, "--fresh"}));
+        EXPECT_TRUE(test::fails_with([&] { read_journal(old.folder); }, {place, meaning, "--fresh"}));
         EXPECT_EQ(file_bytes(file), changed) << "left as it is";
     }
     SweepState mixed = state;

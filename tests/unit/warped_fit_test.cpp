@@ -11,6 +11,7 @@
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/ray_reference.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -22,9 +23,7 @@ Settings warped(const glm::dvec3& target) {
     s.map.resolution = 512;
     CameraSettings& c = s.camera;
     c.source = CameraSource::Manual;
-    c.target_x = target.x;
-    c.target_y = target.y;
-    c.target_z = target.z;
+    set_target(c, target);
     c.distance = 9;
     c.elevation = 12;
     return s;
