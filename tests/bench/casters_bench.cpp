@@ -33,11 +33,8 @@ void time_in_turns(benchmark::State& state, A&& first, B&& second) {
         ratios.push_back(ms / first_ms.back());
         state.SetIterationTime(ms / 1000);
     }
-    const Quartiles ratio(std::move(ratios));
     state.counters["first_ms"] = median(first_ms);
-    state.counters["ratio"] = ratio.median;
-    state.counters["ratio_p25"] = ratio.p25;
-    state.counters["ratio_p75"] = ratio.p75;
+    report_ratio(state, std::move(ratios));
 }
 
 /// Makes boxes, balls and rings, each on a node of its own, over a floor.
@@ -102,44 +99,31 @@ void agreed_map(benchmark::State& state, const Settings& all) {
         state, [&] { renderer.render(scene, both_sides, forced); }, [&] { renderer.render(scene, all, request); });
 }
 
-/// Times frames of a turning light: maps drawn whole (first) and only where the camera reads them.
-void visible_map(benchmark::State& state, const Scene& scene, Settings s) {
+/// Times frames before each of which an azimuth turns: without an optimisation (first) and with it.
+void turning_frames(benchmark::State& state, const Scene& scene, const Settings& s, double& azimuth,
+                    Optimisation optimisation) {
     HeadlessContext context;
     Renderer renderer;
     FrameRequest request{.width = 160, .height = 90}, whole = request;
-    whole.forced = {Optimisation::UnreadViews};
-    const auto turn = [&] { s.lights[0].azimuth += 0.5; };
+    whole.forced = {optimisation};
+    const auto draw = [&](const FrameRequest& variant) {
+        azimuth += 0.5;
+        renderer.render(scene, s, variant);
+    };
     time_in_turns(
-        state,
-        [&] {
-            turn();
-            renderer.render(scene, s, whole);
-        },
-        [&] {
-            turn();
-            renderer.render(scene, s, request);
-        });
+        state, [&] { draw(whole); }, [&] { draw(request); });
+}
+
+/// Times frames of a turning light: maps drawn whole (first) and only where the camera reads them.
+void visible_map(benchmark::State& state, const Scene& scene, Settings s) {
+    turning_frames(state, scene, s, s.lights[0].azimuth, Optimisation::UnreadViews);
 }
 
 /// Times frames of a camera that orbits its target, without shadows: all objects drawn (first) and only objects in the
 /// view frustum.
 void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
-    HeadlessContext context;
-    Renderer renderer;
     s.lights[0].cast = false;
-    FrameRequest request{.width = 160, .height = 90}, all = request;
-    all.forced = {Optimisation::FrustumCulling};
-    const auto turn = [&] { s.camera.azimuth += 0.5; };
-    time_in_turns(
-        state,
-        [&] {
-            turn();
-            renderer.render(scene, s, all);
-        },
-        [&] {
-            turn();
-            renderer.render(scene, s, request);
-        });
+    turning_frames(state, scene, s, s.camera.azimuth, Optimisation::FrustumCulling);
 }
 
 /// Times the search for read map parts: visible surfaces ("seen_ms", once a camera) and their places in the map
@@ -218,12 +202,9 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         ratios.push_back(ms / first_ms.back());
         state.SetIterationTime(ms / 1000);
     }
-    const Quartiles ratio(std::move(ratios));
     state.counters["first_ms"] = median(first_ms);
     state.counters["kept"] = kept;
-    state.counters["ratio"] = ratio.median;
-    state.counters["ratio_p25"] = ratio.p25;
-    state.counters["ratio_p75"] = ratio.p75;
+    report_ratio(state, std::move(ratios));
 }
 
 /// Turns the camera to look from a corner of the scene along one of its sides.

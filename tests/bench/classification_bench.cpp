@@ -11,19 +11,19 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/median.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
 
-void classify_over_visibility(benchmark::State& state, const char* scene_name,
-                              std::vector<std::pair<const char*, const char*>> sets) {
+void classify_over_visibility(benchmark::State& state, const char* scene_name, Sets sets) {
     const HeadlessContext context;
     Renderer renderer;
     const Scene scene = load_scene(scene_name);
     Settings s;
     for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
     set_setting(s, "light.fit", "scene");  // a map with enough wrong pixels
-    for (const auto& [key, value] : sets) set_setting(s, key, value);
+    set_all(s, sets);
     FrameRequest request{.width = 1280, .height = 720, .outputs = {.colour = false, .error = true}};
     ReferenceCache cache;
     render_with_reference(renderer, scene, s, request, cache);
@@ -54,16 +54,11 @@ void classify_over_visibility(benchmark::State& state, const char* scene_name,
     state.counters["wrong_share"] = wrong;
 }
 
-BENCHMARK_CAPTURE(classify_over_visibility, stage_pcf3, "stage", std::vector<std::pair<const char*, const char*>>{})
+BENCHMARK_CAPTURE(classify_over_visibility, stage_pcf3, "stage", Sets{})->Iterations(15)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(classify_over_visibility, stage_pcf9, "stage", Sets{"filter.kernel=pcf9"})
     ->Iterations(15)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(classify_over_visibility, stage_pcf9, "stage",
-                  std::vector<std::pair<const char*, const char*>>{{"filter.kernel", "pcf9"}})
-    ->Iterations(15)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(classify_over_visibility, boxes_pcf3, "boxes", std::vector<std::pair<const char*, const char*>>{})
-    ->Iterations(15)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(classify_over_visibility, boxes_pcf3, "boxes", Sets{})->Iterations(15)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace si

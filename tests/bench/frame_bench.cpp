@@ -17,6 +17,7 @@
 #include "tests/bench/bare.h"
 #include "tests/bench/load_bench.h"
 #include "tests/bench/rotation.h"
+#include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {
@@ -317,11 +318,7 @@ void first_frame_of_a_scene(benchmark::State& state, const char* name) {
     }
 }
 
-/// Returns the rounds a benchmark: SI_BENCH_ROUNDS, else 30.
-int rounds() {
-    const char* text = std::getenv("SI_BENCH_ROUNDS");
-    return text ? std::clamp(std::atoi(text), 1, 10000) : 30;
-}
+constexpr int kRounds = 30;  ///< rounds of a benchmark, unless SI_BENCH_ROUNDS is set
 
 /// Scenes of textured benchmarks. The stage is built in. Downloaded are the flowers (7,636 triangles of masked leaves
 /// in vases of 6,400) and the graveyard (84,413 textured triangles in 637 nodes). The forest is 10,000 trees of masked
@@ -351,7 +348,7 @@ void register_all() {
         benchmark::RegisterBenchmark(name.c_str(), function)
             ->UseManualTime()
             ->Unit(benchmark::kMillisecond)
-            ->Iterations(rounds());
+            ->Iterations(bench_rounds(kRounds));
     };
     for (const Row& row : kRows) {
         for (const int resolution : {1024, 2048, 4096})
@@ -382,8 +379,8 @@ void register_all() {
             [kernel](benchmark::State& s) { gather_against_sampler(s, kernel); });
     add("unchanged_frame", [](benchmark::State& s) { unchanged_frame(s, "100k"); });
     add("first_frame/landscape", [](benchmark::State& s) { first_frame_of_a_scene(s, "landscape"); });
-    register_load_benchmarks(rounds());
-    register_lookup_benchmarks(rounds());
+    register_load_benchmarks(bench_rounds(kRounds));
+    register_lookup_benchmarks(bench_rounds(kRounds));
 }
 
 }  // namespace

@@ -17,13 +17,12 @@
 #include "renderer/settings/param.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Sets = std::vector<std::pair<std::string, std::string>>;
-
 struct Way {
     std::string name;
     std::function<double()> gpu_ms;  ///< function that draws once and returns GPU milliseconds
@@ -104,8 +103,7 @@ public:
         to_.add(key, question, way(common, a, {}), way(common, b, {}));
     }
     void add_optimisation(const OptimisationRow& row, Optimisation optimisation) {
-        Way made = way({{"filter.kernel", "pcf3"}}, {}, {}),
-            forced = way({{"filter.kernel", "pcf3"}}, {}, {optimisation});
+        Way made = way({"filter.kernel=pcf3"}, {}, {}), forced = way({"filter.kernel=pcf3"}, {}, {optimisation});
         made.name = "made";
         forced.name = "not made";
         to_.add(fmt::format("saving/{}", row.key), std::string(row.help), made, forced);
@@ -128,8 +126,7 @@ private:
         Settings s;
         s.lights[0].elevation = 45;
         std::string name;
-        for (const Sets* sets : {&common, &own})
-            for (const auto& [key, value] : *sets) set_setting(s, key, value);
+        for (const Sets* sets : {&common, &own}) set_all(s, *sets);
         for (const auto& [key, value] : own) name += fmt::format("{}{}={}", name.empty() ? "" : " ", key, value);
         FrameRequest request{.width = to_.options().width, .height = to_.options().height};
         request.timing = request.force = true;
@@ -237,19 +234,19 @@ void add_renderer_choices(Renderer& renderer, Choices& to) {
     for (const char* kernel : {"hw2x2", "pcf3", "pcf5", "pcf7"})
         choices.add(fmt::format("gather_or_sampler/{}", kernel),
                     "Gather four texels and compare them in the shader, or have the shadow sampler compare?",
-                    {{"filter.kernel", kernel}}, {{"filter.method", "gather"}}, {{"filter.method", "sampler"}});
+                    {{"filter.kernel", kernel}}, {"filter.method=gather"}, {"filter.method=sampler"});
     for (const char* kernel : {"hard", "pcf3", "pcf5"})
         choices.add(fmt::format("fused_or_separate/{}", kernel),
                     "Evaluate visibility inside shading, or in a pass of its own?", {{"filter.kernel", kernel}},
-                    {{"shading.separate_visibility", "false"}}, {{"shading.separate_visibility", "true"}});
+                    {"shading.separate_visibility=false"}, {"shading.separate_visibility=true"});
     GLint vertex_images = 0;  // fragments have eight everywhere
     glGetIntegerv(GL_MAX_VERTEX_IMAGE_UNIFORMS, &vertex_images);
     for (const char* kernel : {"hard", "pcf3"})
         if (vertex_images >= 2) choices.add_blocks(kernel);
     choices.add("back_faces", "Draw both faces of casters into the map, or leave out those that face away?",
-                {{"filter.kernel", "hard"}}, {{"caster.cull", "none"}}, {{"caster.cull", "back"}});
-    choices.add("map_format", "Store depths in 32-bit floats, or in 16 bits?", {{"filter.kernel", "pcf3"}},
-                {{"map.format", "d32f"}}, {{"map.format", "d16"}});
+                {"filter.kernel=hard"}, {"caster.cull=none"}, {"caster.cull=back"});
+    choices.add("map_format", "Store depths in 32-bit floats, or in 16 bits?", {"filter.kernel=pcf3"},
+                {"map.format=d32f"}, {"map.format=d16"});
     for (std::size_t i = 0; i < kOptimisations; ++i) choices.add_optimisation(optimisation_rows()[i], Optimisation(i));
 }
 

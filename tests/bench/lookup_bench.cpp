@@ -14,6 +14,7 @@
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 struct LookupCase {
     const char* kernel;
     Optimisation saving;
-    std::vector<std::pair<const char*, const char*>> sets;
+    Sets sets;
     bool ground_casts = true;
 };
 
@@ -36,7 +37,7 @@ void lookups(benchmark::State& state, const LookupCase& c, bool again) {
     Settings s;
     set_setting(s, "filter.kernel", c.kernel);
     set_setting(s, "bias.kind", "adaptive");
-    for (const auto& [key, value] : c.sets) set_setting(s, key, value);
+    set_all(s, c.sets);
     if (!c.ground_casts) s.objects["ground"].cast = false;
     FrameRequest request{.width = 1280, .height = 720}, all = request;
     all.forced = {c.saving};
@@ -58,11 +59,8 @@ void lookups(benchmark::State& state, const LookupCase& c, bool again) {
         both();
         state.SetIterationTime(ms.back() / 1000);
     }
-    const Quartiles ratio(std::move(ratios));
     state.counters["ms"] = median(ms);
-    state.counters["ratio"] = ratio.median;
-    state.counters["ratio_p25"] = ratio.p25;
-    state.counters["ratio_p75"] = ratio.p75;
+    report_ratio(state, std::move(ratios));
 }
 
 }  // namespace
@@ -76,37 +74,23 @@ void register_lookup_benchmarks(int rounds) {
         for (const char* kernel : {"pcf", "gauss"})
             cases.push_back({kernel, Optimisation::EarlyOut, {{"filter.size", size}}});
     cases.push_back({"smrt", Optimisation::EarlyOut, {}});
-    cases.push_back({"smrt", Optimisation::EarlyOut, {{"filter.rays", "32"}}});
-    cases.push_back({"pcss", Optimisation::BlockerSearch, {{"light.size", "0"}}});
+    cases.push_back({"smrt", Optimisation::EarlyOut, {"filter.rays=32"}});
+    cases.push_back({"pcss", Optimisation::BlockerSearch, {"light.size=0"}});
     cases.push_back({"hard", Optimisation::BackFacingReceivers, {}});
     cases.push_back({"pcf3", Optimisation::BackFacingReceivers, {}});
     for (const char* kernel : {"hard", "pcf5"})  // one light of four shines
         cases.push_back({kernel,
                          Optimisation::DeadPasses,
-                         {{"light.count", "4"},
-                          {"light.1.intensity", "0"},
-                          {"light.2.intensity", "0"},
-                          {"light.3.intensity", "0"}}});
+                         {"light.count=4", "light.1.intensity=0", "light.2.intensity=0", "light.3.intensity=0"}});
     for (const char* kernel : {"hard", "pcf5"})  // nothing casts below three of four lights
-        cases.push_back({kernel,
-                         Optimisation::DeadPasses,
-                         {{"light.count", "4"},
-                          {"light.1.type", "spot"},
-                          {"light.2.type", "spot"},
-                          {"light.3.type", "spot"},
-                          {"light.1.elevation", "90"},
-                          {"light.2.elevation", "90"},
-                          {"light.3.elevation", "90"},
-                          {"light.1.distance", "1.5"},
-                          {"light.2.distance", "1.5"},
-                          {"light.3.distance", "1.5"},
-                          {"light.1.target_y", "0"},
-                          {"light.2.target_y", "0"},
-                          {"light.3.target_y", "0"},
-                          {"light.1.target_x", "19.2"},
-                          {"light.2.target_x", "-19.2"},
-                          {"light.3.target_z", "19.2"}},
-                         false});
+        cases.push_back(
+            {kernel,
+             Optimisation::DeadPasses,
+             {"light.count=4", "light.1.type=spot", "light.2.type=spot", "light.3.type=spot", "light.1.elevation=90",
+              "light.2.elevation=90", "light.3.elevation=90", "light.1.distance=1.5", "light.2.distance=1.5",
+              "light.3.distance=1.5", "light.1.target_y=0", "light.2.target_y=0", "light.3.target_y=0",
+              "light.1.target_x=19.2", "light.2.target_x=-19.2", "light.3.target_z=19.2"},
+             false});
     for (const LookupCase& c : cases)
         for (const bool again : {false, true})
             benchmark::RegisterBenchmark(

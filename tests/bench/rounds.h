@@ -1,6 +1,8 @@
 // Rounds, quartiles and clocks of alternating measurements.
 #pragma once
 
+#include <benchmark/benchmark.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -45,6 +47,14 @@ double wall_ms(Work&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Reports the ratios of timed pairs as counters: their median and the middle half.
+inline void report_ratio(benchmark::State& state, std::vector<double> ratios) {
+    const Quartiles ratio(std::move(ratios));
+    state.counters["ratio"] = ratio.median;
+    state.counters["ratio_p25"] = ratio.p25;
+    state.counters["ratio_p75"] = ratio.p75;
 }
 
 }  // namespace si
