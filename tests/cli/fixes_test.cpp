@@ -11,17 +11,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> kScene{"boxes",         "--set", "map.resolution=512", "--set",
-                                      "bias.normal=0", "--set", "bias.constant=0",    "--size",
-                                      "320x180",       "--json"};
-
-Json run(const char* command, std::vector<std::string> more) {
-    std::vector<std::string> args{command};
-    args.insert(args.end(), kScene.begin(), kScene.end());
-    args.insert(args.end(), more.begin(), more.end());
-    const auto r = run_program(args);
-    EXPECT_EQ(r.code, 0) << r.err;
-    return Json::parse(r.out, nullptr, false);
+Json run(const char* command, const Words& more) {
+    return program_json(
+        command + Words("boxes --set map.resolution=512 --set bias.normal=0 --set bias.constant=0 --size 320x180") +
+        more);
 }
 
 long long wrong_pixel_count(const Json& measured) {
@@ -32,24 +25,20 @@ long long wrong_pixel_count(const Json& measured) {
 }
 
 TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
-    EXPECT_TRUE(run("measure", {"--no-time"})["cures"].is_null());
-    const Json all = run("measure", {"--no-time", "--cures"});
+    EXPECT_TRUE(run("measure", "--no-time")["cures"].is_null());
+    const Json all = run("measure", "--no-time --cures");
     ASSERT_TRUE(all["cures"].is_array());
     const Json& first = all["cures"][0];
     EXPECT_GT(first["cured_px"], 1000);
     EXPECT_TRUE(first["ms"].is_null()) << "nothing was timed";
-    std::vector<std::string> sets{"--no-time"};
-    for (const auto& [key, value] : first["settings"].items()) {
-        sets.push_back("--set");
-        sets.push_back(key + "=" + value.get<std::string>());
-    }
-    EXPECT_EQ(wrong_pixel_count(run("measure", sets)),
+    EXPECT_EQ(wrong_pixel_count(run("measure", "--no-time" + set_words(first["settings"]))),
               wrong_pixel_count(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
 }
 
 TEST(FixesInJson, CureTheProbedPixel) {
     for (int x = 60; x < 260; x += 7) {
-        const Json probe = run("probe", {"--pixel", std::to_string(x) + ",120"});
+        const Words pixel = "--pixel " + std::to_string(x) + ",120";
+        const Json probe = run("probe", pixel);
         ASSERT_TRUE(probe["hit"].is_boolean());
         if (!probe["hit"].get<bool>()) continue;
         const std::string artefact = probe["lights"][0]["dossier"]["artefact"];
@@ -61,12 +50,8 @@ TEST(FixesInJson, CureTheProbedPixel) {
         ASSERT_FALSE(probe["cures"].empty());
         EXPECT_TRUE(probe["cures"][0]["pixel_right"].get<bool>());
         EXPECT_TRUE(probe["cures"][0]["ms"].is_object());
-        std::vector<std::string> sets{"--pixel", std::to_string(x) + ",120"};
-        for (const auto& [key, value] : probe["cures"][0]["settings"].items()) {
-            sets.push_back("--set");
-            sets.push_back(key + "=" + value.get<std::string>());
-        }
-        EXPECT_EQ(run("probe", sets)["lights"][0]["dossier"]["artefact"], "none");
+        const Json cured = run("probe", pixel + set_words(probe["cures"][0]["settings"]));
+        EXPECT_EQ(cured["lights"][0]["dossier"]["artefact"], "none");
         return;
     }
     ADD_FAILURE() << "no pixel with acne was met";

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "tests/support/process.h"
 
@@ -49,23 +50,17 @@ TEST(GpuReport, NamesTheDriverItsClockAndTheTimesOfBothWays) {
     EXPECT_EQ(keys, (std::set<std::string>{"map_format", "back_faces", "light_loop/4"}));
 }
 
-TEST(GpuReport, RefusesAMissingFolder) {
+TEST(GpuReport, RefusesAMissingFolderAndUnknownArguments) {
     const std::filesystem::path folder = fresh_test_folder();
-    const ProcessResult r = run_gpu_report("no/such/folder/report.json", folder);
-    EXPECT_EQ(r.code, 1);
-    EXPECT_NE(r.err.find("report.json"), std::string::npos) << r.err;
-    EXPECT_FALSE(std::filesystem::exists(folder / "no"));
-}
-
-TEST(GpuReport, RefusesUnknownArguments) {
-    const std::filesystem::path folder = fresh_test_folder();
-    const ProcessResult choice = run_gpu_report("report.json --choices no_such_choice", folder);
-    EXPECT_EQ(choice.code, 2);
-    EXPECT_NE(choice.err.find("map_format"), std::string::npos) << choice.err << ": it says which there are";
-    const ProcessResult option = run_gpu_report("report.json --rounds 3", folder);
-    EXPECT_EQ(option.code, 2);
-    EXPECT_NE(option.err.find("--choices"), std::string::npos) << option.err;
-    EXPECT_FALSE(std::filesystem::exists(folder / "report.json"));
+    for (const auto& [arguments, code, text] :
+         {std::tuple{"no/such/folder/report.json", 1, "report.json"},
+          {"report.json --choices no_such_choice", 2, "map_format"},  // the error lists the choices
+          {"report.json --rounds 3", 2, "--choices"}}) {
+        const ProcessResult r = run_gpu_report(arguments, folder);
+        EXPECT_EQ(r.code, code) << arguments;
+        EXPECT_NE(r.err.find(text), std::string::npos) << arguments << ": " << r.err;
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 }  // namespace

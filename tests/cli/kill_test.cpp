@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-using Words = std::vector<std::string>;
 
 /// Returns the number of kills for presets, which are fastest; other files get a part. SI_KILLS=200 for a thorough run.
 int kills() {
@@ -107,23 +106,19 @@ protected:
 
 TEST_F(Killed, SavingAPresetLeavesAWholeFile) {
     expect_old_or_new("a.json", kills(), [](int i) {
-        return Words{"preset", "save", "boxes", "-o", "a.json", "--set", "map.resolution=" + std::to_string(512 + i)};
+        return Words("preset save boxes -o a.json --set map.resolution=" + std::to_string(512 + i));
     });
 }
 
 TEST_F(Killed, DrawingAPictureLeavesAWholeFile) {
     expect_old_or_new("a.png", (kills() + 3) / 4, [](int i) {
-        return Words{"render", "boxes",
-                     "-o",     "a.png",
-                     "--size", "64x48",
-                     "--set",  "map.resolution=" + std::to_string(64 << i),
-                     "--set",  "filter.kernel=hard"};
+        return Words("render boxes -o a.png --size 64x48 --set filter.kernel=hard --set map.resolution=" +
+                     std::to_string(64 << i));
     });
 }
 
 TEST_F(Killed, ReportIsWhole) {
-    const Words words{"render", "boxes",    "-o",     "a.png", "--size",
-                      "64x48",  "--report", "r.json", "--set", "map.resolution=64"};
+    const Words words = "render boxes -o a.png --size 64x48 --report r.json --set map.resolution=64";
     time(words, words);
     for (int i = 0; wants_more(i, (kills() + 3) / 4); ++i) {
         ASSERT_NO_FATAL_FAILURE(kill_within(words));
@@ -136,12 +131,8 @@ TEST_F(Killed, ReportIsWhole) {
 
 TEST_F(Killed, BakedMapIsWholeOrMissing) {
     const auto words = [](int i) {
-        return Words{"render", "boxes",
-                     "-o",     "v.png",
-                     "--view", "visibility",
-                     "--size", "32x24",
-                     "--set",  "light.source=light-map",
-                     "--set",  "light.azimuth=" + std::to_string(20 + ::getpid() % 10'000 * 1e-3 + 1e-5 * i)};
+        return "render boxes -o v.png --view visibility --size 32x24 --set light.source=light-map --set" +
+               Words("light.azimuth=" + std::to_string(20 + ::getpid() % 10'000 * 1e-3 + 1e-5 * i));
     };
     time(words(0), words(1));
     for (int i = 2; wants_more(i - 2, (kills() + 3) / 4); ++i) {
@@ -154,7 +145,7 @@ TEST_F(Killed, BakedMapIsWholeOrMissing) {
 
 TEST_F(Killed, ContinuedSweepReachesTheSameNumbers) {
     const auto words = [](const char* folder) {
-        return Words{"sweep", "boxes", "--vary", "map.resolution=64,128", "--size", "24x16", "--no-time", "-o", folder};
+        return "sweep boxes --vary map.resolution=64,128 --size 24x16 --no-time -o" + Words{folder};
     };
     time(words("whole"), words("as long"));
     for (int i = 0; wants_more(i, (kills() + 5) / 6); ++i) {
@@ -163,9 +154,7 @@ TEST_F(Killed, ContinuedSweepReachesTheSameNumbers) {
     }
     // A case that crashes three times is given up until requested again.
     run_program(words("killed"), folder_);
-    Words more = words("killed");
-    more.push_back("--retry");
-    run(more);
+    run(words("killed") + "--retry");
     EXPECT_EQ(file_bytes(folder_ / "killed/results.csv"), file_bytes(folder_ / "whole/results.csv"));
     EXPECT_TRUE(read_journal(folder_ / "killed").notes.empty());
 }

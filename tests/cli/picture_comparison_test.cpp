@@ -20,18 +20,12 @@ struct Picture {
     const std::uint8_t* at(int x, int y) const { return &rgb[std::size_t(y * width + x) * 3]; }
 };
 
+const Words kDrawn = "boxes --size 160x90 --set filter.kernel=hard --set bias.constant=0 --set bias.normal=0";
+
 class PictureComparison : public testing::Test {
 protected:
-    void SetUp() override { folder_ = fresh_test_folder(); }
-    std::string draw(const std::string& file, std::vector<std::string> more) {
-        std::vector<std::string> arguments = {"render", "boxes",
-                                              "-o",     file,
-                                              "--size", "160x90",
-                                              "--set",  "filter.kernel=hard",
-                                              "--set",  "bias.constant=0",
-                                              "--set",  "bias.normal=0",
-                                              "--set",  "view.frustum=false"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
+    std::string draw(const std::string& file, const Words& more) {
+        const Words arguments = "render" + kDrawn + "--set view.frustum=false -o" + Words{file} + more;
         const ProcessResult r = run_program(arguments, folder_);
         EXPECT_EQ(r.code, 0) << r.err;
         return r.out;
@@ -50,32 +44,25 @@ protected:
             if (std::memcmp(a.at(ax, y), b.at(bx, y), std::size_t(columns) * 3) != 0) return false;
         return true;
     }
-    std::filesystem::path folder_;
+    const std::filesystem::path folder_ = fresh_test_folder();
 };
 
 TEST_F(PictureComparison, ReferenceIsDrawnSideBySideSwipedAndAsADifference) {
     draw("plain.png", {});
-    const std::string said = draw("beside.png", {"--against", "truth", "--report", "r.json"});
+    const std::string said = draw("beside.png", "--against truth --report r.json");
     EXPECT_TRUE(said.starts_with("mean |A - B| 0.")) << said;
     const Picture plain = picture("plain.png"), beside = picture("beside.png");
     ASSERT_EQ(beside.width, 2 * 160 + 2);
     ASSERT_EQ(beside.height, 90);
     EXPECT_TRUE(same(beside, 0, plain, 0, 160)) << "A is what is drawn without --against";
-    draw("swiped.png", {"--against", "truth", "--swipe", "0.25"});
+    draw("swiped.png", "--against truth --swipe 0.25");
     const Picture swipe_image = picture("swiped.png");
     ASSERT_EQ(swipe_image.width, 160);
     EXPECT_TRUE(same(swipe_image, 0, plain, 0, 39));
-    EXPECT_TRUE(same(
-        swipe_image, 41,
-        [&] {
-            Picture right{160, 90, std::vector<std::uint8_t>(160 * 90 * 3)};
-            for (int y = 0; y < 90; ++y) std::memcpy(&right.rgb[std::size_t(y) * 160 * 3], beside.at(162, y), 160 * 3);
-            return right;
-        }(),
-        41, 119));
+    EXPECT_TRUE(same(swipe_image, 41, beside, 162 + 41, 119));
     EXPECT_FALSE(same(beside, 162, plain, 0, 160)) << "without bias the map is far from true";
 
-    draw("difference.png", {"--against", "truth", "--difference"});
+    draw("difference.png", "--against truth --difference");
     const Picture difference = picture("difference.png");
     double sum = 0;
     for (int y = 0; y < 90; ++y)
@@ -90,15 +77,15 @@ TEST_F(PictureComparison, ReferenceIsDrawnSideBySideSwipedAndAsADifference) {
 }
 
 TEST_F(PictureComparison, PresetIsDrawnUnderTheSameCamera) {
-    const ProcessResult saved = run_program({"preset", "save", "boxes", "-o", "p.json", "--set", "light.azimuth=100",
-                                             "--set", "camera.source=manual", "--set", "camera.distance=3"},
-                                            folder_);
+    const ProcessResult saved = run_program(
+        "preset save boxes -o p.json --set light.azimuth=100 --set camera.source=manual --set camera.distance=3",
+        folder_);
     ASSERT_EQ(saved.code, 0) << saved.err;
     draw("plain.png", {});
-    draw("against.png", {"--against", "p.json"});
-    const ProcessResult own = run_program({"render", "boxes", "-o", "own.png", "--size", "160x90", "--preset", "p.json",
-                                           "--set", "camera.source=auto", "--set", "view.frustum=false"},
-                                          folder_);
+    draw("against.png", "--against p.json");
+    const ProcessResult own = run_program(
+        "render boxes -o own.png --size 160x90 --preset p.json --set camera.source=auto --set view.frustum=false",
+        folder_);
     ASSERT_EQ(own.code, 0) << own.err;
     const Picture both = picture("against.png");
     EXPECT_TRUE(same(both, 0, picture("plain.png"), 0, 160));
@@ -106,7 +93,7 @@ TEST_F(PictureComparison, PresetIsDrawnUnderTheSameCamera) {
 }
 
 TEST_F(PictureComparison, OverlaysOfTheReferenceTraceIt) {
-    draw("artefacts.png", {"--set", "view.overlay=artefacts"});
+    draw("artefacts.png", "--set view.overlay=artefacts");
     const Picture p = picture("artefacts.png");
     int acne = 0;
     for (int y = 0; y < p.height; ++y)
@@ -114,16 +101,11 @@ TEST_F(PictureComparison, OverlaysOfTheReferenceTraceIt) {
             const std::uint8_t* c = p.at(x, y);
             acne += std::abs(c[0] - 213) < 2 && std::abs(c[1] - 94) < 2 && c[2] < 2;
         }
-    const ProcessResult measured =
-        run_program({"measure", "boxes", "--json", "--no-time", "--size", "160x90", "--set", "filter.kernel=hard",
-                     "--set", "bias.constant=0", "--set", "bias.normal=0"},
-                    folder_);
-    ASSERT_EQ(measured.code, 0) << measured.err;
-    const Json error = Json::parse(measured.out)["error"];
+    const Json error = program_json("measure --no-time" + kDrawn)["error"];
     EXPECT_GT(acne, 500);
     EXPECT_EQ(acne, error["artefacts"]["acne"].get<int>());
 
-    draw("d.pfm", {"--view", "truth-difference"});
+    draw("d.pfm", "--view truth-difference");
     const std::string bytes = file_bytes(folder_ / "d.pfm");
     const std::size_t head = std::string("Pf\n160 90\n-1.0\n").size();
     ASSERT_EQ(bytes.size(), head + 160 * 90 * 4);

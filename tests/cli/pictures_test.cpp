@@ -10,28 +10,24 @@
 #include "renderer/settings/settings.h"
 #include "tests/support/golden.h"
 #include "tests/support/process.h"
+#include "tests/support/text.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using Arguments = std::vector<std::string>;
 
 class Pictures : public testing::Test {
 protected:
-    void SetUp() override { folder_ = fresh_test_folder(); }
-
-    std::string render(Arguments more, const std::string& file) {
-        Arguments arguments = {"render", "-o", file};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const ProcessResult r = run_program(arguments, folder_);
+    std::string render(const Words& more, const std::string& file) {
+        const ProcessResult r = run_program(Words{"render", "-o", file} + more, folder_);
         EXPECT_EQ(r.code, 0) << r.err;
         EXPECT_EQ(r.out, "");
         return r.code == 0 ? file_bytes(folder_ / file) : "";
     }
 
-    fs::path folder_;
+    const fs::path folder_ = fresh_test_folder();
 };
 
 /// Returns width and height from the header of a PNG (PNG specification, 11.2.2 IHDR).
@@ -66,24 +62,19 @@ Floats read_pfm(const std::string& bytes) {
     return f;
 }
 
-const Arguments kSmall = {"boxes", "--size", "96x64", "--set", "map.resolution=256"};
-
-Arguments with(Arguments base, const Arguments& more) {
-    base.insert(base.end(), more.begin(), more.end());
-    return base;
-}
+const Words kSmall = "boxes --size 96x64 --set map.resolution=256";
 
 TEST_F(Pictures, EveryViewHasTheRequestedSize) {
-    const Json views = Json::parse(run_program({"list", "views", "--json"}).out);
+    const Json views = program_json("list views");
     ASSERT_GE(views.size(), 10u);
     for (const Json& view : views) {
         const std::string key = view["key"];
         SCOPED_TRACE(key);
         const unsigned size = key == "shadow-map" ? 256 : 0;
         const auto expected = size ? std::pair(size, size) : std::pair(96u, 64u);
-        EXPECT_EQ(png_size(render(with(kSmall, {"--view", key}), key + ".png")), expected);
+        EXPECT_EQ(png_size(render(kSmall + Words{"--view", key}, key + ".png")), expected);
         if (!view["scalar"]) continue;
-        const Floats f = read_pfm(render(with(kSmall, {"--view", key}), key + ".pfm"));
+        const Floats f = read_pfm(render(kSmall + Words{"--view", key}, key + ".pfm"));
         EXPECT_EQ(std::pair(unsigned(f.width), unsigned(f.height)), expected);
         const auto [lo, hi] = std::minmax_element(f.values.begin(), f.values.end(), [](float a, float b) {
             return (std::isnan(a) ? 0 : a) < (std::isnan(b) ? 0 : b);
@@ -96,17 +87,17 @@ TEST_F(Pictures, EveryViewHasTheRequestedSize) {
 
 TEST_F(Pictures, ViewsDiffer) {
     const std::string shaded = render(kSmall, "shaded.png");
-    EXPECT_NE(shaded, render(with(kSmall, {"--view", "visibility"}), "visibility.png"));
-    EXPECT_NE(shaded, render(with(kSmall, {"--view", "depth-difference"}), "difference.png"));
-    EXPECT_NE(shaded, render(with(kSmall, {"--set", "light.azimuth=100"}), "moved.png"));
+    EXPECT_NE(shaded, render(kSmall + "--view visibility", "visibility.png"));
+    EXPECT_NE(shaded, render(kSmall + "--view depth-difference", "difference.png"));
+    EXPECT_NE(shaded, render(kSmall + "--set light.azimuth=100", "moved.png"));
     // Setting and view of one overlay give the same picture; requested by name the plain picture has no overlay.
-    const Arguments overlay = with(kSmall, {"--set", "view.overlay=n-dot-l"});
-    EXPECT_EQ(render(overlay, "a.png"), render(with(kSmall, {"--view", "n-dot-l"}), "b.png"));
-    EXPECT_EQ(render(with(overlay, {"--view", "shaded"}), "c.png"), shaded);
+    const Words overlay = kSmall + "--set view.overlay=n-dot-l";
+    EXPECT_EQ(render(overlay, "a.png"), render(kSmall + "--view n-dot-l", "b.png"));
+    EXPECT_EQ(render(overlay + "--view shaded", "c.png"), shaded);
 }
 
 TEST_F(Pictures, VisibilityLiesBetweenShadowAndLight) {
-    const Floats f = read_pfm(render(with(kSmall, {"--view", "visibility"}), "v.pfm"));
+    const Floats f = read_pfm(render(kSmall + "--view visibility", "v.pfm"));
     EXPECT_TRUE(std::all_of(f.values.begin(), f.values.end(), [](float v) { return v >= 0 && v <= 1; }));
     const auto dark = std::count_if(f.values.begin(), f.values.end(), [](float v) { return v < 0.1f; });
     const auto lit = std::count_if(f.values.begin(), f.values.end(), [](float v) { return v > 0.9f; });
@@ -115,9 +106,9 @@ TEST_F(Pictures, VisibilityLiesBetweenShadowAndLight) {
 }
 
 TEST_F(Pictures, LinearShadowMapIsInMetres) {
-    const Arguments spot = with(kSmall, {"--view", "shadow-map", "--set", "light.type=spot"});
-    const Floats raw = read_pfm(render(with(spot, {"--set", "view.map=raw", "--report", "r.json"}), "raw.pfm"));
-    const Floats metres = read_pfm(render(with(spot, {"--set", "view.map=linear"}), "metres.pfm"));
+    const Words spot = kSmall + "--view shadow-map --set light.type=spot";
+    const Floats raw = read_pfm(render(spot + "--set view.map=raw --report r.json", "raw.pfm"));
+    const Floats metres = read_pfm(render(spot + "--set view.map=linear", "metres.pfm"));
     const Json range = Json::parse(file_bytes(folder_ / "r.json"))["fit"][0]["depth_range_m"];
     const double near = range[0], far = range[1];
     ASSERT_EQ(raw.values.size(), metres.values.size());
@@ -132,10 +123,10 @@ TEST_F(Pictures, LinearShadowMapIsInMetres) {
 }
 
 TEST_F(Pictures, CameraDepthIsReversedOrInMetres) {
-    const Arguments depth = with(kSmall, {"--view", "camera-depth", "--set", "camera.source=manual", "--set",
-                                          "camera.near=1", "--set", "camera.far=8"});
-    const Floats raw = read_pfm(render(with(depth, {"--set", "view.map=raw"}), "raw.pfm"));
-    const Floats metres = read_pfm(render(with(depth, {"--set", "view.map=linear"}), "metres.pfm"));
+    const Words depth =
+        kSmall + "--view camera-depth --set camera.source=manual --set camera.near=1 --set camera.far=8";
+    const Floats raw = read_pfm(render(depth + "--set view.map=raw", "raw.pfm"));
+    const Floats metres = read_pfm(render(depth + "--set view.map=linear", "metres.pfm"));
     std::size_t drawn = 0;
     for (std::size_t i = 0; i < raw.values.size(); ++i) {
         ASSERT_NEAR(metres.values[i], 8 / (1 + raw.values[i] * 7), 1e-4);
@@ -146,22 +137,17 @@ TEST_F(Pictures, CameraDepthIsReversedOrInMetres) {
 }
 
 TEST_F(Pictures, ProbeNamesAPixelOfThePictureWithPanes) {
-    const Arguments panes = {"boxes", "--size", "322x182", "--set", "view.panes=four", "--set", "view.overlay=n-dot-l"};
-    const auto probe = [&](const char* pixel, Arguments of) {
-        return run_program(with({"probe", "--pixel", pixel, "--json"}, of), folder_);
-    };
-    const Json below = Json::parse(probe("242,152", panes).out);  // pixel 80,60 of the pane at 162,92
-    const Json alone = Json::parse(probe("80,60", {"boxes", "--size", "160x90"}).out);
+    const Words panes = "probe boxes --size 322x182 --set view.panes=four --set view.overlay=n-dot-l --pixel";
+    const Json below = program_json(panes + "242,152");  // pixel 80,60 of the pane at 162,92
+    const Json alone = program_json("probe boxes --size 160x90 --pixel 80,60");
     EXPECT_EQ(below["x"], 242);
     EXPECT_EQ(below["position_ws"], alone["position_ws"]);
-    const ProcessResult between = probe("160,20", panes);
-    EXPECT_EQ(between.code, 2);
-    EXPECT_NE(between.err.find("between two panes"), std::string::npos) << between.err;
+    expect_error(panes + "160,20", 2, "between two panes");
 }
 
 TEST_F(Pictures, ReportHoldsContentsAndReadShareOfTheMap) {
-    const auto report = [&](const Arguments& more) {
-        render(with(with(kSmall, {"--report", "r.json"}), more), "a.png");
+    const auto report = [&](const Words& more) {
+        render(kSmall + "--report r.json" + more, "a.png");
         return Json::parse(file_bytes(folder_ / "r.json"))["shadow_map"];
     };
     const Json wide = report({});
@@ -177,46 +163,45 @@ TEST_F(Pictures, ReportHoldsContentsAndReadShareOfTheMap) {
         EXPECT_EQ(sum, wide["drawn_texels"]) << histogram;
     }
     // A wider kernel reads a larger share, a finer map is read less.
-    EXPECT_GT(report({"--set", "filter.kernel=pcf9"})["utilisation"], share);
-    EXPECT_LT(report({"--set", "map.resolution=1024"})["utilisation"], share);
-    const Json point = report({"--set", "light.type=point", "--set", "view.face=3"});
+    EXPECT_GT(report("--set filter.kernel=pcf9")["utilisation"], share);
+    EXPECT_LT(report("--set map.resolution=1024")["utilisation"], share);
+    const Json point = report("--set light.type=point --set view.face=3");
     ASSERT_EQ(point["utilisation_of_faces"].size(), 6u);
     EXPECT_EQ(point["utilisation_of_faces"][3], point["utilisation"]);
     EXPECT_EQ(point["face"], 3);
-    EXPECT_TRUE(report({"--set", "light.cast=false"}).is_null());
+    EXPECT_TRUE(report("--set light.cast=false").is_null());
 }
 
 TEST_F(Pictures, SamePresetGivesTheSameBytes) {
-    ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", "filter.kernel=pcf5", "--set",
-                           "bias.slope=2", "--about", "wide kernel"},
-                          folder_)
-                  .code,
-              0);
-    EXPECT_EQ(run_program({"preset", "check", "p.json"}, folder_).code, 0);
-    const Arguments small = {"stage", "--size", "96x64"};
-    const std::string preset = render(with(small, {"--preset", "p.json"}), "a.png");
-    EXPECT_EQ(preset, render(with(small, {"--preset", "p.json"}), "b.png"));
+    const ProcessResult saved = run_program(
+        "preset save stage -o p.json --set filter.kernel=pcf5 --set bias.slope=2 --about" + Words{"wide kernel"},
+        folder_);
+    ASSERT_EQ(saved.code, 0) << saved.err;
+    EXPECT_EQ(run_program("preset check p.json", folder_).code, 0);
+    const Words small = "stage --size 96x64";
+    const std::string preset = render(small + "--preset p.json", "a.png");
+    EXPECT_EQ(preset, render(small + "--preset p.json", "b.png"));
     // Suggestions of the scene are part of the preset, so that later changes of the scene do not affect it.
-    EXPECT_EQ(preset, render(with(small, {"--set", "filter.kernel=pcf5", "--set", "bias.slope=2"}), "c.png"));
+    EXPECT_EQ(preset, render(small + "--set filter.kernel=pcf5 --set bias.slope=2", "c.png"));
     EXPECT_NE(preset, render(small, "d.png"));
-    EXPECT_NE(preset, render(with(small, {"--preset", "p.json", "--set", "light.azimuth=0"}), "e.png"));
+    EXPECT_NE(preset, render(small + "--preset p.json --set light.azimuth=0", "e.png"));
 }
 
 TEST_F(Pictures, PresetIsNotMixedWithSuggestionsOfTheScene) {
     // The stage suggests another azimuth; set to the program's default the preset does not mention it.
-    const std::string azimuth = "light.azimuth=" + Json(Settings{}.lights[0].azimuth).dump();
-    ASSERT_EQ(run_program({"preset", "save", "stage", "-o", "p.json", "--set", azimuth}, folder_).code, 0);
+    const Words azimuth = "--set light.azimuth=" + Json(Settings{}.lights[0].azimuth).dump();
+    ASSERT_EQ(run_program("preset save stage -o p.json" + azimuth, folder_).code, 0);
     EXPECT_FALSE(Json::parse(file_bytes(folder_ / "p.json"))["settings"].contains("light.azimuth"));
-    const Arguments small = {"stage", "--size", "96x64"};
-    const std::string picture = render(with(small, {"--preset", "p.json"}), "a.png");
-    EXPECT_EQ(picture, render(with(small, {"--set", azimuth}), "b.png"));
+    const Words small = "stage --size 96x64";
+    const std::string picture = render(small + "--preset p.json", "a.png");
+    EXPECT_EQ(picture, render(small + azimuth, "b.png"));
     EXPECT_NE(picture, render(small, "c.png"));
 }
 
 TEST_F(Pictures, ExportedSceneIsTheSameScene) {
-    ASSERT_EQ(run_program({"export", "boxes", "-o", "boxes.glb"}, folder_).code, 0);
-    render({"boxes", "--size", "32x32", "--report", "a.json"}, "a.png");
-    render({"boxes.glb", "--size", "32x32", "--report", "b.json"}, "b.png");
+    ASSERT_EQ(run_program("export boxes -o boxes.glb", folder_).code, 0);
+    render("boxes --size 32x32 --report a.json", "a.png");
+    render("boxes.glb --size 32x32 --report b.json", "b.png");
     const Json a = Json::parse(file_bytes(folder_ / "a.json"))["scene"];
     const Json b = Json::parse(file_bytes(folder_ / "b.json"))["scene"];
     EXPECT_EQ(a["triangles"], b["triangles"]);
@@ -228,41 +213,29 @@ TEST_F(Pictures, ExportedSceneIsTheSameScene) {
 }
 
 TEST_F(Pictures, EditorIsDrawnWithoutADisplay) {
-    const ProcessResult r =
-        run_program({"edit", "boxes", "--headless", "--screenshot", "e.png", "--size", "1280x720"}, folder_);
-    ASSERT_EQ(r.code, 0) << r.err;
-    EXPECT_EQ(png_size(file_bytes(folder_ / "e.png")), std::pair(1280u, 720u));
     // The top bar has its background colour in both themes.
     const auto ground = [&](const char* theme) {
-        const ProcessResult drawn = run_program(
-            {"edit", "boxes", "--headless", "--screenshot", "t.png", "--size", "640x360", "--theme", theme}, folder_);
+        const ProcessResult drawn =
+            run_program(Words("edit boxes --headless --screenshot t.png --size 640x360 --theme") + theme, folder_);
         EXPECT_EQ(drawn.code, 0) << drawn.err;
+        EXPECT_EQ(png_size(file_bytes(folder_ / "t.png")), std::pair(640u, 360u));
         return int(test::read_golden(folder_ / "t.png").data[4 * (640 + 1)]);
     };
     EXPECT_LT(ground("dark"), 80);
     EXPECT_GT(ground("light"), 170);
-    EXPECT_EQ(run_program({"edit", "boxes", "--headless", "--screenshot", "t.png", "--theme", "pink"}, folder_).code,
-              2);
 }
 
 TEST_F(Pictures, WithoutACommandOrDisplayEverythingIsDrawn) {
     const ProcessResult r = run_program({}, folder_);
     ASSERT_EQ(r.code, 0) << r.err;
-    for (const char* name : {"editor.png", "scene.png", "shadow-map.png", "visibility.png"}) {
+    for (const char* name : {"editor.png", "scene.png", "shadow-map.png", "visibility.png"})
         EXPECT_GT(png_size(file_bytes(folder_ / "out" / name)).first, 0u) << name;
-    }
-    EXPECT_NE(r.out.find("no display"), std::string::npos);
-    EXPECT_NE(r.out.find("shadow map 0"), std::string::npos);
-    EXPECT_NE(r.out.find("triangles"), std::string::npos);
-    EXPECT_NE(r.out.find("the picture reads"), std::string::npos);
+    EXPECT_EQ(test::lacking(r.out, {"no display", "shadow map 0", "triangles", "the picture reads"}), "");
 }
 
 TEST_F(Pictures, EveryRepairIsReported) {
-    const ProcessResult r = run_program({"render", "boxes", "-o", "a.png", "--size", "32x32", "--set",
-                                         "light.fit=manual", "--set", "light.near=50", "--set", "light.far=2"},
-                                        folder_);
-    EXPECT_EQ(r.code, 0);
-    EXPECT_NE(r.err.find("note: light.near 50 was above light.far 2"), std::string::npos) << r.err;
+    expect_error("render boxes -o a.png --size 32x32 --set light.fit=manual --set light.near=50 --set light.far=2", 0,
+                 "note: light.near 50 was above light.far 2", folder_);
 }
 
 }  // namespace

@@ -6,19 +6,15 @@
 
 #include "renderer/frame/optimisation_set.h"
 #include "tests/support/process.h"
+#include "tests/support/text.h"
 
 namespace si {
 namespace {
 
 using Json = nlohmann::json;
-using Words = std::vector<std::string>;
 
 Json plan_of(const Words& more) {
-    Words words = {"plan", "boxes", "--size", "160x90", "--json"};
-    words.insert(words.end(), more.begin(), more.end());
-    const ProcessResult r = run_program(words);
-    EXPECT_EQ(r.code, 0) << r.err;
-    return Json::parse(r.out);
+    return program_json("plan boxes --size 160x90" + more);
 }
 
 const Json& effect_of(const Json& plan, const std::string& name) {
@@ -42,15 +38,18 @@ TEST(PlanCommand, PrintsEffectsWithReasonsAndTimesOnlyIfMeasured) {
     }
     EXPECT_EQ(effect_of(plan, "shadow map 0 (directional)")["state"], "simulated");
     EXPECT_EQ(effect_of(plan, "contact shadows of light 0")["state"], "not called for");
+    EXPECT_EQ(effect_of(plan, "numeric health")["state"], "not called for");
     EXPECT_EQ(plan["savings"].size(), kOptimisations);
     EXPECT_TRUE(plan["waste"].is_null());
-    EXPECT_EQ(effect_of(plan_of({"--set", "light.cast=false"}), "shadow map 0 (directional)")["reason"],
-              "light.cast is off.");
+    const Json without_caster = plan_of("--set light.cast=false");
+    EXPECT_EQ(effect_of(without_caster, "shadow map 0 (directional)")["reason"], "light.cast is off.");
+    const ProcessResult text = run_program("plan boxes --size 64x48");
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_EQ(test::lacking(text.out, {"–", "shadow map 0"}), "") << "a dash for each missing measurement";
 }
 
 TEST(PlanCommand, MeasuresTheNamedEffects) {
-    const Json plan = plan_of(
-        {"--measure", "--rounds", "4", "--set", "light.cast=false", "--set", "shading.separate_visibility=true"});
+    const Json plan = plan_of("--measure --rounds 4 --set light.cast=false --set shading.separate_visibility=true");
     EXPECT_EQ(plan["rounds"], 4);
     EXPECT_GT(plan["frame_ms"], 0);
     const Json& skipped = effect_of(plan, "look-ups of light 0");
@@ -63,7 +62,7 @@ TEST(PlanCommand, MeasuresTheNamedEffects) {
 }
 
 TEST(PlanCommand, PrintsTheNumberOfEffectsThatShareATime) {
-    const Words measured = {"--measure", "--rounds", "3", "--set", "light.type=point", "--set", "map.resolution=256"};
+    const Words measured = "--measure --rounds 3 --set light.type=point --set map.resolution=256";
     const Json plan = plan_of(measured);
     int faces = 0;
     for (const Json& e : plan["effects"]) faces += e["saving"] == "views";
@@ -75,22 +74,19 @@ TEST(PlanCommand, PrintsTheNumberOfEffectsThatShareATime) {
         EXPECT_EQ(e["saved_together"].is_null(), e["saved_ms"].is_null()) << e["name"];
     }
     EXPECT_EQ(effect_of(plan, "visibility texture")["saved_together"], 1);
-    Words words = {"plan", "boxes", "--size", "160x90"};
-    words.insert(words.end(), measured.begin(), measured.end());
-    const ProcessResult text = run_program(words);
+    const ProcessResult text = run_program("plan boxes --size 160x90" + measured);
     EXPECT_EQ(text.code, 0) << text.err;
     EXPECT_NE(text.out.find("), of " + std::to_string(faces) + " together"), std::string::npos) << text.out;
 }
 
 TEST(PlanCommand, ListsTheSearchThatItRequests) {
-    EXPECT_EQ(effect_of(plan_of({}), "numeric health")["state"], "not called for");
-    const Json plan = plan_of({"--check-numeric"});
+    const Json plan = plan_of("--check-numeric");
     EXPECT_EQ(effect_of(plan, "numeric health")["state"], "simulated");
     EXPECT_EQ(effect_of(plan, "visibility texture")["state"], "simulated") << "which is searched, too";
 }
 
 TEST(PlanCommand, ListsWaste) {
-    const Json waste = plan_of({"--waste", "--set", "light.cascades=2"})["waste"];
+    const Json waste = plan_of("--waste --set light.cascades=2")["waste"];
     std::vector<std::string> maps, others;
     for (const Json& tried : waste["tried"])
         (tried["texels_read"].is_null() ? others : maps).push_back(tried["name"].get<std::string>());
@@ -99,12 +95,12 @@ TEST(PlanCommand, ListsWaste) {
     EXPECT_GT(waste["triangles"], 0);
     EXPECT_LE(waste["wasted_triangles"], waste["triangles"]);
     for (const char* time : {"maps_ms", "wasted_ms", "share_of_time"}) EXPECT_TRUE(waste.at(time).is_null()) << time;
-    const std::string off = run_program({"plan", "boxes", "--waste", "--size", "64x36", "--set", "light.on=false"}).out;
+    const std::string off = run_program("plan boxes --waste --size 64x36 --set light.on=false").out;
     EXPECT_NE(off.find("not drawn          0 triangles  map of light 0\n"), std::string::npos) << off;
 }
 
 TEST(PlanCommand, RanksWasteByMeasuredTime) {
-    const Json waste = plan_of({"--waste", "--measure", "--rounds", "3", "--set", "light.intensity=1e-10"})["waste"];
+    const Json waste = plan_of("--waste --measure --rounds 3 --set light.intensity=1e-10")["waste"];
     EXPECT_EQ(waste["share"], 1) << "nobody sees so dim a light";
     EXPECT_GT(waste["maps_ms"], 0);
     EXPECT_LE(waste["share_of_time"], 1);
@@ -112,20 +108,10 @@ TEST(PlanCommand, RanksWasteByMeasuredTime) {
 }
 
 TEST(PlanCommand, TracesRaysForShownOutputs) {
-    const Json plan = plan_of({"--set", "view.overlay=artefacts", "--set", "map.resolution=256"});
+    const Json plan = plan_of("--set view.overlay=artefacts --set map.resolution=256");
     EXPECT_EQ(effect_of(plan, "rays of the reference")["state"], "simulated");
     EXPECT_EQ(effect_of(plan, "causes found")["state"], "simulated");
-    EXPECT_EQ(effect_of(plan_of({"--set", "light.source=traced"}), "rays of the reference")["state"], "simulated");
-}
-
-TEST(PlanCommand, PrintsADashForMissingMeasurements) {
-    const ProcessResult r = run_program({"plan", "boxes", "--size", "64x48"});
-    EXPECT_EQ(r.code, 0) << r.err;
-    EXPECT_NE(r.out.find("–"), std::string::npos);
-    EXPECT_NE(r.out.find("shadow map 0"), std::string::npos);
-    EXPECT_EQ(run_program({"plan", "boxes", "--rounds", "9"}).code, 2) << "rounds of nothing";
-    EXPECT_EQ(run_program({"plan", "boxes", "--measure", "--rounds", "0"}).code, 2);
-    EXPECT_EQ(run_program({"plan", "no-such-scene"}).code, 2);
+    EXPECT_EQ(effect_of(plan_of("--set light.source=traced"), "rays of the reference")["state"], "simulated");
 }
 
 }  // namespace

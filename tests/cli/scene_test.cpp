@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
+#include "tests/support/text.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -49,9 +50,7 @@ void write(const std::filesystem::path& path, const std::string& bytes) {
 TEST(SceneCommand, ListsContentsAndDroppedPartsOfAFile) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
-    const ProcessResult json = run_program({"scene", "model.glb", "--json"}, folder);
-    ASSERT_EQ(json.code, 0) << json.err;
-    const Json f = Json::parse(json.out);
+    const Json f = program_json("scene model.glb", folder);
     EXPECT_EQ(f["triangles"], 1);
     EXPECT_EQ(f["materials"][0]["alpha"], "mask");
     EXPECT_EQ(f["lights"][0]["type"], "spot");
@@ -63,32 +62,30 @@ TEST(SceneCommand, ListsContentsAndDroppedPartsOfAFile) {
     ASSERT_EQ(f["warnings"].size(), 1u) << f["warnings"];
     EXPECT_NE(f["warnings"][0].get<std::string>().find("points are not drawn"), std::string::npos);
 
-    const ProcessResult text = run_program({"scene", "model.glb"}, folder);
-    for (const char* part :
-         {"leaf: mask, double-sided", "lamp: spot", "eye: perspective", "sway: 2.5 s", "points are not drawn"})
-        EXPECT_NE(text.out.find(part), std::string::npos) << part << " is not in\n" << text.out;
-    EXPECT_EQ(run_program({"scene", "nothing.glb"}, folder).code, 1);
+    EXPECT_EQ(test::lacking(run_program("scene model.glb", folder).out,
+                            {"leaf: mask, double-sided", "lamp: spot", "eye: perspective", "sway: 2.5 s",
+                             "points are not drawn"}),
+              "");
+}
+
+/// Draws a scene of the folder and returns the report.
+Json report_of(const Words& scene_and_more, const std::filesystem::path& folder) {
+    const ProcessResult r = run_program("render -o a.png --size 32x32 --report a.json" + scene_and_more, folder);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return Json::parse(file_bytes(folder / "a.json"));
 }
 
 TEST(SceneCommand, LightsOfAFileAreSettingsThatSetReplaces) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
-    const auto report = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments = {"render", "model.glb", "-o",       "a.png",
-                                              "--size", "32x32",     "--report", "a.json"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const ProcessResult r = run_program(arguments, folder);
-        EXPECT_EQ(r.code, 0) << r.err;
-        return Json::parse(file_bytes(folder / "a.json"));
-    };
-    const Json own = report({});
+    const Json own = report_of("model.glb", folder);
     EXPECT_EQ(own["settings"]["light.type"], "spot");
     EXPECT_NEAR(own["fit"][0]["position"][1].get<double>(), 5, 1e-9);
     // The triangle has moved, so the scene's centre, the origin of targets, has moved too; the light stays.
-    const Json later = report({"--set", "scene.time=2"});
+    const Json later = report_of("model.glb --set scene.time=2", folder);
     EXPECT_NEAR(later["fit"][0]["position"][0].get<double>(), 0, 1e-9);
     EXPECT_NEAR(later["fit"][0]["position"][1].get<double>(), 5, 1e-9);
-    EXPECT_EQ(report({"--set", "light.0.type=point"})["settings"]["light.type"], "point");
+    EXPECT_EQ(report_of("model.glb --set light.0.type=point", folder)["settings"]["light.type"], "point");
 }
 
 /// Makes two scenes: "near" of one triangle with two cameras, "far" of the triangle twice.
@@ -111,59 +108,41 @@ std::string two_scenes() {
 TEST(SceneCommand, ListsTheScenesAndCamerasOfAFileByNumber) {
     const auto folder = fresh_test_folder();
     write(folder / "two.glb", two_scenes());
-    const std::string text = run_program({"scene", "two.glb"}, folder).out;
-    for (const char* part : {"  0 near\n", "  1 far\n", "this is 0", "  0 front: perspective", "  1 back: perspective"})
-        EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
-    const Json far = Json::parse(run_program({"scene", "two.glb", "--index", "1", "--json"}, folder).out);
+    EXPECT_EQ(
+        test::lacking(run_program("scene two.glb", folder).out,
+                      {"  0 near\n", "  1 far\n", "this is 0", "  0 front: perspective", "  1 back: perspective"}),
+        "");
+    const Json far = program_json("scene two.glb --index 1", folder);
     EXPECT_EQ(far["file_scenes"], Json({"near", "far"}));
     EXPECT_EQ(far["file_scene"], 1);
     EXPECT_EQ(far["triangles"], 2);
     EXPECT_TRUE(far["cameras"].empty());
     EXPECT_TRUE(far["warnings"].empty()) << "what was chosen is no surprise";
-    EXPECT_EQ(run_program({"scene", "two.glb", "--index", "2"}, folder).code, 1);
+    EXPECT_EQ(run_program("scene two.glb --index 2", folder).code, 1);
 }
 
 TEST(SceneCommand, SettingsSelectSceneAndCamera) {
     const auto folder = fresh_test_folder();
     write(folder / "two.glb", two_scenes());
-    const auto run = [&](const std::vector<std::string>& sets) {
-        std::vector<std::string> arguments = {"render", "two.glb", "-o",       "a.png",
-                                              "--size", "32x32",   "--report", "a.json"};
-        for (const std::string& set : sets) arguments.insert(arguments.end(), {"--set", set});
-        return run_program(arguments, folder);
-    };
-    const auto report = [&](const std::vector<std::string>& sets) {
-        const ProcessResult r = run(sets);
-        EXPECT_EQ(r.code, 0) << r.err;
-        return Json::parse(file_bytes(folder / "a.json"));
-    };
-    EXPECT_EQ(report({})["camera"]["eye"], Json({0.0, 0.0, 9.0}));
-    EXPECT_EQ(report({"camera.index=1"})["camera"]["eye"], Json({0.0, 0.0, -9.0}));
-    const Json framed = report({"camera.index=-1"})["camera"]["eye"];
+    EXPECT_EQ(report_of("two.glb", folder)["camera"]["eye"], Json({0.0, 0.0, 9.0}));
+    EXPECT_EQ(report_of("two.glb --set camera.index=1", folder)["camera"]["eye"], Json({0.0, 0.0, -9.0}));
+    const Json framed = report_of("two.glb --set camera.index=-1", folder)["camera"]["eye"];
     EXPECT_NE(framed[0], 0.0);
     EXPECT_LT(framed[2], 6.0) << "as near as the triangle fills the picture";
-    EXPECT_EQ(report({"scene.index=1"})["scene"]["triangles"], 2);
-    const ProcessResult no_camera = run({"camera.index=2"}), no_scene = run({"scene.index=2"});
-    EXPECT_EQ(no_camera.code, 2);
-    EXPECT_NE(no_camera.err.find("has 2 cameras; choose 0 to 1, or -1"), std::string::npos) << no_camera.err;
-    EXPECT_EQ(no_scene.code, 1);
-    EXPECT_NE(no_scene.err.find("scene 2 does not exist, the file has 2"), std::string::npos) << no_scene.err;
-    EXPECT_NE(run_program({"render", "boxes", "-o", "b.png", "--set", "scene.index=0"}, folder).err.find("no effect"),
-              std::string::npos);
+    EXPECT_EQ(report_of("two.glb --set scene.index=1", folder)["scene"]["triangles"], 2);
+    const Words render = "render -o b.png --size 32x32 --set";
+    expect_error(render + "camera.index=2 two.glb", 2, "has 2 cameras; choose 0 to 1, or -1", folder);
+    expect_error(render + "scene.index=2 two.glb", 1, "scene 2 does not exist, the file has 2", folder);
+    expect_error(render + "scene.index=0 boxes", 0, "no effect", folder);
 }
 
 TEST(SceneCommand, ExportHoldsTheTimeAndTheSettings) {
     const auto folder = fresh_test_folder();
     write(folder / "model.glb", rich_model());
-    const auto exported = [&](const std::vector<std::string>& more) {
-        std::vector<std::string> arguments = {"export", "model.glb", "-o", "out.gltf"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const ProcessResult r = run_program(arguments, folder);
+    const auto exported = [&](const Words& more) {
+        const ProcessResult r = run_program("export model.glb -o out.gltf" + more, folder);
         EXPECT_EQ(r.code, 0) << r.err;
-        const ProcessResult drawn =
-            run_program({"render", "out.gltf", "-o", "a.png", "--size", "32x32", "--report", "a.json"}, folder);
-        EXPECT_EQ(drawn.code, 0) << drawn.err;
-        return Json::parse(file_bytes(folder / "a.json"));
+        return report_of("out.gltf", folder);
     };
     const auto suggested = [&] {
         const Json scene = Json::parse(file_bytes(folder / "out.gltf"))["scenes"][0];
@@ -174,8 +153,8 @@ TEST(SceneCommand, ExportHoldsTheTimeAndTheSettings) {
     EXPECT_EQ(plain["settings"]["light.type"], "spot");
 
     // The animation ends one metre along x; the triangle spans 0 to 1.
-    const Json moved = exported({"--set", "scene.time=2.5", "--set", "bias.slope=2", "--set", "light.red=0.5", "--set",
-                                 "object.Tree.receive=false"});
+    const Json moved =
+        exported("--set scene.time=2.5 --set bias.slope=2 --set light.red=0.5 --set object.Tree.receive=false");
     EXPECT_NEAR(moved["scene"]["bounds"]["min"][0].get<double>(), plain["scene"]["bounds"]["min"][0].get<double>() + 1,
                 1e-6);
     EXPECT_EQ(moved["settings"]["bias.slope"], 2.0);
@@ -184,14 +163,12 @@ TEST(SceneCommand, ExportHoldsTheTimeAndTheSettings) {
     EXPECT_EQ(moved["settings"]["object.Tree.receive"], false);
     EXPECT_NEAR(moved["fit"][0]["position"][1].get<double>(), 5, 1e-9) << "the light stays where it is";
     EXPECT_FALSE(suggested().contains("scene.time")) << "the file holds that moment alone";
-    EXPECT_TRUE(Json::parse(run_program({"scene", "out.gltf", "--json"}, folder).out)["animations"].empty());
+    EXPECT_TRUE(program_json("scene out.gltf", folder)["animations"].empty());
 
-    ASSERT_EQ(run_program({"preset", "save", "model.glb", "-o", "p.json", "--set", "scene.time=1.25", "--set",
-                           "bias.slope=3", "--set", "light.intensity=0.25"},
-                          folder)
-                  .code,
-              0);
-    const Json half = exported({"--preset", "p.json", "--set", "map.resolution=512"});
+    const ProcessResult saved = run_program(
+        "preset save model.glb -o p.json --set scene.time=1.25 --set bias.slope=3 --set light.intensity=0.25", folder);
+    ASSERT_EQ(saved.code, 0) << saved.err;
+    const Json half = exported("--preset p.json --set map.resolution=512");
     EXPECT_NEAR(half["scene"]["bounds"]["min"][0].get<double>(), plain["scene"]["bounds"]["min"][0].get<double>() + 0.5,
                 1e-6);
     EXPECT_EQ(half["settings"]["bias.slope"], 3.0);
@@ -203,16 +180,12 @@ TEST(ContactSheet, ShowsModelsAndNamesFailures) {
     const auto folder = fresh_test_folder();
     write(folder / "models/deep/good.glb", rich_model());
     write(folder / "models/bad.gltf", "{}");
-    const ProcessResult r =
-        run_program({"contact-sheet", "models", "-o", "sheet.png", "--columns", "2", "--size", "64x48"}, folder);
+    const ProcessResult r = run_program("contact-sheet models -o sheet.png --columns 2 --size 64x48", folder);
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(file_bytes(folder / "sheet.png").substr(1, 3), "PNG");
-    const std::string index = file_bytes(folder / "sheet.txt");
-    EXPECT_NE(index.find("1\tNOT SHOWN\tbad.gltf\t"), std::string::npos) << index;
-    EXPECT_NE(index.find("asset"), std::string::npos) << index;
-    EXPECT_NE(index.find("2\tshown\tdeep/good.glb\t1 triangles"), std::string::npos) << index;
-    EXPECT_EQ(run_program({"contact-sheet", "nowhere", "-o", "s.png"}, folder).code, 1);
-    EXPECT_EQ(run_program({"contact-sheet", "models", "-o", "s.jpg"}, folder).code, 2);
+    EXPECT_EQ(test::lacking(file_bytes(folder / "sheet.txt"),
+                            {"1\tNOT SHOWN\tbad.gltf\t", "asset", "2\tshown\tdeep/good.glb\t1 triangles"}),
+              "");
 }
 
 /// Returns the RGB pixels below the tile of a model of that name. The model is unreadable, which is faster and keeps
@@ -221,9 +194,8 @@ std::vector<std::uint8_t> label_below(const std::string& name, int tile_width = 
     constexpr int kTileHeight = 48;
     const auto folder = fresh_test_folder();
     write(folder / "models" / (name + ".gltf"), "{}");
-    const ProcessResult r = run_program(
-        {"contact-sheet", "models", "-o", "sheet.png", "--size", fmt::format("{}x{}", tile_width, kTileHeight)},
-        folder);
+    const ProcessResult r =
+        run_program(fmt::format("contact-sheet models -o sheet.png --size {}x{}", tile_width, kTileHeight), folder);
     EXPECT_EQ(r.code, 0) << r.err;
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<stbi_uc, void (*)(void*)> sheet(

@@ -18,20 +18,13 @@ namespace fs = std::filesystem;
 
 const fs::path kDocs = fs::path(SI_SOURCE_DIR) / "docs";
 
-std::vector<std::string> words(const std::string& line) {
-    std::istringstream in(line);
-    std::vector<std::string> out;
-    for (std::string word; in >> word;) out.push_back(word);
-    return out;
-}
-
 /// Returns the commands of the page that draw sections, without the program's name.
-std::vector<std::vector<std::string>> documented() {
+std::vector<Words> documented() {
     std::istringstream page(file_bytes(kDocs / "accuracy.md"));
-    std::vector<std::vector<std::string>> out;
+    std::vector<Words> out;
     for (std::string line; std::getline(page, line);) {
-        std::vector<std::string> w = words(line);
-        if (w.size() > 3 && w[0] == "./run.sh" && w[1] == "probe") out.push_back({w.begin() + 1, w.end()});
+        const Words w = line;
+        if (w.size() > 3 && w[0] == "./run.sh" && w[1] == "probe") out.emplace_back(w.begin() + 1, w.end());
     }
     return out;
 }
@@ -48,7 +41,7 @@ void expect_same_drawing(const std::string& a, const std::string& b, const std::
 TEST(SectionCommand, DrawingsOfThePageMatchTheirCommands) {
     const auto commands = documented();
     ASSERT_GE(commands.size(), 5u);
-    for (std::vector<std::string> command : commands) {
+    for (Words command : commands) {
         const auto option = std::find(command.begin(), command.end(), "-o");
         ASSERT_TRUE(option != command.end() && option + 1 != command.end());
         const fs::path committed = fs::path(SI_SOURCE_DIR) / *(option + 1);
@@ -73,29 +66,21 @@ TEST(SectionCommand, DrawingsOfThePageMatchTheirCommands) {
 
 TEST(SectionCommand, WorksWithJsonAndRefusesWrongPixels) {
     const fs::path folder = fresh_test_folder(), file = folder / "one.svg";
-    const std::vector<std::string> scene{"probe", "plane", "--size", "160x90", "--set", "map.resolution=256"};
-    const auto probe = [&](std::vector<std::string> more) {
-        more.insert(more.begin(), scene.begin(), scene.end());
-        return run_program(more);
-    };
-    const auto both = probe({"--pixel", "80,60", "--json", "-o", file.string()});
-    ASSERT_EQ(both.code, 0) << both.err;
-    EXPECT_TRUE(nlohmann::json::parse(both.out, nullptr, false)["hit"].get<bool>());
+    const Words scene = "probe plane --size 160x90 --set map.resolution=256 --pixel", surface = scene + "80,60";
+    EXPECT_TRUE(program_json(surface + "-o one.svg", folder)["hit"].get<bool>());
     const std::string svg = file_bytes(file);
     EXPECT_EQ(test::xml_fault(svg), "");
-    EXPECT_EQ(probe({"--pixel", "80,60", "--no-truth", "-o", file.string()}).code, 0);
+    EXPECT_EQ(run_program(surface + "--no-truth -o one.svg", folder).code, 0);
     EXPECT_NE(file_bytes(file), svg) << "without rays it shows none";
     const std::string before = file_bytes(file);
 
-    const auto nothing = probe({"--pixel", "0,0", "-o", file.string()});
+    const auto nothing = run_program(scene + "0,0 -o one.svg", folder);
     if (nothing.out.find("nothing there") != std::string::npos) {
         EXPECT_EQ(nothing.code, 1);
         EXPECT_NE(nothing.err.find("one.svg"), std::string::npos) << nothing.err;
     }
-    const auto png = probe({"--pixel", "80,60", "-o", (folder / "one.png").string()});
-    EXPECT_EQ(png.code, 2);
-    EXPECT_NE(png.err.find(".svg"), std::string::npos) << png.err;
-    EXPECT_EQ(probe({"--pixel", "80,60", "-o", (folder / "none" / "one.svg").string()}).code, 1);
+    expect_error(surface + "-o one.png", 2, ".svg", folder);
+    EXPECT_EQ(run_program(surface + "-o none/one.svg", folder).code, 1);
     EXPECT_EQ(file_bytes(file), before);
 }
 

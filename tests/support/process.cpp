@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 namespace si {
@@ -39,9 +41,14 @@ std::string file_bytes(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+Words::Words(const std::string& line) {
+    std::istringstream in(line);
+    for (std::string word; in >> word;) push_back(word);
+}
+
 namespace {
 
-ProcessResult run(const std::vector<std::string>& words, const fs::path& folder) {
+ProcessResult run(const Words& words, const fs::path& folder) {
     const fs::path base = fs::temp_directory_path() / ("si-process-" + std::to_string(::getpid()));
     const fs::path out = base.string() + ".out", err = base.string() + ".err";
     std::vector<char*> argv;
@@ -73,10 +80,31 @@ ProcessResult run(const std::vector<std::string>& words, const fs::path& folder)
 
 }  // namespace
 
-ProcessResult run_program(const std::vector<std::string>& arguments, const fs::path& folder) {
-    std::vector<std::string> words = {SI_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    return run(words, folder);
+ProcessResult run_program(const Words& arguments, const fs::path& folder) {
+    return run(Words{SI_PROGRAM} + arguments, folder);
+}
+
+nlohmann::json program_json(const Words& arguments, const fs::path& folder, std::source_location caller) {
+    const ProcessResult r = run_program(arguments + "--json", folder);
+    const testing::ScopedTrace trace(caller.file_name(), int(caller.line()), testing::PrintToString(arguments));
+    EXPECT_EQ(r.code, 0) << r.err;
+    return nlohmann::json::parse(r.out, nullptr, false);
+}
+
+Words set_words(const nlohmann::json& settings) {
+    Words words;
+    for (const auto& [key, value] : settings.items())
+        words.insert(words.end(), {"--set", key + "=" + value.get<std::string>()});
+    return words;
+}
+
+ProcessResult expect_error(const Words& arguments, int code, std::string_view text, const fs::path& folder,
+                           std::source_location caller) {
+    const ProcessResult r = run_program(arguments, folder);
+    const testing::ScopedTrace trace(caller.file_name(), int(caller.line()), testing::PrintToString(arguments));
+    EXPECT_EQ(r.code, code) << r.err;
+    EXPECT_NE(r.err.find(text), std::string::npos) << text << " is missing in: " << r.err;
+    return r;
 }
 
 ProcessResult run_shell(const std::string& script, const fs::path& folder) {

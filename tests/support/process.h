@@ -2,10 +2,28 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <source_location>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace si {
+
+/// Words of a command line. A text converts to words: spaces separate them. A word with a space needs the form of a
+/// list.
+class Words : public std::vector<std::string> {
+public:
+    using std::vector<std::string>::vector;
+    Words(const std::string& line);
+    Words(const char* line) : Words(std::string(line)) {}
+
+    /// Returns words followed by more words.
+    friend Words operator+(Words words, const Words& more) {
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+};
 
 /// Exit code and output of a finished child process.
 struct ProcessResult {
@@ -17,8 +35,23 @@ struct ProcessResult {
 /// Runs shadow-inspector without a display and waits for its end.
 /// @param arguments command line after the program's name
 /// @param folder working directory of the process
-ProcessResult run_program(const std::vector<std::string>& arguments,
+ProcessResult run_program(const Words& arguments,
                           const std::filesystem::path& folder = std::filesystem::current_path());
+
+/// Runs shadow-inspector with --json and expects exit code 0. Returns the parsed output, which is discarded if the
+/// output is not JSON. A failure names the command and its caller.
+nlohmann::json program_json(const Words& arguments,
+                            const std::filesystem::path& folder = std::filesystem::current_path(),
+                            std::source_location caller = std::source_location::current());
+
+/// Returns the words of --set for a JSON object of settings with their values as texts.
+Words set_words(const nlohmann::json& settings);
+
+/// Runs shadow-inspector and expects an exit code and a text within standard error. A failure names the command and its
+/// caller.
+ProcessResult expect_error(const Words& arguments, int code, std::string_view text,
+                           const std::filesystem::path& folder = std::filesystem::current_path(),
+                           std::source_location caller = std::source_location::current());
 
 /// Runs a script of /bin/sh in which $SI is the path of shadow-inspector, for tests of redirections and limits.
 /// @param folder working directory of the shell

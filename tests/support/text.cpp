@@ -51,6 +51,12 @@ std::u32string code_points(std::string_view text) {
     return out;
 }
 
+std::string lacking(std::string_view text, std::initializer_list<std::string_view> parts) {
+    for (const std::string_view part : parts)
+        if (text.find(part) == text.npos) return "\"" + std::string(part) + "\" is missing in: " + std::string(text);
+    return {};
+}
+
 std::string text_fault(const std::u32string& text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char32_t c = text[i], next = i + 1 < text.size() ? text[i + 1] : U' ';
