@@ -4,25 +4,12 @@
 #include <filesystem>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "renderer/advise/autopilot.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {
 namespace {
-
-std::string without_spaces(std::string_view text) {
-    std::string out;
-    for (const char c : text)
-        if (c != ' ') out += c;
-    return out;
-}
-
-std::string printed_by(const UiHarness& ui) {
-    std::string out;
-    for (const char32_t c : ui.printed()) out += c < 128 ? char(c) : '?';
-    return without_spaces(out);
-}
 
 AdviceReport made_up_advice() {
     AdviceReport r;
@@ -53,15 +40,10 @@ protected:
         ui.frames(4);
         ASSERT_EQ(ui.state.tab, BottomTab::Advice);
     }
-    void click_on(const std::string& window, const std::string& group, const std::string& label) {
-        const auto at = ui.find(window, group, label);
-        ASSERT_TRUE(at) << label;
-        ui.click(*at);
-    }
 };
 
 TEST_F(AdvicePanelTest, RequestsAdviceAndTheAutopilotWithItsBounds) {
-    click_on("controls", "", "Run");
+    ui.click(ui.find("controls", "", "Run"));
     ASSERT_TRUE(ui.last_requests.find_advice);
     EXPECT_FALSE(ui.last_requests.find_advice->max_error);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Camera);
@@ -70,15 +52,15 @@ TEST_F(AdvicePanelTest, RequestsAdviceAndTheAutopilotWithItsBounds) {
     ui.state.advice.max_ms = 5;
     ui.state.advice.cost = CostCase::Light;
     ui.frames(2);
-    EXPECT_NE(printed_by(ui).find(without_spaces("while the light moves")), std::string::npos);
-    click_on("controls", "", "Autopilot");
+    EXPECT_EQ(ui.lacking({"while the light moves"}), "");
+    ui.click(ui.find("controls", "", "Autopilot"));
     EXPECT_EQ(ui.last_requests.find_advice->max_error, 0.02);
     EXPECT_EQ(ui.last_requests.find_advice->max_ms, 5);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Light);
     ui.advice.advising = SearchProgress{"pcf5 at 512", 0.4};
     ui.frames(2);
-    EXPECT_NE(printed_by(ui).find("40%"), std::string::npos);
-    click_on("controls", "", "Cancel");
+    EXPECT_EQ(ui.lacking({"40%"}), "");
+    ui.click(ui.find("controls", "", "Cancel"));
     EXPECT_TRUE(ui.last_requests.cancel_advice);
 }
 
@@ -86,11 +68,10 @@ TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
     ui.advice.advice = &report;
     ui.advice.advice_current = true;
     ui.frames(3);
-    const std::string text = printed_by(ui);
-    for (const char* part : {"nothing is seen of it", "-3.25 ms", "+0.0025", "error: acne everywhere", "more bias",
-                             "1 tried, do not hold", "12 ms a frame while the camera moves"})
-        EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
-    EXPECT_EQ(text.find(without_spaces("this was hoped")), std::string::npos) << "folded away";
+    EXPECT_EQ(ui.lacking({"nothing is seen of it", "-3.25 ms", "+0.0025", "error: acne everywhere", "more bias",
+                          "1 tried, do not hold", "12 ms a frame while the camera moves"}),
+              "");
+    EXPECT_FALSE(ui.prints("this was hoped")) << "folded away";
     const Settings before = ui.state.settings;
     bool applied = false;
     for (float y = 440; y < 890 && !applied; y += 7)
@@ -112,7 +93,7 @@ TEST_F(AdvicePanelTest, MarksAdviceForOtherSettings) {
     ui.advice.advice = &report;
     ui.advice.advice_current = false;
     ui.frames(3);
-    EXPECT_NE(printed_by(ui).find(without_spaces("of other settings: run again")), std::string::npos);
+    EXPECT_EQ(ui.lacking({"of other settings: run again"}), "");
 }
 
 TEST_F(AdvicePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
@@ -124,9 +105,7 @@ TEST_F(AdvicePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     ui.advice.autopilot = &flight;
     ui.advice.advice_current = true;
     ui.frames(3);
-    const std::string text = printed_by(ui);
-    for (const char* part : {"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations"})
-        EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
+    EXPECT_EQ(ui.lacking({"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations"}), "");
     EXPECT_TRUE(ui.find("found", "", "Apply"));
     flight.goals_met = false;
     flight.summary = "it cannot be held";
@@ -135,19 +114,13 @@ TEST_F(AdvicePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
 }
 
 TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
-    EditorOptions o;
-    o.session.scene = "boxes";
-    o.width = 1280;
-    o.height = 720;
-    o.headless = true;
-    HeadlessEditor editor(o);
+    TestEditor editor(editor_options("boxes", {"map.resolution=256"}));
     EditorModel& model = editor.model();
     model.state.window.open_tab = BottomTab::Advice;
     model.state.layout.bottom_height = 27;
     editor.settle();
-    EditorRequests request;
-    request.scene_width = model.facts().result->colour.width;
-    request.scene_height = model.facts().result->colour.height;
+    const EditorRequests same_size = editor.requests();
+    EditorRequests request = same_size;
     request.find_advice = AdviceRequest{.cost = CostCase::Forced};
     const Settings settings = model.state.settings;
     model.fulfil(request);
@@ -159,21 +132,19 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     EXPECT_TRUE(model.facts().advice_current);
     EXPECT_FALSE(model.facts().advice->holds.empty() && model.facts().advice->fails.empty());
     EXPECT_EQ(model.facts().advice->options.cost, CostCase::Forced);
-    for (int i = 0; i < 3; ++i) editor.frame();
+    editor.frames(3);
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "advice_panel.png", editor.picture());
     model.state.settings.bias.normal = 7;
     editor.settle();
     EXPECT_FALSE(model.facts().advice_current) << "other settings now";
     request.find_advice->max_error = 1;
     model.fulfil(request);
-    EditorRequests cancel;
-    cancel.scene_width = request.scene_width;
-    cancel.scene_height = request.scene_height;
+    EditorRequests cancel = same_size;
     cancel.cancel_advice = true;
     model.fulfil(cancel);
     editor.settle();
     EXPECT_FALSE(model.facts().autopilot);
-    EXPECT_NE(model.state.log.lines().back().text.find("was cancelled"), std::string::npos);
+    EXPECT_NE(editor.last_line().find("was cancelled"), std::string::npos);
 }
 
 }  // namespace

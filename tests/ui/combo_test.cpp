@@ -14,10 +14,7 @@ namespace {
 
 /// Finds a setting's combo in the map's header.
 ImGuiID combo_in_map(const char* key) {
-    for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
-        if (w->WasActive && std::string_view(w->Name).starts_with("editor/map_"))
-            return ImHashStr("##value", 0, ImHashStr(key, 0, w->ID));
-    return 0;
+    return ImHashStr("##value", 0, ImHashStr(key, 0, UiHarness::window("editor/map_")->ID));
 }
 
 bool is_only_open(ImGuiID combo) {
@@ -44,9 +41,7 @@ TEST(Combo, PressThatClosesOneOpensTheNext) {
     EXPECT_TRUE(is_only_open(source)) << "which is drawn before it";
     ui.click(*at_source);
     EXPECT_TRUE(none_open()) << "a press on its own combo closes a list";
-    const auto file = ui.find("editor/top", "", "File");
-    ASSERT_TRUE(file);
-    ui.click(*file);
+    ui.click(ui.find("editor/top", "", "File"));
     ui.click(*at_shown);
     EXPECT_TRUE(is_only_open(shown)) << "a menu was open";
     // The pressed row is selected.
@@ -66,9 +61,7 @@ TEST(Combo, PressThatClosesOneOpensTheNext) {
 TEST(Combo, PressElsewhereOnlyClosesTheList) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
-    const auto at = ui.find("editor/map", "view.map_source", "##value");
-    ASSERT_TRUE(at);
-    ui.click(*at);
+    ui.click(ui.find("editor/map", "view.map_source", "##value"));
     ui.click({200, 300});
     EXPECT_TRUE(none_open());
     EXPECT_FALSE(ui.state.probe_pixel) << "the press is not the scene's";

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/headless_editor.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/kernel_marks.h"
 
@@ -25,6 +25,9 @@ PixelDiagnosis acne_diagnosis() {
     return d;
 }
 
+/// ID of the group of light 0: the bytes of its number.
+const std::string kGroupOfLight(sizeof(int), '\0');
+
 TEST(DiagnosisPanel, FixIsOneUndoStep) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -32,11 +35,7 @@ TEST(DiagnosisPanel, FixIsOneUndoStep) {
     ui.diagnoses = {acne_diagnosis()};
     ui.frames(5);
     const Settings before = ui.state.settings;
-    const int light = 0;
-    const auto id_of_light = std::string(reinterpret_cast<const char*>(&light), sizeof light);
-    const auto at = ui.find("Probe", id_of_light, "Fix: Slope bias 4.5 texels");
-    ASSERT_TRUE(at) << "no button for the remedy";
-    ui.click(*at);
+    ui.click(ui.find("Probe", kGroupOfLight, "Fix: Slope bias 4.5 texels"));
     EXPECT_EQ(ui.state.settings.bias.slope, 4.5);
     ui.frames(3);
     EXPECT_EQ(ui.state.history.undo(), before);
@@ -58,9 +57,7 @@ TEST(DiagnosisPanel, FixShowsItsEquivalentBiasIfItFits) {
     ui.diagnoses = {d};
     ui.diagnoses[0].fix = equivalent;
     ui.frames(5);
-    const int light = 0;
-    const auto id_of_light = std::string(reinterpret_cast<const char*>(&light), sizeof light);
-    EXPECT_TRUE(ui.find("Probe", id_of_light, "Fix: Slope bias 4.5 texels (equivalent depth bias 1.8 texels)"));
+    EXPECT_TRUE(ui.find("Probe", kGroupOfLight, "Fix: Slope bias 4.5 texels (equivalent depth bias 1.8 texels)"));
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
 }
 
@@ -82,9 +79,7 @@ TEST(DiagnosisPanel, DrawsDuringReferenceTracingAtAnySize) {
 TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     UiHarness ui(1280, 720);
     ui.frames(4);
-    const auto button = ui.find("/rows_", "bias", "Auto bias");
-    ASSERT_TRUE(button);
-    ui.click(*button);
+    ui.click(ui.find("/rows_", "bias", "Auto bias"));
     ASSERT_TRUE(ui.last_requests.tune);
     EXPECT_FALSE(ui.last_requests.tune->max_error || ui.last_requests.tune->max_ms);
 
@@ -92,9 +87,7 @@ TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     ASSERT_TRUE(limits);
     ui.state.tune = {.bound_error = true, .bound_ms = true, .area = true, .max_error = 0.02, .max_ms = 7};
     ui.click(*limits);
-    const auto search = ui.find("##Popup", "", "Search");
-    ASSERT_TRUE(search);
-    ui.click(*search);
+    ui.click(ui.find("##Popup", "", "Search"));
     ASSERT_TRUE(ui.last_requests.tune);
     EXPECT_EQ(ui.last_requests.tune->max_error, 0.02);
     EXPECT_EQ(ui.last_requests.tune->max_ms, 7);
@@ -103,9 +96,7 @@ TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     ui.tuning = SearchProgress{"normal offset, 2 texels", 0.4};
     ui.frames(2);
     EXPECT_FALSE(ui.find("/rows_", "bias", "Auto bias")) << "one search at a time";
-    const auto cancel = ui.find("/rows_", "bias", "Cancel");
-    ASSERT_TRUE(cancel);
-    ui.click(*cancel);
+    ui.click(ui.find("/rows_", "bias", "Cancel"));
     EXPECT_TRUE(ui.last_requests.cancel_tune);
 }
 
@@ -115,9 +106,7 @@ TEST(TuneControls, SearchIsDisabledWithoutAMap) {
     ASSERT_FALSE(source_of(ui.state.settings, 0).needs.map);
     ui.frames(4);
     for (const char* label : {"Auto bias", "Tune..."}) {
-        const auto button = ui.find("/rows_", "bias", label);
-        ASSERT_TRUE(button) << label;
-        ui.click(*button);
+        ui.click(ui.find("/rows_", "bias", label));
         EXPECT_FALSE(ui.last_requests.tune) << label;
         EXPECT_FALSE(ui.find("##Popup", "", "Search"));
     }
@@ -131,54 +120,47 @@ TEST(KernelMarks, TapsAreColouredByTheirResult) {
     EXPECT_LT(tap_colour(light, 1) >> IM_COL32_A_SHIFT, tap_colour(lit, 1) >> IM_COL32_A_SHIFT);
 }
 
-EditorOptions boxes() {
-    EditorOptions o;
-    o.session.scene = "boxes";
-    o.session.sets = {"bias.normal=0", "bias.constant=0.1", "map.resolution=512"};
-    o.width = 1280;
-    o.height = 720;
-    o.headless = true;
-    return o;
+EditorOptions biased_boxes() {
+    return editor_options("boxes", {"bias.normal=0", "bias.constant=0.1", "map.resolution=512"});
 }
 
 TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
-    HeadlessEditor editor(boxes());
-    editor.settle();
-    EditorState& state = editor.model().state;
+    TestEditor editor(biased_boxes());
+    EditorState& state = editor.state();
     // Finds a pixel darkened by acne, on a grid over the picture.
-    const PixelDiagnosis* found = nullptr;
-    PixelDiagnosis diagnosis;
+    std::optional<PixelDiagnosis> found;
     for (int y = 100; y < 400 && !found; y += 12)
         for (int x = 40; x < 500 && !found; x += 12) {
             state.probe_pixel = glm::ivec2(x, y);
             editor.settle();
-            const EditorFrame facts = editor.model().facts();
+            const EditorFrame facts = editor.facts();
             EXPECT_FALSE(facts.tracing_probe) << "settled";
             if (!facts.probe || !facts.probe->hit) continue;
             ASSERT_EQ(facts.diagnoses.size(), facts.probe->lights.size());
-            if (facts.diagnoses[0].cause().artefact == Artefact::Acne) {
-                diagnosis = facts.diagnoses[0];
-                found = &diagnosis;
-            }
+            if (facts.diagnoses[0].cause().artefact == Artefact::Acne) found = facts.diagnoses[0];
         }
     ASSERT_TRUE(found);
     EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
     ASSERT_TRUE(found->fix);
     for (const auto& [key, value] : found->fix->settings) set_setting(state.settings, key, value);
     editor.settle();
-    const EditorFrame after = editor.model().facts();
+    const EditorFrame after = editor.facts();
     ASSERT_EQ(after.diagnoses.size(), 1u);
     EXPECT_TRUE(after.diagnoses[0].right) << after.diagnoses[0].verdict;
 }
 
-TEST(EditorTuning, FindsTheMinimumBiasInTheBackgroundAsOneUndoStep) {
-    HeadlessEditor editor(boxes());
-    editor.settle();
-    EditorModel& model = editor.model();
-    const Settings before = model.state.settings;
+EditorRequests small_picture() {
     EditorRequests request;
     request.scene_width = 320;
     request.scene_height = 180;
+    return request;
+}
+
+TEST(EditorTuning, FindsTheMinimumBiasInTheBackgroundAsOneUndoStep) {
+    TestEditor editor(biased_boxes());
+    EditorModel& model = editor.model();
+    const Settings before = model.state.settings;
+    EditorRequests request = small_picture();
     model.fulfil(request);
     request.tune = TuneRequest{};
     model.fulfil(request);
@@ -198,10 +180,7 @@ TEST(EditorTuning, FindsTheMinimumBiasInTheBackgroundAsOneUndoStep) {
     }));
     EXPECT_GT(model.facts().tuned.size(), 1u);
     EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";
-    EditorRequests resize;
-    resize.scene_width = 320;
-    resize.scene_height = 180;
-    model.fulfil(resize);
+    model.fulfil(small_picture());
     EXPECT_TRUE(model.facts().tuned_current);
     EXPECT_EQ(model.state.history.undo(), before);
     EXPECT_FALSE(model.state.history.can_undo());
@@ -212,12 +191,9 @@ TEST(EditorTuning, FindsTheMinimumBiasInTheBackgroundAsOneUndoStep) {
 }
 
 TEST(EditorTuning, IsNotAppliedToOtherSettings) {
-    HeadlessEditor editor(boxes());
-    editor.settle();
+    TestEditor editor(biased_boxes());
     EditorModel& model = editor.model();
-    EditorRequests request;
-    request.scene_width = 320;
-    request.scene_height = 180;
+    EditorRequests request = small_picture();
     model.fulfil(request);
     request.tune = TuneRequest{};
     model.fulfil(request);
@@ -227,9 +203,7 @@ TEST(EditorTuning, IsNotAppliedToOtherSettings) {
     EXPECT_EQ(model.state.settings, turned);
 
     model.fulfil(request);
-    EditorRequests cancel;
-    cancel.scene_width = 320;
-    cancel.scene_height = 180;
+    EditorRequests cancel = small_picture();
     cancel.cancel_tune = true;
     model.fulfil(cancel);
     editor.settle();

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <thread>
 
-#include "app/editor/headless_editor.h"
 #include "app/editor/sweep.h"
 #include "app/sweep/results.h"
 #include "renderer/base/error.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
+#include "tests/ui/test_editor.h"
 #include "ui/state/panels.h"
 
 namespace si {
@@ -22,11 +22,7 @@ namespace fs = std::filesystem;
 const SweepRequest kSweepRequest{{"filter.kernel=hard,pcf3", "map.resolution=64,256"}, 64, 48, false};
 
 EditorOptions boxes(const fs::path& state = {}) {
-    EditorOptions options;
-    options.session.scene = "boxes";
-    options.width = 1280;
-    options.height = 720;
-    options.headless = true;
+    EditorOptions options = test::editor_options("boxes", {"map.resolution=512"});
     options.state_folder = state;
     options.tab = "frontier";
     return options;
@@ -44,6 +40,14 @@ struct Swept {
         EditorRequests requests = editor.frame();
         what(requests);
         editor.model().fulfil(requests);
+    }
+    /// Waits for the first result. An editor that never idles would starve a software driver's threads.
+    void wait_for_cases() {
+        for (int i = 0; i < 20000 && facts().cases.empty(); ++i) {
+            if (editor.model().measuring_moved()) editor.frame();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        ASSERT_FALSE(facts().cases.empty());
     }
 };
 
@@ -65,42 +69,29 @@ TEST(EditorSweep, MeasuresInTheBackground) {
     EXPECT_NE(s.state().settings.bias.constant, 0.7);
 }
 
-TEST(EditorSweep, CurrentSettingsAreAMovingDot) {
-    Swept s(boxes());
-    s.state().sweep.width = 64;
-    s.state().sweep.height = 48;
-    s.state().sweep.follow = true;
-    s.state().settings.map.resolution = 64;
-    s.editor.settle();
-    ASSERT_TRUE(s.facts().view.present) << s.facts().present_problem;
-    const Dot coarse = *s.facts().view.present;
-    s.state().settings.map.resolution = 2048;
-    s.editor.settle();
-    ASSERT_TRUE(s.facts().view.present);
-    EXPECT_LT(s.facts().view.present->error, coarse.error);
-    EXPECT_GT(coarse.cost, 0);
-    s.state().sweep.cost = "cost.map_texels";
-    s.editor.settle();
-    EXPECT_EQ(s.facts().view.present->cost, 2048 * 2048);
-}
-
-TEST(EditorSweep, ChangedPictureSettingsAreComparedWithThePrevious) {
+TEST(EditorSweep, CurrentSettingsAreAMovingDotComparedWithThePrevious) {
     Swept s(boxes());
     EditorState& state = s.state();
     state.sweep.width = 64;
     state.sweep.height = 48;
-    state.sweep.cost = "cost.map_texels";
     state.sweep.follow = true;
+    state.settings.map.resolution = 64;
+    s.editor.settle();
+    ASSERT_TRUE(s.facts().view.present) << s.facts().present_problem;
+    EXPECT_FALSE(s.facts().view.before) << "nothing was measured before";
+    EXPECT_GT(s.facts().view.present->cost, 0) << "milliseconds";
+    state.sweep.cost = "cost.map_texels";
+    s.editor.settle();
+    const Dot first = *s.facts().view.present;
+    EXPECT_EQ(first.cost, 64 * 64);
     const auto at = [&](int resolution) {
         state.settings.map.resolution = resolution;
         s.editor.settle();
         ASSERT_TRUE(s.facts().view.present) << s.facts().present_problem;
         ASSERT_EQ(s.facts().view.present->cost, double(resolution) * resolution);
     };
-    at(64);
-    EXPECT_FALSE(s.facts().view.before) << "nothing was measured before";
-    const Dot first = *s.facts().view.present;
     at(128);
+    EXPECT_LT(s.facts().view.present->error, first.error);
     ASSERT_TRUE(s.facts().view.before && s.facts().before);
     EXPECT_EQ(s.facts().view.before->cost, 64 * 64);
     EXPECT_EQ(s.facts().view.before->error, first.error);
@@ -123,11 +114,7 @@ TEST(EditorSweep, CancelledSweepContinues) {
     {
         Swept s(boxes(state));
         s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
-        // Cancelled after the first result. An editor that never idles would starve a software driver's threads.
-        while (s.facts().cases.empty() && s.editor.model().measuring()) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-            s.editor.frame();
-        }
+        ASSERT_NO_FATAL_FAILURE(s.wait_for_cases());
         s.ask([](EditorRequests& a) { a.cancel_sweep = true; });
         s.editor.settle();
         EXPECT_FALSE(s.facts().running);
@@ -156,19 +143,15 @@ TEST(EditorSweep, CancelledBeforeItsFirstResultLeavesNothing) {
     fs::remove_all(state);
     fs::create_directories(state / "sweep-1");  // somebody else's folder
     Swept s(boxes(state));
-    s.ask([](EditorRequests& a) {
-        a.start_sweep = kSweepRequest;
-        a.cancel_sweep = true;
-    });
-    s.editor.settle();
-    EXPECT_TRUE(fs::exists(state / "sweep-1"));
-    fs::remove(state / "sweep-1");
-    s.ask([](EditorRequests& a) {
-        a.start_sweep = kSweepRequest;
-        a.cancel_sweep = true;
-    });
-    s.editor.settle();
-    EXPECT_FALSE(fs::exists(state / "sweep-1"));
+    for (const bool existed : {true, false}) {
+        s.ask([](EditorRequests& a) {
+            a.start_sweep = kSweepRequest;
+            a.cancel_sweep = true;
+        });
+        s.editor.settle();
+        EXPECT_EQ(fs::exists(state / "sweep-1"), existed);
+        fs::remove(state / "sweep-1");
+    }
 }
 
 TEST(EditorSweep, CasesWithoutTimesArePlottedOverAnotherCost) {
@@ -180,14 +163,7 @@ TEST(EditorSweep, CasesWithoutTimesArePlottedOverAnotherCost) {
     s.ask([&](EditorRequests& a) { a.start_sweep = request; });
     const std::string chosen = s.state().sweep.cost;
     ASSERT_EQ(chosen, "time.total_ms.median");
-    const auto wait_for_cases = [&] {
-        for (int i = 0; i < 20000 && s.facts().cases.empty(); ++i) {
-            if (s.editor.model().measuring_moved()) s.editor.frame();
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        }
-    };
-    wait_for_cases();
-    ASSERT_FALSE(s.facts().cases.empty());
+    ASSERT_NO_FATAL_FAILURE(s.wait_for_cases());
     ASSERT_FALSE(s.facts().timing) << "too fast for this test";
     EXPECT_EQ(s.facts().view.marks.size(), s.facts().cases.size()) << "shown as they come";
     EXPECT_NE(s.facts().cost, chosen);

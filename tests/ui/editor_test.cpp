@@ -7,30 +7,20 @@
 #include <set>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "app/session/command_line.h"
 #include "app/session/presets.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/ui/test_editor.h"
 
 namespace si {
 namespace {
 
 const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
 
-EditorOptions options(int width, int height, const std::vector<std::string>& sets = {}) {
-    EditorOptions o;
-    o.session = {.scene = "boxes", .preset = {}, .sets = sets};
-    o.width = width;
-    o.height = height;
-    return o;
-}
-
-/// Expects no line worse than information in the log.
-void expect_calm(const HeadlessEditor& editor) {
-    for (const LogLine& line : const_cast<HeadlessEditor&>(editor).model().state.log.lines())
-        EXPECT_EQ(line.kind, LogKind::Info) << line.text;
-}
+using test::editor_options;
+using test::expect_calm;
+using test::TestEditor;
 
 std::size_t colours_in(const ByteImage& image, int x0, int y0, int x1, int y1) {
     std::set<std::uint32_t> seen;
@@ -46,7 +36,7 @@ class EditorSizes : public testing::TestWithParam<std::pair<int, int>> {};
 
 TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     const auto [width, height] = GetParam();
-    HeadlessEditor editor(options(width, height, {"view.overlay=depth-difference"}));
+    HeadlessEditor editor(editor_options("boxes", {"view.overlay=depth-difference"}, {width, height}));
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
     editor.model().state.window.open_tab = BottomTab::Probe;
     editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read at the mouse position
@@ -66,16 +56,15 @@ INSTANTIATE_TEST_SUITE_P(Sizes, EditorSizes,
                          testing::Values(std::pair{1280, 720}, std::pair{1920, 1080}, std::pair{3840, 2160}));
 
 TEST(Editor, ShowsThePixelsOfTheRenderer) {
-    HeadlessEditor editor(options(1280, 720, {"view.frustum=false", "view.axes=false"}));
-    editor.settle();
+    TestEditor editor(editor_options("boxes", {"view.frustum=false", "view.axes=false"}));
     const ByteImage whole = editor.picture();
-    const FrameResult& result = *editor.model().facts().result;
+    const FrameResult& result = *editor.facts().result;
     Renderer renderer;
     FrameRequest request;
     request.width = result.colour.width;
     request.height = result.colour.height;
     const Scene scene = load_scene("boxes");
-    const ByteImage alone = renderer.read_colour(renderer.render(scene, editor.model().state.settings, request).colour);
+    const ByteImage alone = renderer.read_colour(renderer.render(scene, editor.state().settings, request).colour);
     // Search for the picture near the upper left corner; every bit must match.
     const auto equal_at = [&](int x0, int y0) {
         for (int y = 0; y < alone.height; y += 7)
@@ -92,45 +81,36 @@ TEST(Editor, ShowsThePixelsOfTheRenderer) {
     EXPECT_TRUE(found);
 }
 
-TEST(Editor, RedrawsTheSceneOnlyAfterAChange) {
-    HeadlessEditor editor(options(1280, 720));
-    editor.settle();
+TEST(Editor, DrawsEveryOverlayMapViewLightAndFace) {
+    TestEditor editor(editor_options("boxes", {"map.resolution=512"}, {960, 600}));
     const EditorRequests still = editor.frame();
-    EXPECT_FALSE(editor.model().fulfil(still));
-    editor.model().state.settings.bias.constant += 1;
+    EXPECT_FALSE(editor.model().fulfil(still)) << "a still scene is drawn again";
+    editor.state().settings.bias.constant += 1;
     EXPECT_TRUE(editor.model().fulfil(still));
     EXPECT_FALSE(editor.model().fulfil(still));
-}
 
-TEST(Editor, DrawsEveryOverlayAndMapView) {
-    HeadlessEditor editor(options(1280, 720));
-    editor.mouse.at = glm::vec2(200, 250);  // numbers are read at the mouse position
+    editor.mouse.at = glm::vec2(150, 200);  // numbers are read at the mouse position
     editor.settle();
+    Settings& s = editor.state().settings;
     const std::size_t overlays = find_setting("view.overlay")->param->choices().size();
     for (std::size_t overlay = 0; overlay < overlays; ++overlay) {
         for (int map = 0; map < (overlay == 0 ? 3 : 1); ++map) {
-            editor.model().state.settings.view.overlay = int(overlay);
-            editor.model().state.settings.view.map = MapView((int(overlay) + map) % 3);
-            for (int i = 0; i < 3; ++i) editor.frame();
-            if (editor.model().facts().result->panes.front().lacks_reference) editor.settle();
-            EXPECT_EQ(editor.model().facts().overlay_values != nullptr, overlay > 0) << overlay << ", " << map;
+            s.view.overlay = int(overlay);
+            s.view.map = MapView((int(overlay) + map) % 3);
+            editor.frames(3);
+            if (editor.facts().result->panes.front().lacks_reference) editor.settle();
+            EXPECT_EQ(editor.facts().overlay_values != nullptr, overlay > 0) << overlay << ", " << map;
         }
     }
-    expect_calm(editor);
-}
-
-TEST(Editor, DrawsEveryKindOfLightAndEveryFace) {
-    HeadlessEditor editor(options(1280, 720));
-    editor.settle();
+    s.view.overlay = 0;
     for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (int face = 0; face < (type == LightType::Point ? 6 : 1); ++face) {
-            Settings& s = editor.model().state.settings;
             s.light_count = 2;
             s.lights[1].type = type;
             s.view.light = 1;
             s.view.face = face;
-            for (int i = 0; i < 3; ++i) editor.frame();
-            EXPECT_NE(editor.model().facts().result->map_view.texture, 0u);
+            editor.frames(3);
+            EXPECT_NE(editor.facts().result->map_view.texture, 0u);
         }
     expect_calm(editor);
 }
@@ -138,9 +118,8 @@ TEST(Editor, DrawsEveryKindOfLightAndEveryFace) {
 TEST(Editor, SavedAndOpenedPresetIsTheSame) {
     const std::filesystem::path file = kOut / "editor_saved.json";
     std::filesystem::remove(file);
-    HeadlessEditor editor(options(1280, 720));
-    editor.settle();
-    Settings& s = editor.model().state.settings;
+    TestEditor editor;
+    Settings& s = editor.state().settings;
     s.bias.constant = 3.25;
     s.lights[0].azimuth = 12.5;
     s.view.overlay = 2;
@@ -161,36 +140,32 @@ TEST(Editor, SavedAndOpenedPresetIsTheSame) {
 TEST(Editor, UnreadableFileIsALineInTheLog) {
     const std::filesystem::path broken = kOut / "broken_preset.json";
     std::ofstream(broken) << "{\"format\": 3";
-    HeadlessEditor editor(options(1280, 720));
-    editor.settle();
-    const Settings before = editor.model().state.settings;
+    TestEditor editor;
+    EditorState& state = editor.state();
+    const Settings before = state.settings;
     for (const char* name : {"/nowhere/scene.gltf", "no-such-scene"}) {
         editor.model().open(name);
         editor.model().finish_loading();
-        EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
+        EXPECT_EQ(state.log.lines().back().kind, LogKind::Error);
     }
     editor.model().open(broken);
-    EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
-    EXPECT_NE(editor.model().state.log.lines().back().text.find("broken_preset.json"), std::string::npos);
+    EXPECT_EQ(state.log.lines().back().kind, LogKind::Error);
+    EXPECT_NE(editor.last_line().find("broken_preset.json"), std::string::npos);
     editor.settle();
-    EXPECT_EQ(editor.model().state.tab, BottomTab::Log);
-    EXPECT_EQ(editor.model().state.settings, before);
-    EXPECT_EQ(editor.model().state.scene_name, "boxes");
-    ASSERT_TRUE(editor.model().facts().result) << "the editor goes on with the scene it had";
-}
+    EXPECT_EQ(state.tab, BottomTab::Log);
+    EXPECT_EQ(state.settings, before);
+    EXPECT_EQ(state.scene_name, "boxes");
+    ASSERT_TRUE(editor.facts().result) << "the editor goes on with the scene it had";
 
-TEST(Editor, AnotherSceneAppliesItsSuggestionsAndKeepsChosenSettings) {
-    HeadlessEditor editor(options(1280, 720));
-    editor.settle();
-    editor.model().state.settings.bias.constant = 7;
+    // Another scene applies its suggestions and keeps chosen settings.
+    state.settings.bias.constant = 7;
     const std::string other(builtin_scenes().front().key);
     ASSERT_NE(other, "boxes");
     editor.model().open(other);
     editor.settle();
     Settings expected = base_settings(load_scene(other));
     expected.bias.constant = 7;
-    EXPECT_EQ(editor.model().state.settings, expected);
-    expect_calm(editor);
+    EXPECT_EQ(state.settings, expected);
 }
 
 TEST(Editor, CommandLineNamesChangedSettings) {
@@ -205,18 +180,13 @@ TEST(Editor, CommandLineNamesChangedSettings) {
 }
 
 TEST(Editor, ProbeMarksItsTexelInTheMap) {
-    HeadlessEditor editor(options(1280, 720));
-    editor.settle();
-    editor.mouse.at = glm::vec2(270, 330);
-    for (const bool down : {false, true, true, false, false, false, false}) {
-        editor.mouse.left = down;
-        editor.frame();
-    }
-    const EditorFrame facts = editor.model().facts();
+    TestEditor editor;
+    editor.drag({{270, 330}});
+    const EditorFrame facts = editor.facts();
     ASSERT_TRUE(facts.probe);
     EXPECT_TRUE(facts.probe->hit);
     ASSERT_EQ(facts.probe->lights.size(), 1u);
-    EXPECT_EQ(editor.model().state.tab, BottomTab::Probe);
+    EXPECT_EQ(editor.state().tab, BottomTab::Probe);
 }
 
 }  // namespace

@@ -3,18 +3,12 @@
 
 #include <algorithm>
 
-#include "app/editor/headless_editor.h"
 #include "renderer/measure/optimisation_times.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {
 namespace {
-
-std::string letters(const UiHarness& ui) {
-    std::string out;
-    for (const char32_t c : ui.printed()) out += c < 128 ? char(c) : '?';
-    return out;
-}
 
 const std::vector<Effect>& made_up_effects() {
     static const std::vector<Effect> all = {
@@ -35,39 +29,35 @@ TEST(EffectsPanel, ShowsStateReasonAndSavingOfEachEffect) {
     ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
     EXPECT_TRUE(ui.frames(4).want_effects);
-    std::string text = letters(ui);
-    for (const char* part : {"drawn", "notneeded", "cached", "shadowmap0", "Itcasts.", "light.7.castisoff."})
-        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
-    EXPECT_EQ(text.find("3.25"), std::string::npos) << "a time that nobody measured";
+    EXPECT_EQ(ui.lacking({"drawn", "not needed", "cached", "shadow map 0", "It casts.", "light.7.cast is off."}), "");
+    EXPECT_FALSE(ui.prints("3.25")) << "a time that nobody measured";
     SavedTimes saved;
     saved.optimisations.push_back(
         {Optimisation::DeadPasses, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
     ui.effects.saved = &saved;
     ui.effects.saved_times_current = true;
     ui.frames(2);
-    EXPECT_NE(letters(ui).find("3.25"), std::string::npos);
-    EXPECT_EQ(letters(ui).find("3.25of"), std::string::npos) << "one effect has that saving";
-    EXPECT_EQ(letters(ui).find("ofothersettings"), std::string::npos);
+    EXPECT_EQ(ui.lacking({"3.25"}), "");
+    EXPECT_FALSE(ui.prints("3.25 of")) << "one effect has that saving";
+    EXPECT_FALSE(ui.prints("of other settings"));
     std::vector<Effect> more(ui.effects.effects.begin(), ui.effects.effects.end());
     more.push_back(
         {.name = "look-ups of light 8", .reason = "light.8.cast is off.", .optimisation = Optimisation::DeadPasses});
     ui.effects.effects = more;
     ui.frames(2);
-    EXPECT_NE(letters(ui).find("3.25of2"), std::string::npos) << "two share it";
+    EXPECT_EQ(ui.lacking({"3.25 of 2"}), "") << "two share it";
     ui.effects.effects = made_up_effects();
     ui.effects.saved_times_current = false;
     ui.frames(2);
-    EXPECT_NE(letters(ui).find("ofothersettings"), std::string::npos);
+    EXPECT_EQ(ui.lacking({"of other settings"}), "");
     ui.state.effects.only_needed = true;
     ui.frames(2);
-    text = letters(ui);
-    EXPECT_EQ(text.find("Nothingmoves."), std::string::npos);
-    EXPECT_EQ(text.find("light.7.castisoff."), std::string::npos) << "a saving calls for nothing";
-    EXPECT_NE(text.find("Itcasts."), std::string::npos);
-    EXPECT_NE(text.find("Kept."), std::string::npos);
+    EXPECT_FALSE(ui.prints("Nothing moves."));
+    EXPECT_FALSE(ui.prints("light.7.cast is off.")) << "a saving calls for nothing";
+    EXPECT_EQ(ui.lacking({"It casts.", "Kept."}), "");
     ui.state.effects.forced = {Optimisation::DeadPasses};
     ui.frames(2);
-    EXPECT_NE(letters(ui).find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
+    EXPECT_EQ(ui.lacking({"light.7.cast is off."}), "") << "its box must stay within reach";
 }
 
 TEST(EffectsPanel, NarrowWindowDropsSavingsThenReasons) {
@@ -178,10 +168,8 @@ TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
     const Settings before = ui.state.settings;
     ui.state.effects.forced = {Optimisation::DeadPasses};
     ui.frames(2);
-    EXPECT_NE(letters(ui).find("1forced"), std::string::npos);
-    const auto reset = ui.find("bottom", "", "Reset##forced");
-    ASSERT_TRUE(reset);
-    ui.click(*reset);
+    EXPECT_EQ(ui.lacking({"1 forced"}), "");
+    ui.click(ui.find("bottom", "", "Reset##forced"));
     EXPECT_TRUE(ui.state.effects.forced.empty());
     // The row's checkbox, in the last column.
     bool clicked = false;
@@ -201,27 +189,13 @@ TEST(EffectsPanel, RequestsAndCancelsAMeasurement) {
     UiHarness ui(1900, 1000);
     ui.state.window.open_tab = BottomTab::Effects;
     ui.frames(4);
-    const auto measure = ui.find("bottom", "", "Measure what is saved");
-    ASSERT_TRUE(measure);
-    ui.click(*measure);
+    ui.click(ui.find("bottom", "", "Measure what is saved"));
     EXPECT_TRUE(ui.last_requests.measure_saved_times);
     ui.effects.measuring_optimisations = SearchProgress{"alternating frames", 0.4};
     ui.frames(3);
-    EXPECT_NE(letters(ui).find("40%alternatingframes"), std::string::npos);
-    const auto cancel = ui.find("bottom", "", "Cancel##saved");
-    ASSERT_TRUE(cancel);
-    ui.click(*cancel);
+    EXPECT_EQ(ui.lacking({"40% alternating frames"}), "");
+    ui.click(ui.find("bottom", "", "Cancel##saved"));
     EXPECT_TRUE(ui.last_requests.cancel_measuring);
-}
-
-EditorOptions editor_of(const char* scene, std::vector<std::string> sets = {}) {
-    EditorOptions o;
-    o.session.scene = scene;
-    o.session.sets = std::move(sets);
-    o.width = 1280;
-    o.height = 720;
-    o.headless = true;
-    return o;
 }
 
 const Effect* shown_effect(const EditorFrame& facts, std::string_view name) {
@@ -231,27 +205,24 @@ const Effect* shown_effect(const EditorFrame& facts, std::string_view name) {
 }
 
 TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
-    HeadlessEditor editor(editor_of("boxes"));
-    editor.settle();
-    EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
-    const Effect* objects = shown_effect(editor.model().facts(), "panel: objects lost to culling");
+    TestEditor editor;
+    EditorState& state = editor.state();
+    EXPECT_TRUE(shown_effect(editor.facts(), "depth blur"));
+    const Effect* objects = shown_effect(editor.facts(), "panel: objects lost to culling");
     ASSERT_TRUE(objects);
     EXPECT_EQ(objects->state, EffectState::NotNeeded);
-    editor.model().state.window.open_tab = BottomTab::Log;
+    state.window.open_tab = BottomTab::Log;
     editor.settle();
-    EXPECT_TRUE(editor.model().facts().effects.empty());
-    editor.model().state.window.open_tab = BottomTab::Effects;
+    EXPECT_TRUE(editor.facts().effects.empty());
+    state.window.open_tab = BottomTab::Effects;
     editor.settle();
-    EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
+    EXPECT_TRUE(shown_effect(editor.facts(), "depth blur"));
     EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";
-}
 
-TEST(EditorEffects, LoupeAndComparisonAreListedWhileShown) {
-    HeadlessEditor editor(editor_of("boxes"));
-    EditorState& state = editor.model().state;
+    // Loupe and comparison are effects of the panel.
     const auto state_of = [&](std::string_view name) {
         editor.settle();
-        const Effect* e = shown_effect(editor.model().facts(), name);
+        const Effect* e = shown_effect(editor.facts(), name);
         return e ? std::optional(e->state) : std::nullopt;
     };
     EXPECT_EQ(state_of("panel: loupe"), EffectState::NotNeeded);
@@ -266,11 +237,11 @@ TEST(EditorEffects, LoupeAndComparisonAreListedWhileShown) {
 }
 
 TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
-    HeadlessEditor editor(editor_of("boxes", {"bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
-    EditorState& state = editor.model().state;
+    TestEditor editor(editor_options("boxes", {"bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
+    EditorState& state = editor.state();
     const auto listed = [&] {
         editor.settle();
-        const Effect* e = shown_effect(editor.model().facts(), "panel: next artefact");
+        const Effect* e = shown_effect(editor.facts(), "panel: next artefact");
         return e ? *e : Effect{};
     };
     EXPECT_EQ(listed().state, EffectState::NotNeeded);
@@ -286,40 +257,25 @@ TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
     EXPECT_EQ(listed().state, EffectState::Drawn);
 }
 
-TEST(EditorEffects, ForcedFrameIsRedrawnAndLooksTheSame) {
-    HeadlessEditor editor(editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true"}));
-    editor.settle();
-    const auto skipped = [&] {
-        const Effect* e = shown_effect(editor.model().facts(), "look-ups of light 0");
-        return e && e->state == EffectState::NotNeeded;
-    };
-    EXPECT_TRUE(skipped());
-    editor.model().state.effects.forced = {Optimisation::DeadPasses};
-    editor.settle();
-    EXPECT_FALSE(skipped());
-    EXPECT_GT(editor.model().facts().result->pass("visibility")->draws, 0u);
-}
-
-TEST(EditorEffects, SavingsAreMeasuredInTheBackground) {
-    HeadlessEditor editor(
-        editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));
-    editor.settle();
-    EXPECT_FALSE(editor.model().facts().saved);
+TEST(EditorEffects, SavingsAreMeasuredInTheBackgroundAndAForcedFrameIsRedrawn) {
+    TestEditor editor(
+        editor_options("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));
+    EXPECT_FALSE(editor.facts().saved);
     EditorRequests requests = editor.frame();
     requests.measure_saved_times = true;
     EXPECT_TRUE(editor.model().fulfil(requests));
     EXPECT_TRUE(editor.model().measuring());
-    EXPECT_TRUE(editor.model().facts().measuring_optimisations);
+    EXPECT_TRUE(editor.facts().measuring_optimisations);
     editor.settle();
-    ASSERT_TRUE(editor.model().facts().saved);
-    EXPECT_TRUE(editor.model().facts().saved_times_current);
-    const Spread* ms = editor.model().facts().saved->find(Optimisation::DeadPasses);
+    ASSERT_TRUE(editor.facts().saved);
+    EXPECT_TRUE(editor.facts().saved_times_current);
+    const Spread* ms = editor.facts().saved->find(Optimisation::DeadPasses);
     ASSERT_TRUE(ms) << "an effect names this saving";
     EXPECT_EQ(ms->samples, kSavedTimeRounds);
     EXPECT_LE(ms->median_low, ms->median_high);
-    editor.model().state.settings.map.resolution = 512;
+    editor.state().settings.map.resolution = 512;
     editor.settle();
-    EXPECT_FALSE(editor.model().facts().saved_times_current);
+    EXPECT_FALSE(editor.facts().saved_times_current);
     requests = editor.frame();
     requests.measure_saved_times = true;
     editor.model().fulfil(requests);
@@ -327,7 +283,17 @@ TEST(EditorEffects, SavingsAreMeasuredInTheBackground) {
     requests.cancel_measuring = true;
     editor.model().fulfil(requests);
     editor.settle();
-    EXPECT_FALSE(editor.model().facts().saved_times_current) << "a cancelled measurement tells nothing";
+    EXPECT_FALSE(editor.facts().saved_times_current) << "a cancelled measurement tells nothing";
+
+    const auto skipped = [&] {
+        const Effect* e = shown_effect(editor.facts(), "look-ups of light 0");
+        return e && e->state == EffectState::NotNeeded;
+    };
+    EXPECT_TRUE(skipped());
+    editor.state().effects.forced = {Optimisation::DeadPasses};
+    editor.settle();
+    EXPECT_FALSE(skipped());
+    EXPECT_GT(editor.facts().result->pass("visibility")->draws, 0u);
 }
 
 }  // namespace

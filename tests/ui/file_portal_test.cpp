@@ -23,9 +23,12 @@ struct WokenPortal {
     std::atomic<int> times = 0;
     FilePortal portal{[this] { ++times; }};
 
-    std::optional<Answer> wait(int wanted) {
+    /// Waits for the `wanted`-th call of wake(). Returns the answer; fails the test if there is none.
+    Answer wait(int wanted) {
         within_minutes([&] { return times >= wanted; });
-        return portal.take_answer();
+        const std::optional<Answer> answer = portal.take_answer();
+        EXPECT_TRUE(answer) << "no answer after " << times << " calls";
+        return answer.value_or(Answer{});
     }
 };
 
@@ -62,11 +65,10 @@ TEST(FilePortal, FileIsChosen) {
     using Filter = sdbus::Struct<std::string, std::vector<sdbus::Struct<std::uint32_t, std::string>>>;
     EXPECT_EQ(question.options.at("current_filter").get<Filter>().get<0>(), "Presets");
     desktop.answer(question, 0, {"file:///some%20where/gr%C3%B6%C3%9Fe%2520.json"});
-    const auto answer = woken.wait(1);
-    ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->kind, Answer::Kind::Chosen) << answer->problem;
-    EXPECT_EQ(answer->job, FileDialog::Job::Open);
-    EXPECT_EQ(answer->file, "/some where/größe%20.json");
+    const Answer answer = woken.wait(1);
+    EXPECT_EQ(answer.kind, Answer::Kind::Chosen) << answer.problem;
+    EXPECT_EQ(answer.job, FileDialog::Job::Open);
+    EXPECT_EQ(answer.file, "/some where/größe%20.json");
     EXPECT_FALSE(woken.portal.take_answer()) << "once";
 }
 
@@ -80,17 +82,14 @@ TEST(FilePortal, ClosedDialogChoosesNothingAndSavingProposesAName) {
     EXPECT_EQ(question.method, "SaveFile");
     EXPECT_EQ(question.options.at("current_name").get<std::string>(), "mine.json");
     desktop.answer(question, 1, {});
-    auto answer = woken.wait(1);
-    ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->kind, Answer::Kind::Dismissed);
+    EXPECT_EQ(woken.wait(1).kind, Answer::Kind::Dismissed);
     // An answer that names no file of this machine chooses nothing either.
     woken.portal.open_dialog({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
     ASSERT_TRUE(desktop.wait_for_questions(2));
     desktop.answer(desktop.questions()[1], 0, {"https://example.org/a.json"});
-    answer = woken.wait(2);
-    ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->kind, Answer::Kind::Dismissed);
-    EXPECT_EQ(answer->job, FileDialog::Job::SavePreset);
+    const Answer answer = woken.wait(2);
+    EXPECT_EQ(answer.kind, Answer::Kind::Dismissed);
+    EXPECT_EQ(answer.job, FileDialog::Job::SavePreset);
 }
 
 TEST(FilePortal, ReportsAMissingDesktopOrBus) {
@@ -98,17 +97,15 @@ TEST(FilePortal, ReportsAMissingDesktopOrBus) {
     {
         const PrivateBus bus(fresh_test_folder());
         woken.portal.open_dialog({}, "");
-        const auto answer = woken.wait(1);
-        ASSERT_TRUE(answer);
-        EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
-        EXPECT_FALSE(answer->problem.empty());
+        const Answer answer = woken.wait(1);
+        EXPECT_EQ(answer.kind, Answer::Kind::NoDialog);
+        EXPECT_FALSE(answer.problem.empty());
     }
     unsetenv("XDG_RUNTIME_DIR");
     woken.portal.open_dialog({}, "");
-    const auto answer = woken.wait(2);
-    ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
-    EXPECT_FALSE(answer->problem.empty());
+    const Answer answer = woken.wait(2);
+    EXPECT_EQ(answer.kind, Answer::Kind::NoDialog);
+    EXPECT_FALSE(answer.problem.empty());
 }
 
 TEST(FilePortal, SecondRequestOrDestructionClosesTheDialog) {
@@ -123,9 +120,7 @@ TEST(FilePortal, SecondRequestOrDestructionClosesTheDialog) {
         EXPECT_TRUE(desktop.wait_for_closed(1));
         desktop.answer(desktop.questions()[0], 0, {"file:///first/a.glb"});
         desktop.answer(desktop.questions()[1], 0, {"file:///second/a.glb"});
-        const auto answer = woken.wait(1);
-        ASSERT_TRUE(answer);
-        EXPECT_EQ(answer->file, "/second/a.glb");
+        EXPECT_EQ(woken.wait(1).file, "/second/a.glb");
         EXPECT_EQ(woken.times, 1);
         woken.portal.open_dialog({.folder = "/third"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(3));
@@ -144,9 +139,7 @@ TEST(FilePortal, LostBusConnectionCountsAsNoDialog) {
         }
         EXPECT_FALSE(woken.portal.take_answer());
     }
-    const auto answer = woken.wait(1);
-    ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
+    EXPECT_EQ(woken.wait(1).kind, Answer::Kind::NoDialog);
 }
 
 TEST(FilePortal, AcceptsOnlyFilesOfThisMachine) {

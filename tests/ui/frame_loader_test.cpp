@@ -5,30 +5,24 @@
 
 #include <set>
 
-#include "app/editor/headless_editor.h"
 #include "app/editor/shader_warmup.h"
 #include "renderer/gl/target.h"
 #include "renderer/settings/param.h"
+#include "tests/ui/test_editor.h"
 
 namespace si {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-std::unique_ptr<HeadlessEditor> editor_of(std::optional<std::chrono::milliseconds> patience) {
-    EditorOptions options;
-    options.session.scene = "boxes";
-    options.width = 800;
-    options.height = 600;
-    options.headless = true;
+EditorOptions options_of(std::optional<std::chrono::milliseconds> patience) {
+    EditorOptions options = test::editor_options("boxes", {"map.resolution=512"}, {800, 600});
     options.frame_patience = patience;
-    auto editor = std::make_unique<HeadlessEditor>(options);
-    editor->settle();
-    return editor;
+    return options;
 }
 /// Makes an editor that never waits for frames.
-std::unique_ptr<HeadlessEditor> hasty_editor() {
-    return editor_of(std::chrono::milliseconds(0));
+std::unique_ptr<test::TestEditor> hasty_editor() {
+    return std::make_unique<test::TestEditor>(options_of(std::chrono::milliseconds(0)));
 }
 void select_kernel(HeadlessEditor& editor, const char* kernel) {
     set_setting(editor.model().state.settings, "filter.kernel", kernel);
@@ -43,13 +37,7 @@ Bytes shown_picture(HeadlessEditor& editor) {
 }
 
 TEST(FrameLoader, FirstPictureReportsItsProgress) {
-    EditorOptions options;
-    options.session.scene = "boxes";
-    options.width = 800;
-    options.height = 600;
-    options.headless = true;
-    options.frame_patience = std::chrono::milliseconds(0);
-    HeadlessEditor editor(options);
+    HeadlessEditor editor(options_of(std::chrono::milliseconds(0)));
     EditorModel& model = editor.model();
     std::set<std::string> passes;
     double furthest = 0;
@@ -92,7 +80,7 @@ TEST(FrameLoader, PicturesAndNumbersEqualThoseOfABlockingDraw) {
     double visibility[2] = {-1, -2};
     std::size_t taps[2] = {1, 2};
     for (const int hasty : {0, 1}) {
-        const auto editor = hasty ? hasty_editor() : editor_of({});
+        const auto editor = hasty ? hasty_editor() : std::make_unique<test::TestEditor>(options_of({}));
         for (const char* kernel : {"pcf5", "vsm", "pcf3"}) {
             select_kernel(*editor, kernel);
             editor->settle();

@@ -204,10 +204,7 @@ TEST(FrontierPanel, RequestsASweepOfTheTypedAxes) {
         for (float y = 545; y < 640 && !request; y += 6) {
             p.ui.move({60, y});
             p.ui.frames(2);
-            p.ui.press(true);
-            p.ui.frame();
-            p.ui.press(false);
-            request = p.ui.frame().start_sweep;
+            request = p.ui.click_here().start_sweep;
         }
         return request;
     };
@@ -231,10 +228,7 @@ TEST(FrontierPanel, RunningSweepCanBeCancelled) {
     for (float y = 545; y < 640 && !cancelled; y += 6) {
         p.ui.move({30, y});
         p.ui.frames(2);
-        p.ui.press(true);
-        p.ui.frame();
-        p.ui.press(false);
-        const EditorRequests requests = p.ui.frame();
+        const EditorRequests requests = p.ui.click_here();
         cancelled = requests.cancel_sweep;
         EXPECT_FALSE(requests.start_sweep);
     }

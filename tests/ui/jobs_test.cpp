@@ -5,11 +5,11 @@
 #include <fstream>
 #include <utility>
 
-#include "app/editor/headless_editor.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/overlays.h"
 #include "tests/support/process.h"
 #include "tests/ui/drawn_text.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/unit/gltf_test_file.h"
 #include "ui/state/selection.h"
@@ -28,12 +28,7 @@ protected:
     /// turn_wheel() and shows the same scene.
     void begin(const std::string& scene = "boxes") {
         ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--set", "view.smooth=false"}, scene));
-        EditorOptions o;
-        o.session.scene = scene;
-        o.width = kWidth;
-        o.height = kHeight;
-        editor_ = std::make_unique<HeadlessEditor>(o);
-        editor_->settle();
+        editor_ = std::make_unique<TestEditor>(editor_options(scene));
         text_ = std::make_unique<DrawnText>();
         editor_->settle();
         beginning_ = editor_->model().state.settings;
@@ -61,9 +56,7 @@ protected:
         twin_draws();
     }
     /// Draws until positions (two frames) and pictures (one more) are stable.
-    void twin_draws() {
-        for (int i = 0; i < 4; ++i) editor_->frame();
-    }
+    void twin_draws() { editor_->frames(4); }
     /// Prepares a task; not counted.
     void open_preset(const std::string& name) {
         keys("ctrl+o");
@@ -92,29 +85,19 @@ protected:
         wait_until_idle();
         auto& hand = editor_->mouse;
         hand.at = glm::vec2(at);
-        editor_->frame();
-        editor_->frame();
+        editor_->frames(2);
         (button == 1 ? hand.left : hand.right) = true;
-        editor_->frame();
-        editor_->frame();
+        editor_->frames(2);
         hand.left = hand.right = false;
         twin_draws();
     }
     void pull(glm::ivec2 from, glm::ivec2 by) {
         ++presses_;
         drag(from.x, from.y, by.x, by.y);
-        auto& hand = editor_->mouse;
-        hand.at = glm::vec2(from);
+        std::vector<glm::vec2> positions;
+        for (int i = 0; i <= 3; ++i) positions.emplace_back(from + by * i / 3);
+        editor_->drag(positions);
         editor_->frame();
-        editor_->frame();
-        hand.left = true;
-        editor_->frame();
-        for (int i = 1; i <= 3; ++i) {
-            hand.at = glm::vec2(from + by * i / 3);
-            editor_->frame();
-        }
-        hand.left = false;
-        twin_draws();
     }
     /// Returns the position of a text in the twin, given without spaces.
     glm::ivec2 place(std::u32string_view text, int which = 0) {
@@ -208,7 +191,7 @@ protected:
     }
     int presses_ = 0;
     Settings beginning_;
-    std::unique_ptr<HeadlessEditor> editor_;
+    std::unique_ptr<TestEditor> editor_;
     std::unique_ptr<DrawnText> text_;
 };
 

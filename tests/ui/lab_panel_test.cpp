@@ -2,19 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "renderer/settings/overlays.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {
 namespace {
-
-std::string shown_text(const UiHarness& ui) {
-    std::string out;
-    for (const char32_t c : ui.printed())
-        if (c != U' ') out += c < 128 ? char(c) : '?';
-    return out;
-}
 
 class LabPanelTest : public ::testing::Test {
 protected:
@@ -41,45 +34,32 @@ TEST_F(LabPanelTest, ShowsMeasurements) {
     ui.lab.pipelines = errors;
     ui.lab.shimmer = shimmer;
     ui.frames(2);
-    const std::string text = shown_text(ui);
-    for (const char* wanted :
-         {"12.5", "46.2", "577", "4711", "theworld'sorigin,fromtheeye", "96.12", "357", "40514", "Ofothersettings"})
-        EXPECT_NE(text.find(wanted), std::string::npos) << wanted;
+    EXPECT_EQ(ui.lacking({"12.5", "46.2", "577", "4711", "the world's origin, from the eye", "96.12", "357", "40514",
+                          "Of other settings"}),
+              "");
 }
 
 TEST_F(LabPanelTest, ButtonsRequestMeasurements) {
     ui.state.lab.shimmer = {.motion = ShimmerMotion::LightTurns, .steps = 5, .step_texels = 0.5};
     ui.frames(2);
-    const auto press = [&](const std::string& window, const std::string& label) {
-        const auto at = ui.find(window, "", label);
-        ASSERT_TRUE(at) << label;
-        ui.click(*at);
-    };
-    press("ways", "Compare ways");
+    ui.click(ui.find("ways", "", "Compare ways"));
     EXPECT_TRUE(ui.last_requests.compare_pipelines);
-    press("crawling", "Measure shimmer");
+    ui.click(ui.find("crawling", "", "Measure shimmer"));
     ASSERT_TRUE(ui.last_requests.measure_shimmer);
     EXPECT_EQ(ui.last_requests.measure_shimmer->motion, ShimmerMotion::LightTurns);
     EXPECT_EQ(ui.last_requests.measure_shimmer->steps, 5);
     ui.lab.measuring_shimmer = SearchProgress{"As set", 0.4};
     ui.frames(2);
-    EXPECT_NE(shown_text(ui).find("40%"), std::string::npos);
+    EXPECT_EQ(ui.lacking({"40%"}), "");
 }
 
 TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
-    EditorOptions o;
-    o.session.scene = "boxes";
-    o.width = 1280;
-    o.height = 720;
-    o.headless = true;
-    HeadlessEditor editor(o);
+    TestEditor editor;
     EditorModel& model = editor.model();
     model.state.window.open_tab = BottomTab::Lab;
     model.state.layout.bottom_height = 27;
     editor.settle();
-    EditorRequests request;
-    request.scene_width = model.facts().result->colour.width;
-    request.scene_height = model.facts().result->colour.height;
+    EditorRequests request = editor.requests();
     request.compare_pipelines = true;
     request.measure_shimmer = ShimmerOptions{.steps = 2};
     const Settings settings = model.state.settings;
@@ -92,7 +72,7 @@ TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     ASSERT_EQ(model.facts().shimmer.size(), 3u);
     EXPECT_TRUE(model.facts().shimmer_current);
     EXPECT_GT(model.facts().shimmer[0].shimmer.places, 100u);
-    for (int i = 0; i < 3; ++i) editor.frame();
+    editor.frames(3);
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "lab_panel.png", editor.picture());
     model.state.settings.scene.distance = 1e6;
     editor.settle();

@@ -120,15 +120,9 @@ protected:
         ui.state.settings_panel.search = "intensity";  // the group alone
         ui.frames(2);
     }
-    void click(const std::function<unsigned(unsigned)>& id) {
-        const auto at = ui.find("rows", id);
-        ASSERT_TRUE(at);
-        ui.click(*at);
-    }
+    void click(const std::function<unsigned(unsigned)>& id) { ui.click(ui.find("rows", id)); }
     void key(int code) {
-        ImGui::GetIO().KeysDown[code] = true;
-        ui.frames(2);
-        ImGui::GetIO().KeysDown[code] = false;
+        ui.key(code);
         ui.frames(2);
     }
     const LightSettings& light(int i) const { return ui.state.settings.lights[std::size_t(i)]; }

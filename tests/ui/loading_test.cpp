@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/headless_editor.h"
 #include "app/session/command_line.h"
 #include "app/session/presets.h"
 #include "app/session/scene_loading.h"
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "tests/unit/gltf_test_file.h"
 #include "ui/state/panels.h"
@@ -87,14 +87,6 @@ private:
     int reading_ = 0, most_ = 0;
 };
 
-EditorOptions plane() {
-    EditorOptions o;
-    o.session.scene = "plane";
-    o.width = 1280;
-    o.height = 720;
-    return o;
-}
-
 std::string last_line(HeadlessEditor& editor) {
     return editor.model().state.log.lines().back().text;
 }
@@ -102,16 +94,23 @@ std::string last_line(HeadlessEditor& editor) {
 /// Editor that shows "plane" and reads `name` with the controlled reader.
 struct Loading {
     Puppet puppet;  // outlives the editor, whose thread uses it
-    HeadlessEditor editor{plane(), puppet.reader()};
+    HeadlessEditor editor{test::editor_options("plane"), puppet.reader()};
+    EditorModel& model = editor.model();
+    EditorState& state = model.state;
 
     explicit Loading(const std::string& name = "city.gltf") {
         editor.settle();
         EditorRequests requests = editor.frame();
         requests.load_scene = name;
-        editor.model().fulfil(requests);
+        model.fulfil(requests);
     }
-    std::optional<LoadingFacts> facts() { return editor.model().facts().loading; }
-    const std::string& shown() { return editor.model().state.scene_name; }
+    void cancel() {
+        EditorRequests requests = editor.frame();
+        requests.cancel_load = true;
+        model.fulfil(requests);
+    }
+    std::optional<LoadingFacts> facts() { return model.facts().loading; }
+    const std::string& shown() { return state.scene_name; }
 };
 
 TEST(Loading, EditorDrawsTheOldSceneAndTheProgress) {
@@ -153,18 +152,16 @@ TEST(Loading, EditorDrawsTheOldSceneAndTheProgress) {
 TEST(Loading, CancelKeepsTheShownScene) {
     Loading l;
     l.puppet.advance(0.5);
-    const Settings before = l.editor.model().state.settings;
-    EditorRequests requests = l.editor.frame();
-    requests.cancel_load = true;
-    l.editor.model().fulfil(requests);
+    const Settings before = l.state.settings;
+    l.cancel();
     EXPECT_FALSE(l.facts()) << "at once, not when the reader notices";
     EXPECT_EQ(last_line(l.editor), "Cancelled: city.gltf was not loaded");
-    l.editor.model().finish_loading();
+    l.model.finish_loading();
     EXPECT_EQ(l.puppet.cancelled(), std::vector<std::string>{"city.gltf"});
     l.editor.settle();
     EXPECT_EQ(l.shown(), "plane");
-    EXPECT_EQ(l.editor.model().state.settings, before);
-    EXPECT_EQ(l.editor.model().state.log.unseen_errors(), 0) << last_line(l.editor);
+    EXPECT_EQ(l.state.settings, before);
+    EXPECT_EQ(l.state.log.unseen_errors(), 0) << last_line(l.editor);
 }
 
 TEST(Loading, SceneReadBeforeItsCancelIsDropped) {
@@ -185,17 +182,17 @@ TEST(Loading, FailureKeepsTheSceneAndIsALineInTheLog) {
     l.editor.settle();
     EXPECT_EQ(l.shown(), "plane");
     EXPECT_EQ(last_line(l.editor), "city.gltf: it is broken; mend it");
-    EXPECT_EQ(l.editor.model().state.log.lines().back().kind, LogKind::Error);
-    EXPECT_EQ(l.editor.model().state.tab, BottomTab::Log);
-    EXPECT_TRUE(l.editor.model().facts().result);
+    EXPECT_EQ(l.state.log.lines().back().kind, LogKind::Error);
+    EXPECT_EQ(l.state.tab, BottomTab::Log);
+    EXPECT_TRUE(l.model.facts().result);
     EXPECT_FALSE(l.facts());
 }
 
 TEST(Loading, SecondRequestCancelsTheFirst) {
     Loading l("first.gltf");
     l.puppet.advance(0.5);
-    l.editor.model().open("second.gltf");
-    l.editor.model().open("third.gltf");
+    l.model.open("second.gltf");
+    l.model.open("third.gltf");
     ASSERT_TRUE(l.facts());
     EXPECT_EQ(l.facts()->name, "third.gltf");
     EXPECT_EQ(l.facts()->progress, 0);
@@ -210,7 +207,7 @@ TEST(Loading, SecondRequestCancelsTheFirst) {
 TEST(Loading, ClosingTheEditorCancelsAndJoinsTheThread) {
     Puppet puppet;
     {
-        HeadlessEditor editor(plane(), puppet.reader());
+        HeadlessEditor editor(test::editor_options("plane"), puppet.reader());
         editor.settle();
         editor.model().open("city.gltf");
         puppet.advance(0.2);
@@ -225,32 +222,22 @@ TEST(Loading, PresetWaitsForItsSceneAndIsCancelledWithIt) {
     save_preset(preset, file);
     Loading l;
     l.puppet.advance(0.5);
-    const double bias = l.editor.model().state.settings.bias.constant;
-    l.editor.model().open(file);
+    const double bias = l.state.settings.bias.constant;
+    l.model.open(file);
     EXPECT_EQ(l.facts()->name, "town.gltf");
-    EditorRequests requests = l.editor.frame();
-    EXPECT_EQ(l.editor.model().state.settings.bias.constant, bias);
-    requests.cancel_load = true;
-    l.editor.model().fulfil(requests);
-    l.editor.model().finish_loading();
-    EXPECT_EQ(l.editor.model().state.settings.bias.constant, bias);
-    l.editor.model().open(file);
+    l.cancel();
+    l.model.finish_loading();
+    EXPECT_EQ(l.state.settings.bias.constant, bias);
+    l.model.open(file);
     l.puppet.release();
     l.editor.settle();
     EXPECT_EQ(l.shown(), "town.gltf");
-    EXPECT_EQ(l.editor.model().state.settings.bias.constant, 3.25);
-}
-
-EditorOptions first(const std::string& scene, const std::vector<std::string>& sets = {}) {
-    EditorOptions o = plane();
-    o.session.scene = scene;
-    o.session.sets = sets;
-    return o;
+    EXPECT_EQ(l.state.settings.bias.constant, 3.25);
 }
 
 TEST(Loading, FirstSceneIsReadOnceWhileTheEditorDraws) {
     Puppet puppet;
-    HeadlessEditor editor(first("city.gltf", {"bias.constant=2"}), puppet.reader());
+    HeadlessEditor editor(test::editor_options("city.gltf", {"bias.constant=2"}), puppet.reader());
     EditorModel& model = editor.model();
     ByteImage before;
     for (const double progress : {0.2, 0.6}) {
@@ -282,7 +269,7 @@ TEST(Loading, FirstSceneIsReadOnceWhileTheEditorDraws) {
 TEST(Loading, FailedFirstSceneLeavesAWorkingEditor) {
     Puppet puppet;
     puppet.release("city.gltf: it is broken; mend it");
-    HeadlessEditor editor(first("city.gltf"), puppet.reader());
+    HeadlessEditor editor(test::editor_options("city.gltf"), puppet.reader());
     editor.settle();
     EditorModel& model = editor.model();
     EXPECT_EQ(model.facts().problem, "city.gltf: it is broken; mend it");
@@ -309,7 +296,7 @@ TEST(Loading, FailedFirstSceneLeavesAWorkingEditor) {
 
 TEST(Loading, CancelledFirstSceneIsReported) {
     Puppet puppet;
-    HeadlessEditor editor(first("city.gltf"), puppet.reader());
+    HeadlessEditor editor(test::editor_options("city.gltf"), puppet.reader());
     puppet.advance(0.3);
     EditorRequests requests = editor.frame();
     requests.cancel_load = true;
@@ -320,13 +307,12 @@ TEST(Loading, CancelledFirstSceneIsReported) {
 }
 
 TEST(Loading, ObjectsMissingInTheFirstSceneAreDroppedAndReported) {
-    EditorOptions o = first("boxes", {"object.Nobody.cast=false", "bias.constant=2"});
+    EditorOptions o = test::editor_options("boxes", {"object.Nobody.cast=false", "bias.constant=2"});
     {
-        HeadlessEditor editor(o);
-        editor.settle();
-        EXPECT_TRUE(editor.model().facts().result);
-        EXPECT_TRUE(editor.model().state.settings.objects.empty());
-        EXPECT_EQ(editor.model().state.settings.bias.constant, 2);
+        test::TestEditor editor(o);
+        EXPECT_TRUE(editor.facts().result);
+        EXPECT_TRUE(editor.state().settings.objects.empty());
+        EXPECT_EQ(editor.state().settings.bias.constant, 2);
         EXPECT_NE(last_line(editor).find("object.Nobody: boxes has no such node"), std::string::npos);
     }
     o.headless = true;
@@ -342,8 +328,7 @@ TEST(Loading, SceneIndexReadsAnotherSceneOfTheFile) {
     file.json["scenes"][0]["name"] = "one";
     file.json["scenes"].push_back(
         {{"name", "two"}, {"nodes", {file.append("nodes", {{"mesh", 0}}), file.append("nodes", {{"mesh", 0}})}}});
-    HeadlessEditor editor(first(folder.write("two.glb", file.glb()).string()));
-    editor.settle();
+    test::TestEditor editor(test::editor_options(folder.write("two.glb", file.glb()).string()));
     EditorModel& model = editor.model();
     const auto objects = [&] {
         return std::size_t(
@@ -413,10 +398,7 @@ TEST(Loading, CancelButtonIsOverThePicture) {
             for (float x = 10; x < 540; x += 20) {
                 ui.move({x, y});
                 ui.frame();
-                ui.press(true);
-                ui.frame();
-                ui.press(false);
-                cancelled |= ui.frame().cancel_load;
+                cancelled |= ui.click_here().cancel_load;
             }
         return cancelled;
     };

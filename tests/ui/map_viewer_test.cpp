@@ -7,23 +7,27 @@
 #include <fstream>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
-#include "tests/ui/screen.h"
+#include "tests/ui/test_editor.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
 
 namespace si {
 namespace {
 
-EditorOptions options(const std::string& scene = "boxes") {
-    EditorOptions o;
-    o.session.scene = scene;
-    o.width = test::kWidth;
-    o.height = test::kHeight;
-    return o;
-}
+/// Editor with every panel open.
+struct WideEditor : test::TestEditor {
+    explicit WideEditor(std::vector<std::string> sets = {}, const std::string& scene = "boxes")
+        : TestEditor(test::editor_options(scene, std::move(sets))) {
+        settle_wide();
+    }
+    /// Settles in the wide layout, whatever the first frames, or a tab, made of the layout.
+    void settle_wide() {
+        state().layout = test::kWideLayout;
+        settle();
+    }
+};
 
 /// Returns the first position of a coarse grid over a picture for which `found` holds after the editor has settled.
 std::optional<glm::vec2> hover(HeadlessEditor& editor, glm::vec2 from, glm::vec2 to, const auto& found) {
@@ -48,10 +52,10 @@ std::size_t differing_pixels(const ByteImage& a, const ByteImage& b, int x1) {
 }
 
 TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
-    HeadlessEditor editor(options());
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    EditorState& state = editor.model().state;
+    WideEditor editor;
+    EXPECT_EQ(editor.facts().texel_usage, nullptr) << "links are read without a mouse";
+    EXPECT_FALSE(editor.frame().want_links);
+    EditorState& state = editor.state();
     const auto at = hover(editor, {120, 250}, {500, 380}, [&] {
         const EditorFrame f = editor.model().facts();
         return state.viewport.hovered_pixel && f.map_coordinates &&
@@ -60,8 +64,8 @@ TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
     ASSERT_TRUE(at) << "no pixel reads the map";
     const glm::ivec2 pixel = *state.viewport.hovered_pixel;
     state.probe_pixel = pixel;
-    for (int i = 0; i < 3; ++i) editor.frame();
-    const EditorFrame f = editor.model().facts();
+    editor.frames(3);
+    const EditorFrame f = editor.facts();
     ASSERT_TRUE(f.probe && f.probe->hit && f.texel_usage);
     const glm::ivec2 texel = f.probe->lights.at(0).texel;
     EXPECT_GT(f.texel_usage->pixels(texel), 0u);
@@ -70,13 +74,9 @@ TEST(MapViewer, FootprintOfAHoveredPixelHoldsTheProbedTexel) {
 }
 
 TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
-    EditorOptions o = options();
-    o.session.sets.push_back("map.resolution=64");  // texels read by many pixels
-    HeadlessEditor editor(o);
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
+    WideEditor editor({"map.resolution=64"});  // texels read by many pixels
     const ByteImage before = editor.picture();
-    EditorState& state = editor.model().state;
+    EditorState& state = editor.state();
     const auto at = hover(editor, {560, 120}, {860, 400}, [&] {
         const EditorFrame f = editor.model().facts();
         return state.map.hovered_texel && f.texel_usage && f.texel_usage->pixels(*state.map.hovered_texel) > 200;
@@ -86,40 +86,26 @@ TEST(MapViewer, HoveredTexelMarksThePixelsThatReadIt) {
     EXPECT_GE(differing_pixels(before, editor.picture(), 480), readers / 2) << "the scene picture shows no readers";
 }
 
-TEST(MapViewer, LinksAreReadOnlyDuringHover) {
-    HeadlessEditor editor(options());
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    EXPECT_EQ(editor.model().facts().texel_usage, nullptr);
-    EXPECT_FALSE(editor.frame().want_links);
-}
-
 // The exact set equals the squares around kernels for kernels that read their whole square, and is smaller otherwise.
 TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
     const auto shares = [](const std::string& kernel, const char* picture) {
-        EditorOptions o = options();
-        o.session.sets = {"filter.kernel=" + kernel, "filter.radius=8", "filter.taps=4", "map.resolution=256",
-                          "light.fit=scene"};
-        HeadlessEditor editor(o);
-        editor.model().state.layout = test::kWideLayout;
-        editor.settle();
-        EXPECT_FALSE(editor.model().facts().exact_utilisation) << "nobody asked";
-        EXPECT_EQ(editor.model().facts().result->texels_read.texture, 0u);
+        WideEditor editor(
+            {"filter.kernel=" + kernel, "filter.radius=8", "filter.taps=4", "map.resolution=256", "light.fit=scene"});
+        EXPECT_FALSE(editor.facts().exact_utilisation) << "nobody asked";
+        EXPECT_EQ(editor.facts().result->texels_read.texture, 0u);
         const ByteImage before = editor.picture();
-        editor.model().state.map.exact_texels ^= true;
-        editor.model().state.layout = test::kWideLayout;
-        editor.settle();
-        const EditorFrame exact = editor.model().facts();
+        editor.state().map.exact_texels ^= true;
+        editor.settle_wide();
+        const EditorFrame exact = editor.facts();
         EXPECT_TRUE(exact.exact_utilisation && exact.result->texels_read.texture != 0);
         const double share = exact.exact_utilisation.value_or(0);
         EXPECT_GT(differing_pixels(before, editor.picture(), before.width), 5000u) << "the map shows no marks";
         write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / picture, editor.picture());
-        EXPECT_TRUE(hover(editor, {560, 120}, {860, 400}, [&] { return editor.model().facts().texel_usage; }));
-        const double squares = editor.model().facts().texel_usage->utilisation();
-        editor.model().state.map.exact_texels ^= true;
-        editor.model().state.layout = test::kWideLayout;
-        editor.settle();
-        EXPECT_FALSE(editor.model().facts().exact_utilisation);
+        EXPECT_TRUE(hover(editor, {560, 120}, {860, 400}, [&] { return editor.facts().texel_usage; }));
+        const double squares = editor.facts().texel_usage->utilisation();
+        editor.state().map.exact_texels ^= true;
+        editor.settle_wide();
+        EXPECT_FALSE(editor.facts().exact_utilisation);
         return std::pair(share, squares);
     };
     const auto [hard, hard_squares] = shares("hard", "texels_read_hard.png");
@@ -131,10 +117,8 @@ TEST(MapViewer, ReadTexelsAreMarkedExactlyOnRequest) {
 }
 
 TEST(MapViewer, HistogramCountsEveryTexel) {
-    HeadlessEditor editor(options());
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    const EditorFrame facts = editor.model().facts();
+    WideEditor editor;
+    const EditorFrame facts = editor.facts();
     ASSERT_TRUE(facts.map_facts);
     const DepthStatistics& s = facts.map_facts->statistics;
     const auto n = std::uint64_t(facts.result->map_view_size.x) * std::uint64_t(facts.result->map_view_size.y);
@@ -146,12 +130,8 @@ TEST(MapViewer, HistogramCountsEveryTexel) {
 }
 
 TEST(MapViewer, GreyScaleFitNarrowsTheHistogram) {
-    EditorOptions o = options();
-    o.session.sets.push_back("view.map_fit=true");
-    HeadlessEditor editor(o);
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    const EditorFrame facts = editor.model().facts();
+    WideEditor editor({"view.map_fit=true"});
+    const EditorFrame facts = editor.facts();
     ASSERT_TRUE(facts.map_facts);
     const DepthStatistics& s = facts.map_facts->statistics;
     EXPECT_NEAR(facts.result->map_black, s.linear_min, 1e-5);
@@ -164,9 +144,7 @@ TEST(MapViewer, GreyScaleFitNarrowsTheHistogram) {
 TEST(MapViewer, SavesTheStoredDepth) {
     const std::filesystem::path file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "saved_map.pfm";
     std::filesystem::remove(file);
-    HeadlessEditor editor(options());
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
+    WideEditor editor;
     EditorRequests requests = editor.frame();
     requests.save_map = file.string();
     editor.model().fulfil(requests);
@@ -189,12 +167,8 @@ TEST(MapViewer, SavesTheStoredDepth) {
 }
 
 TEST(MapViewer, CameraDepthIsShownInItsOwnAspectRatio) {
-    EditorOptions o = options("plane");
-    o.session.sets.push_back("view.map_source=camera");
-    HeadlessEditor editor(o);
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    const FrameResult& result = *editor.model().facts().result;
+    WideEditor editor({"view.map_source=camera"}, "plane");
+    const FrameResult& result = *editor.facts().result;
     EXPECT_EQ(result.map_view_size, glm::ivec2(result.colour.width, result.colour.height));
     EXPECT_TRUE(result.map_view_curve.convention.reversed);
     EXPECT_DOUBLE_EQ(result.map_view_curve.near, result.camera.curve.near);
@@ -202,24 +176,18 @@ TEST(MapViewer, CameraDepthIsShownInItsOwnAspectRatio) {
 }
 
 TEST(MapViewer, LostCastersAreReported) {
-    EditorOptions o = options();
-    o.session.sets = {"caster.cull=front"};
-    HeadlessEditor editor(o);
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    EXPECT_TRUE(editor.model().facts().lost_casters.empty()) << "sought for a panel that is hidden";
-    editor.model().state.window.open_tab = BottomTab::Objects;
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    ASSERT_FALSE(editor.model().facts().lost_casters.empty()) << "the floor has no back";
-    const Scene& scene = *editor.model().facts().scene;
-    for (const LostCaster& lost : editor.model().facts().lost_casters) {
+    WideEditor editor({"caster.cull=front"});
+    EXPECT_TRUE(editor.facts().lost_casters.empty()) << "sought for a panel that is hidden";
+    editor.state().window.open_tab = BottomTab::Objects;
+    editor.settle_wide();
+    ASSERT_FALSE(editor.facts().lost_casters.empty()) << "the floor has no back";
+    const Scene& scene = *editor.facts().scene;
+    for (const LostCaster& lost : editor.facts().lost_casters) {
         const int node = scene.objects[std::size_t(lost.object)].node;
-        editor.model().state.settings.objects[scene.nodes[std::size_t(node)].path].cull = ObjectCull::None;
+        editor.state().settings.objects[scene.nodes[std::size_t(node)].path].cull = ObjectCull::None;
     }
-    editor.model().state.layout = test::kWideLayout;
-    editor.settle();
-    EXPECT_TRUE(editor.model().facts().lost_casters.empty());
+    editor.settle_wide();
+    EXPECT_TRUE(editor.facts().lost_casters.empty());
 }
 
 TEST(DepthPlots, ShowTheNinetyTenRule) {

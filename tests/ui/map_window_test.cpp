@@ -18,9 +18,8 @@ struct MapViewer {
         ui.state.settings.map.resolution = 512;
         ui.state.layout.map_plots = false;
         ui.frames(3);
-        for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
-            if (std::string_view(w->Name).starts_with("editor/map_"))
-                middle = {w->Pos.x + 0.5f * w->Size.x, w->Pos.y + 0.5f * w->Size.y};
+        const ImGuiWindow* w = UiHarness::window("editor/map_");
+        middle = {w->Pos.x + 0.5f * w->Size.x, w->Pos.y + 0.5f * w->Size.y};
     }
     glm::ivec2 texel_at(glm::vec2 at) {
         ui.move(at);
@@ -134,14 +133,10 @@ TEST(MapWindow, LightIsSelectedByName) {
     s.lights[2].name = "Lamp";
     m.ui.frames(3);
     m.ui.state.history.reset(s);
-    const auto combo = m.ui.find("editor/map", "view.light", "##value");
-    ASSERT_TRUE(combo);
-    m.ui.click(*combo);
+    m.ui.click(m.ui.find("editor/map", "view.light", "##value"));
     EXPECT_TRUE(m.ui.find("##Combo", "", "Light 1"));
     EXPECT_FALSE(m.ui.find("##Combo", "", "Light 3"));
-    const auto lamp = m.ui.find("##Combo", "", "Light 2 (Lamp)");
-    ASSERT_TRUE(lamp);
-    m.ui.click(*lamp);
+    m.ui.click(m.ui.find("##Combo", "", "Light 2 (Lamp)"));
     EXPECT_EQ(s.view.light, 2);
     EXPECT_EQ(m.ui.state.history.undo().view.light, 0);
     // A number above the last selects the last.

@@ -21,63 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kKeys = {"F1",
-                              "Escape",
-                              "Escape",
-                              "Return",
-                              "Tab",
-                              "space",
-                              "Delete",
-                              "BackSpace",
-                              "Home",
-                              "End",
-                              "Left",
-                              "Right",
-                              "Up",
-                              "Down",
-                              "Next",
-                              "Prior",
-                              "f",
-                              "l",
-                              "k",
-                              "m",
-                              "b",
-                              "comma",
-                              "period",
-                              "1",
-                              "2",
-                              "3",
-                              "4",
-                              "5",
-                              "6",
-                              "7",
-                              "8",
-                              "9",
-                              "0",
-                              "w",
-                              "a",
-                              "s",
-                              "d",
-                              "q",
-                              "e",
-                              "ctrl+z",
-                              "ctrl+z",
-                              "ctrl+y",
-                              "ctrl+o",
-                              "ctrl+s",
-                              "ctrl+a",
-                              "ctrl+c",
-                              "ctrl+v",
-                              "ctrl+x",
-                              "minus",
-                              "shift+Tab",
-                              "ctrl+shift+s",
-                              "ctrl+shift+c",
-                              "ctrl+r",
-                              "F5",
-                              "F11",
-                              "alt+F",
-                              "super"};
+const Words kKeys =
+    "F1 Escape Escape Return Tab space Delete BackSpace Home End Left Right Up Down Next Prior f l k m b "
+    "comma period 1 2 3 4 5 6 7 8 9 0 w a s d q e ctrl+z ctrl+z ctrl+y ctrl+o ctrl+s ctrl+a ctrl+c ctrl+v "
+    "ctrl+x minus shift+Tab ctrl+shift+s ctrl+shift+c ctrl+r F5 F11 alt+F super";
 
 constexpr std::array kTexts = {"0",    "-1",     "1e9",    "nan",  "inf",   "0.5", "512",     "16384",
                                "bias", "filter", "shadow", "%s%n", "../..", "/",   "x y.glb", "{\"a\":"};
@@ -149,11 +96,6 @@ void write_text(const fs::path& file, std::string_view bytes) {
     std::ofstream(file, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
 }
 
-std::string text_of_file(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 }  // namespace
 
 std::vector<std::string> monkey_events(std::uint32_t seed, int count, std::size_t files) {
@@ -169,7 +111,7 @@ std::vector<fs::path> monkey_files(const fs::path& folder) {
     const auto file = [&](const std::string& name) { return files.emplace_back(folder / name); };
     for (const char* scene : {"boxes", "figures", "plane"})
         EXPECT_EQ(run_program({"export", scene, "-o", file(std::string(scene) + ".glb").string()}).code, 0);
-    const std::string whole = text_of_file(files.front());
+    const std::string whole = file_bytes(files.front());
     write_text(file("half.glb"), std::string_view(whole).substr(0, whole.size() / 2));
     std::string damaged = whole;
     for (std::size_t i = 20; i < damaged.size(); i += 97) damaged[i] = char(damaged[i] ^ 0x55);

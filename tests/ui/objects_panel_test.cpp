@@ -251,11 +251,7 @@ protected:
         EXPECT_TRUE(ui.state.viewport.view);
     }
     bool open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
-    void click(const char* item) {
-        const auto found = ui.find("##Popup", "", item);
-        ASSERT_TRUE(found) << item;
-        ui.click(*found);
-    }
+    void click(const char* item) { ui.click(ui.find("##Popup", "", item)); }
     const glm::vec2 at{300, 330};
     UiHarness ui{1280, 720};
 };
@@ -341,9 +337,7 @@ TEST_F(ObjectsPanel, HiddenObjectsStayListedAndAButtonShowsThem) {
     hide_objects(ui.scene, {"Stage/Plinth"});
     EXPECT_TRUE(row("Stage/Plinth"));
     EXPECT_FALSE(bounds_of(ui.scene, "Stage/Plinth").empty()) << "F frames it";
-    const auto button = ui.find("bottom", "", "Show all");
-    ASSERT_TRUE(button);
-    ui.click(*button);
+    ui.click(ui.find("bottom", "", "Show all"));
     EXPECT_TRUE(all_shown(ui.state.settings));
     EXPECT_FALSE(ui.find("bottom", "", "Show all"));
 }

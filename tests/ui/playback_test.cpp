@@ -5,7 +5,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "app/editor/headless_editor.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "tests/unit/gltf_test_file.h"
 #include "ui/state/panels.h"
@@ -44,12 +44,10 @@ struct Bar {
         ui.frames(3);
     }
     /// Returns a point of the bar, `share` of its width from the left.
-    glm::vec2 at(float share) const {
-        for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
-            if (std::string_view(w->Name).find("/time_") != std::string_view::npos)
-                return {w->Pos.x + share * w->Size.x, w->Pos.y + 0.5f * w->Size.y};
-        ADD_FAILURE() << "there is no bar";
-        return {};
+    static glm::vec2 at(float share) {
+        const ImGuiWindow* w = test::UiHarness::window("/time_");
+        EXPECT_TRUE(w) << "there is no bar";
+        return w ? glm::vec2(w->Pos.x + share * w->Size.x, w->Pos.y + 0.5f * w->Size.y) : glm::vec2(0);
     }
     double time() const { return ui.state.settings.scene.time; }
     EditorRequests space() {
@@ -188,29 +186,24 @@ TEST(Playback, ButtonPlays) {
 struct Film {
     test::TemporaryFolder folder;
     EditorOptions options;
-    Film() {
-        options.session.scene = folder.write("sun.glb", moving_sun().glb()).string();
-        options.width = 1280;
-        options.height = 720;
-    }
+    Film() { options = test::editor_options(folder.write("sun.glb", moving_sun().glb()).string()); }
 };
 
 TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     Film film;
-    HeadlessEditor editor(film.options);
-    editor.settle();
-    EditorState& state = editor.model().state;
+    test::TestEditor editor(film.options);
+    EditorState& state = editor.state();
     const Settings start = state.settings;
     ASSERT_NEAR(start.lights[0].elevation, 20, 0.1);
-    EditorFrame facts = editor.model().facts();
+    EditorFrame facts = editor.facts();
     toggle_play(state, facts);
     const ByteImage before = editor.picture();
-    for (int i = 0; i < 15; ++i) editor.frame();
+    editor.frames(15);
     EXPECT_NEAR(state.settings.lights[0].elevation, 45, 1) << "half way";
     EXPECT_NE(editor.picture().data, before.data);
     EXPECT_FALSE(state.history.can_undo());
     stop_playing(state);
-    for (int i = 0; i < 3; ++i) editor.frame();
+    editor.frames(3);
     const Settings stopped = state.settings;
     undo(state);
     editor.frame();
@@ -222,14 +215,14 @@ TEST(Playback, AnimatedLightsAreNoUndoSteps) {
     EXPECT_FALSE(state.history.can_redo());
     // Typed time: the animated light is part of the same step.
     state.settings.scene.time = 0.5;
-    for (int i = 0; i < 3; ++i) editor.frame();
+    editor.frames(3);
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
     undo(state);
-    for (int i = 0; i < 3; ++i) editor.frame();
+    editor.frames(3);
     EXPECT_EQ(state.settings, stopped);
     EXPECT_TRUE(state.history.can_redo()) << "what followed was recorded as new";
     redo(state);
-    for (int i = 0; i < 3; ++i) editor.frame();
+    editor.frames(3);
     EXPECT_NEAR(state.settings.lights[0].elevation, 70, 0.1);
 }
 
@@ -238,11 +231,10 @@ TEST(Playback, HeadlessEditorShowsTheTimeOfTheSettings) {
     film.options.session.sets = {"scene.time=0.25"};
     std::vector<ByteImage> pictures;
     for (int i = 0; i < 2; ++i) {
-        HeadlessEditor editor(film.options);
-        editor.settle();
-        for (int k = 0; k < i * 9; ++k) editor.frame();
-        EXPECT_EQ(editor.model().state.settings.scene.time, 0.25);
-        EXPECT_NEAR(editor.model().state.settings.lights[0].elevation, 45, 1);
+        test::TestEditor editor(film.options);
+        editor.frames(i * 9);
+        EXPECT_EQ(editor.state().settings.scene.time, 0.25);
+        EXPECT_NEAR(editor.state().settings.lights[0].elevation, 45, 1);
         ByteImage picture = editor.picture();
         picture.data.resize(picture.data.size() * 440 / 720);  // the rows below show measured times
         pictures.push_back(std::move(picture));

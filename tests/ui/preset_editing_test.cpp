@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "app/session/autosave.h"
 #include "app/session/command_line.h"
 #include "app/session/setting_json.h"
@@ -16,6 +15,8 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/support/process.h"
+#include "tests/support/text.h"
+#include "tests/ui/test_editor.h"
 #include "ui/state/playback.h"
 
 namespace si {
@@ -26,24 +27,17 @@ namespace fs = std::filesystem;
 constexpr int kPageUp = 401, kPageDown = 402;
 
 EditorOptions preset_options(const std::string& scene = "boxes") {
-    EditorOptions o;
-    o.session.scene = scene;
-    o.width = 800;
-    o.height = 450;
-    return o;
+    return test::editor_options(scene, {}, {800, 450});
 }
 
 /// Small editor; drawn pictures do not matter here.
 class PresetEditing : public testing::Test {
 protected:
-    void SetUp() override { folder_ = fresh_test_folder(); }
-
     void open(const EditorOptions& o = preset_options()) {
         editor_.reset();  // one at a time
-        editor_ = std::make_unique<HeadlessEditor>(o);
+        editor_ = std::make_unique<test::TestEditor>(o);
         ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
         ImGui::GetIO().KeyMap[ImGuiKey_PageDown] = kPageDown;
-        editor_->settle();
     }
     EditorModel& model() { return editor_->model(); }
     EditorState& state() { return editor_->model().state; }
@@ -56,9 +50,7 @@ protected:
         editor_->settle();
     }
     void press(int key) {
-        ImGui::GetIO().KeysDown[key] = true;
-        editor_->frame();
-        ImGui::GetIO().KeysDown[key] = false;
+        editor_->key(key);
         editor_->settle();
     }
     void undo() {
@@ -79,8 +71,8 @@ protected:
     }
     std::string path(const char* name) const { return (folder_ / name).string(); }
 
-    fs::path folder_;
-    std::unique_ptr<HeadlessEditor> editor_;
+    const fs::path folder_ = fresh_test_folder();
+    std::unique_ptr<test::TestEditor> editor_;
 };
 
 TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
@@ -192,10 +184,7 @@ TEST_F(PresetEditing, RevertWithoutASavedPresetSaysWhatToDo) {
     state().files.preset_path = path("unsaved.json");
     state().settings.bias.constant = 3;
     request({.load_preset = path("unsaved.json")});
-    ASSERT_FALSE(state().log.lines().empty());
-    EXPECT_NE(state().log.lines().back().text.find("nothing is saved there yet. Save it first (Ctrl+S)"),
-              std::string::npos)
-        << state().log.lines().back().text;
+    EXPECT_EQ(test::lacking(editor_->last_line(), {"nothing is saved there yet. Save it first (Ctrl+S)"}), "");
     EXPECT_EQ(state().settings.bias.constant, 3);
     request({.save_preset = path("unsaved.json")});
     state().settings.bias.constant = 4;
@@ -341,11 +330,7 @@ TEST_F(PresetEditing, CrashedSessionIsRestoredAndUndone) {
     open(remembering());
     EXPECT_FALSE(model().facts().lost) << "a clean end leaves nothing";
     expect_no_errors();
-}
 
-TEST_F(PresetEditing, DiscardedSessionIsDeleted) {
-    open(remembering());
-    model().write_when_due();
     state().settings.bias.constant = 5;
     model().write_when_due();
     open(remembering());
@@ -354,7 +339,7 @@ TEST_F(PresetEditing, DiscardedSessionIsDeleted) {
     EXPECT_FALSE(model().facts().lost);
     model().end();
     open(remembering());
-    EXPECT_FALSE(model().facts().lost);
+    EXPECT_FALSE(model().facts().lost) << "a discarded session is deleted";
 }
 
 TEST_F(PresetEditing, SessionWithAMissingSceneStaysOffered) {

@@ -17,24 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<PresetEntry> entries(const std::vector<BuiltinPreset>& presets) {
+    std::vector<PresetEntry> list;
+    for (const BuiltinPreset& p : presets) list.push_back({p.key, p.title, p.topic, p.about});
+    return list;
+}
 std::vector<PresetEntry> guided() {
-    std::vector<PresetEntry> list;
-    for (const BuiltinPreset& p : builtin_presets()) list.push_back({p.key, p.title, p.topic, p.about});
-    return list;
+    return entries(builtin_presets());
 }
-
 std::vector<PresetEntry> hard() {
-    std::vector<PresetEntry> list;
-    for (const BuiltinPreset& p : hard_case_presets()) list.push_back({p.key, p.title, p.topic, p.about});
-    return list;
+    return entries(hard_case_presets());
 }
 
-/// Returns the window of the last frame whose name holds `part`; null if none.
-ImGuiWindow* window_of(const char* part) {
-    for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
-        if (w->WasActive && std::string_view(w->Name).find(part) != std::string_view::npos) return w;
-    return nullptr;
-}
+constexpr auto window_of = UiHarness::window;
 
 /// Clicks along a row of pixels until a request is made. Returns the requests of that frame.
 template <class Requested>
@@ -42,11 +37,8 @@ std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, flo
     for (float x = x0; x < x1; x += 6) {
         ui.move({x, y});
         ui.frames(2);
-        ui.press(true);
-        ui.frame();
-        ui.press(false);
-        for (int i = 0; i < 2; ++i)
-            if (const EditorRequests requests = ui.frame(); requested(requests)) return requests;
+        if (const EditorRequests requests = ui.click_here(); requested(requests)) return requests;
+        if (const EditorRequests requests = ui.frame(); requested(requests)) return requests;
     }
     return {};
 }
@@ -57,14 +49,14 @@ void map_page_keys() {
     ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
     ImGui::GetIO().KeyMap[ImGuiKey_PageDown] = kPageDown;
 }
-void press_key(ImGuiKey key, bool down = true) {
-    const int code = key == ImGuiKey_PageUp     ? kPageUp
-                     : key == ImGuiKey_PageDown ? kPageDown
-                                                : ImGui::GetIO().KeyMap[key];
-    ImGui::GetIO().KeysDown[code] = down;
-}
-void release_key(ImGuiKey key) {
-    press_key(key, false);
+/// Presses Enter in a file dialog. Returns the requests of the press, or of the release if the press requests no file.
+EditorRequests confirmed(UiHarness& ui) {
+    const int enter = ImGui::GetKeyIndex(ImGuiKey_Enter);
+    ImGui::GetIO().KeysDown[enter] = true;
+    const EditorRequests pressed = ui.frame();
+    ImGui::GetIO().KeysDown[enter] = false;
+    const EditorRequests released = ui.frame();
+    return pressed.open_file || pressed.save_preset ? pressed : released;
 }
 
 class PresetPanels : public testing::TestWithParam<std::tuple<int, int, float>> {};
@@ -172,21 +164,14 @@ TEST(PresetKeys, PageKeysStepPresetsUnlessAPopupIsOpen) {
     map_page_keys();
     ui.presets = guided();
     ui.frames(2);
-    const auto press = [&](ImGuiKey key) {
-        press_key(key);
-        const EditorRequests requests = ui.frame();
-        release_key(key);
-        ui.frame();
-        return requests.load_preset;
-    };
-    EXPECT_EQ(press(ImGuiKey_PageDown), ui.presets.front().key);
-    EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets.back().key) << "from nowhere backwards: the last";
+    EXPECT_EQ(ui.key(kPageDown).load_preset, ui.presets.front().key);
+    EXPECT_EQ(ui.key(kPageUp).load_preset, ui.presets.back().key) << "from nowhere backwards: the last";
     ui.state.files.guide.key = ui.presets.back().key;
-    EXPECT_EQ(press(ImGuiKey_PageDown), std::nullopt);
-    EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets[ui.presets.size() - 2].key);
+    EXPECT_EQ(ui.key(kPageDown).load_preset, std::nullopt);
+    EXPECT_EQ(ui.key(kPageUp).load_preset, ui.presets[ui.presets.size() - 2].key);
     ui.state.window.show_shortcuts = true;
     ui.frames(2);
-    EXPECT_EQ(press(ImGuiKey_PageUp), std::nullopt);
+    EXPECT_EQ(ui.key(kPageUp).load_preset, std::nullopt);
 }
 
 TEST(PresetsMenu, ShowsSentencesByTopicAndOpensTheClickedPreset) {
@@ -228,14 +213,9 @@ TEST(HardCasesMenu, OpensTheClickedCaseAndPageKeysStepOnlyCases) {
     ASSERT_TRUE(chosen) << "the button was not found";
     EXPECT_EQ(*chosen->load_preset, ui.hard_cases.front().key);
     ui.state.files.guide.key = ui.hard_cases[1].key;
-    press_key(ImGuiKey_PageDown);
-    EXPECT_EQ(ui.frame().load_preset, ui.hard_cases[2].key);
-    release_key(ImGuiKey_PageDown);
-    ui.frame();
+    EXPECT_EQ(ui.key(kPageDown).load_preset, ui.hard_cases[2].key);
     ui.state.files.guide.key = ui.hard_cases.back().key;
-    press_key(ImGuiKey_PageDown);
-    EXPECT_EQ(ui.frame().load_preset, std::nullopt) << "the walk ends";
-    release_key(ImGuiKey_PageDown);
+    EXPECT_EQ(ui.key(kPageDown).load_preset, std::nullopt) << "the walk ends";
 }
 
 TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
@@ -278,22 +258,14 @@ TEST(FileDialogs, SaveByNameAndOpenByDoubleClick) {
     EXPECT_EQ(dialog.entries[2].name, "b.json");
     ui.frames(3);
     ui.type("b.json");
-    press_key(ImGuiKey_Enter);
-    std::optional<std::string> opened = ui.frame().open_file;
-    release_key(ImGuiKey_Enter);
-    if (!opened) opened = ui.frame().open_file;
-    ASSERT_TRUE(opened);
-    EXPECT_EQ(*opened, (fs::weakly_canonical(folder) / "b.json").string());
+    EXPECT_EQ(confirmed(ui).open_file, (fs::weakly_canonical(folder) / "b.json").string());
     ui.frames(3);
     EXPECT_FALSE(window_of("Open a scene or a preset")) << "it closes";
 
     open_file_dialog(dialog, FileDialog::Job::SavePreset, folder / "mine", "Look.");
     EXPECT_EQ(dialog.entries.size(), 2u) << "no scenes among presets";
     ui.frames(3);
-    press_key(ImGuiKey_Enter);
-    EditorRequests saved = ui.frame();
-    release_key(ImGuiKey_Enter);
-    if (!saved.save_preset) saved = ui.frame();
+    const EditorRequests saved = confirmed(ui);
     ASSERT_TRUE(saved.save_preset);
     EXPECT_EQ(*saved.save_preset, (fs::weakly_canonical(folder) / "mine.json").string());
     EXPECT_EQ(saved.save_about, "Look.");
@@ -312,17 +284,11 @@ TEST(FileDialogs, TypedFolderIsEnteredAndTypingContinues) {
     open_file_dialog(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type((folder / "below").string());
-    press_key(ImGuiKey_Enter);
-    ui.frame();
-    release_key(ImGuiKey_Enter);
-    ui.frames(3);
+    confirmed(ui);
+    ui.frames(2);
     ASSERT_EQ(ui.state.files.dialog.folder, folder / "below");
     ui.type("b.json");
-    press_key(ImGuiKey_Enter);
-    std::optional<std::string> opened = ui.frame().open_file;
-    release_key(ImGuiKey_Enter);
-    if (!opened) opened = ui.frame().open_file;
-    EXPECT_EQ(opened, (folder / "below/b.json").string());
+    EXPECT_EQ(confirmed(ui).open_file, (folder / "below/b.json").string());
 }
 
 TEST(FileDialogs, ListsOneKindWithDatesAndRecentFolders) {
@@ -340,9 +306,7 @@ TEST(FileDialogs, ListsOneKindWithDatesAndRecentFolders) {
         EXPECT_TRUE(ui.drawn().shows(e.date)) << e.name;
     }
     const auto press = [&](const char* window, const char* label) {
-        const auto at = ui.find(window, "", label);
-        ASSERT_TRUE(at) << label;
-        ui.click(*at);
+        ui.click(ui.find(window, "", label));
         ui.frames(2);
     };
     press("Open a scene or a preset", "##kind");
@@ -379,16 +343,9 @@ TEST(FileDialogs, TabCompletesAPathUpToItsAmbiguity) {
     open_file_dialog(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type("models/for");
-    press_key(ImGuiKey_Tab);
+    ui.key(ImGui::GetKeyIndex(ImGuiKey_Tab));
     ui.frame();
-    release_key(ImGuiKey_Tab);
-    ui.frames(2);
-    press_key(ImGuiKey_Enter);
-    std::optional<std::string> opened = ui.frame().open_file;
-    release_key(ImGuiKey_Enter);
-    if (!opened) opened = ui.frame().open_file;
-    ASSERT_TRUE(opened);
-    EXPECT_EQ(*opened, (fs::weakly_canonical(folder) / "models/forest.glb").string());
+    EXPECT_EQ(confirmed(ui).open_file, (fs::weakly_canonical(folder) / "models/forest.glb").string());
 }
 
 TEST(FileDialogs, ReplacingAsksFirst) {
@@ -408,10 +365,7 @@ TEST(FileDialogs, ReplacingAsksFirst) {
     EXPECT_FALSE(ui.state.files.replace);
     ui.state.files.replace = Replacement{"/a/b.json", {}};
     ui.frames(3);
-    press_key(ImGuiKey_Escape);
-    const EditorRequests cancelled = ui.frame();
-    release_key(ImGuiKey_Escape);
-    EXPECT_FALSE(cancelled.save_preset);
+    EXPECT_FALSE(ui.key(ImGui::GetKeyIndex(ImGuiKey_Escape)).save_preset);
     EXPECT_FALSE(ui.state.files.replace);
 }
 

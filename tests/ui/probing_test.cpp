@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/camera_steering.h"
 
@@ -21,43 +21,22 @@ namespace {
 const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
 
 EditorOptions boxes_under(std::vector<std::string> sets) {
-    EditorOptions o;
     sets.insert(sets.end(), {"view.frustum=false", "map.resolution=256"});
-    o.session = {.scene = "boxes", .preset = {}, .sets = sets};
-    o.width = 960;
-    o.height = 600;
-    return o;
+    return editor_options("boxes", sets, {960, 600});
 }
 
-struct Probing : HeadlessEditor {
-    explicit Probing(std::vector<std::string> sets = {}) : HeadlessEditor(boxes_under(std::move(sets))) { settle(); }
-    EditorState& state() { return model().state; }
+struct Probing : TestEditor {
+    explicit Probing(std::vector<std::string> sets = {}) : TestEditor(boxes_under(std::move(sets))) {}
     void click(glm::ivec2 pixel) {
-        const PictureView& view = *state().viewport.view;
-        mouse.at = glm::vec2(view.origin) + glm::vec2(pixel) + 0.5f;
-        frames(2);
-        mouse.left = true;
-        frames(1);
-        mouse.left = false;
-        frames(3);
+        drag({glm::vec2(state().viewport.view->origin) + glm::vec2(pixel) + 0.5f});
         mouse.at.reset();
         settle();
     }
-    void key(int code) {
-        ImGui::GetIO().KeysDown[code] = true;
-        frames(1);
-        ImGui::GetIO().KeysDown[code] = false;
-        frames(3);
-    }
     void arrow(ImGuiKey_ which) {
-        ImGuiIO& io = ImGui::GetIO();
-        io.KeyMap[which] = 256 + which;
+        ImGui::GetIO().KeyMap[which] = 256 + which;
         key(256 + which);
     }
-    void frames(int n) {
-        for (int i = 0; i < n; ++i) frame();
-    }
-    const Probe* probe() { return model().facts().probe; }
+    const Probe* probe() { return facts().probe; }
 };
 
 TEST(Probing, ProbeSticksToItsSurface) {
@@ -108,10 +87,9 @@ TEST(Probing, PixelBelowThePictureIsClamped) {
     EditorOptions options = boxes_under({});
     options.probe_x = 120;
     options.probe_y = 5000;
-    HeadlessEditor editor(options);
-    editor.settle();
-    const EditorState& state = editor.model().state;
-    ASSERT_TRUE(editor.model().facts().probe && state.probe_pixel && state.viewport.view);
+    TestEditor editor(options);
+    const EditorState& state = editor.state();
+    ASSERT_TRUE(editor.facts().probe && state.probe_pixel && state.viewport.view);
     EXPECT_EQ(*state.probe_pixel, glm::ivec2(120, int(state.viewport.view->size.y) - 1)) << "where loupe and mark are";
     EXPECT_EQ(editor.model().facts().probe->y, state.probe_pixel->y);
 }
@@ -165,10 +143,8 @@ TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureIsFocused) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     const auto navigates = [&] { return (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; };
     const auto key = [&](ImGuiKey_ which) {
-        io.KeysDown[io.KeyMap[which]] = true;
+        ui.key(io.KeyMap[which]);
         ui.frame();
-        io.KeysDown[io.KeyMap[which]] = false;
-        ui.frames(2);
     };
     ui.frames(3);
     EXPECT_TRUE(navigates());
@@ -198,18 +174,14 @@ TEST(Probing, EscapeThatClosesAMenuKeepsTheProbe) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     const auto escape = [&] {
-        io.KeysDown[io.KeyMap[ImGuiKey_Escape]] = true;
+        ui.key(io.KeyMap[ImGuiKey_Escape]);
         ui.frame();
-        io.KeysDown[io.KeyMap[ImGuiKey_Escape]] = false;
-        ui.frames(2);
     };
     const auto menu_is_open = [] { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); };
     ui.frames(3);
     ui.click(glm::vec2(ui.state.viewport.view->origin + 0.3 * ui.state.viewport.view->size));
     ASSERT_TRUE(ui.state.probe_pixel);
-    const auto view = ui.find("editor/top", "", "View");
-    ASSERT_TRUE(view);
-    ui.click(*view);
+    ui.click(ui.find("editor/top", "", "View"));
     ASSERT_TRUE(menu_is_open());
     escape();
     EXPECT_FALSE(menu_is_open());

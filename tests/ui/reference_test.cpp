@@ -8,37 +8,49 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/ui/test_editor.h"
 
 namespace si {
 namespace {
 
 const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
 
-EditorOptions options(const std::vector<std::string>& sets, int width = 1280, int height = 720) {
-    EditorOptions o;
-    o.session = {.scene = "boxes", .preset = {}, .sets = sets};
-    o.width = width;
-    o.height = height;
-    return o;
+using test::expect_calm;
+
+EditorOptions options(const std::vector<std::string>& sets) {
+    return test::editor_options("boxes", sets);
 }
 
 const std::vector<std::string> kNoBias = {"bias.constant=0", "bias.normal=0", "filter.kernel=hard",
                                           "view.frustum=false"};
 
-void expect_calm(HeadlessEditor& editor) {
-    for (const LogLine& line : editor.model().state.log.lines()) EXPECT_EQ(line.kind, LogKind::Info) << line.text;
+/// Draws until the editor traces rays, and cancels. @param picture file of the editor's picture meanwhile; null: none
+void cancel_tracing(HeadlessEditor& editor, const char* picture = nullptr) {
+    EditorModel& model = editor.model();
+    for (int i = 0; i < 20 && !model.tracing(); ++i) {
+        model.finish_loading();
+        editor.frame();
+    }
+    ASSERT_TRUE(model.tracing());
+    EditorRequests cancel = editor.frame();
+    if (picture) {
+        EXPECT_EQ(model.facts().reference->doing, "Baking the light map");
+        write_png(kOut / picture, editor.picture());
+    }
+    cancel.cancel_reference = true;
+    model.fulfil(cancel);
+    editor.settle();
+    EXPECT_EQ(model.facts().reference->problem, "Cancelled");
 }
 
 TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
-    HeadlessEditor editor(options(kNoBias));
-    editor.settle();
+    test::TestEditor editor(options(kNoBias));
     EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
     EXPECT_FALSE(editor.model().facts().reference->wanted);
 
@@ -92,17 +104,8 @@ TEST(EditorReference, CancelHoldsUntilAChange) {
         sets.push_back(set);
     HeadlessEditor editor(options(sets));
     editor.model().state.window.open_tab = BottomTab::Error;
-    for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {
-        editor.model().finish_loading();
-        editor.frame();
-    }
-    ASSERT_TRUE(editor.model().tracing());
-    EditorRequests cancel = editor.frame();
-    cancel.cancel_reference = true;
-    editor.model().fulfil(cancel);
-    editor.settle();
+    ASSERT_NO_FATAL_FAILURE(cancel_tracing(editor));
     EXPECT_FALSE(editor.model().facts().error);
-    EXPECT_EQ(editor.model().facts().reference->problem, "Cancelled");
     editor.model().state.settings.truth.area = false;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().error);
@@ -191,10 +194,9 @@ std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& 
 }
 
 TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
-    HeadlessEditor editor(options({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false",
-                                   "view.axes=false", "map.resolution=256"}));
-    editor.settle();
-    EditorState& state = editor.model().state;
+    test::TestEditor editor(options({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false",
+                                     "view.axes=false", "map.resolution=256"}));
+    EditorState& state = editor.state();
     state.comparison = {.view = ComparisonView::Swipe, .reference = true, .at = 1};
     editor.settle();
     ASSERT_TRUE(editor.model().facts().picture_comparison &&
@@ -214,17 +216,7 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     const auto at = [&](double share) {
         return glm::vec2(view.origin.x + share * view.size.x, view.origin.y + 0.7 * view.size.y);
     };
-    editor.mouse.at = at(0.3);
-    editor.frame();
-    editor.frame();
-    editor.mouse.left = true;
-    editor.frame();
-    for (const double share : {0.35, 0.42, 0.5}) {
-        editor.mouse.at = at(share);
-        editor.frame();
-    }
-    editor.mouse.left = false;
-    editor.frame();
+    editor.drag({at(0.3), at(0.35), at(0.42), at(0.5)});
     editor.mouse.at.reset();
     editor.settle();
     EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
@@ -235,33 +227,17 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     write_png(kOut / "editor_swipe.png", editor.picture());
 
     // A drag elsewhere orbits the camera as usual.
-    editor.mouse.at = at(0.8);
-    editor.frame();
-    editor.frame();
-    editor.mouse.left = true;
-    editor.frame();
-    editor.mouse.at = at(0.9);
-    editor.frame();
-    editor.frame();
-    editor.mouse.left = false;
-    editor.frame();
+    editor.drag({at(0.8), at(0.9)});
     EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
     EXPECT_NE(state.settings.camera, camera);
-
-    const auto press = [&](int key) {
-        ImGui::GetIO().KeysDown[key] = true;
-        editor.frame();
-        ImGui::GetIO().KeysDown[key] = false;
-        editor.frame();
-    };
-    press('.');
+    editor.key('.');
     EXPECT_NEAR(state.comparison.at, 0.52, 0.01);
-    press(',');
+    editor.key(',');
     EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
-    press('B');
+    editor.key('B');
     EXPECT_EQ(state.comparison.view, ComparisonView::SideBySide);
-    press('B');
-    press('B');
+    editor.key('B');
+    editor.key('B');
     EXPECT_EQ(state.comparison.view, ComparisonView::Off);
     expect_calm(editor);
 }
@@ -304,12 +280,11 @@ TEST(EditorPictureComparison, ComparesWithPresetsInAllViews) {
 }
 
 TEST(EditorPictureComparison, PinIsFlickeredAndCompared) {
-    HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
-    editor.settle();
-    EditorState& state = editor.model().state;
+    test::TestEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
+    EditorState& state = editor.state();
     const auto key = [&](int code, bool down) {
         ImGui::GetIO().KeysDown[code] = down;
-        for (int i = 0; i < 3; ++i) editor.frame();
+        editor.frames(3);
     };
     const auto seen = [&] { return part(editor, *state.viewport.view, 0.05, 0.95); };
     key('A', true);
@@ -420,18 +395,7 @@ TEST(EditorLightMap, CancelHoldsUntilAChange) {
     // More rays than can be traced before the cancel.
     HeadlessEditor editor(options({"light.source=light-map", "light_map.resolution=2048", "light_map.samples=65536",
                                    "light.size=8", "view.frustum=false"}));
-    for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {
-        editor.model().finish_loading();
-        editor.frame();
-    }
-    ASSERT_TRUE(editor.model().tracing());
-    EditorRequests cancel = editor.frame();
-    EXPECT_EQ(editor.model().facts().reference->doing, "Baking the light map");
-    write_png(kOut / "editor_light_map_baking.png", editor.picture());
-    cancel.cancel_reference = true;
-    editor.model().fulfil(cancel);
-    editor.settle();
-    EXPECT_EQ(editor.model().facts().reference->problem, "Cancelled");
+    ASSERT_NO_FATAL_FAILURE(cancel_tracing(editor, "editor_light_map_baking.png"));
     EXPECT_FALSE(editor.model().facts().result->light_maps.at(0).met);
     editor.model().state.settings.light_map = {.resolution = 128, .samples = 1};
     editor.settle();

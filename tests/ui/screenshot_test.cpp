@@ -11,8 +11,8 @@
 #include <memory>
 #include <set>
 
-#include "app/editor/headless_editor.h"
 #include "tests/support/process.h"
+#include "tests/ui/test_editor.h"
 
 namespace si {
 namespace {
@@ -29,27 +29,17 @@ ByteImage read_back(const fs::path& file) {
 }
 
 TEST(Screenshot, SavesItsPartOfTheWindowUnderAFreeName) {
-    const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "boxes-scene-1.png") << "mine";
-    EditorOptions o;
-    o.session = {.scene = "boxes", .preset = {}, .sets = {}};
+    EditorOptions o = test::editor_options();
     o.preset = folder / "preset.json";
-    o.width = 1280;
-    o.height = 720;
-    HeadlessEditor editor(o);
-    editor.settle();
-    EditorState& state = editor.model().state;
+    test::TestEditor editor(o);
+    EditorState& state = editor.state();
     const auto press = [&](bool ctrl, bool shift) {
         editor.mouse.ctrl = ctrl;
         editor.mouse.shift = shift;
-        ImGui::GetIO().KeysDown[301] = true;
-        editor.frame();
-        ImGui::GetIO().KeysDown[301] = false;
+        editor.key(301);
         editor.mouse.ctrl = editor.mouse.shift = false;
-        editor.frame();
-        editor.frame();
     };
     press(false, false);
     EXPECT_EQ(file_bytes(folder / "boxes-scene-1.png"), "mine") << "it is never overwritten";
@@ -80,26 +70,20 @@ TEST(Screenshot, SavesItsPartOfTheWindowUnderAFreeName) {
 }
 
 TEST(Screenshot, SectionDrawingIsSavedAsPngAndSvg) {
-    const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "screenshots_of_drawings";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "boxes-drawing-1.svg") << "mine";
-    EditorOptions o;
-    o.session = {.scene = "boxes", .preset = {}, .sets = {}};
+    EditorOptions o = test::editor_options("boxes", {}, {1600, 900});
     o.preset = folder / "preset.json";
-    o.width = 1600;
-    o.height = 900;
-    HeadlessEditor editor(o);
-    editor.settle();
-    EditorState& state = editor.model().state;
+    test::TestEditor editor(o);
+    EditorState& state = editor.state();
     state.shots.next = Shot::Drawing;
-    for (int i = 0; i < 3; ++i) editor.frame();
-    EXPECT_NE(state.log.lines().back().text.find("click a pixel"), std::string::npos);
+    editor.frames(3);
+    EXPECT_NE(editor.last_line().find("click a pixel"), std::string::npos);
     state.probe_pixel = glm::ivec2(state.viewport.wanted_size.x / 2, state.viewport.wanted_size.y * 3 / 4);
     state.window.open_tab = BottomTab::Probe;
     editor.settle();
     state.shots.next = Shot::Drawing;
-    for (int i = 0; i < 3; ++i) editor.frame();
+    editor.frames(3);
     const ByteImage drawing = read_back(folder / "boxes-drawing-2.png");
     // The picture is as large as the SVG, with verdict and legend, whatever the size of the panel.
     EXPECT_GT(drawing.width, 600) << state.log.lines().back().text;

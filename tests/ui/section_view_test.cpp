@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editor/headless_editor.h"
-#include "tests/ui/screen.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/theme.h"
 
@@ -38,21 +37,14 @@ Section step_of_shadow() {
     return s;
 }
 
-/// Returns whether the frame shows the words, spaces aside.
-bool printed(const UiHarness& ui, std::u32string words) {
-    std::u32string all = ui.printed();
-    for (std::u32string* text : {&all, &words}) std::erase_if(*text, [](char32_t c) { return c <= U' '; });
-    return all.find(words) != std::u32string::npos;
-}
-
 TEST(SectionView, IsNextToTheVerdictAndIsLaidOutOnce) {
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.open_tab = BottomTab::Probe;
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
-    EXPECT_TRUE(printed(ui, U"needs 0.6 texels of bias"));
-    EXPECT_TRUE(printed(ui, U"stored in texel 102"));
+    EXPECT_TRUE(ui.prints("needs 0.6 texels of bias"));
+    EXPECT_TRUE(ui.prints("stored in texel 102"));
     const int drawn = ui.state.probe_panel.section_views.drawn;
     EXPECT_GE(drawn, 1);
     ui.frames(20);
@@ -65,7 +57,7 @@ TEST(SectionView, IsNextToTheVerdictAndIsLaidOutOnce) {
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
     EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn + 1) << "hidden";
-    EXPECT_FALSE(printed(ui, U"stored in texel 102"));
+    EXPECT_FALSE(ui.prints("stored in texel 102"));
 }
 
 TEST(SectionView, ExplainsTheHoveredMark) {
@@ -77,7 +69,7 @@ TEST(SectionView, ExplainsTheHoveredMark) {
         ui.state.window.open_tab = BottomTab::Probe;
         ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
         ui.frames(5);
-        EXPECT_FALSE(printed(ui, U"one step per texel"));
+        EXPECT_FALSE(ui.prints("one step per texel"));
         ASSERT_EQ(ui.state.probe_panel.section_views.views.size(), 1u);
         const std::vector<LegendRow> legend = ui.state.probe_panel.section_views.views[0].drawing.legend;
         ASSERT_GE(legend.size(), 5u);
@@ -87,8 +79,8 @@ TEST(SectionView, ExplainsTheHoveredMark) {
             ui.frames(3);
             for (const LegendRow& row : legend)
                 EXPECT_TRUE(ui.drawn().shows(std::string(row.text))) << row.text << " is not told, or is cut";
-            EXPECT_FALSE(printed(ui, U"first surface from the light")) << "nothing was traced";
-            EXPECT_FALSE(printed(ui, U"tap lit"));
+            EXPECT_FALSE(ui.prints("first surface from the light")) << "nothing was traced";
+            EXPECT_FALSE(ui.prints("tap lit"));
             const auto words = ui.drawn().find(U"onesteppertexel");
             ASSERT_TRUE(words);
             EXPECT_GT(words->x, drawing.lo.x + drawing.size.x) << "hidden by its words";
@@ -106,11 +98,11 @@ TEST(SectionView, ExplainsTheHoveredMark) {
         EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn) << "laid out once";
         ui.move({5, 5});
         ui.frames(3);
-        EXPECT_FALSE(printed(ui, U"one step per texel"));
+        EXPECT_FALSE(ui.prints("one step per texel"));
         ui.click(drawing.lo + 0.5f * drawing.size, 1);
         ui.frames(2);
-        EXPECT_TRUE(printed(ui, U"Save the drawing (PNG and SVG)"));
-        EXPECT_FALSE(printed(ui, U"one step per texel")) << "the menu stands alone";
+        EXPECT_TRUE(ui.prints("Save the drawing (PNG and SVG)"));
+        EXPECT_FALSE(ui.prints("one step per texel")) << "the menu stands alone";
     }
 }
 
@@ -138,26 +130,20 @@ TEST(SectionView, LeavesTheVerdictItsSpaceAtAnySize) {
         ui.state.settings.light_count = 3;
         ui.sections = std::make_shared<const std::vector<Section>>(3, step_of_shadow());
         ui.frames(4);
-        EXPECT_TRUE(printed(ui, U"in shadow: its texel stores")) << w;
+        EXPECT_TRUE(ui.prints("in shadow: its texel stores")) << w;
     }
 }
 
 TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
-    EditorOptions options;
-    options.session.scene = "boxes";
-    options.session.sets = {"bias.normal=0", "bias.constant=0", "map.resolution=512"};
-    options.width = 1280;
-    options.height = 720;
-    options.headless = true;
-    HeadlessEditor editor(options);
-    EditorState& state = editor.model().state;
+    TestEditor editor(editor_options("boxes", {"bias.normal=0", "bias.constant=0", "map.resolution=512"}));
+    EditorState& state = editor.state();
     state.window.open_tab = BottomTab::Log;
-    editor.model().state.layout = kWideLayout;
+    state.layout = kWideLayout;
     editor.settle();
     state.probe_pixel = glm::ivec2(200, 150);
     editor.settle();
-    ASSERT_TRUE(editor.model().facts().probe && editor.model().facts().probe->hit);
-    EXPECT_FALSE(editor.model().facts().sections) << "nobody looks";
+    ASSERT_TRUE(editor.facts().probe && editor.facts().probe->hit);
+    EXPECT_FALSE(editor.facts().sections) << "nobody looks";
     EXPECT_EQ(state.probe_panel.section_views.drawn, 0);
     state.window.open_tab = BottomTab::Probe;
     editor.settle();
@@ -165,7 +151,7 @@ TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     ASSERT_TRUE(shown && shown->size() == 1);
     EXPECT_TRUE(shown->at(0).classified) << "with the reference";
     EXPECT_FALSE(shown->at(0).profile.empty());
-    for (int i = 0; i < 5; ++i) editor.frame();
+    editor.frames(5);
     EXPECT_EQ(editor.model().facts().sections, shown) << "kept";
     state.settings.bias.constant = 0.01;
     editor.settle();

@@ -67,17 +67,14 @@ TEST(Shortcuts, OnlyHeldKeysAndGesturesHaveNoAction) {
 TEST(Shortcuts, OverviewListsAllKeys) {
     UiHarness ui(1600, 1000);
     ui.frames(2);
-    ImGui::GetIO().KeysDown[290] = true;  // F1
-    ui.frame();
-    ImGui::GetIO().KeysDown[290] = false;
-    ui.frames(4);
+    ui.key(290);  // F1
+    ui.frames(3);
     EXPECT_TRUE(ui.state.window.show_shortcuts);
     for (const Shortcut& row : shortcuts()) {
         EXPECT_TRUE(ui.drawn().shows(without_spaces(chord_text(row.chord)))) << chord_text(row.chord);
         EXPECT_TRUE(row.label[0] == '\0' || ui.drawn().shows(without_spaces(row.label))) << row.label;
     }
-    ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = true;
-    ui.frames(2);
+    ui.key(256 + ImGuiKey_Escape);
     EXPECT_FALSE(ui.state.window.show_shortcuts);
 }
 
@@ -119,9 +116,7 @@ TEST(Shortcuts, NoTextHardCodesAKey) {
 TEST(Shortcuts, MenusPrintKeysOfTheTable) {
     UiHarness ui(1280, 720);
     ui.frames(2);
-    const auto file = ui.find("editor/top", "", "File");
-    ASSERT_TRUE(file);
-    ui.click(*file);
+    ui.click(ui.find("editor/top", "", "File"));
     ui.frames(2);
     for (const Command command : {Command::OpenFile, Command::SavePreset, Command::SavePresetAs, Command::RevertPreset,
                                   Command::CopyCommandLine, Command::Quit})
@@ -133,14 +128,10 @@ TEST(Shortcuts, EscapeRestoresTheMaximisedPanelAndKeepsTheProbe) {
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.window.maximised = Panel::Scene;
     ui.frames(3);
-    ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = true;
-    ui.frames(2);
-    ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = false;
-    ui.frames(2);
+    ui.key(256 + ImGuiKey_Escape);
     EXPECT_FALSE(ui.state.window.maximised);
     EXPECT_TRUE(ui.state.probe_pixel);
-    ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = true;
-    ui.frames(2);
+    ui.key(256 + ImGuiKey_Escape);
     EXPECT_FALSE(ui.state.probe_pixel);
 }
 

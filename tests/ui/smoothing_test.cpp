@@ -7,27 +7,18 @@
 #include <thread>
 #include <vector>
 
-#include "app/editor/headless_editor.h"
 #include "renderer/gl/target.h"
 #include "renderer/inspect/effects.h"
+#include "tests/ui/test_editor.h"
 
 namespace si {
 namespace {
 
 class EditorSmoothing : public testing::Test {
 protected:
-    HeadlessEditor editor{boxes()};
+    HeadlessEditor editor{test::editor_options("boxes", {"map.resolution=256"}, {800, 600})};
     EditorModel& model = editor.model();
 
-    static EditorOptions boxes() {
-        EditorOptions options;
-        options.session.scene = "boxes";
-        options.session.sets = {"map.resolution=256"};
-        options.width = 1280;
-        options.height = 720;
-        options.headless = true;
-        return options;
-    }
     /// Changes the picture: one shading exists and no smoothed one.
     void begin_again() {
         model.smooths = false;

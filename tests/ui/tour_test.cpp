@@ -9,11 +9,11 @@
 #include <memory>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/support/traits.h"
+#include "tests/ui/test_editor.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/light_handles.h"
 
@@ -28,32 +28,16 @@ protected:
 
     void open(const std::string& scene, const std::vector<std::string>& sets = {}) {
         editor_.reset();  // one OpenGL context at a time
-        EditorOptions o;
-        o.session = {.scene = scene, .preset = {}, .sets = sets};
-        o.width = width();
-        o.height = height();
-        editor_ = std::make_unique<HeadlessEditor>(o);
-        editor_->settle();
+        editor_ = std::make_unique<TestEditor>(editor_options(scene, sets, {width(), height()}));
     }
-    EditorState& state() { return editor_->model().state; }
-    EditorFrame facts() { return editor_->model().facts(); }
-    void frames(int count) {
-        for (int i = 0; i < count; ++i) editor_->frame();
-    }
-    void click(glm::vec2 at) {
-        editor_->mouse.at = at;
-        frames(2);
-        editor_->mouse.left = true;
-        frames(1);
-        editor_->mouse.left = false;
-        frames(3);
-    }
+    EditorState& state() { return editor_->state(); }
+    EditorFrame facts() { return editor_->facts(); }
+    void frames(int count) { editor_->frames(count); }
     void keep(const std::string& name) {
         write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) /
                       ("tour_" + name + "_" + std::to_string(width()) + "x" + std::to_string(height()) + ".png"),
                   editor_->picture());
-        for (const LogLine& line : state().log.lines())
-            EXPECT_EQ(line.kind, LogKind::Info) << name << ": " << line.text;
+        expect_calm(*editor_);
     }
     /// Expects the window whose name holds `part` on the screen and wide enough for its content.
     void expect_window(const std::string& part) {
@@ -74,17 +58,17 @@ protected:
         return glm::vec2(v.origin + 0.5 * v.size);
     }
 
-    std::unique_ptr<HeadlessEditor> editor_;
+    std::unique_ptr<TestEditor> editor_;
 };
 
 TEST_P(Tour, MenusAndDialogs) {
     open("stage");
-    click({1.7f * em(), 1.25f * em()});
+    editor_->drag({{1.7f * em(), 1.25f * em()}});
     expect_window("##Popup");
     keep("file_menu");
     ImGui::ClosePopupToLevel(0, false);
     frames(2);
-    click({21 * em(), 1.25f * em()});
+    editor_->drag({{21 * em(), 1.25f * em()}});
     expect_window("##Popup");
     keep("presets_menu");
     ImGui::ClosePopupToLevel(0, false);

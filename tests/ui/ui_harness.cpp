@@ -5,13 +5,16 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
+#include <tuple>
 
 #include "renderer/frame/pane_grid.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
+#include "tests/support/text.h"
 #include "tests/ui/screen.h"
 #include "ui/widgets/theme.h"
 
@@ -171,6 +174,26 @@ void UiHarness::click(glm::vec2 at, int button) {
     drag(at, at, button);
 }
 
+void UiHarness::click(std::optional<glm::vec2> widget, int button, std::source_location caller) {
+    if (widget) return click(*widget, button);
+    ADD_FAILURE_AT(caller.file_name(), int(caller.line())) << "not on the screen: " << sought_;
+}
+
+EditorRequests UiHarness::click_here() {
+    press(true);
+    frame();
+    press(false);
+    return frame();
+}
+
+EditorRequests UiHarness::key(int code) {
+    ImGui::GetIO().KeysDown[code] = true;
+    const EditorRequests requests = frame();
+    ImGui::GetIO().KeysDown[code] = false;
+    frame();
+    return requests;
+}
+
 void UiHarness::drag(glm::vec2 from, glm::vec2 to, int button) {
     move(from);
     frames(2);
@@ -191,26 +214,69 @@ void UiHarness::type(const std::string& text) {
 
 std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::string& group,
                                          const std::string& label) {
-    return find(window, [&](ImGuiID seed) {
+    const auto found = find(window, [&](ImGuiID seed) {
         if (!group.empty()) seed = ImHashData(group.data(), group.size(), seed);
         return ImHashStr(label.c_str(), 0, seed);
     });
+    sought_ = window + " " + group + " " + label;
+    return found;
+}
+
+// Keyboard navigation keeps the box of the item that has the focus, also of a clipped one.
+ImRect UiHarness::box_of(ImGuiWindow* window, ImGuiID id) {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    const auto before = std::tuple(g.NavWindow, g.NavId, g.NavLayer, g.NavFocusScopeId, g.NavIdIsAlive);
+    ImRect box;
+    std::tie(g.NavWindow, g.NavId) = std::tuple(window, id);
+    frame();
+    if (g.NavIdIsAlive && g.NavId == id) {
+        box = window->NavRectRel[g.NavLayer];
+        box.Translate(window->DC.CursorStartPos);
+    }
+    std::tie(g.NavWindow, g.NavId, g.NavLayer, g.NavFocusScopeId, g.NavIdIsAlive) = before;
+    return box;
 }
 
 std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::function<unsigned(unsigned)>& id) {
     frames(2);
-    std::vector<std::pair<ImGuiID, ImRect>> wanted;
-    for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
-        if (!w->WasActive || std::string(w->Name).find(window) == std::string::npos) continue;
-        wanted.emplace_back(id(w->ID), w->InnerClipRect);
-    }
-    for (const auto& [requested, rect] : wanted)
-        for (float y = rect.Min.y + 3; y < rect.Max.y; y += 7)
-            for (float x = rect.Min.x + 5; x < rect.Max.x; x += 16) {
+    sought_ = window;
+    std::vector<std::pair<ImGuiWindow*, ImRect>> windows;
+    for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+        if (w->WasActive && std::string_view(w->Name).find(window) != std::string_view::npos)
+            windows.emplace_back(w, w->InnerClipRect);
+    for (const auto& [w, rect] : windows) {
+        const unsigned wanted = id(w->ID);
+        const ImRect box = box_of(w, wanted);
+        for (float y = rect.Min.y + 3; y < std::min(rect.Max.y, box.Max.y); y += 7)
+            for (float x = rect.Min.x + 5; x < std::min(rect.Max.x, box.Max.x); x += 16) {
+                if (x < box.Min.x || y < box.Min.y) continue;
                 move({x, y});
                 frame();
-                if (hovered() == requested) return glm::vec2(x, y);
+                if (hovered() == wanted) return glm::vec2(x, y);
             }
+    }
+    return {};
+}
+
+ImGuiWindow* UiHarness::window(std::string_view part_of_name) {
+    for (ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+        if (w->WasActive && std::string_view(w->Name).find(part_of_name) != std::string_view::npos) return w;
+    return nullptr;
+}
+
+std::string UiHarness::ascii() const {
+    std::string out;
+    for (const char32_t c : printed()) out += c < 128 ? char(c) : '?';
+    return out;
+}
+
+std::string UiHarness::lacking(std::initializer_list<std::string_view> parts) const {
+    const std::string text = ascii();
+    for (const std::string_view part : parts) {
+        std::string letters(part);
+        std::erase(letters, ' ');
+        if (const std::string fault = test::lacking(text, {letters}); !fault.empty()) return fault;
+    }
     return {};
 }
 

@@ -3,8 +3,11 @@
 
 #include <functional>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <optional>
+#include <source_location>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/inspect/effects.h"
@@ -12,6 +15,9 @@
 #include "renderer/reference/live_error.h"
 #include "tests/ui/drawn_text.h"
 #include "ui/state/editor_ui.h"
+
+struct ImGuiWindow;
+struct ImRect;
 
 namespace si::test {
 
@@ -76,15 +82,23 @@ public:
     void press(bool down, int button = 0);
     /// Presses and releases a mouse button at a position in pixels, with frames between.
     void click(glm::vec2 at, int button = 0);
+    /// Clicks a widget that find() returned. Fails the test at the caller's line if find() returned nothing.
+    void click(std::optional<glm::vec2> widget, int button = 0,
+               std::source_location caller = std::source_location::current());
+    /// Presses and releases the left button at the mouse's position. Returns the requests of the frame of the release.
+    EditorRequests click_here();
+    /// Presses and releases a key, a frame each. Returns the requests of the frame with the pressed key.
+    EditorRequests key(int code);
     /// Drags the mouse with a button from one position to another, pixels.
     void drag(glm::vec2 from, glm::vec2 to, int button = 0);
     /// Types a text and draws two frames.
     void type(const std::string& text);
-    /// Returns the centre in pixels of a widget, found by moving the mouse. `window` is part of a window's name,
-    /// `group` the widget's parent ID (empty: none), `label` its own ID. Returns nothing for a widget that is not on
-    /// the screen.
+    /// Returns a position in pixels at which the mouse hovers a widget. `window` is part of a window's name, `group`
+    /// the widget's parent ID (empty: none), `label` its own ID. Returns nothing for a widget that is not on the
+    /// screen.
     std::optional<glm::vec2> find(const std::string& window, const std::string& group, const std::string& label);
-    /// Returns the centre in pixels of a nested widget. `id` computes the widget's ID from the window's ID.
+    /// Returns a position in pixels at which the mouse hovers a nested widget. `id` computes the widget's ID from the
+    /// window's ID.
     std::optional<glm::vec2> find(const std::string& window, const std::function<unsigned(unsigned)>& id);
     /// Returns the ID of the hovered widget; 0 for none.
     unsigned hovered() const;
@@ -95,6 +109,15 @@ public:
 
     /// Returns the text of the last frame without spaces.
     std::u32string printed() const { return drawn_->read(); }
+    /// Returns the ASCII text of the last frame without spaces, with a question mark for each other letter.
+    std::string ascii() const;
+    /// Finds parts that the last frame's text lacks, spaces aside.
+    /// @returns the first missing part with the text; empty if the text has all parts
+    std::string lacking(std::initializer_list<std::string_view> parts) const;
+    /// Returns whether the last frame's text has a part, spaces aside.
+    bool prints(std::string_view part) const { return lacking({part}).empty(); }
+    /// Returns the first shown window whose name holds a text; null if none.
+    static ImGuiWindow* window(std::string_view part_of_name);
     /// Returns the letters of the last frame with their boxes.
     std::vector<DrawnText::Letter> letters() const { return drawn_->letters(); }
     /// Returns the reader of the last frame's text.
@@ -103,7 +126,11 @@ public:
     EditorRequests last_requests;  ///< requests of the last frame that started or cancelled a search
 
 private:
+    /// Draws a frame that looks for a widget. Returns the widget's box; an empty box if the window lacks the widget.
+    ImRect box_of(ImGuiWindow* window, unsigned id);
+
     int width_, height_;
+    std::string sought_;  ///< names of the last widget that find() looked for
     FrameResult result_;
     std::vector<Effect> effects_;
     Probe probe_;

@@ -24,12 +24,7 @@ struct Viewport {
     }
     Camera camera() const { return make_camera(ui.scene, ui.state.settings, 1.5); }
     void hold(char key, bool down) { ImGui::GetIO().KeysDown[int(key)] = down; }
-    void press(char key) {
-        hold(key, true);
-        ui.frame();
-        hold(key, false);
-        ui.frame();
-    }
+    void press(char key) { ui.key(key); }
     /// Holds the right button and W for a time in a number of frames.
     glm::dvec3 flown(double seconds, int frames, bool shift = false) {
         const glm::dvec3 before = camera().eye;
@@ -164,10 +159,7 @@ TEST(Viewport, DoubleClickSelectsTheProbedObjectAndFFramesIt) {
     EXPECT_NEAR(v.settings.camera.target_x, b.centre().x, 1e-9);
     const auto escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
     for (const bool chosen : {true, false}) {  // the probe has priority
-        ImGui::GetIO().KeysDown[escape] = true;
-        v.ui.frame();
-        ImGui::GetIO().KeysDown[escape] = false;
-        v.ui.frame();
+        v.ui.key(escape);
         EXPECT_FALSE(v.ui.state.probe_pixel);
         EXPECT_EQ(!v.ui.state.selection.first.empty(), chosen);
     }
@@ -203,9 +195,7 @@ TEST(Viewport, FreezeKeepsThePreviousCamera) {
     EXPECT_FALSE(v.ui.state.frozen);
     v.ui.state.layout.map_place = MapSpot::Hidden;  // the row has space for the button
     v.ui.frames(2);
-    const auto button = v.ui.find("editor/scene", "", "Freeze view");
-    ASSERT_TRUE(button);
-    v.ui.click(*button);
+    v.ui.click(v.ui.find("editor/scene", "", "Freeze view"));
     EXPECT_TRUE(v.ui.state.frozen);
     EXPECT_NE(v.settings.camera.source, CameraSource::Light) << "another button was hit";
 }

@@ -5,7 +5,8 @@
 #include <filesystem>
 
 #include "app/base/output.h"
-#include "app/editor/headless_editor.h"
+#include "tests/support/process.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/light_list.h"
 
@@ -27,10 +28,7 @@ protected:
         if (!at) return {};
         ui.move(*at);
         ui.frames(2);
-        ui.press(true);
-        ui.frame();
-        ui.press(false);
-        return ui.frame();
+        return ui.click_here();
     }
     bool open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
     UiHarness ui{1280, 720};
@@ -39,11 +37,8 @@ protected:
 TEST_F(Welcome, EscClosesIt) {
     EXPECT_TRUE(open());
     EXPECT_TRUE(ui.frame().welcomed);
-    const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
-    ImGui::GetIO().KeysDown[escape] = true;
-    ui.frame();
-    ImGui::GetIO().KeysDown[escape] = false;
-    ui.frames(3);
+    ui.key(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    ui.frames(2);
     EXPECT_FALSE(ui.state.window.show_welcome || open());
 }
 
@@ -65,14 +60,9 @@ TEST_F(Welcome, StageReplacesAnotherScene) {
 }
 
 TEST(WelcomeOnce, IsRememberedAndNeverShownHeadless) {
-    const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "welcomed";
-    fs::remove_all(state);
-    EditorOptions options;
-    options.session.scene = "boxes";
-    options.width = 640;
-    options.height = 400;
+    EditorOptions options = editor_options("boxes", {}, {640, 400});
     options.welcome = true;
-    options.state_folder = state;
+    options.state_folder = fresh_test_folder();
     const auto shown = [](const EditorOptions& o) {
         HeadlessEditor editor(o);
         const bool welcome = editor.model().state.window.show_welcome;
@@ -94,13 +84,8 @@ TEST(WelcomeOnce, IsRememberedAndNeverShownHeadless) {
 }
 
 TEST(LightTheme, IsRememberedAndAppliedToTheWindow) {
-    const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "light_theme";
-    fs::remove_all(state);
-    EditorOptions options;
-    options.session.scene = "boxes";
-    options.width = 1280;
-    options.height = 720;
-    options.state_folder = state;
+    EditorOptions options = editor_options();
+    options.state_folder = fresh_test_folder();
     double mean[2] = {};
     for (double& m : mean) {
         HeadlessEditor editor(options);

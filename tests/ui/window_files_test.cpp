@@ -8,9 +8,10 @@
 #include <cstdlib>
 #include <thread>
 
-#include "app/editor/headless_editor.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/process.h"
+#include "tests/ui/test_editor.h"
+#include "tests/ui/ui_harness.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd.h"
 
@@ -216,18 +217,10 @@ TEST_F(WindowFiles, KilledEditorOffersItsSettingsAgain) {
 
 /// Returns the position of the splitter between scene and map in a window of that size.
 glm::ivec2 splitter(int width, int height) {
-    EditorOptions o;
-    o.session.scene = "boxes";
-    o.width = width;
-    o.height = height;
+    EditorOptions o = editor_options("boxes", {}, {width, height});
     o.scale = 1;
-    HeadlessEditor editor(o);
-    editor.settle();
-    const ImGuiWindow *scene = nullptr, *map = nullptr;
-    for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
-        if (std::string_view(w->Name).starts_with("editor/scene_")) scene = w;
-        if (std::string_view(w->Name).starts_with("editor/map_")) map = w;
-    }
+    const TestEditor editor(o);
+    const ImGuiWindow *scene = UiHarness::window("editor/scene_"), *map = UiHarness::window("editor/map_");
     if (!scene || !map) return {};
     return {int(0.5f * (scene->Pos.x + scene->Size.x + map->Pos.x)), int(map->Pos.y + 0.5f * map->Size.y)};
 }

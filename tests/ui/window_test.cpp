@@ -4,7 +4,7 @@
 #include <cmath>
 #include <thread>
 
-#include "app/editor/headless_editor.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/window_fixture.h"
 
 namespace si::test {
@@ -70,22 +70,11 @@ TEST_F(Window, DoubleClickDuringASlowFrameSelects) {
     EXPECT_TRUE(program_->running()) << log();
 }
 
-/// Makes an editor without a window that shows `edit boxes --size 1280x720`.
-std::unique_ptr<HeadlessEditor> twin() {
-    EditorOptions o;
-    o.session.scene = "boxes";
-    o.width = kWidth;
-    o.height = kHeight;
-    auto editor = std::make_unique<HeadlessEditor>(o);
-    editor->settle();
-    return editor;
-}
-
 TEST_F(Window, LightHandleIsDraggedAndUndone) {
     ASSERT_NO_FATAL_FAILURE(start());
-    const auto editor = twin();
-    const EditorState& state = editor->model().state;
-    const FittedLight& fitted = editor->model().facts().result->lights[0];
+    TestEditor twin;
+    const EditorState& state = twin.state();
+    const FittedLight& fitted = twin.facts().result->lights[0];
     const auto handles = place_handles(light_pose(state.settings.lights[0], fitted, 0), *state.viewport.view);
     const auto drag_handle = [&](const std::function<bool(LightHandle)>& wanted) {
         const auto found =
@@ -180,9 +169,9 @@ TEST_F(Window, IdleEditorSleepsAndFollowsAResize) {
 TEST_F(Window, ShowsTheSamePictureAsWithoutAWindow) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
-    const auto editor = twin();
-    editor->add_all_samples();
-    const ByteImage expected = editor->picture();
+    TestEditor twin;
+    twin.add_all_samples();
+    const ByteImage expected = twin.picture();
     // The pictures and the settings; the panel of passes shows times.
     const auto differing = [&] {
         const ByteImage seen = screen("window_still");
