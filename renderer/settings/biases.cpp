@@ -58,7 +58,6 @@ constexpr Bias kBiases[] = {
      .help = "The lectures' bias: max(slope bias * (1 - N·L), constant bias), with N·L the cosine between surface "
              "normal and "
              "light. The compared depth is the same for all texels of the kernel.",
-     .paper = "",
      .file = "biases/slope.glsl",
      .settings = kSlopeSettings,
      .amount = slope_bias},

@@ -159,12 +159,12 @@ constexpr auto kCount = std::to_array<Param>({
 
 constexpr auto kLight = with_scope(
     std::to_array<Param>({
-        {SI_LIGHT_FIELD(name), .label = "Name", .unit = "", .max = 60,
+        {SI_LIGHT_FIELD(name), .label = "Name", .max = 60,
          .help = "Name of the light for people, such as key or sun. Keys, commands and messages use its number.",
          .also = "rename, label"},
-        {SI_LIGHT_FIELD(type), .label = "Type", .unit = "", SI_CHOICES(kTypes), .help = "The kind of light.",
+        {SI_LIGHT_FIELD(type), .label = "Type", SI_CHOICES(kTypes), .help = "The kind of light.",
          .also = "sun, lamp, omni, OmniLight, PointLight, SpotLight, DirectionalLight"},
-        {SI_LIGHT_FIELD(on), .label = "On", .unit = "",
+        {SI_LIGHT_FIELD(on), .label = "On",
          .help = "Switches the light on. Off: no map is drawn for it, and it keeps its settings.",
          .also = "enabled, visible, mute, solo"},
         {SI_LIGHT_FIELD(azimuth), .label = "Azimuth", .unit = "deg", .min = -360, .max = 360,
@@ -200,21 +200,20 @@ constexpr auto kLight = with_scope(
          .help = "Full opening angle of a spot light. Above 171 degrees its map is drawn as six faces, as a point "
                  "light's.",
          .also = "spot angle, outer cone angle"},
-        {SI_LIGHT_FIELD(cone_blend), .label = "Cone blend", .unit = "", .min = 0, .max = 1,
+        {SI_LIGHT_FIELD(cone_blend), .label = "Cone blend", .min = 0, .max = 1,
          SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
          .help = "Share of the cone over which the light fades at its rim: 0 is a hard edge, 1 fades from the axis on.",
          .also = "inner cone angle, spot blend, penumbra"},
-        {SI_LIGHT_FIELD(intensity), .label = "Intensity", .unit = "", .min = 0, .max = 1e6, .logarithmic = true,
+        {SI_LIGHT_FIELD(intensity), .label = "Intensity", .min = 0, .max = 1e6, .logarithmic = true,
          .help = "Brightness relative to the other lights. Directional lights: as given. Spot and point lights: scaled "
                  "together so that the brightest of them is 1 at the scene's centre, without regard to their ranges.",
          .also = "energy, strength, brightness, power"},
-        {SI_LIGHT_FIELD(red), .label = "Red", .unit = "", .min = 0, .max = 1, .help = "Colour, linear red.",
+        {SI_LIGHT_FIELD(red), .label = "Red", .min = 0, .max = 1, .help = "Colour, linear red.", .also = "light color"},
+        {SI_LIGHT_FIELD(green), .label = "Green", .min = 0, .max = 1, .help = "Colour, linear green.",
          .also = "light color"},
-        {SI_LIGHT_FIELD(green), .label = "Green", .unit = "", .min = 0, .max = 1, .help = "Colour, linear green.",
+        {SI_LIGHT_FIELD(blue), .label = "Blue", .min = 0, .max = 1, .help = "Colour, linear blue.",
          .also = "light color"},
-        {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue.",
-         .also = "light color"},
-        {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
+        {SI_LIGHT_FIELD(cast), .label = "Casts shadows",
          .help = "Makes the light cast shadows. Off: everything it reaches is lit, and no map is drawn for it.",
          .also = "castShadow, castShadows, shadow enabled, enable shadows, no shadows"},
         {SI_LIGHT_FIELD(contact), .label = "Contact shadows", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
@@ -223,25 +222,24 @@ constexpr auto kLight = with_scope(
                  "buffer; a surface on the way shadows it, whatever light.source says. Brings back the small shadows "
                  "that a bias loses at contacts. Only geometry in the picture counts. 0 is off.",
          .also = "contact shadow length, screen-space shadows, contact distance, screenSpaceContactShadows"},
-        {SI_LIGHT_FIELD(source), .label = "Source", .unit = "", .choices = source_choices,
+        {SI_LIGHT_FIELD(source), .label = "Source", .choices = source_choices,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "The technique that makes the light's shadows. All can be compared with the ray-traced reference.",
          .also = "shadow type, ray-traced shadows, baked shadows, stencil shadows, lightmap, shadowmask, capsule "
                  "shadows, blob shadows, decal shadows"},
-        {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", .choices = fit_choices, .idle = map_idle,
+        {SI_LIGHT_FIELD(fit), .label = "Fit", .choices = fit_choices, .idle = map_idle,
          .help = "The region that the shadow map covers.",
          .also = "shadow distance, max distance, shadow camera, stable cascades, stabilized, shadow frustum, stable "
                  "fit, close fit, shadow projection, dynamic shadow distance, directional shadow max distance, "
                  "maxShadowDistance, perspective shadow maps"},
-        {SI_LIGHT_FIELD(snap), .label = "Whole texels", .unit = "",
+        {SI_LIGHT_FIELD(snap), .label = "Whole texels",
          SI_IDLE(of(s, i).fit != LightFit::Stabilised, "without effect: only the fit stabilised moves by whole texels"),
          .help = "Moves the stabilised map by whole texels, so that shadow edges stay unchanged while the camera "
                  "moves. Off: the map follows by fractions of a texel, and edges shimmer.",
          .also = "texel snapping, stable, shimmer, swimming, shimmering, flicker, edge crawling"},
-        {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
-         .idle = projection_idle, .help = "The projection of the shadow map.",
-         .also = "orthographic, perspective, shadow camera"},
-        {SI_LIGHT_FIELD(near_far), .label = "Near and far", .unit = "", SI_CHOICES(kNearFar), .idle = near_far_idle,
+        {SI_LIGHT_FIELD(projection), .label = "Projection", SI_CHOICES(kProjections), .idle = projection_idle,
+         .help = "The projection of the shadow map.", .also = "orthographic, perspective, shadow camera"},
+        {SI_LIGHT_FIELD(near_far), .label = "Near and far", SI_CHOICES(kNearFar), .idle = near_far_idle,
          .help = "The depth range of the map. Shorter ranges have finer steps.",
          .also = "shadow near plane, near plane offset, pancaking, depth range, directional shadow pancake size"},
         {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
@@ -256,7 +254,7 @@ constexpr auto kLight = with_scope(
                  "steps of depth.",
          .also = "shadow far, clip end, max distance, shadow distance, shadow camera far, shadow.camera.far, "
                  "shadowFar, shadowFarHint, clipping planes"},
-        {SI_LIGHT_FIELD(stretch), .label = "Range factor", .unit = "", .min = 1, .max = 1e5, .logarithmic = true,
+        {SI_LIGHT_FIELD(stretch), .label = "Range factor", .min = 1, .max = 1e5, .logarithmic = true,
          .idle = near_far_idle,
          .help = "Factor by which the depth range is longer than near and far. Under parallel light the range grows "
                  "around its middle. Under spot and point lights near is divided by the factor and far multiplied. "
@@ -273,50 +271,49 @@ constexpr auto kLight = with_scope(
                  "depth, at map.resolution. 1 is the single map of light.fit.",
          .also = "cascade count, CSM, PSSM, shadow splits, num dynamic shadow cascades, shadowCascades, directional "
                  "shadow mode, cascaded shadow maps"},
-        {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", .unit = "", SI_CHOICES(kDepthBounds),
-         .idle = depth_bounds_idle, .help = "The camera depths that cascades and fits to the view frustum cover."},
-        {SI_LIGHT_FIELD(split), .label = "Split", .unit = "", .choices = split_choices, .idle = between_cascades_idle,
+        {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", SI_CHOICES(kDepthBounds), .idle = depth_bounds_idle,
+         .help = "The camera depths that cascades and fits to the view frustum cover."},
+        {SI_LIGHT_FIELD(split), .label = "Split", .choices = split_choices, .idle = between_cascades_idle,
          .help = "The division of the camera's depth among cascades.",
          .also = "cascade splits, cascade distribution, partition, split distance, cascadeSplitPositions"},
-        {SI_LIGHT_FIELD(split_lambda), .label = "Split lambda", .unit = "", .min = 0, .max = 1, .idle = lambda_idle,
+        {SI_LIGHT_FIELD(split_lambda), .label = "Split lambda", .min = 0, .max = 1, .idle = lambda_idle,
          .help = "The division of the camera's depth among cascades: 0 even, 1 by equal ratios, between them their "
                  "weighted mean (Zhang et al., 2006).",
          .also = "cascade distribution exponent, PSSM lambda, fade-in"},
-        {SI_LIGHT_FIELD(split_1), .label = "Split 1", .unit = "", .min = 0, .max = 1, .idle = split_idle<1>,
+        {SI_LIGHT_FIELD(split_1), .label = "Split 1", .min = 0, .max = 1, .idle = split_idle<1>,
          .help = "Far end of the first cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
                  "splits that it passes.",
          .also = "split distance, directional shadow split"},
-        {SI_LIGHT_FIELD(split_2), .label = "Split 2", .unit = "", .min = 0, .max = 1, .idle = split_idle<2>,
+        {SI_LIGHT_FIELD(split_2), .label = "Split 2", .min = 0, .max = 1, .idle = split_idle<2>,
          .help = "Far end of the second cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
                  "splits that it passes.",
          .also = "split distance, directional shadow split"},
-        {SI_LIGHT_FIELD(split_3), .label = "Split 3", .unit = "", .min = 0, .max = 1, .idle = split_idle<3>,
+        {SI_LIGHT_FIELD(split_3), .label = "Split 3", .min = 0, .max = 1, .idle = split_idle<3>,
          .help = "Far end of the third cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
                  "splits that it passes.",
          .also = "split distance, directional shadow split"},
-        {SI_LIGHT_FIELD(split_4), .label = "Split 4", .unit = "", .min = 0, .max = 1, .idle = split_idle<4>,
+        {SI_LIGHT_FIELD(split_4), .label = "Split 4", .min = 0, .max = 1, .idle = split_idle<4>,
          .help = "Far end of the fourth cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
                  "splits that it passes.",
          .also = "split distance"},
-        {SI_LIGHT_FIELD(split_5), .label = "Split 5", .unit = "", .min = 0, .max = 1, .idle = split_idle<5>,
+        {SI_LIGHT_FIELD(split_5), .label = "Split 5", .min = 0, .max = 1, .idle = split_idle<5>,
          .help = "Far end of the fifth cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
                  "splits that it passes.",
          .also = "split distance"},
-        {SI_LIGHT_FIELD(split_6), .label = "Split 6", .unit = "", .min = 0, .max = 1, .idle = split_idle<6>,
+        {SI_LIGHT_FIELD(split_6), .label = "Split 6", .min = 0, .max = 1, .idle = split_idle<6>,
          .help = "Far end of the sixth cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
                  "splits that it passes.",
          .also = "split distance"},
-        {SI_LIGHT_FIELD(split_7), .label = "Split 7", .unit = "", .min = 0, .max = 1, .idle = split_idle<7>,
+        {SI_LIGHT_FIELD(split_7), .label = "Split 7", .min = 0, .max = 1, .idle = split_idle<7>,
          .help = "Far end of the seventh cascade, as a share of the divided depths: 0 is the nearest. An edit moves "
                  "the splits that it passes.",
          .also = "split distance"},
-        {SI_LIGHT_FIELD(cascade_blend), .label = "Cascade blend", .unit = "", .min = 0, .max = 1,
-         .idle = between_cascades_idle,
+        {SI_LIGHT_FIELD(cascade_blend), .label = "Cascade blend", .min = 0, .max = 1, .idle = between_cascades_idle,
          .help = "Share of a cascade's interval, at its end, over which the next one's shadow is blended in; both are "
                  "read there. 0 changes from one to the next at once.",
          .also = "cascade border, transition fraction, blend splits, cascade fade, directional shadow blend splits, "
                  "cascade transition"},
-        {SI_LIGHT_FIELD(cascade_choice), .label = "Cascade chosen", .unit = "", SI_CHOICES(kCascadeChoices),
+        {SI_LIGHT_FIELD(cascade_choice), .label = "Cascade chosen", SI_CHOICES(kCascadeChoices),
          .idle = between_cascades_idle, .help = "The cascade in which a point is looked up."},
     }),
     Scope::Light);

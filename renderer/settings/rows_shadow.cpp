@@ -103,27 +103,26 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize, cube size, cascade size, "
              "shadow.mapSize",
      .shader = true, .read_by = ReadBy::Maps},
-    {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
+    {SI_FIELD(map.format), .label = "Format", .cost = Cost::Target, SI_CHOICES(kFormats),
      .help = "The storage of depth in the map. Fewer bits make larger steps of depth, which need more bias.",
      .also = "depth precision, depth bits, depth buffer format", .shader = true, .read_by = ReadBy::Maps},
-    {SI_FIELD(map.wrap), .label = "Addressing", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
+    {SI_FIELD(map.wrap), .label = "Addressing", .cost = Cost::Program, SI_CHOICES(kWraps),
      .help = "The result of a look-up outside the map's square.",
      .also = "wrap mode, address mode, clamp, oversampling", .shader = true},
-    {SI_FIELD(map.outside), .label = "Out-of-map result", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
+    {SI_FIELD(map.outside), .label = "Out-of-map result", .cost = Cost::Program, SI_CHOICES(kOutside),
      .idle = outside_idle,
      .help = "The lighting of surfaces that the map does not hold: beside it, behind its far plane with map.far_guard, "
              "or behind the light.",
      .also = "border colour, border color", .shader = true},
-    {SI_FIELD(map.far_guard), .label = "Far-plane test", .unit = "", .cost = Cost::Program,
+    {SI_FIELD(map.far_guard), .label = "Far-plane test", .cost = Cost::Program,
      .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
              "farther away than anything stored, and turn dark.",
      .also = "far plane, beyond far, shadow distance", .shader = true},
-    {SI_FIELD(map.compare), .label = "Depth test", .unit = "", .cost = Cost::Program, SI_CHOICES(kCompares),
-     .idle = compare_idle,
+    {SI_FIELD(map.compare), .label = "Depth test", .cost = Cost::Program, SI_CHOICES(kCompares), .idle = compare_idle,
      .help = "The comparison of the fragment's depth with the stored one (greater, greater or equal under reversed "
              "depth). They differ where both are equal, as on surfaces that cast onto themselves without bias.",
      .also = "depth func, compare function, comparison", .shader = true},
-    {SI_FIELD(map.reversed_z), .label = "Reversed depth", .unit = "", .cost = Cost::Program,
+    {SI_FIELD(map.reversed_z), .label = "Reversed depth", .cost = Cost::Program,
      .help = "The near plane maps to depth 1 and the far plane to 0. With d32f the fine steps of floating point near 0 "
              "then offset the perspective's coarse steps far away.",
      .also = "reverse z, reversed z, inverted depth buffer", .shader = true},
@@ -140,17 +139,17 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
              "crosses a texel covers a share of it. A number that the driver does not support is reported, and the "
              "next lower supported one is used.",
      .also = "MSAA, multisampling, antialiasing, msaaSamples", .read_by = ReadBy::Moments},
-    {SI_FIELD(map.transform), .label = "Texture matrix", .unit = "", .cost = Cost::Program, SI_CHOICES(kTransforms),
+    {SI_FIELD(map.transform), .label = "Texture matrix", .cost = Cost::Program, SI_CHOICES(kTransforms),
      .help = "The computation of a surface's place in the map. Both ways agree in exact numbers. The overlay "
              "transform-difference shows by how many texels they differ in single precision.",
      .also = "bias matrix, texture matrix, texture projection", .shader = true},
-    {SI_FIELD(map.origin), .label = "Positions from", .unit = "", SI_CHOICES(kOrigins),
+    {SI_FIELD(map.origin), .label = "Positions from", SI_CHOICES(kOrigins),
      .help = "The origin of positions on the GPU. Both choices agree in exact numbers. Single precision has some seven "
              "digits, and far from the world's origin the distance uses them up."},
     {.key = "map.virtual",
      .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.map.paged; },
      .label = "Virtual map",
-     .unit = "",
+
      .cost = Cost::Target,
      .idle = paging_idle_reason,
      .help = "Draws only those pages of each map that visible surfaces read, and caches them until a caster or the "
@@ -232,12 +231,12 @@ constexpr Choice kBlends[] = {
 };
 
 constexpr auto kCaster = std::to_array<Param>({
-    {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
+    {SI_FIELD(caster.cull), .label = "Cull casters", SI_CHOICES(kCulls),
      .help = "The faces that are left out of the shadow map. Objects may differ (object.PATH.cull).",
      .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling, "
              "shadow reverse cull face, face culling",
      .map_only = true, .read_by = ReadBy::Maps},
-    {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
+    {SI_FIELD(caster.blend), .label = "Blended casters", SI_CHOICES(kBlends),
      .help = "The shadow of materials whose alpha blends (glTF: BLEND). A shadow map holds one depth a texel, so there "
              "is no half shadow.",
      .also = "transparent shadows, translucent, alpha blend"},
@@ -249,11 +248,11 @@ bool slope_acts(const Settings& s) {
 }
 
 constexpr auto kBias = only_of_maps(std::to_array<Param>({
-    {SI_FIELD(bias.kind), .label = "Kind", .unit = "", .cost = Cost::Program, .choices = bias_choices,
+    {SI_FIELD(bias.kind), .label = "Kind", .cost = Cost::Program, .choices = bias_choices,
      .help = "The amount subtracted from the fragment's depth before the comparison. Normal offset and polygon offset "
              "are added to it.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
-    {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
+    {SI_FIELD(bias.unit), .label = "Unit", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
      .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
@@ -279,7 +278,7 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
      .also =
          "normal bias, normalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, normal offset bias",
      .shader = true},
-    {SI_FIELD(bias.normal_source), .label = "Normal", .unit = "", .cost = Cost::Program, SI_CHOICES(kNormals),
+    {SI_FIELD(bias.normal_source), .label = "Normal", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .shader = true, .read_by = ReadBy::SurfacesSeen},
     {SI_FIELD(bias.raster_slope), .label = "Polygon offset factor", .unit = "x depth slope", .min = -100, .max = 100,
@@ -307,22 +306,21 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
 static_assert(kBias.size() == member_count<BiasSettings>(), "a member of BiasSettings has no row");
 
 constexpr auto kFilter = only_of_maps(std::to_array<Param>({
-    {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
+    {SI_FIELD(filter.kernel), .label = "Kernel", .cost = Cost::Program, .choices = filter_choices,
      .swept = sweep_kernels,
      .help = "The filter of the shadow test. Wider kernels blur the stair steps and need more bias.",
      .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
              "hard shadows, shadowMap.type, PCFSoftShadowMap, PCFShadowMap, BasicShadowMap, VSMShadowMap, "
              "percentage-closer filtering",
      .shader = true},
-    {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
-     .idle = method_idle,
+    {SI_FIELD(filter.method), .label = "Method", .cost = Cost::Program, SI_CHOICES(kMethods), .idle = method_idle,
      .help = "The way in which the kernel reads the map. All give the same picture at different cost.",
      .also = "sampler2DShadow, textureGather, comparison sampler, hardware PCF", .shader = true},
     {SI_FIELD(filter.size), .label = "Size", .unit = "texels", .min = 2, .max = 15, .cost = Cost::Program,
      .help = "Width of the kernel: comparisons, or texels that the weights span, along each axis. An even width is "
              "centred between texels.",
      .also = "kernel size, filter size, softness, PCF 3x3, 5x5, 7x7", .shader = true},
-    {SI_FIELD(filter.point), .label = "Points", .unit = "", .cost = Cost::Program,
+    {SI_FIELD(filter.point), .label = "Points", .cost = Cost::Program,
      .help = "Compares single texels, as the lectures write it by hand: size^2 + 1 grey levels. Off: each comparison "
              "blends 2x2 texels, and edges are without steps.",
      .shader = true},
@@ -335,15 +333,15 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .help = "Radius of the disk of taps. A wider kernel is softer and needs more bias.",
      .also = "softness, filter radius, shadow radius, shadow blur, shadow.radius, shadow filter sharpen",
      .shader = true},
-    {SI_FIELD(filter.radius_unit), .label = "Radius unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kRadiusUnits),
+    {SI_FIELD(filter.radius_unit), .label = "Radius unit", .cost = Cost::Program, SI_CHOICES(kRadiusUnits),
      .help = "The unit of filter.radius. In metres the shadow is equally soft at any resolution and at any distance "
              "from a spot or point light.",
      .shader = true},
-    {SI_FIELD(filter.rotate), .label = "Rotate per pixel", .unit = "", .cost = Cost::Program,
+    {SI_FIELD(filter.rotate), .label = "Rotate per pixel", .cost = Cost::Program,
      .help = "Rotates the disk of taps by an angle for each pixel: noise in place of the steps of few taps. Off: the "
              "same taps everywhere.",
      .also = "jitter, dither, random rotation, noise, interleaved gradient noise", .shader = true},
-    {SI_FIELD(filter.disk), .label = "Disk", .unit = "", .cost = Cost::Program, SI_CHOICES(kDisks),
+    {SI_FIELD(filter.disk), .label = "Disk", .cost = Cost::Program, SI_CHOICES(kDisks),
      .help = "The places of the disk that are searched and compared.", .shader = true},
     {SI_FIELD(filter.blocker_taps), .label = "Blocker taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
@@ -374,7 +372,7 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
              "the map, however many pixels read it. 0 leaves the 2x2 that bilinear sampling blends.",
      .also = "blur radius, softness, blurSamples, blurWidth, shadow.blurSamples", .shader = true,
      .read_by = ReadBy::Moments},
-    {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .unit = "", .min = 0, .max = 0.99,
+    {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .min = 0, .max = 0.99,
      .help = "Visibility below this share counts as shadow, and the remainder is stretched to 0 to 1. Removes light "
              "that leaks in where shadows overlap, and hardens every edge.",
      .also = "light bleeding, lightBleedReduction, bleed bias, light leaking", .shader = true},
@@ -383,10 +381,10 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .help = "Minimum variance of every texel, in squares of the map's depth range. It covers rounding: too little "
              "leaves acne, too much lets light in near contacts.",
      .also = "minVarianceScale, variance bias", .shader = true},
-    {SI_FIELD(filter.blur_shape), .label = "Blur shape", .unit = "", .cost = Cost::Program, SI_CHOICES(kBlurShapes),
+    {SI_FIELD(filter.blur_shape), .label = "Blur shape", .cost = Cost::Program, SI_CHOICES(kBlurShapes),
      SI_IDLE(s.filter.blur == 0, "without effect: filter.blur is 0"), .help = "The weights of the blur's texels.",
      .shader = true, .read_by = ReadBy::Moments},
-    {SI_FIELD(filter.mips), .label = "Mip levels", .unit = "", .cost = Cost::Program,
+    {SI_FIELD(filter.mips), .label = "Mip levels", .cost = Cost::Program,
      .help = "Coarser copies of the moments, blended by the pixel's footprint in the map: distant shadows turn soft "
              "instead of noisy. A third more memory.",
      .also = "mipmaps, mipmapping", .shader = true, .read_by = ReadBy::Moments},
@@ -395,27 +393,26 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .help = "Most samples along the footprint's long side, in grazing light or in a grazing view: less blur across "
              "it. A value beyond the driver's limit is reported, and the limit is used.",
      .shader = true},
-    {SI_FIELD(filter.moment_format), .label = "Moments", .unit = "", .cost = Cost::Program, SI_CHOICES(kMomentFormats),
+    {SI_FIELD(filter.moment_format), .label = "Moments", .cost = Cost::Program, SI_CHOICES(kMomentFormats),
      .help = "The storage of each moment.", .also = "highPrecision", .shader = true, .read_by = ReadBy::Moments},
-    {SI_FIELD(filter.exponent), .label = "Exponent", .unit = "", .min = 0.5, .max = 88, .logarithmic = true,
+    {SI_FIELD(filter.exponent), .label = "Exponent", .min = 0.5, .max = 88, .logarithmic = true,
      .help = "c of e^(c x), where x runs from -1 at the near to 1 at the far plane. Higher: less light bleeds, sharper "
              "contacts. The limit is the range of the stored format (32-bit: esm 87.3, evsm 43.6, reduced by a blur; "
              "16-bit: esm 11, evsm 5.54). A value beyond it is reported, and the limit is used.",
      .shader = true, .read_by = ReadBy::Moments},
-    {SI_FIELD(filter.negative_exponent), .label = "Negative exponent", .unit = "", .min = 0.5, .max = 88,
-     .logarithmic = true,
+    {SI_FIELD(filter.negative_exponent), .label = "Negative exponent", .min = 0.5, .max = 88, .logarithmic = true,
      .help = "d of -e^(-d x), the second warp. It separates near casters, and darkens slopes if it is high. Limits as "
              "filter.exponent.",
      .shader = true, .read_by = ReadBy::Moments},
-    {SI_FIELD(filter.moment_bias), .label = "Moment bias", .unit = "", .min = 0, .max = 0.1, .logarithmic = true,
+    {SI_FIELD(filter.moment_bias), .label = "Moment bias", .min = 0, .max = 0.1, .logarithmic = true,
      .help = "Share of the moments that is replaced by one half. It covers rounding, which leaves moments of no "
              "possible depths: about 3e-6 for 32-bit, 3e-5 for 16-bit. Too little: noise. Too much: light bleeds.",
      .shader = true},
-    {SI_FIELD(filter.sums), .label = "Table", .unit = "", .cost = Cost::Program, SI_CHOICES(kSums),
+    {SI_FIELD(filter.sums), .label = "Table", .cost = Cost::Program, SI_CHOICES(kSums),
      .help = "The number type of the summed-area table.", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.window), .label = "Window", .unit = "texels", .min = 1, .max = 32, .logarithmic = true,
      .help = "Width of the square of texels that each look-up averages; any number costs the same.", .shader = true},
-    {SI_FIELD(filter.footprint), .label = "Widen by footprint", .unit = "", .cost = Cost::Program,
+    {SI_FIELD(filter.footprint), .label = "Widen by footprint", .cost = Cost::Program,
      .help = "Widens the window to the pixel's footprint where that spans more texels, up to 32.", .shader = true},
 }));
 static_assert(kFilter.size() == member_count<FilterSettings>(), "a member of FilterSettings has no row");

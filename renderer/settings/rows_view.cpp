@@ -29,39 +29,39 @@ constexpr Choice kCurves[] = {
 };
 
 constexpr auto kShading = std::to_array<Param>({
-    {SI_FIELD(shading.ambient), .label = "Ambient", .unit = "", .min = 0, .max = 10,
+    {SI_FIELD(shading.ambient), .label = "Ambient", .min = 0, .max = 10,
      .help = "Share of light that comes from everywhere and is never shadowed: colour = (ambient + visibility * "
              "(diffuse + specular)) * base colour.",
      .also = "skylight, ambient light, environment light, indirect, shadow strength, shadow color, shadow colour, "
              "shadow opacity, shadow darkness",
      .shader = true},
-    {SI_FIELD(shading.diffuse), .label = "Diffuse", .unit = "", .min = 0, .max = 10,
+    {SI_FIELD(shading.diffuse), .label = "Diffuse", .min = 0, .max = 10,
      .help = "Weight of the diffuse term, which falls with the cosine to the light.", .shader = true},
-    {SI_FIELD(shading.specular), .label = "Specular", .unit = "", .min = 0, .max = 10,
+    {SI_FIELD(shading.specular), .label = "Specular", .min = 0, .max = 10,
      .help = "Weight of the Blinn-Phong highlight.", .shader = true},
-    {SI_FIELD(shading.shininess), .label = "Shininess", .unit = "", .min = 1, .max = 1024, .logarithmic = true,
+    {SI_FIELD(shading.shininess), .label = "Shininess", .min = 1, .max = 1024, .logarithmic = true,
      SI_IDLE(s.shading.specular == 0, "without effect: shading.specular is 0"),
      .help = "Exponent of the Blinn-Phong highlight; larger is smaller and sharper.", .shader = true},
-    {SI_FIELD(shading.sky), .label = "Sky", .unit = "", SI_CHOICES(kSkies),
+    {SI_FIELD(shading.sky), .label = "Sky", SI_CHOICES(kSkies),
      .help = "Background and ambient light of the scene. No visibility depends on it.",
      .also = "skybox, background, world", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.exposure), .label = "Exposure", .unit = "EV", .min = -8, .max = 8,
      .help = "Brightens the picture, sky included, by powers of two before the tone curve.",
      .also = "exposure compensation, toneMappingExposure, post exposure", .read_by = ReadBy::Shading},
-    {SI_FIELD(shading.curve), .label = "Tone curve", .unit = "", SI_CHOICES(kCurves),
+    {SI_FIELD(shading.curve), .label = "Tone curve", SI_CHOICES(kCurves),
      .help = "The conversion of light to the picture's colours. No visibility depends on it.",
      .also = "tone mapping, toneMapping, tonemapper, gamma, view transform", .read_by = ReadBy::Shading},
-    {SI_FIELD(shading.composition), .label = "Composition", .unit = "", .cost = Cost::Program,
-     SI_CHOICES(kCompositions), .help = "The combination of light and shadow in the picture.", .shader = true},
-    {SI_FIELD(shading.dim), .label = "Dim light", .unit = "", .min = 0, .max = 1,
+    {SI_FIELD(shading.composition), .label = "Composition", .cost = Cost::Program, SI_CHOICES(kCompositions),
+     .help = "The combination of light and shadow in the picture.", .shader = true},
+    {SI_FIELD(shading.dim), .label = "Dim light", .min = 0, .max = 1,
      SI_IDLE(s.shading.composition != Composition::DimLit, "without effect: set shading.composition to dim-lit"),
      .help = "Share of each light that the dim pass leaves in shadow, so that surfaces keep their shape there.",
      .shader = true},
-    {SI_FIELD(shading.textures), .label = "Textures", .unit = "", .cost = Cost::Program,
+    {SI_FIELD(shading.textures), .label = "Textures", .cost = Cost::Program,
      .help = "Use base colour textures and normal maps. Off: plain material colours, so that shadows stand out. Alpha "
              "masks cut out either way.",
      .also = "albedo, normal map", .shader = true},
-    {SI_FIELD(shading.separate_visibility), .label = "Visibility as its own pass", .unit = "",
+    {SI_FIELD(shading.separate_visibility), .label = "Visibility as its own pass",
      .help = "Draw visibility into a texture of its own even when nothing else reads it. The picture stays the same; "
              "the cost of the filter shows by itself.",
      .also = "shadow mask, screen-space shadow texture"},
@@ -90,8 +90,8 @@ std::string_view height_idle(const Settings& s, int i) {
 }
 
 constexpr auto kCamera = std::to_array<Param>({
-    {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources), .help = "The source of the camera."},
-    {SI_FIELD(camera.index), .label = "Scene's camera", .unit = "", .min = -1, .max = 9999,
+    {SI_FIELD(camera.source), .label = "Camera", SI_CHOICES(kSources), .help = "The source of the camera."},
+    {SI_FIELD(camera.index), .label = "Scene's camera", .min = -1, .max = 9999,
      SI_IDLE(s.camera.source != CameraSource::Automatic, "without effect: set camera.source to auto"),
      .help = "The scene's camera that is used, counted from 0; -1 is a camera that shows the whole scene. Without "
              "effect on scenes without cameras."},
@@ -118,7 +118,7 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.far), .label = "Far", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true, .zero_is_auto = true,
      .idle = camera_idle, .help = "Distance of the camera's far plane; 0 is automatic. Farther surfaces are cut away.",
      .also = "far clip plane, clip end, clipping planes"},
-    {SI_FIELD(camera.orthographic), .label = "Orthographic", .unit = "", .idle = camera_idle,
+    {SI_FIELD(camera.orthographic), .label = "Orthographic", .idle = camera_idle,
      .help = "Parallel instead of perspective projection of the camera.", .also = "ortho, isometric"},
     {SI_FIELD(camera.height), .label = "Height", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
      .idle = height_idle, .help = "Height of the view of an orthographic camera.",
@@ -141,10 +141,10 @@ constexpr Choice kGrounds[] = {
 };
 
 constexpr auto kScene = std::to_array<Param>({
-    {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
+    {SI_FIELD(scene.index), .label = "Scene of the file", .min = -1, .max = 9999,
      .help =
          "The shown scene of a glTF file, counted from 0; -1 is the file's default. A change reads the file again."},
-    {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
+    {SI_FIELD(scene.animation), .label = "Animation", .min = -1, .max = 9999,
      .help = "The shown animation of the scene's file, counted from 0; -1 is the rest pose. Without effect on scenes "
              "without animations.",
      .animation_only = true},
@@ -156,15 +156,15 @@ constexpr auto kScene = std::to_array<Param>({
      .help =
          "Distance by which the scene is moved from its place in the file, with its cameras and lights. Far from the "
          "world's origin single precision has few digits left for a shadow's edge (map.origin). 0 moves nothing."},
-    {SI_FIELD(scene.direction), .label = "Moved along", .unit = "", SI_CHOICES(kPlacedAlong),
+    {SI_FIELD(scene.direction), .label = "Moved along", SI_CHOICES(kPlacedAlong),
      SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"),
      .help = "The direction in which the scene is moved."},
-    {SI_FIELD(scene.scale), .label = "Scaled by", .unit = "", .min = 1e-3, .max = 1e6, .logarithmic = true,
+    {SI_FIELD(scene.scale), .label = "Scaled by", .min = 1e-3, .max = 1e6, .logarithmic = true,
      .help = "Factor of the scene's size over that of its file, with its cameras and lights. The manual camera and "
              "settings in metres grow with it. Metres given by --set stay as given."},
-    {SI_FIELD(scene.ground), .label = "Ground", .unit = "", SI_CHOICES(kGrounds),
+    {SI_FIELD(scene.ground), .label = "Ground", SI_CHOICES(kGrounds),
      .help = "The ground under a loaded model, which shows its shadow.", .also = "floor, ground plane, shadow catcher"},
-    {SI_FIELD(scene.fit_animation), .label = "Fit over the animation", .unit = "",
+    {SI_FIELD(scene.fit_animation), .label = "Fit over the animation",
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help = "Fits shadow maps to all places that objects reach during the chosen animation. Maps then neither move "
              "nor change size while it plays, and their texels are larger. Off: maps follow the shown pose. A fit to "
@@ -180,15 +180,14 @@ std::string_view area_idle(const Settings& s, int) {
 }
 
 constexpr auto kReference = std::to_array<Param>({
-    {SI_FIELD(truth.area), .label = "Area light (soft shadows)", .unit = "",
+    {SI_FIELD(truth.area), .label = "Area light (soft shadows)",
      .help = "Compare with an area light (light.size), which casts penumbras. Off: with a point or a direction, "
              "which casts hard shadows.",
      .also = "soft shadows, area light, ray-traced shadows"},
-    {SI_FIELD(truth.samples), .label = "Maximum rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
-     .idle = area_idle,
+    {SI_FIELD(truth.samples), .label = "Maximum rays", .min = 1, .max = 1 << 20, .logarithmic = true, .idle = area_idle,
      .help = "Maximum rays of a pixel to an area light: 64 everywhere, then four times as many, and again, where noise "
              "requires it."},
-    {SI_FIELD(truth.noise), .label = "Noise", .unit = "", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
+    {SI_FIELD(truth.noise), .label = "Noise", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
      .help = "Target standard error of a pixel's reference visibility under an area light."},
     {SI_FIELD(truth.step), .label = "Trace every n-th pixel", .unit = "px", .min = 1, .max = 8,
      .help = "Step between traced and compared pixels, across and down: 1 is every pixel, 2 one of four (half "
@@ -205,17 +204,17 @@ constexpr Choice kObjectCulls[] = {
 
 constexpr auto kObject = with_scope(
     std::to_array<Param>({
-        {SI_OBJECT_FIELD(shown), .label = "Shown", .unit = "",
+        {SI_OBJECT_FIELD(shown), .label = "Shown",
          .help = "Shows this object. A hidden one is not drawn, casts nothing and receives nothing. The scene's bounds "
                  "still contain it, so that the view stays.",
          .also = "visible, visibility, hide, hidden, isolate, enabled, renderable"},
-        {SI_OBJECT_FIELD(cull), .label = "Cull", .unit = "", SI_CHOICES(kObjectCulls),
+        {SI_OBJECT_FIELD(cull), .label = "Cull", SI_CHOICES(kObjectCulls),
          .help = "The faces of this object that are left out of the shadow map. It keeps single planes and floors "
                  "under front-face culling.",
          .also = "shadow side, double sided, two-sided", .map_only = true},
-        {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Makes this object cast shadows.",
+        {SI_OBJECT_FIELD(cast), .label = "Casts", .help = "Makes this object cast shadows.",
          .also = "cast shadow, castShadow, castShadows, shadow casting mode, cast shadow setting"},
-        {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Makes this object receive shadows.",
+        {SI_OBJECT_FIELD(receive), .label = "Receives", .help = "Makes this object receive shadows.",
          .also = "receive shadow, receiveShadow, receive shadows"},
     }),
     Scope::Object);

@@ -7,7 +7,7 @@ namespace {
 using namespace rows;
 
 constexpr auto kVolumeRows = std::to_array<Param>({
-    {SI_FIELD(volumes.allow_large), .label = "Draw large volumes", .unit = "",
+    {SI_FIELD(volumes.allow_large), .label = "Draw large volumes",
      .help = "Draws shadow volumes also where more than 20000 triangles of casters are not of closed surfaces: each "
              "then adds faces of its own, and a picture may take minutes. Off: the light has no shadow then, and a "
              "note says how many triangles it would take and how often they would cover the picture."},
