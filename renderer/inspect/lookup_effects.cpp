@@ -165,10 +165,9 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
     }
     search_parts(f, pass, looked_up, out);
     if (!from_maps) return;
-    out.push_back(
-        skipped_part(f, pass, "look-ups where light does not arrive", Optimisation::BackFacingReceivers,
-                     "surfaces that face away from a light, or lie outside its range or cone, are dark without a "
-                     "look-up"));
+    out.push_back(skipped_part(
+        f, pass, "look-ups where light does not arrive", Optimisation::BackFacingReceivers,
+        "surfaces that face away from a light, or lie outside its range or cone, are dark without a look-up"));
     const char* skipped = search_of(f.filter()) == Search::Rays
                               ? "no penumbra opens, and no ray is marched where no occluder is"
                               : "no penumbra opens, and all taps of the search fall on one point";
@@ -187,8 +186,7 @@ void contact_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
             pass, fmt::format("contact shadows of light {}", i), shadowed && length > 0,
             length <= 0 ? light_setting_key(i, "contact") + " is 0"
             : !shadowed ? f.frame.lights[i].reason
-                        : fmt::format("{} is {}: a ray is marched so far through the "
-                                      "picture's depth, in {} steps",
+                        : fmt::format("{} is {}: a ray is marched so far through the picture's depth, in {} steps",
                                       light_setting_key(i, "contact"), metres_text(length), f.settings.contact.steps)));
     }
 }
@@ -202,12 +200,11 @@ bool is_separate(const EffectFacts& f) {
 void look_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const ShadingSettings& s = f.settings.shading;
     const bool ground = !f.scene.ground_bounds.empty();
-    out.push_back(part_of(pass, "ground", ground,
-                          ground ? "scene.ground is auto, and the file has no large level surface: a disc receives the "
-                                   "shadows"
-                          : f.settings.scene.ground == Ground::Off
-                              ? "scene.ground is off"
-                              : "the scene has a ground of its own, or is built in"));
+    out.push_back(
+        part_of(pass, "ground", ground,
+                ground ? "scene.ground is auto, and the file has no large level surface: a disc receives the shadows"
+                : f.settings.scene.ground == Ground::Off ? "scene.ground is off"
+                                                         : "the scene has a ground of its own, or is built in"));
     const bool sky = s.sky == SkyLook::Gradient, filmic = s.curve == ToneCurve::Filmic;
     out.push_back(part_of(pass, "sky and its ambient light", sky,
                           sky ? "shading.sky is gradient: the background is sky, surfaces facing up get its ambient "
@@ -230,10 +227,9 @@ void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) 
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
     if (f.scene.objects.size() > 1)
-        out.push_back(skipped_part(
-            f, pass, "shading of what is hidden", Optimisation::DepthOrder,
-            "near objects are drawn first, large meshes after small ones that they touch: the depth test drops "
-            "most fragments that would be shaded and then hidden"));
+        out.push_back(skipped_part(f, pass, "shading of what is hidden", Optimisation::DepthOrder,
+                                   "near objects are drawn first, large meshes after small ones that they touch: the "
+                                   "depth test drops most fragments that would be shaded and then hidden"));
     look_parts(f, pass, out);
 }
 

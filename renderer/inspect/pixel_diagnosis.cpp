@@ -159,8 +159,8 @@ private:
                 return acne();
             case Artefact::PeterPanning:
                 return fmt::format(
-                    "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
-                    "away; {} it is in shadow, as in the reference",
+                    "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} away; "
+                    "{} it is in shadow, as in the reference",
                     texels(d_.shift), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningRaster:
                 return fmt::format(
@@ -169,30 +169,30 @@ private:
                     texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
             case Artefact::PeterPanningOffset:
                 return fmt::format(
-                    "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} "
-                    "it is in shadow, as in the reference",
+                    "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} it is in "
+                    "shadow, as in the reference",
                     metres_text(p_.normal_offset_m),
                     reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
-                    "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset "
-                    "and with {} it is lit, as in the reference",
+                    "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset and with {} "
+                    "it is lit, as in the reference",
                     metres_text(p_.normal_offset_m),
                     reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
                 return fmt::format(
-                    "lost caster: should be in shadow of a surface {} nearer to the light, which {} left out of "
-                    "the map",
+                    "lost caster: should be in shadow of a surface {} nearer to the light, which {} left out of the "
+                    "map",
                     metres_text(reference_.blocker_m), leaves_out());
             case Artefact::Leak:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered < 0.5f)
                     return fmt::format(
-                        "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
-                        "blur (map.blur_texels) find shadow, as in the reference",
+                        "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its blur "
+                        "(map.blur_texels) find shadow, as in the reference",
                         100 * p_.visibility);
                 return fmt::format(
-                    "leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
-                    "needs, is in shadow, as in the reference{}",
+                    "leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it needs, "
+                    "is in shadow, as in the reference{}",
                     100 * p_.visibility, nearest_need(),
                     d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
@@ -202,8 +202,8 @@ private:
                         "are lit, as in the reference",
                         100 * (1 - p_.visibility), filtered_by());
                 return fmt::format(
-                    "filter: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that "
-                    "it needs, is lit, as in the reference",
+                    "filter: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that it "
+                    "needs, is lit, as in the reference",
                     100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
                 if (reference_.evidence.place == CauseEvidence::kLedOutside)
@@ -227,8 +227,7 @@ private:
                 return "penumbra: right for a light without size";
             case Artefact::Contact:
                 return "contact shadow: the ray through the depth buffer meets a surface that does not shadow the "
-                       "pixel; "
-                       "without contact shadows it is lit, as in the reference";
+                       "pixel; without contact shadows it is lit, as in the reference";
             case Artefact::NoMap:
                 break;  // handled above
         }
@@ -260,8 +259,8 @@ private:
         if (d_.has.depth < d_.least.depth)
             return fmt::format("acne: needs {} of bias here, has {}", texels(d_.least), texels(d_.has));
         return fmt::format(
-            "acne of a bent surface: the triangle's own plane needs {} of bias and has {}, but a surface within "
-            "the kernel's reach rises above it; {} would light it",
+            "acne of a bent surface: the triangle's own plane needs {} of bias and has {}, but a surface within the "
+            "kernel's reach rises above it; {} would light it",
             texels(d_.least), texels(d_.has), texels(p_.account.amount(reference_.evidence.curing)));
     }
 

@@ -166,8 +166,7 @@ Scene make_stage_scene() {
     Scene scene;
     scene.name = "stage";
     scene.about =
-        "A thin fence and rods (aliasing), a ramp in grazing light (acne), a figure, a pedestal and a "
-        "single-plane "
+        "A thin fence and rods (aliasing), a ramp in grazing light (acne), a figure, a pedestal and a single-plane "
         "wall that stand on the ground (peter-panning), leaves with an alpha mask, and a distant box.";
     const int root = add_node(scene, "Stage");
     add_ground(scene, root);

@@ -56,8 +56,7 @@ constexpr Bias kBiases[] = {
     {.key = "slope",
      .label = "Slope over constant",
      .help = "The lectures' bias: max(slope bias * (1 - N·L), constant bias), with N·L the cosine between surface "
-             "normal and "
-             "light. The compared depth is the same for all texels of the kernel.",
+             "normal and light. The compared depth is the same for all texels of the kernel.",
      .file = "biases/slope.glsl",
      .settings = kSlopeSettings,
      .amount = slope_bias},

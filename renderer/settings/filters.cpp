@@ -192,9 +192,8 @@ constexpr Filter kFilters[] = {
      .help = "Contact-hardening shadows without a search: the same taps give the shadowed share of the widest penumbra "
              "and the distance of the caster. The contrast of that share is raised until the edge has its right width. "
              "This is exact for one straight edge and wrong where two casters overlap.",
-     .paper =
-         "Guy, Agopian: Physically Based Rendering in Filament (DPCF); after Gruen: Contact Hardening Shadows Made "
-         "Fast, 2010",
+     .paper = "Guy, Agopian: Physically Based Rendering in Filament (DPCF); after Gruen: Contact Hardening Shadows "
+              "Made Fast, 2010",
      .file = "filters/dpcf.glsl",
      .square = false,
      .linear = false,

@@ -75,9 +75,8 @@ constexpr Overlay kOverlays[] = {
      .scalar = false},
     {.key = "page-level",
      .label = "Page level",
-     .help =
-         "With map.virtual, the clip level that each fragment is looked up in, by colour from the finest on, with its "
-         "pages as a checkerboard.",
+     .help = "With map.virtual, the clip level that each fragment is looked up in, by colour from the finest on, with "
+             "its pages as a checkerboard.",
      .group = OverlayGroup::Resolution,
      .file = "overlays/page_level.glsl",
      .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",

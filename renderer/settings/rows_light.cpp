@@ -197,8 +197,8 @@ constexpr auto kLight = with_scope(
          .also = "attenuation radius, falloff distance, decay"},
         {SI_LIGHT_FIELD(cone), .label = "Cone", .unit = "deg", .min = 0.2, .max = 360,
          SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
-         .help = "Full opening angle of a spot light. Above 171 degrees its map is drawn as six faces, as a point "
-                 "light's.",
+         .help =
+             "Full opening angle of a spot light. Above 171 degrees its map is drawn as six faces, as a point light's.",
          .also = "spot angle, outer cone angle"},
         {SI_LIGHT_FIELD(cone_blend), .label = "Cone blend", .min = 0, .max = 1,
          SI_IDLE(!has_type(s, i, LightType::Spot), "without effect: only a spot light has a cone"),
@@ -261,9 +261,8 @@ constexpr auto kLight = with_scope(
                  "Steps of stored depth grow with it. 1 changes nothing."},
         {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = extent_idle,
-         .help =
-             "Half the width of an orthographic map, or of a spot light's at its target, at most its cone's; 0 is the "
-             "fit's value. A texel is 2 * extent / map.resolution wide there.",
+         .help = "Half the width of an orthographic map, or of a spot light's at its target, at most its cone's; 0 is "
+                 "the fit's value. A texel is 2 * extent / map.resolution wide there.",
          .also = "orthographicSize, ortho size, ortho scale, shadow camera size, left, right, top, bottom"},
         {SI_LIGHT_FIELD(cascades), .label = "Cascades", .unit = "maps", .min = 1, .max = kMaxCascades,
          .idle = cascades_idle,

@@ -15,8 +15,8 @@ constexpr Choice kFormats[] = {
     {"d24", "24-bit depth", "2^24 equal steps of depth, the usual choice of hardware."},
     {"d32f", "32-bit float depth", "Floating point; finest when depth is reversed."},
     {"colour", "depth as colour",
-     "The depth written to a 32-bit float colour target by the fragment shader, as before depth "
-     "textures were common. The sampler cannot compare it."},
+     "The depth written to a 32-bit float colour target by the fragment shader, as before depth textures were common. "
+     "The sampler cannot compare it."},
     {"linear", "distance, 32 bits",
      "The distance along the light's axis between near and far, written to a 32-bit float colour target and converted "
      "to depth when read. Under parallel light it is the depth. The sampler cannot compare it, and polygon offset does "
@@ -182,13 +182,13 @@ constexpr Choice kCulls[] = {
     {"none", "none", "Every triangle casts."},
     {"back", "back faces", "Faces turned away from the light do not cast; single planes lose a side."},
     {"front", "front faces",
-     "Faces turned to the light do not cast: less acne on lit sides, but floors, single planes "
-     "and close contacts lose their shadow."},
+     "Faces turned to the light do not cast: less acne on lit sides, but floors, single planes and close contacts lose "
+     "their shadow."},
 };
 constexpr Choice kUnits[] = {
     {"depth", "depth",
-     "Units of the map's depth range [0,1], as the lectures write it (0.005). Its size in metres "
-     "depends on near and far."},
+     "Units of the map's depth range [0,1], as the lectures write it (0.005). Its size in metres depends on near and "
+     "far."},
     {"texels", "texels",
      "World size of one map texel at the fragment; grows and shrinks with resolution and distance."},
     {"metres", "metres", "World units along the light's axis."},
@@ -264,8 +264,7 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
              "without effect: bias = max(slope bias * (1 - N·L), constant bias), and slope bias is not above constant "
              "bias"),
      .help = "Bias at grazing light. Bias = max(slope bias * (1 - N·L), constant bias), with N·L the cosine between "
-             "surface normal "
-             "and light.",
+             "surface normal and light.",
      .also = "slope scale, slope-scaled depth bias, shadow slope bias", .shader = true},
     {SI_FIELD(bias.plane_clamp), .label = "Plane clamp", .unit = "texels", .min = 0, .max = 10000, .logarithmic = true,
      .help = "Limit of the difference between a texel's compared depth and the one at the look-up, in texel widths "
