@@ -58,55 +58,18 @@ private:
     TrackedMemory held_;
 };
 
-/// Creation and deletion of OpenGL buffers, for Handle.
-struct BufferTraits {
-    static constexpr GLenum kIdentifier = GL_BUFFER;
-    static GLuint create() {
+/// Creation and deletion of OpenGL objects by the functions that take a count and names, for Handle. `Identifier`: the
+/// object's kind for labels; arguments of create() stand before the count, as in glCreateTextures.
+template <GLenum Identifier, auto& Create, auto& Delete>
+struct ObjectTraits {
+    static constexpr GLenum kIdentifier = Identifier;
+    template <typename... Args>
+    static GLuint create(Args... args) {
         GLuint id = 0;
-        glCreateBuffers(1, &id);
+        Create(args..., 1, &id);
         return id;
     }
-    static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
-};
-/// Creation and deletion of OpenGL textures, for Handle.
-struct TextureTraits {
-    static constexpr GLenum kIdentifier = GL_TEXTURE;
-    static GLuint create(GLenum target) {
-        GLuint id = 0;
-        glCreateTextures(target, 1, &id);
-        return id;
-    }
-    static void destroy(GLuint id) { glDeleteTextures(1, &id); }
-};
-/// Creation and deletion of OpenGL framebuffers, for Handle.
-struct FramebufferTraits {
-    static constexpr GLenum kIdentifier = GL_FRAMEBUFFER;
-    static GLuint create() {
-        GLuint id = 0;
-        glCreateFramebuffers(1, &id);
-        return id;
-    }
-    static void destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
-};
-/// Creation and deletion of OpenGL vertex arrays, for Handle.
-struct VertexArrayTraits {
-    static constexpr GLenum kIdentifier = GL_VERTEX_ARRAY;
-    static GLuint create() {
-        GLuint id = 0;
-        glCreateVertexArrays(1, &id);
-        return id;
-    }
-    static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
-};
-/// Creation and deletion of OpenGL samplers, for Handle.
-struct SamplerTraits {
-    static constexpr GLenum kIdentifier = GL_SAMPLER;
-    static GLuint create() {
-        GLuint id = 0;
-        glCreateSamplers(1, &id);
-        return id;
-    }
-    static void destroy(GLuint id) { glDeleteSamplers(1, &id); }
+    static void destroy(GLuint id) { Delete(1, &id); }
 };
 /// Creation and deletion of OpenGL programs, for Handle.
 struct ProgramTraits {
@@ -114,23 +77,13 @@ struct ProgramTraits {
     static GLuint create() { return glCreateProgram(); }
     static void destroy(GLuint id) { glDeleteProgram(id); }
 };
-/// Creation and deletion of OpenGL queries, for Handle.
-struct QueryTraits {
-    static constexpr GLenum kIdentifier = GL_QUERY;
-    static GLuint create(GLenum target) {
-        GLuint id = 0;
-        glCreateQueries(target, 1, &id);
-        return id;
-    }
-    static void destroy(GLuint id) { glDeleteQueries(1, &id); }
-};
 
-using Buffer = Handle<BufferTraits>;
-using Texture = Handle<TextureTraits>;
-using Framebuffer = Handle<FramebufferTraits>;
-using VertexArray = Handle<VertexArrayTraits>;
-using Sampler = Handle<SamplerTraits>;
+using Buffer = Handle<ObjectTraits<GL_BUFFER, glCreateBuffers, glDeleteBuffers>>;
+using Texture = Handle<ObjectTraits<GL_TEXTURE, glCreateTextures, glDeleteTextures>>;
+using Framebuffer = Handle<ObjectTraits<GL_FRAMEBUFFER, glCreateFramebuffers, glDeleteFramebuffers>>;
+using VertexArray = Handle<ObjectTraits<GL_VERTEX_ARRAY, glCreateVertexArrays, glDeleteVertexArrays>>;
+using Sampler = Handle<ObjectTraits<GL_SAMPLER, glCreateSamplers, glDeleteSamplers>>;
 using Program = Handle<ProgramTraits>;
-using Query = Handle<QueryTraits>;
+using Query = Handle<ObjectTraits<GL_QUERY, glCreateQueries, glDeleteQueries>>;
 
 }  // namespace si::gl
