@@ -77,13 +77,14 @@ enum class Better {
 /// Returns the distance of a metric's value from the best one, so that less is better; NaN for Better::Neither.
 double distance_from_best(Better better, double value);
 
+inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
 /// Row of the table of error metrics: JSON, tables, plots, searches and the documentation are generated from it.
 struct Metric {
     std::string_view key;  ///< field of `error` in JSON, its objects' fields after a dot
     std::string_view label;
-    std::string_view unit;     ///< kShareOfPixels, kOfVisibility, "px" or none
-    std::string_view help;     ///< a sentence
-    std::string_view formula;  ///< V: visibility by the map, R: by the reference, n: counted pixels
+    std::string_view unit = kShareOfPixels;  ///< kShareOfPixels, kOfVisibility, "px" or none
+    std::string_view help;                   ///< a sentence
+    std::string_view formula;                ///< V: visibility by the map, R: by the reference, n: counted pixels
     std::string_view paper = {};
     double ErrorMetrics::*member = nullptr;  ///< none: counts wrong pixels by `causes`
     Better better = Better::Less;
@@ -99,7 +100,6 @@ struct Metric {
     /// Returns the value of this error metric in a measurement.
     double value(const ErrorMetrics& m) const;
 };
-inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
 
 /// Returns the table of error metrics; the first is the default of searches and plots.
 std::span<const Metric> metrics();
