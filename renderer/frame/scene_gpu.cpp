@@ -45,11 +45,6 @@ glm::dmat3 normal_matrix(const glm::dmat3& m) {
     return c * ((glm::dot(m[0], c[0]) < 0 ? -1.0 : 1.0) / largest);
 }
 
-ObjectSettings object_settings(const Scene& scene, const Settings& settings, const Object& object) {
-    const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-    return it == settings.objects.end() ? ObjectSettings{} : it->second;
-}
-
 /// Returns for each mesh the size of its largest object, as a power of two in metres. Large objects, such as a ground
 /// or a room's walls, lie mostly behind small ones. Drawn after them, most of their hidden fragments are never shaded.
 /// The order is independent of the camera, so that the same one of two coplanar surfaces always wins.
@@ -297,7 +292,7 @@ void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
         const Mesh& mesh = scene.meshes[std::size_t(o.mesh)];
         if (mesh.indices.empty()) continue;
         const Material& material = material_of(scene, mesh);
-        const ObjectSettings own = settings.objects.empty() ? ObjectSettings{} : object_settings(scene, settings, o);
+        const ObjectSettings& own = object_settings(scene, settings, o);
         GLuint texture = 0, finest_texture = 0;
         const bool masked = material.alpha == AlphaMode::Mask;
         // A mask lives in its texture, so it stays even where textures are switched off.

@@ -45,15 +45,9 @@ std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& setting
         const Object& object = scene.objects[i];
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
         if (mesh.indices.empty() || object.ground) continue;
-        Cull cull = settings.caster.cull;
-        if (!settings.objects.empty()) {
-            const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-            if (own != settings.objects.end()) {
-                if (!own->second.cast) continue;
-                cull = cull_in_force(own->second.cull, cull);
-            }
-        }
-        if (cull == Cull::None) continue;
+        const ObjectSettings& own = object_settings(scene, settings, object);
+        const Cull cull = cull_in_force(own.cull, settings.caster.cull);
+        if (!own.cast || cull == Cull::None) continue;
         const bool blend = mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].alpha == AlphaMode::Blend;
         if (blend && settings.caster.blend != BlendCasters::Mask) continue;
         glm::dvec4 place;

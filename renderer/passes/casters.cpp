@@ -246,9 +246,9 @@ private:
     }
 
     /// Returns the cells that a box may cover; nullopt: any.
-    std::optional<MapRect> covered_by(const SkewBox& box) const {
+    std::optional<Bounds2> covered_by(const SkewBox& box) const {
         const double before = view_.curve.perspective ? kMinDepthShare * view_.curve.near : 0;
-        std::optional<MapRect> rect = projected_rect(box, uvd_from_relative_, view_.origin, before);
+        std::optional<Bounds2> rect = projected_rect(box, uvd_from_relative_, view_.origin, before);
         const glm::dvec2 room(kCasterPadTexels / view_.resolution);
         if (rect) {
             rect->lo -= room;
@@ -258,12 +258,12 @@ private:
     }
 
     bool covers_needed(const SkewBox& box) const {
-        const std::optional<MapRect> rect = covered_by(box);
+        const std::optional<Bounds2> rect = covered_by(box);
         return !rect || choice_.needed->overlaps(*rect);
     }
 
     void add_covered_cells(const SkewBox& box) {
-        const std::optional<MapRect> rect = covered_by(box);
+        const std::optional<Bounds2> rect = covered_by(box);
         rect ? choice_.covered->add(*rect, false) : choice_.covered->add(MapCells::whole());
     }
 
@@ -357,8 +357,7 @@ bool can_cast(const Scene& scene, const Settings& settings, const Object& object
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
     if (blended && settings.caster.blend == BlendCasters::None) return false;
-    const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-    return own == settings.objects.end() || own->second.cast;
+    return object_settings(scene, settings, object).cast;
 }
 
 bool is_drawn_into_maps(const FrameState& f, const Batch& batch) {

@@ -173,16 +173,13 @@ private:
             const double length = glm::length(along);
             if (!(length > 0)) continue;
             glm::dvec3 u = along / length, v = glm::cross(normal, u);
-            glm::dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
-            for (const glm::dvec3& p : points) {
-                const glm::dvec2 at(glm::dot(u, p), glm::dot(v, p));
-                lo = glm::min(lo, at);
-                hi = glm::max(hi, at);
-            }
+            Bounds2 across;
+            for (const glm::dvec3& p : points) across.add({glm::dot(u, p), glm::dot(v, p)});
+            auto [lo, hi] = across;
             if (hi.y - lo.y > hi.x - lo.x) {
                 std::swap(u, v);
-                lo = {lo.y, lo.x};
-                hi = {hi.y, hi.x};
+                std::swap(lo.x, lo.y);
+                std::swap(hi.x, hi.y);
             }
             const glm::dvec2 extent = hi - lo;
             if (!(extent.x * extent.y < least)) continue;

@@ -8,13 +8,6 @@
 namespace si {
 namespace {
 
-const ObjectSettings& settings_of(const Scene& scene, const Settings& settings, const Object& object) {
-    static const ObjectSettings standard;
-    if (settings.objects.empty()) return standard;
-    const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-    return it == settings.objects.end() ? standard : it->second;
-}
-
 bool blend_casts(const Settings& settings) {
     return settings.caster.blend == BlendCasters::Mask;
 }
@@ -67,7 +60,7 @@ ReferenceGeometry::ReferenceGeometry(const Scene& scene, const Settings& setting
     for (const Object& object : scene.objects) {
         const Material& material = material_of(scene, scene.meshes[std::size_t(object.mesh)]);
         const bool transparent = material.alpha == AlphaMode::Blend && !blend_casts(settings);
-        const bool casts = !object.ground && !transparent && settings_of(scene, settings, object).cast;
+        const bool casts = !object.ground && !transparent && object_settings(scene, settings, object).cast;
         objects.push_back({copier.mesh(object.mesh), object.world, casts, object.ground});
     }
 }
@@ -120,7 +113,7 @@ Key reference_geometry_key(const Scene& scene, const Settings& settings) {
 std::vector<ObjectTraits> object_traits(const Scene& scene, const Settings& settings) {
     std::vector<ObjectTraits> traits(scene.objects.size());
     for (std::size_t i = 0; i < traits.size(); ++i) {
-        const ObjectSettings& own = settings_of(scene, settings, scene.objects[i]);
+        const ObjectSettings& own = object_settings(scene, settings, scene.objects[i]);
         traits[i].receives = own.receive;
         traits[i].cull = cull_in_force(own.cull, settings.caster.cull);
     }

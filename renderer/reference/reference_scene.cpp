@@ -31,17 +31,6 @@ void solid_points(const RTCFilterFunctionNArguments* args) {
     }
 }
 
-/// Returns true when transforming rays into the object's space in single precision loses little accuracy.
-bool well_conditioned(const glm::dmat3& m) {
-    const glm::dmat3 inverse = glm::inverse(m);
-    double forth = 0, back = 0;
-    for (int c = 0; c < 3; ++c) {
-        forth += glm::dot(m[c], m[c]);
-        back += glm::dot(inverse[c], inverse[c]);
-    }
-    return std::sqrt(forth * back) < 30;  // 3 for a rotation; false for NaN
-}
-
 class Builder {
 public:
     Builder(RayHierarchy& impl, const Workers& workers) : impl_(impl), stop_(workers.stop) {}
@@ -51,7 +40,7 @@ public:
         glm::dmat4 unit_from_mesh = o.world;
         unit_from_mesh[3] -= glm::dvec4(impl_.centre, 0);
         for (int c = 0; c < 4; ++c) unit_from_mesh[c] = glm::dvec4(glm::dvec3(unit_from_mesh[c]) * impl_.scale, c == 3);
-        shared = shared && well_conditioned(unit_from_mesh);
+        shared = shared && is_well_conditioned(glm::dmat3(unit_from_mesh));
         const embree::Geometry geometry = shared ? instance(o, unit_from_mesh) : triangles(*o.mesh, unit_from_mesh);
         rtcCommitGeometry(geometry.get());
         rtcAttachGeometryByID(impl_.scene.get(), geometry.get(), unsigned(impl_.casters.size()));

@@ -93,9 +93,8 @@ std::uint64_t kind_of(const Scene& scene, const Settings& settings, const Object
         add_texture(key, scene, m.base_colour_texture);
         add_texture(key, scene, m.normal_texture);
     }
-    if (settings.objects.empty()) return key.value();
-    const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
-    if (own != settings.objects.end()) key.add(own->second.cast).add(own->second.receive).add(own->second.cull);
+    const ObjectSettings& own = object_settings(scene, settings, object);
+    key.add(own.cast).add(own.receive).add(own.cull);
     return key.value();
 }
 

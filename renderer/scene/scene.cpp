@@ -483,6 +483,24 @@ void hide_objects(Scene& scene, const std::set<std::string>& paths) {
     scene.id = next_scene_id();
 }
 
+const ObjectSettings& object_settings(const Scene& scene, const Settings& settings, const Object& object) {
+    static const ObjectSettings standard;
+    if (settings.objects.empty() || object.node < 0) return standard;
+    const auto it = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
+    return it == settings.objects.end() ? standard : it->second;
+}
+
+bool is_well_conditioned(const glm::dmat3& m) {
+    constexpr double kMaxCondition = 30;  // 3 for a rotation
+    const glm::dmat3 inverse = glm::inverse(m);
+    double forth = 0, back = 0;
+    for (int i = 0; i < 3; ++i) {
+        forth += glm::dot(m[i], m[i]);
+        back += glm::dot(inverse[i], inverse[i]);
+    }
+    return std::sqrt(forth * back) < kMaxCondition;  // false for NaN
+}
+
 std::vector<const Object*> all_objects(const Scene& scene) {
     std::vector<const Object*> all(scene.objects.size() + scene.hidden.size());
     auto shown = scene.objects.begin();

@@ -21,6 +21,30 @@ namespace si {
 /// Eight corners of a box, in any orientation.
 using Box = std::array<glm::dvec3, 8>;
 
+/// Axis-aligned rectangle; default: empty.
+struct Bounds2 {
+    glm::dvec2 lo{std::numeric_limits<double>::infinity()};
+    glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
+    /// Returns true when the rectangle contains no point.
+    bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y); }
+    /// Returns true when another rectangle lies inside this one, or is empty.
+    bool contains(const Bounds2& r) const {
+        return r.empty() || (lo.x <= r.lo.x && lo.y <= r.lo.y && hi.x >= r.hi.x && hi.y >= r.hi.y);
+    }
+    /// Grows the rectangle to contain another one.
+    void add(const Bounds2& r) {
+        lo = glm::min(lo, r.lo);
+        hi = glm::max(hi, r.hi);
+    }
+    /// Grows the rectangle to contain a point.
+    void add(const glm::dvec2& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    /// Returns the intersection of two rectangles; empty if they do not overlap.
+    Bounds2 intersection(const Bounds2& r) const { return {glm::max(lo, r.lo), glm::min(hi, r.hi)}; }
+};
+
 /// Axis-aligned bounding box; default: empty.
 struct Bounds {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
@@ -198,6 +222,13 @@ void refresh(Scene& scene);
 /// shadow, but still count in Scene::bounds, so that views of the scene stay. Gives the scene a new id if anything
 /// changes.
 void hide_objects(Scene& scene, const std::set<std::string>& paths);
+
+/// Returns the settings of an object; defaults where the settings do not name it.
+const ObjectSettings& object_settings(const Scene& scene, const Settings& settings, const Object& object);
+
+/// Returns true when a transform keeps angles about as they are, so that normals and rays survive it in single
+/// precision.
+bool is_well_conditioned(const glm::dmat3& m);
 
 /// Returns all objects of a scene, shown and hidden, in the order of its file.
 std::vector<const Object*> all_objects(const Scene& scene);

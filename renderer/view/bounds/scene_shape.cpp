@@ -14,19 +14,6 @@ constexpr std::size_t kMaxFitObjects = 20000;
 /// Largest number of caster vertices projected onto the ground; above it boxes are projected.
 constexpr std::size_t kMaxShadowVertices = 1 << 16;
 
-bool finite(const Box& box) {
-    return std::all_of(box.begin(), box.end(), [](const glm::dvec3& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
-}
-
-/// Settings of an object; defaults where the settings do not name it.
-ObjectSettings settings_of(const Scene& scene, const Settings& settings, const Object& object) {
-    if (settings.objects.empty() || object.node < 0 || std::size_t(object.node) >= scene.nodes.size()) return {};
-    const auto it = settings.objects.find(scene.nodes[object.node].path);
-    return it == settings.objects.end() ? ObjectSettings() : it->second;
-}
-
 void add_box(SceneShape& shape, const Box& box, bool casts, bool receives, std::size_t object,
              const std::optional<HalfSpace>& plane, bool travels) {
     shape.boxes.push_back(box);
@@ -108,6 +95,11 @@ void visit_casters(const SceneShape& shape, const Scene& scene, const Add& add) 
 
 }  // namespace
 
+bool is_finite(const Box& box) {
+    return std::ranges::all_of(
+        box, [](const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+}
+
 SceneShape scene_shape(const Scene& scene, const Settings& settings) {
     SceneShape s;
     std::vector<std::optional<std::optional<HalfSpace>>> planes(scene.meshes.size());  // planes by mesh, found once
@@ -115,14 +107,14 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         const Mesh& mesh = scene.meshes[o.mesh];
         if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
         s.triangles = true;
-        const ObjectSettings own = settings_of(scene, settings, o);
+        const ObjectSettings& own = object_settings(scene, settings, o);
         const bool casts = own.cast && !o.ground;
         s.casters = s.casters || casts;
         s.receivers = s.receivers || own.receive;
         if (scene.objects.size() > kMaxFitObjects && !o.ground) continue;
         const bool travels = !o.animation_bounds.empty();
         const Box box = travels ? o.animation_bounds.corners(scene.placement) : mesh.bounds.corners(o.world);
-        if (!finite(box)) continue;
+        if (!is_finite(box)) continue;
         std::optional<HalfSpace> plane;
         if (!travels) {
             auto& known = planes[std::size_t(o.mesh)];
@@ -186,6 +178,15 @@ ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& v
         e.add(glm::dvec3(v.x, v.y, -v.z));
     }
     return e;
+}
+
+Box view_pyramid(const LightView& view, double near, double far, double widening) {
+    Box box;
+    for (unsigned i = 0; i < 8; ++i) {
+        const double z = i & 4 ? far : near, side = widening * z * view.half_width;
+        box[i] = view.eye + view.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
+    }
+    return box;
 }
 
 ViewExtent extent_inside_view(const Box& box, const LightView& view) {

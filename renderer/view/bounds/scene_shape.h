@@ -38,6 +38,9 @@ struct SceneShape {
     bool receivers = false;  ///< an object with triangles receives shadows
 };
 
+/// Returns true when no corner of a box is NaN or infinite.
+bool is_finite(const Box& box);
+
 /// Computes the boxes of all objects, over the whole animation after measure_animation_bounds(). Above 20,000 objects
 /// one box stands for the scene. Reads meshes to find flat ones. The result is finite, also for empty scenes.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
@@ -48,25 +51,16 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings);
 SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, const PlacedLight& light);
 
 /// Extent of points in a light's view: x and y across the axis in metres, z metres along the axis, positive in front.
-struct ViewExtent {
-    glm::dvec3 lo{std::numeric_limits<double>::infinity()};
-    glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
-    /// Widens this view extent to contain a point: x and y across the view, z along its axis.
-    void add(const glm::dvec3& p) {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    /// Widens this view extent to contain another one.
-    void add(const ViewExtent& e) {
-        lo = glm::min(lo, e.lo);
-        hi = glm::max(hi, e.hi);
-    }
-};
+using ViewExtent = Bounds;
 
 /// Returns the extent of world-space points in a light's view.
 ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& view);
 /// Returns the extent of all boxes of a shape in a light's view. A ground under a model counts along the axis only.
 ViewExtent extent_in_view(const SceneShape& shape, const LightView& view);
+
+/// Returns the corners of the part of a perspective view between two distances from its eye, in metres.
+/// @param widening factor on the pyramid's width
+Box view_pyramid(const LightView& view, double near, double far, double widening = 1);
 
 /// Returns the extent of the part of a world-space box between the four sides of a parallel light view.
 ViewExtent extent_inside_view(const Box& box, const LightView& view);

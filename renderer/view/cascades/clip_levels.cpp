@@ -41,8 +41,7 @@ DepthRange depth_range(const SceneShape& shape, const glm::dvec3& back) {
 }
 
 /// Extent of visible receivers across the light, and their largest distance from the camera.
-struct SeenExtent {
-    glm::dvec2 lo{std::numeric_limits<double>::infinity()}, hi{-std::numeric_limits<double>::infinity()};
+struct SeenExtent : Bounds2 {
     double farthest_m = 0;
 };
 
@@ -52,9 +51,7 @@ SeenExtent seen_extent(const SceneShape& shape, const Camera& camera, const glm:
     for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
         if (!shape.box_receives[i]) continue;
         for (const glm::dvec3& p : slice.visible_points(shape.boxes[i])) {
-            const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
-            seen.lo = glm::min(seen.lo, at);
-            seen.hi = glm::max(seen.hi, at);
+            seen.add({glm::dot(axes[0], p), glm::dot(axes[1], p)});
             seen.farthest_m = std::max(seen.farthest_m, glm::distance(p, camera.eye));
         }
     }
@@ -78,7 +75,7 @@ ClipLevels clip_levels(const ClipLevelRequest& q, const SceneShape& shape, const
 
     glm::dvec2 centre(glm::dot(axes[0], camera.eye), glm::dot(axes[1], camera.eye));
     SeenExtent seen = seen_extent(shape, camera, axes);
-    if (!(seen.lo.x <= seen.hi.x)) seen = {centre - shape.radius, centre + shape.radius, 0};  // no visible receiver
+    if (seen.empty()) seen = {{centre - shape.radius, centre + shape.radius}, 0};  // no visible receiver
     if (camera.orthographic) centre = 0.5 * (seen.lo + seen.hi);
     const glm::dvec2 farthest = glm::max(glm::abs(seen.lo - centre), glm::abs(seen.hi - centre));
     const double reach = std::max({farthest.x, farthest.y, 1e-9 * shape.radius});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace si {
@@ -22,32 +21,29 @@ int cell_of(double u) {
     return int(std::clamp(std::floor(u * MapCells::kCells), 0.0, MapCells::kCells - 1.0));
 }
 
-CellRange cells_of(const MapRect& rect) {
+CellRange cells_of(const Bounds2& rect) {
     const int from = cell_of(rect.lo.x), to = cell_of(rect.hi.x);
     const std::uint64_t columns = (kFullRow << from) & (kFullRow >> (MapCells::kCells - 1 - to));
     return {cell_of(rect.lo.y), cell_of(rect.hi.y), columns};
 }
 
-bool lies_beyond(const MapRect& rect) {
+bool lies_beyond(const Bounds2& rect) {
     return rect.hi.x < 0 || rect.hi.y < 0 || rect.lo.x > 1 || rect.lo.y > 1;
 }
 
 }  // namespace
 
-std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
+std::optional<Bounds2> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
                                       double min_w) {
     const glm::dvec4 centre = uvd_from_relative * glm::dvec4(box.centre - origin, 1);
     std::array<glm::dvec4, 3> half;
     for (int i = 0; i < 3; ++i) half[std::size_t(i)] = uvd_from_relative * glm::dvec4(box.half[i], 0);
-    MapRect rect{glm::dvec2(std::numeric_limits<double>::infinity()),
-                 glm::dvec2(-std::numeric_limits<double>::infinity())};
+    Bounds2 rect;
     for (unsigned corner = 0; corner < 8; ++corner) {
         glm::dvec4 h = centre;
         for (unsigned i = 0; i < 3; ++i) h += corner >> i & 1 ? half[i] : -half[i];
         if (!(h.w > min_w)) return std::nullopt;
-        const glm::dvec2 at = glm::dvec2(h) / h.w;
-        rect.lo = glm::min(rect.lo, at);
-        rect.hi = glm::max(rect.hi, at);
+        rect.add(glm::dvec2(h) / h.w);
     }
     return rect;
 }
@@ -72,7 +68,7 @@ bool MapCells::contains(const MapCells& other) const {
     return true;
 }
 
-bool MapCells::overlaps(const MapRect& rect) const {
+bool MapCells::overlaps(const Bounds2& rect) const {
     if (lies_beyond(rect)) return false;
     const CellRange cells = cells_of(rect);
     for (int row = cells.first_row; row <= cells.last_row; ++row)
@@ -80,7 +76,7 @@ bool MapCells::overlaps(const MapRect& rect) const {
     return false;
 }
 
-void MapCells::add(const MapRect& rect, bool clamp) {
+void MapCells::add(const Bounds2& rect, bool clamp) {
     if (lies_beyond(rect) && !clamp) return;
     const CellRange cells = cells_of(rect);
     for (int row = cells.first_row; row <= cells.last_row; ++row) rows_[std::size_t(row)] |= cells.columns;

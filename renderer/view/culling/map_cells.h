@@ -12,11 +12,6 @@
 
 namespace si {
 
-/// Rectangle in map coordinates; 0 to 1 is the map.
-struct MapRect {
-    glm::dvec2 lo{0}, hi{1};
-};
-
 /// Rectangle of texels, from the first to before the last.
 struct TexelRect {
     glm::ivec2 from{0}, to{0};
@@ -27,7 +22,7 @@ struct TexelRect {
 /// that the rectangle has no bound.
 /// @param uvd_from_relative homogeneous map coordinates from positions relative to `origin` (world)
 /// @param min_w smallest clip-space w that counts as in front of the viewer
-std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
+std::optional<Bounds2> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
                                       double min_w);
 
 /// Set of cells of a shadow map. Marks the parts of the map that are read or drawn.
@@ -45,12 +40,12 @@ public:
     /// Returns true when this set of map cells holds every cell of another set.
     bool contains(const MapCells& other) const;
     /// Returns true when a rectangle of the map overlaps a cell of the set.
-    bool overlaps(const MapRect& rect) const;
+    bool overlaps(const Bounds2& rect) const;
     /// Adds the map cells that overlap a rectangle to the set.
     /// @param rect map coordinates
     /// @param clamp true: the part of the rectangle outside the map adds the border cells (clamp to edge); false: the
     ///     part outside adds nothing
-    void add(const MapRect& rect, bool clamp);
+    void add(const Bounds2& rect, bool clamp);
     /// Adds the cells along the four sides of the map to the set.
     void add_border_cells();
     /// Adds all cells of another set of map cells.

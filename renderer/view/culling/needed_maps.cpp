@@ -34,11 +34,6 @@ CameraSlice padded_frustum(Camera camera, int lines) {
             c.far + std::max(kFrustumDepthPad * std::abs(c.far), room)};
 }
 
-bool is_finite(const Box& box) {
-    return std::ranges::all_of(
-        box, [](const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
-}
-
 struct BoundingBall {
     glm::dvec3 centre{0};
     double radius = 0;
@@ -54,8 +49,7 @@ BoundingBall ball_around(std::span<const glm::dvec3> points) {
 
 /// Projection of points into a map. Points behind a light are never looked up.
 struct Projected {
-    MapRect rect{glm::dvec2(std::numeric_limits<double>::infinity()),
-                 glm::dvec2(-std::numeric_limits<double>::infinity())};
+    Bounds2 rect;
     double nearest = std::numeric_limits<double>::infinity();    ///< clip-space w
     double farthest = -std::numeric_limits<double>::infinity();  ///< clip-space w
     bool outside = false;                                        ///< all points lie outside one side of the map
@@ -101,7 +95,7 @@ private:
     void add_all() { region = MapCells::whole(); }
 
     /// @param is_face look-ups outside the map's sides belong to another view
-    void add_rect(MapRect rect, bool is_face) {
+    void add_rect(Bounds2 rect, bool is_face) {
         if (!is_face && area_.wrap == MapWrap::Repeat) return add_all();
         rect.lo -= room_;
         rect.hi += room_;
@@ -120,10 +114,8 @@ private:
             const glm::dmat4& m = uvd_from_relative_;
             for (const glm::dvec3& p : points) {
                 const glm::dvec3 d = p - light_.map_origin;
-                const glm::dvec2 at(m[0][0] * d.x + m[1][0] * d.y + m[2][0] * d.z + m[3][0],
-                                    m[0][1] * d.x + m[1][1] * d.y + m[2][1] * d.z + m[3][1]);
-                out.rect.lo = glm::min(out.rect.lo, at);
-                out.rect.hi = glm::max(out.rect.hi, at);
+                out.rect.add({m[0][0] * d.x + m[1][0] * d.y + m[2][0] * d.z + m[3][0],
+                              m[0][1] * d.x + m[1][1] * d.y + m[2][1] * d.z + m[3][1]});
             }
             out.nearest = out.farthest = 1;
             out.outside = out.rect.hi.x < 0 || out.rect.hi.y < 0 || out.rect.lo.x > 1 || out.rect.lo.y > 1;
@@ -138,10 +130,7 @@ private:
             beyond[1] &= h.w < h.x;
             beyond[2] &= h.y < 0.0;
             beyond[3] &= h.w < h.y;
-            if (!(h.w > 0)) continue;
-            const glm::dvec2 at = glm::dvec2(h) / h.w;
-            out.rect.lo = glm::min(out.rect.lo, at);
-            out.rect.hi = glm::max(out.rect.hi, at);
+            if (h.w > 0) out.rect.add(glm::dvec2(h) / h.w);
         }
         out.outside = std::ranges::any_of(beyond, [](bool all) { return all; });
         return out;
@@ -149,14 +138,9 @@ private:
 
     /// Adds a body beside or around a light: the part of it between the view's sides.
     void add_in_front(const VisibleBodies& seen, const VisibleBody& body, double farthest) {
-        Box pyramid, about;
-        const double far = 1.01 * farthest, near = kMinLightDistanceShare * farthest;
-        for (unsigned i = 0; i < 8; ++i) {
-            const double z = i & 4 ? far : near, side = z * view_.half_width;
-            pyramid[i] = view_.eye + view_.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
-            const double wide = 2 * near * (1 + view_.half_width);
-            about[i] = view_.eye + wide * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-        }
+        const double near = kMinLightDistanceShare * farthest, wide = 2 * near * (1 + view_.half_width);
+        const Box pyramid = view_pyramid(view_, near, 1.01 * farthest);
+        const Box about = Bounds{view_.eye - wide, view_.eye + wide}.corners();
         if (!seen.view.visible_points(body.box, &about).empty()) return add_all();
         const std::vector<glm::dvec3> within = seen.view.visible_points(body.box, &pyramid);
         if (!within.empty()) {
@@ -189,24 +173,11 @@ private:
             return to >= begins - kSpanEndPad * std::abs(begins);
         }
         if (c.choice != ViewChoice::Map || last) return true;
-        const MapRect rect = project(points).rect;
+        const Bounds2 rect = project(points).rect;
         constexpr double kPad = 1e-3;
         return rect.hi.x >= -kPad && rect.hi.y >= -kPad && rect.lo.x <= 1 + kPad && rect.lo.y <= 1 + kPad;
     }
 };
-
-/// Returns true when angles in a mesh's space are close to those in the world, so that a visible side there is visible
-/// here.
-bool keeps_sides(const glm::dmat4& world) {
-    constexpr double kMaxSkew = 30;
-    const glm::dmat3 m(world), back = glm::inverse(m);
-    double there = 0, here = 0;
-    for (int i = 0; i < 3; ++i) {
-        there += glm::dot(m[i], m[i]);
-        here += glm::dot(back[i], back[i]);
-    }
-    return std::sqrt(there * here) < kMaxSkew;
-}
 
 /// Returns true when the camera sees only triangles of a body whose other side faces the light. Shaders take normals on
 /// the camera's side, and skip look-ups where those face away.
@@ -257,7 +228,7 @@ VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int 
         if (where == BoxPlacement::Outside) continue;
         const std::span<const Cluster> parts = clusters(std::size_t(object.mesh));
         const auto has_sides = [](const Cluster& part) { return part.axis != glm::dvec3(0); };
-        const bool sides = std::ranges::any_of(parts, has_sides) && keeps_sides(object.world);
+        const bool sides = std::ranges::any_of(parts, has_sides) && is_well_conditioned(glm::dmat3(object.world));
         glm::dmat4& mesh_from_world = out.mesh_from_world[number];
         if (sides) mesh_from_world = glm::inverse(object.world);
         const glm::dvec4 eye =

@@ -62,11 +62,7 @@ std::vector<glm::dvec3> points_in_view(const Box& box, const LightView& view, do
     double far = 0;
     for (const glm::dvec3& p : box) far = std::max(far, 1.01 * glm::distance(p, view.eye));
     if (range_m > 0) far = std::min(far, 1.01 * range_m);
-    Box pyramid;
-    for (unsigned i = 0; i < 8; ++i) {
-        const double z = i & 4 ? far : 1e-4 * far, side = 1.01 * z * view.half_width;
-        pyramid[i] = view.eye + view.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
-    }
+    const Box pyramid = view_pyramid(view, 1e-4 * far, far, 1.01);
     const std::vector<HalfSpace> sides = box_half_spaces(pyramid);
     const ConvexBody body{pyramid, sides};
     return intersection_points(box, {&body, 1});

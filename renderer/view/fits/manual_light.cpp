@@ -1,5 +1,6 @@
 #include "renderer/view/fits/manual_light.h"
 
+#include "renderer/scene/scene.h"
 #include "renderer/settings/fits.h"
 
 namespace si {
@@ -37,12 +38,10 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
     s.extent = view.half_width;
     glm::dvec2 middle(0);
     if (view.warped()) {  // the square around the corners of the warped map
-        glm::dvec2 lo(0), hi(0);
-        for (int i = 0; i < 4; ++i) {
-            const glm::dvec2 at(glm::transpose(view.axes) * (view.position_ws({i & 1, i >> 1}, 0) - view.eye));
-            lo = i ? glm::min(lo, at) : at;
-            hi = i ? glm::max(hi, at) : at;
-        }
+        Bounds2 around;
+        for (int i = 0; i < 4; ++i)
+            around.add(glm::dvec2(glm::transpose(view.axes) * (view.position_ws({i & 1, i >> 1}, 0) - view.eye)));
+        const auto& [lo, hi] = around;
         s.extent = 0.5 * std::max(hi.x - lo.x, hi.y - lo.y);
         middle = 0.5 * (lo + hi);
     }

@@ -33,28 +33,7 @@ struct FitInput {
 };
 
 /// Rectangle across a light's view: metres, or tangents in perspective. Empty by default.
-struct MapRegion {
-    glm::dvec2 lo{std::numeric_limits<double>::infinity()};
-    glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
-    /// Returns true when the map region contains no point.
-    bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y); }
-    /// Returns true when another map region lies inside this one, or is empty.
-    bool contains(const MapRegion& r) const {
-        return r.empty() || (lo.x <= r.lo.x && lo.y <= r.lo.y && hi.x >= r.hi.x && hi.y >= r.hi.y);
-    }
-    /// Widens this map region to contain another one.
-    void add(const MapRegion& r) {
-        lo = glm::min(lo, r.lo);
-        hi = glm::max(hi, r.hi);
-    }
-    /// Widens this map region to contain a point across the light's view.
-    void add(const glm::dvec2& p) {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    /// Returns the intersection of two map regions; empty if they do not overlap.
-    MapRegion intersection(const MapRegion& r) const { return {glm::max(lo, r.lo), glm::min(hi, r.hi)}; }
-};
+using MapRegion = Bounds2;
 
 /// Function that finds the region a map has to cover: no point that the light reaches lies in shadow outside of it. An
 /// empty result: the map covers the whole scene without such a guarantee.

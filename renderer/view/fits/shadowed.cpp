@@ -16,10 +16,6 @@ constexpr double kLarge = 0.25;  // caster area, as a share of the receivers' ar
 constexpr std::size_t kMaxOutlineVertices = 4096;  // vertices of a caster whose outline is found
 constexpr std::size_t kMaxOutlineEdges = 256;      // edges of an outline
 
-bool empty(const ViewExtent& e) {
-    return !(e.lo.x <= e.hi.x && e.lo.y <= e.hi.y && e.lo.z <= e.hi.z);
-}
-
 MapRegion across(const ViewExtent& e) {
     return {glm::dvec2(e.lo), glm::dvec2(e.hi)};
 }
@@ -34,16 +30,6 @@ ViewExtent seen_from_light(const LightView& view, std::span<const glm::dvec3> po
     ViewExtent e;
     for (const glm::dvec3& p : points) e.add(seen_from_light(view, p));
     return e;
-}
-
-/// Returns the lit pyramid of a perspective view, from `near` to `far`.
-Box pyramid_of(const LightView& view, double near, double far) {
-    Box box;
-    for (int i = 0; i < 8; ++i) {
-        const double z = i & 4 ? far : near, half = z * view.half_width;
-        box[std::size_t(i)] = view.eye + view.axes * glm::dvec3((i & 1 ? 1 : -1) * half, (i & 2 ? 1 : -1) * half, -z);
-    }
-    return box;
 }
 
 bool is_within(const ViewExtent& e, const LightView& view, double near, double far) {
@@ -61,11 +47,11 @@ class Shadowed {
 public:
     Shadowed(const FitInput& in, std::span<const ViewExtent> receivers) : in_(in), receivers_(receivers) {
         for (const ViewExtent& e : receivers_)
-            if (!empty(e)) all_.add(e);
+            if (!e.empty()) all_.add(e);
     }
 
     std::optional<MapRegion> region() {
-        if (empty(all_)) return std::nullopt;
+        if (all_.empty()) return std::nullopt;
         const SceneShape& s = in_.shape;
         const glm::dvec3 size = all_.hi - all_.lo;
         std::vector<std::size_t> last;
@@ -73,7 +59,7 @@ public:
         for (std::size_t i = 0; i < s.boxes.size(); ++i) {
             if (!s.box_casts[i]) continue;
             casts_[i] = lit_extent(in_, i);
-            if (empty(casts_[i]) || casts_[i].lo.z > all_.hi.z) continue;
+            if (casts_[i].empty() || casts_[i].lo.z > all_.hi.z) continue;
             const glm::dvec3 own = casts_[i].hi - casts_[i].lo;
             const bool large = own.x * own.y >= kLarge * size.x * size.y;
             if (s.box_planes[i] || (large && never_shades_itself(i)))
@@ -143,7 +129,7 @@ private:
 
     void add_behind(std::size_t caster, Blocker blocker) {
         for (std::size_t i = 0; i < receivers_.size(); ++i) {
-            if (i == caster || empty(receivers_[i])) continue;
+            if (i == caster || receivers_[i].empty()) continue;
             const MapRegion both = across(casts_[caster]).intersection(across(receivers_[i]));
             if (both.empty() || region_.contains(both)) continue;
             const Box& box = in_.shape.boxes[i];
@@ -243,7 +229,7 @@ ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* se
     const double far = std::min(e.hi.z, in.reach_m), near = kViewBegins * far;
     if (!(far > 0) || e.lo.z > far) return {};
     if (is_within(e, in.view, near, far)) return seen_from_light(in.view, all());
-    const Box pyramid = pyramid_of(in.view, near, far);
+    const Box pyramid = view_pyramid(in.view, near, far);
     if (seen) return seen_from_light(in.view, seen->visible_points(corners, &pyramid));
     const std::vector<HalfSpace> sides = box_half_spaces(pyramid);
     const ConvexBody lit{pyramid, sides};
