@@ -1,6 +1,6 @@
 #include "renderer/scenes/hard_scenes.h"
 
-#include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "renderer/scenes/shapes.h"
@@ -11,38 +11,32 @@ namespace {
 constexpr double kFov = 45;
 const glm::dvec3 kEye(-2.5, 7, 6.5), kTarget(0, 0.5, 0);
 
-int grey(Scene& scene) {
-    return add_material(scene, "Grey", glm::vec3(0.6f));
-}
-
-void add_floor(Scene& scene, int root, double size) {
-    add_object(scene, "Floor", root, add_mesh(scene, "Floor", make_plane(size, size), grey(scene)));
-}
-
 /// Makes a scene with an empty root node, a floor, and a camera that looks at the floor's centre.
 Scene on_floor(double size = 10, const glm::dvec3& eye = kEye, const glm::dvec3& target = kTarget,
                const glm::dmat4& placed = glm::dmat4(1)) {
     Scene scene;
     const int root = add_node(scene, "Case", -1, placed);
-    add_floor(scene, root, size);
+    add_shape(scene, "Floor", root, make_plane(size, size), add_material(scene, "Grey", glm::vec3(0.6f)));
     add_camera(scene, glm::dvec3(placed * glm::dvec4(eye, 1)), glm::dvec3(placed * glm::dvec4(target, 1)), kFov);
     return scene;
 }
 
-int add_body(Scene& scene, const char* name, Mesh mesh, const glm::dmat4& local) {
-    return add_object(scene, name, 0, add_mesh(scene, name, std::move(mesh), 0), local);
-}
+/// A mesh of the scene's first material below its root node.
+struct Body {
+    const char* name;
+    Mesh mesh;
+    glm::dmat4 local;
+};
 
-Scene finished(Scene scene) {
-    finalise(scene);
-    return scene;
+/// Adds bodies to a scene and completes it.
+Scene with_bodies(Scene scene, std::initializer_list<Body> bodies) {
+    for (const Body& body : bodies) add_shape(scene, body.name, 0, body.mesh, 0, body.local);
+    return finished(std::move(scene));
 }
 
 Scene box_under(const glm::dmat4& placed) {
-    Scene scene = on_floor(10, kEye, kTarget, placed);
-    add_body(scene, "Box", make_box({1.5, 1, 2}), moved(0, 0.75, 0));
-    add_body(scene, "Ball", make_sphere(0.625, 24, 12), moved(-2, 1.5, 1));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(10, kEye, kTarget, placed), {{"Box", make_box({1.5, 1, 2}), moved(0, 0.75, 0)},
+                                                             {"Ball", make_sphere(0.625, 24, 12), moved(-2, 1.5, 1)}});
 }
 
 Mesh box_turned(const glm::dvec3& size, double degrees, const glm::dvec3& axis = {0, 1, 0}) {
@@ -56,27 +50,20 @@ Scene hard_floor_and_box() {
 }
 
 Scene hard_sphere() {
-    Scene scene = on_floor(6, {3.5, 2.5, 2.5}, {0, 1, 0});
-    add_body(scene, "Sphere", make_sphere(1, 96, 48), moved(0, 1.25, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(6, {3.5, 2.5, 2.5}, {0, 1, 0}),
+                       {{"Sphere", make_sphere(1, 96, 48), moved(0, 1.25, 0)}});
 }
 
 Scene hard_spot_floor() {
-    Scene scene = on_floor(10, {-2, 10, 4}, {0, 0, 0});
-    add_body(scene, "Box", make_box({1.5, 1, 2}), moved(0, 0.75, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(10, {-2, 10, 4}, {0, 0, 0}), {{"Box", make_box({1.5, 1, 2}), moved(0, 0.75, 0)}});
 }
 
 Scene hard_plate_above() {
-    Scene scene = on_floor();
-    add_body(scene, "Plate", make_plane(3, 3), moved(0, 1, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(), {{"Plate", make_plane(3, 3), moved(0, 1, 0)}});
 }
 
 Scene hard_wall() {
-    Scene scene = on_floor(20, {-6, 22, 8}, {0, 0, 0});
-    add_body(scene, "Wall", make_box({3, 3, 0.25}), moved(0, 1.5, -4));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(20, {-6, 22, 8}, {0, 0, 0}), {{"Wall", make_box({3, 3, 0.25}), moved(0, 1.5, -4)}});
 }
 
 Scene hard_far_away() {
@@ -106,21 +93,18 @@ Scene hard_degenerate() {
     }
     // A point, lines, and three points of one line.
     for (const std::uint32_t i : {0u, 0u, 0u, 1u, 1u, 2u, 2u, 1u, 2u, 0u, 3u, 1u}) box.indices.push_back(first + i);
-    add_body(scene, "Box", std::move(box), moved(0, 0.75, 0));
-    return finished(std::move(scene));
+    return with_bodies(std::move(scene), {{"Box", std::move(box), moved(0, 0.75, 0)}});
 }
 
 Scene hard_stretched() {
     Scene scene = on_floor(10, {-1, 6, 7}, {0, 0.5, 0});
     const int root = add_node(scene, "Stretched", 0, moved(0, 0.75, 0) * scaled(4, 0.5, 1));
-    add_object(scene, "Box", root, add_mesh(scene, "Box", box_turned({1, 1, 1}, 30), 0));
+    add_shape(scene, "Box", root, box_turned({1, 1, 1}, 30), 0);
     return finished(std::move(scene));
 }
 
 Scene hard_mirrored() {
-    Scene scene = box_under(scaled(-1, 1, 1));
-    add_body(scene, "Plate", make_plane(3, 2), moved(2, 2, -1.5));
-    return finished(std::move(scene));
+    return with_bodies(box_under(scaled(-1, 1, 1)), {{"Plate", make_plane(3, 2), moved(2, 2, -1.5)}});
 }
 
 Scene hard_flattened() {
@@ -132,31 +116,25 @@ Scene hard_flattened() {
 }
 
 Scene hard_plate_on_floor() {
-    Scene scene = on_floor(10, {-2, 5, 4}, {0, 0, 0});
-    add_body(scene, "Plate", make_plane(2, 2), moved(0, 1.0 / 64, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(10, {-2, 5, 4}, {0, 0, 0}), {{"Plate", make_plane(2, 2), moved(0, 1.0 / 64, 0)}});
 }
 
 Scene hard_wires() {
     Scene scene = on_floor(8, {-1.5, 3.5, 3}, {0, 0, 0});
     for (int i = -4; i <= 4; ++i)
-        add_body(scene, "Wire", box_turned({1.0 / 128, 1.0 / 128, 4}, 10), moved(0.375 * i, 0.75, 0));
-    add_body(scene, "Bar", box_turned({3.5, 0.125, 0.125}, 10), moved(0, 0.75, -1.75));
-    return finished(std::move(scene));
+        add_shape(scene, "Wire", 0, box_turned({1.0 / 128, 1.0 / 128, 4}, 10), 0, moved(0.375 * i, 0.75, 0));
+    return with_bodies(std::move(scene), {{"Bar", box_turned({3.5, 0.125, 0.125}, 10), moved(0, 0.75, -1.75)}});
 }
 
 Scene hard_slope() {
-    Scene scene = on_floor(2, {0, 9, 9}, {0, 1.5, 0});
-    add_body(scene, "Slope", transformed(make_plane(10, 10), turned(20, {1, 0, 0})), moved(0, 2, 0));
-    add_body(scene, "Bar", make_box({4, 0.25, 0.25}), moved(0, 3.5, 1));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(2, {0, 9, 9}, {0, 1.5, 0}),
+                       {{"Slope", transformed(make_plane(10, 10), turned(20, {1, 0, 0})), moved(0, 2, 0)},
+                        {"Bar", make_box({4, 0.25, 0.25}), moved(0, 3.5, 1)}});
 }
 
 Scene hard_two_covers() {
-    Scene scene = on_floor(10, {-2, 6, 7}, {0.5, 0, 0});
-    add_body(scene, "High cover", make_plane(2, 4), moved(-1, 3, 0));
-    add_body(scene, "Low cover", make_plane(4, 2), moved(0, 1, 0.5));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(10, {-2, 6, 7}, {0.5, 0, 0}), {{"High cover", make_plane(2, 4), moved(-1, 3, 0)},
+                                                               {"Low cover", make_plane(4, 2), moved(0, 1, 0.5)}});
 }
 
 Scene hard_stairs() {
@@ -176,33 +154,27 @@ Scene hard_stairs() {
             append(stairs, tread);
         append(stairs, riser);
     }
-    add_body(scene, "Stairs", std::move(stairs), moved(0, 0, 1.25));
-    return finished(std::move(scene));
+    return with_bodies(std::move(scene), {{"Stairs", std::move(stairs), moved(0, 0, 1.25)}});
 }
 
 Scene hard_bar() {
-    Scene scene = on_floor(10, {-2, 12, 4}, {0, 0, 0});
-    add_body(scene, "Bar", make_box({6, 1, 0.5}), moved(0, 0.75, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(10, {-2, 12, 4}, {0, 0, 0}), {{"Bar", make_box({6, 1, 0.5}), moved(0, 0.75, 0)}});
 }
 
 Scene hard_lamp() {
-    Scene scene = on_floor(16, {-3, 10, 5}, {0, 0, 0});
-    add_body(scene, "Sheet", make_plane(2.5, 5), moved(2, 1, 0.25));
-    add_body(scene, "Post", make_box({0.5, 2, 0.5}), moved(-2, 1, 2));
-    add_body(scene, "Beam", make_box({0.5, 0.5, 5}), moved(-2.5, 1.25, -1.5));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(16, {-3, 10, 5}, {0, 0, 0}),
+                       {{"Sheet", make_plane(2.5, 5), moved(2, 1, 0.25)},
+                        {"Post", make_box({0.5, 2, 0.5}), moved(-2, 1, 2)},
+                        {"Beam", make_box({0.5, 0.5, 5}), moved(-2.5, 1.25, -1.5)}});
 }
 
 Scene hard_high_sheet() {
-    Scene scene = on_floor();
     // One long triangle: clamping a vertex to the near plane would bend it.
     Mesh sheet;
     sheet.name = "Sheet";
     sheet.positions = {{-1.5f, 30, -1.5f}, {1.5f, 2, 3}, {2.5f, 30, -1.5f}};
     sheet.indices = {0, 1, 2};
-    add_body(scene, "Sheet", std::move(sheet), glm::dmat4(1));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(), {{"Sheet", std::move(sheet), glm::dmat4(1)}});
 }
 
 Scene hard_blended_sheet() {
@@ -228,39 +200,32 @@ Scene hard_blended_sheet() {
         sheet.uv.clear();
         for (const glm::vec3& p : sheet.positions) sheet.uv.emplace_back(p.x / 3 + 0.5f, p.z / 4 + 0.5f);
         const char* name = mask ? "Mask" : "Blend";
-        add_object(scene, name, 0, add_mesh(scene, name, std::move(sheet), material), moved(mask ? -1.75 : 1.75, 1, 0));
+        add_shape(scene, name, 0, std::move(sheet), material, moved(mask ? -1.75 : 1.75, 1, 0));
     }
     return finished(std::move(scene));
 }
 
 Scene hard_not_finite() {
-    Scene scene = on_floor();
-    add_body(scene, "Box", make_box({1.5, 1, 2}), moved(0, 0.75, 0));
     Mesh broken = make_box({1, 1, 1});
     broken.positions.edit()[0].x = std::numeric_limits<float>::quiet_NaN();
     broken.positions.edit()[1].y = std::numeric_limits<float>::infinity();
-    add_body(scene, "Broken", std::move(broken), moved(2, 1, 0));
-    return finished(std::move(scene));
+    return with_bodies(
+        on_floor(), {{"Box", make_box({1.5, 1, 2}), moved(0, 0.75, 0)}, {"Broken", std::move(broken), moved(2, 1, 0)}});
 }
 
 Scene hard_many_vertices() {
-    Scene scene = on_floor();
-    add_body(scene, "Plate", make_plane(4, 3, 260, 260), moved(0, 1.5, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(), {{"Plate", make_plane(4, 3, 260, 260), moved(0, 1.5, 0)}});
 }
 
 Scene hard_low_polygon() {
-    Scene scene = on_floor(6, {3.5, 2.5, 2.5}, {0, 1, 0});
-    add_body(scene, "Ball", make_sphere(1, 10, 6), moved(0, 1.25, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(6, {3.5, 2.5, 2.5}, {0, 1, 0}), {{"Ball", make_sphere(1, 10, 6), moved(0, 1.25, 0)}});
 }
 
 Scene hard_convex_bodies() {
-    Scene scene = on_floor(10, {-2.5, 6, 6.5}, {0, 0.5, 0});
-    add_body(scene, "Ball", make_sphere(0.75, 32, 16), moved(-2, 1, 0));
-    add_body(scene, "Box", box_turned({1, 1, 1}, 25, glm::normalize(glm::dvec3(1, 2, 1))), moved(0, 1.25, 0));
-    add_body(scene, "Cone", make_cylinder(0.75, 1.5, 24, 0.25), moved(2, 0.25, 0));
-    return finished(std::move(scene));
+    return with_bodies(on_floor(10, {-2.5, 6, 6.5}, {0, 0.5, 0}),
+                       {{"Ball", make_sphere(0.75, 32, 16), moved(-2, 1, 0)},
+                        {"Box", box_turned({1, 1, 1}, 25, glm::normalize(glm::dvec3(1, 2, 1))), moved(0, 1.25, 0)},
+                        {"Cone", make_cylinder(0.75, 1.5, 24, 0.25), moved(2, 0.25, 0)}});
 }
 
 }  // namespace si

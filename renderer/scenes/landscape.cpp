@@ -91,7 +91,7 @@ void add_village(Scene& scene, int root, int paint) {
     // Four sides, rotated to align with the tower's walls.
     append(church,
            tinted(transformed(make_cylinder(4.9, 12, 4, 0.05), moved(-12, 21, 0) * turned(45)), {0.13f, 0.14f, 0.15f}));
-    add_object(scene, "Church", village, add_mesh(scene, "Church", church, paint), moved(4, 0, 5) * turned(-20));
+    add_shape(scene, "Church", village, church, paint, moved(4, 0, 5) * turned(-20));
 }
 
 void add_trees(Scene& scene, int root, int paint) {
@@ -117,22 +117,18 @@ void add_trees(Scene& scene, int root, int paint) {
 }  // namespace
 
 Scene make_landscape_scene() {
-    Scene scene;
-    scene.name = "landscape";
-    scene.about =
-        "Hills, a lake, 1100 trees and a village on a square of two kilometres: too large for one shadow map.";
+    Scene scene = named_scene(
+        "landscape",
+        "Hills, a lake, 1100 trees and a village on a square of two kilometres: too large for one shadow map.");
     const int paint = add_material(scene, "Painted", glm::vec3(1.0f));
     const int water = add_material(scene, "Lake", {0.07f, 0.14f, 0.17f});
     const int root = add_node(scene, "Landscape");
-    add_object(scene, "Land", root, add_mesh(scene, "Land", make_terrain(254), paint));
-    add_object(scene, "Lake", root, add_mesh(scene, "Lake", make_plane(460, 360), water),
-               moved(330, kWaterLevel_m, -130));
+    add_shape(scene, "Land", root, make_terrain(254), paint);
+    add_shape(scene, "Lake", root, make_plane(460, 360), water, moved(330, kWaterLevel_m, -130));
     add_village(scene, root, paint);
     add_trees(scene, root, paint);
     add_camera(scene, {-70, terrain_height(-70, 215) + 26, 215}, {30, 6, -60}, 40);
-    scene.suggested = {{"light.azimuth", "-62"}, {"light.elevation", "28"}};
-    finalise(scene);
-    return scene;
+    return finished(std::move(scene), {{"light.azimuth", "-62"}, {"light.elevation", "28"}});
 }
 
 }  // namespace si

@@ -35,11 +35,10 @@ Texture make_cobbles() {
 }  // namespace
 
 Scene make_relief_scene() {
-    Scene scene;
-    scene.name = "relief";
-    scene.about =
+    Scene scene = named_scene(
+        "relief",
         "A floor and a block whose cobbles are a normal map only, under the shadows of a rail and a sphere: what "
-        "happens when a bias follows normals that the triangles do not have.";
+        "happens when a bias follows normals that the triangles do not have.");
     scene.textures.push_back(make_cobbles());
     const int cobbles = add_material(scene, "Cobbles", {0.46f, 0.43f, 0.38f});
     scene.materials[std::size_t(cobbles)].normal_texture = 0;
@@ -48,21 +47,16 @@ Scene make_relief_scene() {
     const int glaze = add_material(scene, "Glaze", {0.16f, 0.30f, 0.38f});
 
     const int root = add_node(scene, "Relief");
-    add_object(scene, "Floor", root, add_mesh(scene, "Floor", make_plane(8, 8), cobbles));
-    add_object(scene, "Block", root, add_mesh(scene, "Block", make_box({1.5, 1.0, 1.0}), cobbles),
-               moved(-1.5, 0.5, -0.9) * turned(20));
-    add_object(scene, "Slab", root, add_mesh(scene, "Slab", make_box({1.4, 0.12, 1.0}), plain),
-               moved(1.75, 0.06, 1.5) * turned(-12));
+    add_shape(scene, "Floor", root, make_plane(8, 8), cobbles);
+    add_shape(scene, "Block", root, make_box({1.5, 1.0, 1.0}), cobbles, moved(-1.5, 0.5, -0.9) * turned(20));
+    add_shape(scene, "Slab", root, make_box({1.4, 0.12, 1.0}), plain, moved(1.75, 0.06, 1.5) * turned(-12));
     const int post = add_mesh(scene, "Post", make_box({0.12, 1.3, 0.12}), wood);
     for (int i = 0; i < 3; ++i)
         add_object(scene, "Post " + std::to_string(i + 1), root, post, moved(-0.2 + 1.1 * i, 0.65, -0.6 - 0.2 * i));
-    add_object(scene, "Rail", root, add_mesh(scene, "Rail", make_box({2.5, 0.12, 0.06}), wood),
-               moved(0.9, 1.12, -0.7) * turned(10.3));
-    add_object(scene, "Sphere", root, add_mesh(scene, "Sphere", make_sphere(0.35), glaze), moved(-0.9, 0.35, 1.1));
+    add_shape(scene, "Rail", root, make_box({2.5, 0.12, 0.06}), wood, moved(0.9, 1.12, -0.7) * turned(10.3));
+    add_shape(scene, "Sphere", root, make_sphere(0.35), glaze, moved(-0.9, 0.35, 1.1));
     add_camera(scene, {-1.2, 3.0, 6.2}, {0.2, 0.25, 0.2}, 34);
-    scene.suggested = {{"light.azimuth", "-125"}, {"light.elevation", "34"}};
-    finalise(scene);
-    return scene;
+    return finished(std::move(scene), {{"light.azimuth", "-125"}, {"light.elevation", "34"}});
 }
 
 }  // namespace si

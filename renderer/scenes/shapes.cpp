@@ -216,6 +216,10 @@ int add_object(Scene& scene, std::string name, int parent, int mesh, const glm::
     return node;
 }
 
+int add_shape(Scene& scene, const std::string& name, int parent, Mesh mesh, int material, const glm::dmat4& local) {
+    return add_object(scene, name, parent, add_mesh(scene, name, std::move(mesh), material), local);
+}
+
 void add_camera(Scene& scene, const glm::dvec3& eye, const glm::dvec3& target, double fov_y_deg) {
     const glm::dvec3 back = glm::normalize(eye - target);
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back)), up = glm::cross(back, right);
@@ -226,14 +230,23 @@ void add_camera(Scene& scene, const glm::dvec3& eye, const glm::dvec3& target, d
     scene.cameras.push_back(camera);
 }
 
-Scene make_scene(Mesh mesh, const glm::dmat4& local) {
+Scene named_scene(std::string name, std::string about) {
     Scene scene;
-    scene.name = mesh.name;
-    const std::string name = mesh.name;
-    add_object(scene, name, -1, add_mesh(scene, name, std::move(mesh), add_material(scene, "Grey", glm::vec3(0.6f))),
-               local);
+    scene.name = std::move(name);
+    scene.about = std::move(about);
+    return scene;
+}
+
+Scene finished(Scene scene, std::vector<std::pair<std::string, std::string>> suggested) {
+    scene.suggested = std::move(suggested);
     finalise(scene);
     return scene;
+}
+
+Scene make_scene(Mesh mesh, const glm::dmat4& local) {
+    Scene scene = named_scene(mesh.name, "");
+    add_shape(scene, scene.name, -1, std::move(mesh), add_material(scene, "Grey", glm::vec3(0.6f)), local);
+    return finished(std::move(scene));
 }
 
 std::uint32_t Random::next() {

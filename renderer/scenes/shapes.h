@@ -68,9 +68,16 @@ int add_node(Scene& scene, std::string name, int parent = -1, const glm::dmat4& 
 /// Adds a node that places one mesh in a scene. Returns the node's index. @param parent node; -1: none
 /// @param local transform to the parent
 int add_object(Scene& scene, std::string name, int parent, int mesh, const glm::dmat4& local = glm::dmat4(1));
+/// Adds a mesh with a material (an index) and a node of the same name that places it. Returns the node's index.
+int add_shape(Scene& scene, const std::string& name, int parent, Mesh mesh, int material,
+              const glm::dmat4& local = glm::dmat4(1));
 /// Adds a perspective camera to a scene, at `eye`, looking at `target` with +y up.
 void add_camera(Scene& scene, const glm::dvec3& eye, const glm::dvec3& target, double fov_y_deg);
 
+/// Makes an empty scene with a name and a sentence about it.
+Scene named_scene(std::string name, std::string about);
+/// Returns a scene after finalise(). @param suggested suggested settings (key, value)
+Scene finished(Scene scene, std::vector<std::pair<std::string, std::string>> suggested = {});
 /// Makes a finalised scene of one grey mesh; its node has the mesh's name.
 Scene make_scene(Mesh mesh, const glm::dmat4& local = glm::dmat4(1));
 

@@ -46,8 +46,8 @@ void add_ground(Scene& scene, int root) {
         disc.uv.edit()[i] = glm::vec2(disc.positions[i].x, disc.positions[i].z) / float(4 * kSlab_m);
     const Mesh edge = make_revolution(
         "edge", {{kRadius, 0, 1, 0}, {kRadius, -0.35, 1, 0}, {kRadius, -0.35, 0, -1}, {0, -0.35, 0, -1}}, 96);
-    add_object(scene, "Ground", root, add_mesh(scene, "Ground", disc, stone));
-    add_object(scene, "Plinth", root, add_mesh(scene, "Plinth", edge, plinth));
+    add_shape(scene, "Ground", root, disc, stone);
+    add_shape(scene, "Plinth", root, edge, plinth);
 }
 
 void add_fence(Scene& scene, int root) {
@@ -140,19 +140,15 @@ void add_things(Scene& scene, int root) {
     const int verdigris = add_material(scene, "Verdigris", {0.16f, 0.34f, 0.30f});
     const int brass = add_material(scene, "Brass", {0.58f, 0.40f, 0.13f});
 
-    add_object(scene, "Wall", root, add_mesh(scene, "Wall", make_quad(4.2, 2.5), plaster),
-               moved(-2.7, 0, -2.9) * turned(32));
-    add_object(scene, "Ramp", root, add_mesh(scene, "Ramp", make_wedge({2.2, 0.85, 1.35}), slate),
-               moved(1.25, 0, 1.0) * turned(-14));
+    add_shape(scene, "Wall", root, make_quad(4.2, 2.5), plaster, moved(-2.7, 0, -2.9) * turned(32));
+    add_shape(scene, "Ramp", root, make_wedge({2.2, 0.85, 1.35}), slate, moved(1.25, 0, 1.0) * turned(-14));
     add_object(scene, "Distant box", root, add_mesh(scene, "Box", make_box({1.7, 2.6, 1.7}), heather),
                moved(1.15, 1.3, -9.6) * turned(28));
-    add_object(scene, "Sphere", root, add_mesh(scene, "Sphere", make_sphere(0.42, 96, 48), porcelain),
-               moved(0.25, 0.42, 2.75));
+    add_shape(scene, "Sphere", root, make_sphere(0.42, 96, 48), porcelain, moved(0.25, 0.42, 2.75));
     const int drum =
-        add_object(scene, "Pedestal", root, add_mesh(scene, "Pedestal", make_cylinder(0.42, 0.62, 48, 0.38), porcelain),
-                   moved(-3.35, 0, 0.75));
-    add_object(scene, "Ring", drum, add_mesh(scene, "Ring", make_torus(0.30, 0.075), brass),
-               moved(0, 0.62 + 0.375, 0) * turned(40) * turned(90, {1, 0, 0}));
+        add_shape(scene, "Pedestal", root, make_cylinder(0.42, 0.62, 48, 0.38), porcelain, moved(-3.35, 0, 0.75));
+    add_shape(scene, "Ring", drum, make_torus(0.30, 0.075), brass,
+              moved(0, 0.62 + 0.375, 0) * turned(40) * turned(90, {1, 0, 0}));
     const int rod = add_mesh(scene, "Rod", make_cylinder(0.012, 1, 12), verdigris);
     const int rods = add_node(scene, "Rods", root, moved(-2.05, 0, 2.3));
     for (int i = 0; i < 7; ++i)
@@ -163,11 +159,10 @@ void add_things(Scene& scene, int root) {
 }  // namespace
 
 Scene make_stage_scene() {
-    Scene scene;
-    scene.name = "stage";
-    scene.about =
+    Scene scene = named_scene(
+        "stage",
         "A thin fence and rods (aliasing), a ramp in grazing light (acne), a figure, a pedestal and a single-plane "
-        "wall that stand on the ground (peter-panning), leaves with an alpha mask, and a distant box.";
+        "wall that stand on the ground (peter-panning), leaves with an alpha mask, and a distant box.");
     const int root = add_node(scene, "Stage");
     add_ground(scene, root);
     add_fence(scene, root);
@@ -176,27 +171,21 @@ Scene make_stage_scene() {
 
     const int wood = add_material(scene, "Lay figure", {0.62f, 0.42f, 0.22f});
     const int joints = add_material(scene, "Lay figure joints", {0.34f, 0.20f, 0.10f});
-    Pose pose;
-    pose.lean = 3;
-    pose.twist = 8;
-    pose.head_turn = -18;
-    pose.hip[0] = 24;
-    pose.knee[0] = 10;
-    pose.hip[1] = -14;
-    pose.knee[1] = 22;
-    pose.shoulder[0] = -26;
-    pose.shoulder[1] = 30;
-    pose.elbow[0] = 18;
-    pose.elbow[1] = 38;
+    const Pose pose{.lean = 3,
+                    .twist = 8,
+                    .head_turn = -18,
+                    .hip = {24, -14},
+                    .knee = {10, 22},
+                    .shoulder = {-26, 30},
+                    .elbow = {18, 38}};
     add_figure(scene, add_figure_meshes(scene, wood, joints), "Figure", root, moved(-0.75, 0, 0.75) * turned(18), pose);
 
     add_camera(scene, {-2.3, 3.25, 9.1}, {0.12, 0.98, -0.6}, 35);
     // Low light from the right and slightly behind: the figure stands in the light in front of the wall's shadow, and
     // the shadows of leaves and pickets cross the free ground in front of it.
-    scene.suggested = {
-        {"light.azimuth", "116"}, {"light.elevation", "25"}, {"light.intensity", "2"}, {"shading.ambient", "0.17"}};
-    finalise(scene);
-    return scene;
+    return finished(
+        std::move(scene),
+        {{"light.azimuth", "116"}, {"light.elevation", "25"}, {"light.intensity", "2"}, {"shading.ambient", "0.17"}});
 }
 
 }  // namespace si
