@@ -37,8 +37,7 @@ template <class T>
 void convert(const Source& source, int width, std::size_t count, std::span<const std::uint32_t> pick, float* out) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t* element = source.data + (pick.empty() ? i : pick[i]) * source.stride;
-        for (int c = 0; c < width; ++c)
-            *out++ = to_float<T>(element + static_cast<std::size_t>(c) * sizeof(T), source.normalized);
+        for (int c = 0; c < width; ++c) *out++ = to_float<T>(element + std::size_t(c) * sizeof(T), source.normalized);
     }
 }
 
@@ -58,14 +57,13 @@ void convert(int component_type, const Source& source, int width, std::size_t co
         default:
             break;
     }
-    const auto bytes = static_cast<std::size_t>(width) * sizeof(float);
+    const auto bytes = std::size_t(width) * sizeof(float);
     if (pick.empty() && source.stride == bytes) {
         std::memcpy(out, source.data, count * bytes);
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        std::memcpy(out + i * static_cast<std::size_t>(width),
-                    source.data + (pick.empty() ? i : pick[i]) * source.stride, bytes);
+        std::memcpy(out + i * std::size_t(width), source.data + (pick.empty() ? i : pick[i]) * source.stride, bytes);
     }
 }
 
@@ -114,27 +112,25 @@ Accessors::Accessors(Context& context, const tinygltf::Model& model, Buffers& bu
     : context_(context), model_(model), buffers_(buffers) {}
 
 std::size_t Accessors::count(int accessor) const {
-    return model_.accessors[static_cast<std::size_t>(accessor)].count;
+    return model_.accessors[std::size_t(accessor)].count;
 }
 
 int Accessors::width(int accessor) const {
-    return tinygltf::GetNumComponentsInType(
-        static_cast<std::uint32_t>(model_.accessors[static_cast<std::size_t>(accessor)].type));
+    return tinygltf::GetNumComponentsInType(std::uint32_t(model_.accessors[std::size_t(accessor)].type));
 }
 
 void Accessors::expect_width(int accessor, int expected, const Place& place) const {
-    const int type = model_.accessors[static_cast<std::size_t>(accessor)].type;
+    const int type = model_.accessors[std::size_t(accessor)].type;
     const bool is_matrix = type == TINYGLTF_TYPE_MAT2 || type == TINYGLTF_TYPE_MAT3;
     if (width(accessor) == expected && !is_matrix) return;
     context_.fail(place,
-                  fmt::format("accessor {} has {} components, {} are expected", accessor, width(accessor), expected),
-                  kRepairHint);
+                  fmt::format("accessor {} has {} components, {} are expected", accessor, width(accessor), expected));
 }
 
 void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
     // Loads the buffer, so that its size counts.
-    if (const int view = model_.accessors[static_cast<std::size_t>(accessor)].bufferView; view >= 0) {
-        buffers_.view(static_cast<std::size_t>(view));
+    if (const int view = model_.accessors[std::size_t(accessor)].bufferView; view >= 0) {
+        buffers_.view(std::size_t(view));
     }
     decoded_bytes_ += bytes;
     if (decoded_bytes_ > kAlwaysAllowedBytes + kMostDecodedPerByte * buffers_.bytes_loaded()) {
@@ -146,31 +142,29 @@ void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
 }
 
 std::vector<std::uint32_t> Accessors::sparse_positions(int accessor, const Place& place) {
-    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    const auto& a = model_.accessors[std::size_t(accessor)];
     const auto& sparse = a.sparse;
-    const auto count = static_cast<std::size_t>(sparse.count);
-    const auto bytes = buffers_.view(static_cast<std::size_t>(sparse.indices.bufferView))
-                           .subspan(static_cast<std::size_t>(sparse.indices.byteOffset));
+    const auto count = std::size_t(sparse.count);
+    const auto bytes =
+        buffers_.view(std::size_t(sparse.indices.bufferView)).subspan(std::size_t(sparse.indices.byteOffset));
     std::vector<std::uint32_t> out(count);
     widen(sparse.indices.componentType, {bytes.data(), bytes_per_component(sparse.indices.componentType)}, count,
           out.data());
     for (std::size_t i = 0; i < count; ++i) {
         if (out[i] >= a.count || (i > 0 && out[i] <= out[i - 1])) {
-            context_.fail(place,
-                          fmt::format("accessor {}: sparse index {} (the {}th) is out of range or not ascending",
-                                      accessor, out[i], i),
-                          kRepairHint);
+            context_.fail(place, fmt::format("accessor {}: sparse index {} (the {}th) is out of range or not ascending",
+                                             accessor, out[i], i));
         }
     }
     return out;
 }
 
 void Accessors::overlay_sparse(int accessor, const Place& place, int width, float* out) {
-    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    const auto& a = model_.accessors[std::size_t(accessor)];
     const auto positions = sparse_positions(accessor, place);
-    const auto bytes = buffers_.view(static_cast<std::size_t>(a.sparse.values.bufferView))
-                           .subspan(static_cast<std::size_t>(a.sparse.values.byteOffset));
-    const std::size_t n = static_cast<std::size_t>(width);
+    const auto bytes =
+        buffers_.view(std::size_t(a.sparse.values.bufferView)).subspan(std::size_t(a.sparse.values.byteOffset));
+    const std::size_t n = std::size_t(width);
     std::vector<float> values(positions.size() * n);
     convert(a.componentType, {bytes.data(), n * bytes_per_component(a.componentType), a.normalized}, width,
             positions.size(), {}, values.data());
@@ -180,8 +174,8 @@ void Accessors::overlay_sparse(int accessor, const Place& place, int width, floa
 }
 
 void Accessors::read(int accessor, const Place& place, int width, std::span<const std::uint32_t> pick, float* out) {
-    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
-    const std::size_t n = static_cast<std::size_t>(width);
+    const auto& a = model_.accessors[std::size_t(accessor)];
+    const std::size_t n = std::size_t(width);
     if (a.sparse.isSparse && !pick.empty()) {
         spend(accessor, a.count * n * sizeof(float), place);
         std::vector<float> all(a.count * n);
@@ -193,8 +187,8 @@ void Accessors::read(int accessor, const Place& place, int width, std::span<cons
     if (a.bufferView < 0) {
         std::fill_n(out, count * n, 0.0f);
     } else {
-        const auto bytes = buffers_.view(static_cast<std::size_t>(a.bufferView)).subspan(a.byteOffset);
-        const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
+        const auto bytes = buffers_.view(std::size_t(a.bufferView)).subspan(a.byteOffset);
+        const std::size_t stride = model_.bufferViews[std::size_t(a.bufferView)].byteStride;
         const Source source{bytes.data(), stride == 0 ? n * bytes_per_component(a.componentType) : stride,
                             a.normalized};
         convert(a.componentType, source, width, count, pick, out);
@@ -227,9 +221,9 @@ std::vector<float> Accessors::scalars(int accessor, const Place& place) {
 }
 
 std::vector<glm::mat4> Accessors::matrices(int accessor, const Place& place) {
-    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    const auto& a = model_.accessors[std::size_t(accessor)];
     if (a.type != TINYGLTF_TYPE_MAT4 || a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
-        context_.fail(place, fmt::format("accessor {} is not of float matrices (MAT4)", accessor), kRepairHint);
+        context_.fail(place, fmt::format("accessor {} is not of float matrices (MAT4)", accessor));
     }
     spend(accessor, a.count * sizeof(glm::mat4), place);
     std::vector<glm::mat4> out(a.count);
@@ -238,7 +232,7 @@ std::vector<glm::mat4> Accessors::matrices(int accessor, const Place& place) {
 }
 
 std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, std::size_t limit) {
-    const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
+    const auto& a = model_.accessors[std::size_t(accessor)];
     expect_width(accessor, 1, place);
     spend(accessor, a.count * sizeof(std::uint32_t), place);
     std::vector<std::uint32_t> out(a.count);
@@ -246,19 +240,18 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
     if (a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
         a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-        context_.fail(place, fmt::format("accessor {} has a component type that is none for indices", accessor),
-                      kRepairHint);
+        context_.fail(place, fmt::format("accessor {} has a component type that is none for indices", accessor));
     }
     std::uint32_t greatest = 0;
     if (a.bufferView >= 0) {
-        const auto bytes = buffers_.view(static_cast<std::size_t>(a.bufferView)).subspan(a.byteOffset);
-        const std::size_t stride = model_.bufferViews[static_cast<std::size_t>(a.bufferView)].byteStride;
+        const auto bytes = buffers_.view(std::size_t(a.bufferView)).subspan(a.byteOffset);
+        const std::size_t stride = model_.bufferViews[std::size_t(a.bufferView)].byteStride;
         greatest = widen(a.componentType, {bytes.data(), stride == 0 ? component : stride}, a.count, out.data());
     }
     if (a.sparse.isSparse) {
         const auto positions = sparse_positions(accessor, place);
-        const auto bytes = buffers_.view(static_cast<std::size_t>(a.sparse.values.bufferView))
-                               .subspan(static_cast<std::size_t>(a.sparse.values.byteOffset));
+        const auto bytes =
+            buffers_.view(std::size_t(a.sparse.values.bufferView)).subspan(std::size_t(a.sparse.values.byteOffset));
         std::vector<std::uint32_t> values(positions.size());
         widen(a.componentType, {bytes.data(), component}, positions.size(), values.data());
         for (std::size_t i = 0; i < positions.size(); ++i) out[positions[i]] = values[i];
@@ -267,10 +260,8 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
     // The largest value of the type is primitive restart in OpenGL, which glTF forbids.
     const std::uint64_t restart = (std::uint64_t{1} << (8 * component)) - 1;
     if (greatest >= limit || greatest == restart) {
-        context_.fail(
-            place,
-            fmt::format("accessor {}: index {} is out of range, there are {} vertices", accessor, greatest, limit),
-            kRepairHint);
+        context_.fail(place, fmt::format("accessor {}: index {} is out of range, there are {} vertices", accessor,
+                                         greatest, limit));
     }
     return out;
 }

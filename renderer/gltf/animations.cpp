@@ -94,13 +94,12 @@ private:
         else if (!interpolation.empty() && interpolation != "LINEAR")
             return "a sampler's interpolation is unknown";
 
-        const int in = static_cast<int>(*input), out = static_cast<int>(*output);
-        const int element = channel.property == AnimatedProperty::Weights ? 1 : static_cast<int>(channel.width);
+        const int in = int(*input), out = int(*output);
+        const int element = channel.property == AnimatedProperty::Weights ? 1 : int(channel.width);
         if (accessors_.width(in) != 1 || accessors_.width(out) != element)
             return "a sampler's accessors have wrong types";
         const std::size_t keys = accessors_.count(in), parts = channel.interpolation == Interpolation::Cubic ? 3 : 1;
-        if (channel.width > 0 &&
-            accessors_.count(out) * static_cast<std::size_t>(element) != keys * parts * channel.width) {
+        if (channel.width > 0 && accessors_.count(out) * std::size_t(element) != keys * parts * channel.width) {
             return "a sampler's output does not fit its input";
         }
         channel.times_s = accessors_.scalars(in, place);
@@ -119,7 +118,7 @@ private:
         if (width == 1) return accessors_.scalars(accessor, place);
         std::vector<float> out;
         const auto append = [&](const auto& vectors) {
-            out.reserve(vectors.size() * static_cast<std::size_t>(width));
+            out.reserve(vectors.size() * std::size_t(width));
             for (const auto& v : vectors) {
                 for (int i = 0; i < width; ++i) out.push_back(v[i]);
             }
@@ -145,7 +144,7 @@ std::vector<Animation> read_animations(Context& context, const Json& root, const
     if (all == root.end()) return out;
     Reader reader(model, accessors, scene_node);
     for (std::size_t i = 0; i < all->size(); ++i) {
-        const Place place("animations", static_cast<std::int64_t>(i));
+        const Place place("animations", i);
         Animation animation;
         animation.name = printable(string_of((*all)[i], "name"));
         if (animation.name.empty()) animation.name = fmt::format("animation {}", i);

@@ -37,7 +37,7 @@ Bytes Buffers::load(const Json& buffer, const Place& place) {
 
 std::span<const std::uint8_t> Buffers::buffer(std::size_t i) {
     if (!spans_[i].empty()) return spans_[i];
-    const Place place("buffers", static_cast<std::int64_t>(i));
+    const Place place("buffers", i);
     const Json& json = root_["buffers"][i];
     const auto wanted = json["byteLength"].get<std::uint64_t>();
     std::span<const std::uint8_t> all;
@@ -53,8 +53,8 @@ std::span<const std::uint8_t> Buffers::buffer(std::size_t i) {
         context_.fail(place, fmt::format("byteLength is {} but only {} bytes are there", wanted, all.size()),
                       "the data is cut, export or copy the model again");
     }
-    bytes_loaded_ += static_cast<std::size_t>(wanted);
-    return spans_[i] = all.first(static_cast<std::size_t>(wanted));
+    bytes_loaded_ += std::size_t(wanted);
+    return spans_[i] = all.first(std::size_t(wanted));
 }
 
 std::span<const std::uint8_t> Buffers::view(std::size_t i) {

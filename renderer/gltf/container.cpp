@@ -9,8 +9,8 @@ constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBin = 0x004E49
 constexpr std::string_view kExportAgain = "the file is cut or damaged, export or copy it again";
 
 std::uint32_t u32_at(std::span<const std::uint8_t> bytes, std::size_t at) {
-    return static_cast<std::uint32_t>(bytes[at]) | static_cast<std::uint32_t>(bytes[at + 1]) << 8 |
-           static_cast<std::uint32_t>(bytes[at + 2]) << 16 | static_cast<std::uint32_t>(bytes[at + 3]) << 24;
+    return std::uint32_t(bytes[at]) | std::uint32_t(bytes[at + 1]) << 8 | std::uint32_t(bytes[at + 2]) << 16 |
+           std::uint32_t(bytes[at + 3]) << 24;
 }
 
 std::string_view as_text(std::span<const std::uint8_t> bytes) {
@@ -52,8 +52,8 @@ Container split_container(Context& context, std::span<const std::uint8_t> file) 
         const std::uint32_t type = u32_at(file, at + 4);
         const std::size_t left = total - at - 8;
         if (length > left) {
-            context.fail(Place("chunk", static_cast<std::int64_t>(chunk)),
-                         fmt::format("states {} bytes, only {} are left", length, left), kExportAgain);
+            context.fail(Place("chunk", chunk), fmt::format("states {} bytes, only {} are left", length, left),
+                         kExportAgain);
         }
         const auto body = file.subspan(at + 8, length);
         if (chunk == 0) {

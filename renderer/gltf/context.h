@@ -1,6 +1,7 @@
 // Errors, warnings, progress and cancellation, shared by all steps of loading one glTF file.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,8 +18,11 @@ struct Place {
     std::string_view name;
     std::int64_t index = -1;
 
-    Place(std::string_view name_, std::int64_t index_ = -1) : name(name_), index(index_) {}
-    Place(const Place& up_, std::string_view name_, std::int64_t index_ = -1) : up(&up_), name(name_), index(index_) {}
+    Place(std::string_view name_) : name(name_) {}
+    Place(std::string_view name_, std::integral auto index_) : name(name_), index(std::int64_t(index_)) {}
+    Place(const Place& up_, std::string_view name_) : up(&up_), name(name_) {}
+    Place(const Place& up_, std::string_view name_, std::integral auto index_)
+        : up(&up_), name(name_), index(std::int64_t(index_)) {}
     /// Formats a position in a glTF file: "meshes[3].primitives[0]".
     std::string text() const;
 };
@@ -33,7 +37,7 @@ public:
 
     /// Throws Error "FILE: place: what; fix", one printable line.
     /// @param what the problem @param fix advice for the user
-    [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view fix) const;
+    [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view fix = kRepairHint) const;
     /// Throws Error "FILE: what; fix" for a problem of the whole glTF file.
     [[noreturn]] void fail(std::string_view what, std::string_view fix) const;
     /// Records a warning about a position in the glTF file; after the first hundred it only counts them.

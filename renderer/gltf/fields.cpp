@@ -16,11 +16,10 @@ std::string shown(const Json& value) {
 
 std::uint64_t checked_whole(const Context& context, const Json& value, const Place& place, std::uint64_t most) {
     if (!value.is_number_unsigned()) {
-        context.fail(place, fmt::format("{} is not a whole number of at least 0", shown(value)), kRepairHint);
+        context.fail(place, fmt::format("{} is not a whole number of at least 0", shown(value)));
     }
     const auto number = value.get<std::uint64_t>();
-    if (number > most)
-        context.fail(place, fmt::format("{} is more than the greatest possible value {}", number, most), kRepairHint);
+    if (number > most) context.fail(place, fmt::format("{} is more than the greatest possible value {}", number, most));
     return number;
 }
 
@@ -28,19 +27,18 @@ std::uint64_t checked_whole(const Context& context, const Json& value, const Pla
 
 std::size_t checked_index(const Context& context, const Json& value, const Place& place, std::size_t size) {
     if (!value.is_number_unsigned()) {
-        context.fail(place, fmt::format("{} is not an index", shown(value)), kRepairHint);
+        context.fail(place, fmt::format("{} is not an index", shown(value)));
     }
     const auto number = value.get<std::uint64_t>();
     if (number >= size) {
-        context.fail(place, fmt::format("index {} is out of range, there are {}", number, size), kRepairHint);
+        context.fail(place, fmt::format("index {} is out of range, there are {}", number, size));
     }
-    return static_cast<std::size_t>(number);
+    return std::size_t(number);
 }
 
 Fields::Fields(const Context& context, const Json& object, const Place& place)
     : context_(context), object_(object), place_(place) {
-    if (!object.is_object())
-        context.fail(place, fmt::format("{} where an object is expected", shown(object)), kRepairHint);
+    if (!object.is_object()) context.fail(place, fmt::format("{} where an object is expected", shown(object)));
 }
 
 std::optional<std::uint64_t> Fields::whole(const char* key, std::uint64_t most) const {
@@ -51,7 +49,7 @@ std::optional<std::uint64_t> Fields::whole(const char* key, std::uint64_t most) 
 
 std::uint64_t Fields::whole_required(const char* key, std::uint64_t most) const {
     const auto value = whole(key, most);
-    if (!value) context_.fail(Place(place_, key), "is missing", kRepairHint);
+    if (!value) context_.fail(Place(place_, key), "is missing");
     return *value;
 }
 
@@ -63,14 +61,14 @@ std::optional<std::size_t> Fields::index(const char* key, std::size_t size) cons
 
 std::size_t Fields::index_required(const char* key, std::size_t size) const {
     const auto value = index(key, size);
-    if (!value) context_.fail(Place(place_, key), "is missing", kRepairHint);
+    if (!value) context_.fail(Place(place_, key), "is missing");
     return *value;
 }
 
 std::optional<std::string> Fields::string(const char* key) const {
     const auto it = object_.find(key);
     if (it == object_.end()) return std::nullopt;
-    if (!it->is_string()) context_.fail(Place(place_, key), fmt::format("{} is not a string", shown(*it)), kRepairHint);
+    if (!it->is_string()) context_.fail(Place(place_, key), fmt::format("{} is not a string", shown(*it)));
     return it->get<std::string>();
 }
 
@@ -79,13 +77,13 @@ std::optional<std::vector<double>> Fields::numbers(const char* key, std::size_t 
     if (it == object_.end()) return std::nullopt;
     const Place here(place_, key);
     if (!it->is_array() || it->size() != n) {
-        context_.fail(here, fmt::format("{} where {} numbers are expected", shown(*it), n), kRepairHint);
+        context_.fail(here, fmt::format("{} where {} numbers are expected", shown(*it), n));
     }
     std::vector<double> out;
     out.reserve(n);
     for (const auto& value : *it) {
         if (!value.is_number() || !std::isfinite(value.get<double>())) {
-            context_.fail(here, fmt::format("{} is not a number", shown(value)), kRepairHint);
+            context_.fail(here, fmt::format("{} is not a number", shown(value)));
         }
         out.push_back(value.get<double>());
     }
@@ -95,21 +93,19 @@ std::optional<std::vector<double>> Fields::numbers(const char* key, std::size_t 
 std::vector<std::size_t> Fields::indices(const char* key, std::size_t size) const {
     const auto it = object_.find(key);
     if (it == object_.end()) return {};
-    if (!it->is_array())
-        context_.fail(Place(place_, key), fmt::format("{} where an array is expected", shown(*it)), kRepairHint);
+    if (!it->is_array()) context_.fail(Place(place_, key), fmt::format("{} where an array is expected", shown(*it)));
     std::vector<std::size_t> out;
     out.reserve(it->size());
     for (std::size_t i = 0; i < it->size(); ++i) {
-        out.push_back(checked_index(context_, (*it)[i], Place(place_, key, static_cast<std::int64_t>(i)), size));
+        out.push_back(checked_index(context_, (*it)[i], Place(place_, key, i), size));
     }
     return out;
 }
 
 const Json& Fields::object(const char* key) const {
     const auto it = object_.find(key);
-    if (it == object_.end()) context_.fail(Place(place_, key), "is missing", kRepairHint);
-    if (!it->is_object())
-        context_.fail(Place(place_, key), fmt::format("{} where an object is expected", shown(*it)), kRepairHint);
+    if (it == object_.end()) context_.fail(Place(place_, key), "is missing");
+    if (!it->is_object()) context_.fail(Place(place_, key), fmt::format("{} where an object is expected", shown(*it)));
     return *it;
 }
 

@@ -54,14 +54,14 @@ ReadResult read_regular_file(const std::filesystem::path& path, std::size_t max_
     if (size > max_bytes) return failed(fmt::format("has {} bytes, more than the limit of {}", size, max_bytes));
 
     ReadResult result;
-    result.bytes = Bytes(static_cast<std::size_t>(size));
+    result.bytes = Bytes(std::size_t(size));
     constexpr std::size_t kBlock = std::size_t{16} << 20;
     for (std::size_t done = 0; done < result.bytes.size;) {
         const ssize_t got = ::read(file.fd, result.bytes.data.get() + done, std::min(kBlock, result.bytes.size - done));
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return failed(fmt::format("cannot be read ({})", std::strerror(errno)));
         if (got == 0) return failed("became shorter while it was read");
-        done += static_cast<std::size_t>(got);
+        done += std::size_t(got);
         if (progress) progress(static_cast<double>(done) / static_cast<double>(result.bytes.size));
     }
     return result;

@@ -20,14 +20,14 @@ std::string kind_of(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 std::size_t decoding_bytes(std::span<const std::uint8_t> bytes) {
-    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return 0;
+    if (bytes.size() > std::size_t(std::numeric_limits<int>::max())) return 0;
     int width = 0, height = 0, channels = 0;
-    const int size = static_cast<int>(bytes.size());
+    const int size = int(bytes.size());
     if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0 || width <= 0 || height <= 0)
         return 0;
     // stb keeps filtered rows and converted pixels at once; 16-bit files take twice as much and an 8-bit copy.
     const std::size_t per_pixel = stbi_is_16_bit_from_memory(bytes.data(), size) != 0 ? 20 : 12;
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * per_pixel;
+    return std::size_t(width) * std::size_t(height) * per_pixel;
 }
 
 Image decode_image(std::span<const std::uint8_t> bytes) {
@@ -36,14 +36,12 @@ Image decode_image(std::span<const std::uint8_t> bytes) {
     if (const std::string kind = kind_of(bytes); !kind.empty()) {
         return refused(fmt::format("{} images are not supported, use PNG or JPEG", kind));
     }
-    if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        return refused("the file exceeds 2 GiB");
+    if (bytes.size() > std::size_t(std::numeric_limits<int>::max())) return refused("the file exceeds 2 GiB");
 
     Image out;
     int channels = 0;
     const std::unique_ptr<stbi_uc, decltype(&std::free)> decoded(
-        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &out.width, &out.height, &channels,
-                              STBI_rgb_alpha),
+        stbi_load_from_memory(bytes.data(), int(bytes.size()), &out.width, &out.height, &channels, STBI_rgb_alpha),
         &std::free);
     if (!decoded) {
         const std::string_view why = stbi_failure_reason();
@@ -54,7 +52,7 @@ Image decode_image(std::span<const std::uint8_t> bytes) {
     if (out.width <= 0 || out.height <= 0 || out.width > kMostAcross || out.height > kMostAcross)
         return refused(fmt::format("{} x {} pixels, at most {} each way are read; use a smaller one", out.width,
                                    out.height, kMostAcross));
-    const std::size_t size = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) * 4;
+    const std::size_t size = std::size_t(out.width) * std::size_t(out.height) * 4;
     out.rgba.assign(decoded.get(), decoded.get() + size);
     return out;
 }

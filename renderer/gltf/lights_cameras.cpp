@@ -70,7 +70,7 @@ bool read_colour(const Json& json, SceneLight& light) {
     if (!colour->is_array() || colour->size() != 3) return false;
     glm::dvec3 out;
     for (int i = 0; i < 3; ++i) {
-        const Json& value = (*colour)[static_cast<std::size_t>(i)];
+        const Json& value = (*colour)[std::size_t(i)];
         if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= 1e9)) return false;
         out[i] = value.get<double>();
     }

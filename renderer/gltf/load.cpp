@@ -52,7 +52,7 @@ void load(Context& context, Scene& scene) {
     add_rig(context, root, model, accessors, primitives, placed, scene);
     textures.decode();
     if (scene.objects.empty()) context.warn("the file has no triangles to show");
-    if (scene.lights.size() > static_cast<std::size_t>(kMaxLights)) {
+    if (scene.lights.size() > std::size_t(kMaxLights)) {
         context.warn(fmt::format("the file has {} lights, the first {} can be used", scene.lights.size(), kMaxLights));
     }
 }

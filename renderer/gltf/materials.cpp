@@ -29,7 +29,7 @@ bool read_pair(const Json& object, const char* key, glm::dvec2& out) {
     if (it == object.end()) return true;
     if (!it->is_array() || it->size() != 2) return false;
     for (int i = 0; i < 2; ++i) {
-        const Json& value = (*it)[static_cast<std::size_t>(i)];
+        const Json& value = (*it)[std::size_t(i)];
         if (!value.is_number() || !(std::abs(value.get<double>()) <= 1e6)) return false;
         out[i] = value.get<double>();
     }
@@ -95,7 +95,7 @@ UvSource Materials::uv_source(const Json& info, const Place& place) {
 
 const MaterialUv& Materials::use(int i) {
     if (i < 0) return none_;
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = std::size_t(i);
     if (uv_[at]) return *uv_[at];
     MaterialUv uv;
     const Json& json = root_["materials"][at];

@@ -16,7 +16,7 @@ constexpr std::size_t kMostObjects = 1'000'000;
 
 std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int wanted, Scene& scene) {
     for (const tinygltf::Scene& s : model.scenes) scene.file_scenes.push_back(printable(s.name));
-    if (wanted >= 0 && static_cast<std::size_t>(wanted) >= model.scenes.size()) {
+    if (wanted >= 0 && std::size_t(wanted) >= model.scenes.size()) {
         context.fail(Place("scenes"),
                      fmt::format("scene {} does not exist, the file has {}", wanted, model.scenes.size()),
                      "choose another scene");
@@ -31,18 +31,18 @@ std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int
                                                       model.scenes.size(), wanted));
         }
         std::vector<char> seen(model.nodes.size(), 0);
-        for (const int node : model.scenes[static_cast<std::size_t>(wanted)].nodes) {
-            if (!std::exchange(seen[static_cast<std::size_t>(node)], 1)) roots.push_back(node);
+        for (const int node : model.scenes[std::size_t(wanted)].nodes) {
+            if (!std::exchange(seen[std::size_t(node)], 1)) roots.push_back(node);
         }
         return roots;
     }
     // A file without scenes shows all root nodes.
     std::vector<char> has_parent(model.nodes.size(), 0);
     for (const auto& node : model.nodes) {
-        for (const int child : node.children) has_parent[static_cast<std::size_t>(child)] = 1;
+        for (const int child : node.children) has_parent[std::size_t(child)] = 1;
     }
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        if (!has_parent[i]) roots.push_back(static_cast<int>(i));
+        if (!has_parent[i]) roots.push_back(int(i));
     }
     return roots;
 }
@@ -125,7 +125,7 @@ PlacedNodes place_nodes(Context& context, const Json& root, const tinygltf::Mode
     while (!stack.empty()) {
         const Visit visit = stack.back();
         stack.pop_back();
-        const auto at = static_cast<std::size_t>(visit.node);
+        const auto at = std::size_t(visit.node);
         const Place place("nodes", visit.node);
         const tinygltf::Node& from = model.nodes[at];
         const Json& json = root["nodes"][at];
@@ -134,10 +134,10 @@ PlacedNodes place_nodes(Context& context, const Json& root, const tinygltf::Mode
         node.name = printable(from.name);
         node.parent = visit.parent;
         node.local = local_transform(context, from, place);
-        world.push_back(visit.parent < 0 ? node.local : world[static_cast<std::size_t>(visit.parent)] * node.local);
+        world.push_back(visit.parent < 0 ? node.local : world[std::size_t(visit.parent)] * node.local);
         if (!is_usable(world.back()))
             context.fail(place, "its transform exceeds 1e18", "bring the scene to a usable scale");
-        const int index = static_cast<int>(scene.nodes.size());
+        const int index = int(scene.nodes.size());
         placed.scene_node[at] = index;
         scene.nodes.push_back(std::move(node));
 
@@ -169,7 +169,7 @@ std::optional<std::vector<glm::dmat4>> instance_transforms(Context& context, con
 
     const auto find = [&](const char* name) {
         const auto index = attributes.index(name, accessor_count);
-        return index ? static_cast<int>(*index) : -1;
+        return index ? int(*index) : -1;
     };
     const int translation = find("TRANSLATION"), rotation = find("ROTATION"), scale = find("SCALE");
     std::optional<std::size_t> count;

@@ -45,10 +45,10 @@ Primitives::Primitives(Context& context, const tinygltf::Model& model, Accessors
 const std::vector<int>& Primitives::of_mesh(int mesh) {
     if (const auto it = of_mesh_.find(mesh); it != of_mesh_.end()) return it->second;
     std::vector<int>& out = of_mesh_[mesh];
-    const tinygltf::Mesh& from = model_.meshes[static_cast<std::size_t>(mesh)];
+    const tinygltf::Mesh& from = model_.meshes[std::size_t(mesh)];
     const Place mesh_place("meshes", mesh);
     for (std::size_t i = 0; i < from.primitives.size(); ++i) {
-        const Place place(mesh_place, "primitives", static_cast<std::int64_t>(i));
+        const Place place(mesh_place, "primitives", i);
         const int built = share(from.primitives[i], place, from.name);
         if (built >= 0) out.push_back(built);
     }
@@ -59,7 +59,7 @@ int Primitives::share(const tinygltf::Primitive& primitive, const Place& place, 
     std::vector<int> key{primitive.mode, primitive.indices, primitive.material};
     for (const auto& [attribute, accessor] : primitive.attributes) {
         // The names of the present attributes are part of the key.
-        key.push_back(static_cast<int>(std::hash<std::string>{}(attribute)&0x7fffffff));
+        key.push_back(int(std::hash<std::string>{}(attribute)&0x7fffffff));
         key.push_back(accessor);
     }
     if (const auto it = shared_.find(key); it != shared_.end()) return it->second;
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> Primitives::compact(std::vector<std::uint32_t>& indic
     for (std::uint32_t& index : indices) {
         std::uint32_t& number = scratch_[index];
         if (number == kUnused) {
-            number = static_cast<std::uint32_t>(used.size());
+            number = std::uint32_t(used.size());
             used.push_back(index);
         }
         index = number;
@@ -87,7 +87,7 @@ int Primitives::build(const tinygltf::Primitive& primitive, const Place& place, 
     std::optional<Mesh> mesh = make(primitive, place, name, pick);
     if (!mesh) return -1;
     scene_.meshes.push_back(std::move(*mesh));
-    return static_cast<int>(scene_.meshes.size()) - 1;
+    return int(scene_.meshes.size()) - 1;
 }
 
 std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const Place& place, const std::string& name,
@@ -155,10 +155,8 @@ void Primitives::read_attributes(const tinygltf::Primitive& primitive, const Pla
     const std::size_t vertex_count = accessors_.count(primitive.attributes.at("POSITION"));
     for (const auto& [name, accessor] : primitive.attributes) {
         if (accessors_.count(accessor) != vertex_count) {
-            context_.fail(Place(here, name),
-                          fmt::format("accessor {} has {} elements, POSITION has {}", accessor,
-                                      accessors_.count(accessor), vertex_count),
-                          kRepairHint);
+            context_.fail(Place(here, name), fmt::format("accessor {} has {} elements, POSITION has {}", accessor,
+                                                         accessors_.count(accessor), vertex_count));
         }
     }
     const auto find = [&](const char* name) {
@@ -196,7 +194,7 @@ void Primitives::read_attributes(const tinygltf::Primitive& primitive, const Pla
 std::size_t target_count(const tinygltf::Model& model, int mesh) {
     if (mesh < 0) return 0;
     std::size_t most = 0;
-    for (const auto& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives)
+    for (const auto& primitive : model.meshes[std::size_t(mesh)].primitives)
         most = std::max(most, primitive.targets.size());
     return most;
 }

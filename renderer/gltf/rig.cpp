@@ -48,9 +48,9 @@ public:
 
     /// Adds the deformed meshes and objects of glTF node `node`.
     void add(int node) {
-        const tinygltf::Node& from = model_.nodes[static_cast<std::size_t>(node)];
-        const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(from.mesh)];
-        const int scene_node = placed_.scene_node[static_cast<std::size_t>(node)];
+        const tinygltf::Node& from = model_.nodes[std::size_t(node)];
+        const tinygltf::Mesh& mesh = model_.meshes[std::size_t(from.mesh)];
+        const int scene_node = placed_.scene_node[std::size_t(node)];
         const auto skin = from.skin >= 0 ? skin_of(from.skin) : nullptr;
         int placement = -1;
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
@@ -72,7 +72,7 @@ public:
             }
             Object object;
             object.node = deformer->skin ? placement : scene_node;
-            object.mesh = static_cast<int>(scene_.meshes.size());
+            object.mesh = int(scene_.meshes.size());
             Mesh made = part.mesh;
             made.deformer = std::move(deformer);
             scene_.meshes.push_back(std::move(made));
@@ -89,19 +89,19 @@ private:
     /// Adds a root node for a skinned object, as its own node's transform must not move it (glTF 2.0, section 3.7.3.3).
     int add_placement(int scene_node) {
         Node node;
-        node.name = scene_.nodes[static_cast<std::size_t>(scene_node)].name + " (skinned)";
+        node.name = scene_.nodes[std::size_t(scene_node)].name + " (skinned)";
         scene_.nodes.push_back(std::move(node));
-        return static_cast<int>(scene_.nodes.size()) - 1;
+        return int(scene_.nodes.size()) - 1;
     }
 
     std::shared_ptr<const Skin> skin_of(int skin) {
         if (const auto it = skins_.find(skin); it != skins_.end()) return it->second;
         auto& out = skins_[skin];
-        const tinygltf::Skin& from = model_.skins[static_cast<std::size_t>(skin)];
+        const tinygltf::Skin& from = model_.skins[std::size_t(skin)];
         const Place place("skins", skin);
         auto made = std::make_shared<Skin>();
         for (const int joint : from.joints) {
-            made->joints.push_back(placed_.scene_node[static_cast<std::size_t>(joint)]);
+            made->joints.push_back(placed_.scene_node[std::size_t(joint)]);
             if (made->joints.back() < 0) {
                 context_.warn(
                     place,
@@ -121,10 +121,10 @@ private:
         const auto key = std::tuple(mesh, primitive_index, skin ? skin_index : -1);
         if (const auto it = parts_.find(key); it != parts_.end()) return it->second;
         Part& out = parts_[key];
-        const tinygltf::Mesh& from = model_.meshes[static_cast<std::size_t>(mesh)];
+        const tinygltf::Mesh& from = model_.meshes[std::size_t(mesh)];
         const tinygltf::Primitive& primitive = from.primitives[primitive_index];
         const Place mesh_place("meshes", mesh);
-        const Place place(mesh_place, "primitives", static_cast<std::int64_t>(primitive_index));
+        const Place place(mesh_place, "primitives", primitive_index);
         std::vector<std::uint32_t> pick;
         auto made = primitives_.make(primitive, place, from.name, pick);
         if (!made) return out;
@@ -135,8 +135,7 @@ private:
         source->tangents = made->tangents.all();
         source->indices = made->indices;
         for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
-            source->targets.push_back(
-                read_target(primitive, Place(place, "targets", static_cast<std::int64_t>(t)), t, pick));
+            source->targets.push_back(read_target(primitive, Place(place, "targets", t), t, pick));
         }
         if (skin) read_influences(primitive, place, pick, skin->joints.size(), *source);
         out.mesh = std::move(*made);
@@ -152,10 +151,8 @@ private:
             if (it == primitive.targets[index].end()) return {};
             const Place here(place, name);
             if (accessors_.count(it->second) != vertices) {
-                context_.fail(here,
-                              fmt::format("accessor {} has {} elements, POSITION has {}", it->second,
-                                          accessors_.count(it->second), vertices),
-                              kRepairHint);
+                context_.fail(here, fmt::format("accessor {} has {} elements, POSITION has {}", it->second,
+                                                accessors_.count(it->second), vertices));
             }
             return accessors_.floats<3>(it->second, here, pick);
         };
@@ -189,10 +186,9 @@ private:
                     if (!(joint >= 0 && joint < static_cast<float>(joint_count)) || joint > 65535) {
                         context_.fail(
                             Place(place, "attributes.JOINTS_0"),
-                            fmt::format("vertex {}: joint {} is out of range, the skin has {}", v, joint, joint_count),
-                            kRepairHint);
+                            fmt::format("vertex {}: joint {} is out of range, the skin has {}", v, joint, joint_count));
                     }
-                    influence[s].joints[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(joint);
+                    influence[s].joints[std::size_t(k)] = static_cast<std::uint16_t>(joint);
                     influence[s].weights[k] = weight;
                     sum += weight;
                 }
@@ -228,7 +224,7 @@ NodeRestPose rest_of(const tinygltf::Model& model, const tinygltf::Node& node) {
         if (const double length = glm::length(q); length > 1e-12) out.rotation = q / length;
     }
     if (const std::size_t targets = target_count(model, node.mesh); targets > 0) {
-        const auto& mesh_weights = model.meshes[static_cast<std::size_t>(node.mesh)].weights;
+        const auto& mesh_weights = model.meshes[std::size_t(node.mesh)].weights;
         const auto& weights = node.weights.empty() ? mesh_weights : node.weights;
         out.weights.assign(weights.begin(), weights.end());
         out.weights.resize(targets, 0.0f);
@@ -250,13 +246,11 @@ void add_rig(Context& context, const Json& root, const tinygltf::Model& model, A
     fixed.has_trs = false;
     rig->rest.assign(scene.nodes.size(), fixed);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        if (placed.scene_node[i] >= 0)
-            rig->rest[static_cast<std::size_t>(placed.scene_node[i])] = rest_of(model, model.nodes[i]);
+        if (placed.scene_node[i] >= 0) rig->rest[std::size_t(placed.scene_node[i])] = rest_of(model, model.nodes[i]);
     }
     for (const Animation& animation : rig->animations) {
         for (const AnimationChannel& channel : animation.channels) {
-            if (channel.property != AnimatedProperty::Weights)
-                rig->rest[static_cast<std::size_t>(channel.node)].has_trs = true;
+            if (channel.property != AnimatedProperty::Weights) rig->rest[std::size_t(channel.node)].has_trs = true;
         }
     }
     rig->camera_nodes = placed.camera_nodes;

@@ -21,11 +21,11 @@ std::vector<std::uint64_t> check_buffers(const Context& context, const Json& roo
     const auto buffers = root.find("buffers");
     if (buffers == root.end()) return bytes;
     for (std::size_t i = 0; i < buffers->size(); ++i) {
-        const Place place("buffers", static_cast<std::int64_t>(i));
+        const Place place("buffers", i);
         const Fields fields(context, (*buffers)[i], place);
         fields.string("uri");
         bytes.push_back(fields.whole_required("byteLength", kMostBytes));
-        if (bytes.back() == 0) context.fail(Place(place, "byteLength"), "is 0", kRepairHint);
+        if (bytes.back() == 0) context.fail(Place(place, "byteLength"), "is 0");
     }
     return bytes;
 }
@@ -35,17 +35,15 @@ std::vector<View> check_views(const Context& context, const Json& root, const st
     const auto views = root.find("bufferViews");
     if (views == root.end()) return out;
     for (std::size_t i = 0; i < views->size(); ++i) {
-        const Place place("bufferViews", static_cast<std::int64_t>(i));
+        const Place place("bufferViews", i);
         const Fields fields(context, (*views)[i], place);
         const std::size_t buffer = fields.index_required("buffer", buffers.size());
         const std::uint64_t offset = fields.whole("byteOffset", kMostBytes).value_or(0);
         const View view{fields.whole_required("byteLength", kMostBytes), fields.whole("byteStride", 65535).value_or(0)};
-        if (view.bytes == 0) context.fail(Place(place, "byteLength"), "is 0", kRepairHint);
+        if (view.bytes == 0) context.fail(Place(place, "byteLength"), "is 0");
         if (offset + view.bytes > buffers[buffer]) {
-            context.fail(place,
-                         fmt::format("bytes {} to {} pass the end of buffer {}, which has {}", offset,
-                                     offset + view.bytes, buffer, buffers[buffer]),
-                         kRepairHint);
+            context.fail(place, fmt::format("bytes {} to {} pass the end of buffer {}, which has {}", offset,
+                                            offset + view.bytes, buffer, buffers[buffer]));
         }
         out.push_back(view);
     }
@@ -58,8 +56,7 @@ void check_range(const Context& context, const Place& place, const View& view, s
     // At most 2^40 + 2^32 * 2^16 + small: no wrap-around.
     const std::uint64_t end = offset + (count - 1) * stride + element;
     if (end > view.bytes) {
-        context.fail(place, fmt::format("{} elements end at byte {}, its buffer view has {}", count, end, view.bytes),
-                     kRepairHint);
+        context.fail(place, fmt::format("{} elements end at byte {}, its buffer view has {}", count, end, view.bytes));
     }
 }
 
@@ -68,15 +65,14 @@ void check_sparse(const Context& context, const Json& accessor, const Place& acc
     const Place place(accessor_place, "sparse");
     const Fields fields(context, accessor["sparse"], place);
     const std::uint64_t changed = fields.whole_required("count", count);
-    if (changed == 0) context.fail(Place(place, "count"), "is 0", kRepairHint);
+    if (changed == 0) context.fail(Place(place, "count"), "is 0");
 
     const Place indices_place(place, "indices"), values_place(place, "values");
     const Fields indices(context, fields.object("indices"), indices_place);
     const Fields values(context, fields.object("values"), values_place);
     const std::uint64_t type = indices.whole_required("componentType", 65535);
     if (type != 5121 && type != 5123 && type != 5125) {
-        context.fail(Place(indices_place, "componentType"), fmt::format("{} is no type for indices", type),
-                     kRepairHint);
+        context.fail(Place(indices_place, "componentType"), fmt::format("{} is no type for indices", type));
     }
     const auto check = [&](const Fields& part, std::uint64_t bytes) {
         const std::size_t view = part.index_required("bufferView", views.size());
@@ -92,37 +88,33 @@ void check_accessors(const Context& context, const Json& root, const std::vector
     const auto accessors = root.find("accessors");
     if (accessors == root.end()) return;
     for (std::size_t i = 0; i < accessors->size(); ++i) {
-        const Place place("accessors", static_cast<std::int64_t>(i));
+        const Place place("accessors", i);
         const Json& accessor = (*accessors)[i];
         const Fields fields(context, accessor, place);
         const std::uint64_t component = fields.whole_required("componentType", 65535);
         const auto type = fields.string("type");
         if (component_bytes(component) == 0) {
-            context.fail(Place(place, "componentType"), fmt::format("{} is no component type", component), kRepairHint);
+            context.fail(Place(place, "componentType"), fmt::format("{} is no component type", component));
         }
-        if (!type) context.fail(Place(place, "type"), "is missing", kRepairHint);
+        if (!type) context.fail(Place(place, "type"), "is missing");
         const std::uint64_t element = element_bytes(*type, component);
-        if (element == 0)
-            context.fail(Place(place, "type"), fmt::format("\"{}\" is no element type", *type), kRepairHint);
+        if (element == 0) context.fail(Place(place, "type"), fmt::format("\"{}\" is no element type", *type));
         const std::uint64_t count = fields.whole_required("count", kMostElements);
-        if (count == 0) context.fail(Place(place, "count"), "is 0", kRepairHint);
+        if (count == 0) context.fail(Place(place, "count"), "is 0");
         const std::uint64_t offset = fields.whole("byteOffset", kMostBytes).value_or(0);
         if (const auto normalized = accessor.find("normalized");
             normalized != accessor.end() && !normalized->is_boolean()) {
-            context.fail(Place(place, "normalized"), "is neither true nor false", kRepairHint);
+            context.fail(Place(place, "normalized"), "is neither true nor false");
         }
         if (const auto view = fields.index("bufferView", views.size())) {
             const std::uint64_t stride = views[*view].stride == 0 ? element : views[*view].stride;
             if (stride < element) {
-                context.fail(place,
-                             fmt::format("its buffer view's byteStride {} is less than its element of {} bytes", stride,
-                                         element),
-                             kRepairHint);
+                context.fail(place, fmt::format("its buffer view's byteStride {} is less than its element of {} bytes",
+                                                stride, element));
             }
             check_range(context, place, views[*view], offset, count, stride, element);
         } else if (count > kMostZeros) {
-            context.fail(place, fmt::format("{} elements have no bufferView, at most {} are read", count, kMostZeros),
-                         kRepairHint);
+            context.fail(place, fmt::format("{} elements have no bufferView, at most {} are read", count, kMostZeros));
         }
         if (accessor.contains("sparse")) check_sparse(context, accessor, place, views, count, element);
     }

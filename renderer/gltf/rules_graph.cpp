@@ -17,7 +17,7 @@ void check_primitive(const Context& context, const Json& root, const Json& primi
                      const Sizes& sizes) {
     const Fields fields(context, primitive, place);
     const auto check_attributes = [&](const Json& attributes, const Place& here) {
-        if (!attributes.is_object()) context.fail(here, "is not an object", kRepairHint);
+        if (!attributes.is_object()) context.fail(here, "is not an object");
         for (const auto& [name, accessor] : attributes.items()) {
             checked_index(context, accessor, Place(here, name), sizes.accessors);
         }
@@ -27,28 +27,27 @@ void check_primitive(const Context& context, const Json& root, const Json& primi
     fields.whole("mode", 6);
     if (const auto indices = fields.index("indices", sizes.accessors);
         indices && !root["accessors"][*indices].contains("bufferView")) {
-        context.fail(Place(place, "indices"), fmt::format("accessor {} has no bufferView", *indices), kRepairHint);
+        context.fail(Place(place, "indices"), fmt::format("accessor {} has no bufferView", *indices));
     }
     const auto targets = primitive.find("targets");
     if (targets == primitive.end()) return;
-    if (!targets->is_array()) context.fail(Place(place, "targets"), "is not an array", kRepairHint);
+    if (!targets->is_array()) context.fail(Place(place, "targets"), "is not an array");
     for (std::size_t t = 0; t < targets->size(); ++t) {
-        check_attributes((*targets)[t], Place(place, "targets", static_cast<std::int64_t>(t)));
+        check_attributes((*targets)[t], Place(place, "targets", t));
     }
 }
 
 void check_meshes(Context& context, const Json& root, const Sizes& sizes) {
     for (std::size_t i = 0; i < sizes.meshes; ++i) {
-        const Place place("meshes", static_cast<std::int64_t>(i));
+        const Place place("meshes", i);
         const Json& mesh = root["meshes"][i];
         const auto primitives = mesh.find("primitives");
         if (primitives == mesh.end() || !primitives->is_array()) {
-            context.fail(Place(place, "primitives"), "is not an array", kRepairHint);
+            context.fail(Place(place, "primitives"), "is not an array");
         }
         if (primitives->empty()) context.warn(Place(place, "primitives"), "is empty; the mesh draws nothing");
         for (std::size_t p = 0; p < primitives->size(); ++p) {
-            check_primitive(context, root, (*primitives)[p], Place(place, "primitives", static_cast<std::int64_t>(p)),
-                            sizes);
+            check_primitive(context, root, (*primitives)[p], Place(place, "primitives", p), sizes);
         }
     }
 }
@@ -65,7 +64,7 @@ void check_node_fields(const Context& context, const Json& node, const Place& pl
         if ((*m)[3] != 0 || (*m)[7] != 0 || (*m)[11] != 0 || (*m)[15] == 0) {
             // A zero matrix flattens everything to a point; anything else here is a projection.
             const bool zero = std::all_of(m->begin(), m->end(), [](double v) { return v == 0; });
-            if (!zero) context.fail(Place(place, "matrix"), "its last row is not 0 0 0 1 (a projection)", kRepairHint);
+            if (!zero) context.fail(Place(place, "matrix"), "its last row is not 0 0 0 1 (a projection)");
         }
     }
 }
@@ -74,13 +73,13 @@ void check_node_fields(const Context& context, const Json& node, const Place& pl
 std::vector<std::size_t> check_parents(const Context& context, const Json& root, const Sizes& sizes) {
     std::vector<std::size_t> parent(sizes.nodes, sizes.nodes);
     for (std::size_t i = 0; i < sizes.nodes; ++i) {
-        const Place place("nodes", static_cast<std::int64_t>(i));
+        const Place place("nodes", i);
         const Json& node = root["nodes"][i];
         check_node_fields(context, node, place, sizes);
         for (const std::size_t child : Fields(context, node, place).indices("children", sizes.nodes)) {
             if (parent[child] != sizes.nodes) {
                 context.fail(Place(place, "children"),
-                             fmt::format("node {} is already a child of node {}", child, parent[child]), kRepairHint);
+                             fmt::format("node {} is already a child of node {}", child, parent[child]));
             }
             parent[child] = i;
         }
@@ -97,16 +96,15 @@ void check_depth(const Context& context, const std::vector<std::size_t>& parent)
         while (at != parent.size() && depth[at] == 0) {
             chain.push_back(at);
             if (chain.size() > kDeepestNode) {
-                context.fail(Place("nodes", static_cast<std::int64_t>(i)),
-                             fmt::format("has more than {} ancestors, or is its own", kDeepestNode),
+                context.fail(Place("nodes", i), fmt::format("has more than {} ancestors, or is its own", kDeepestNode),
                              "flatten the hierarchy or repair the cycle");
             }
             at = parent[at];
         }
         std::size_t level = at == parent.size() ? 0 : depth[at];
         if (level + chain.size() > kDeepestNode) {
-            context.fail(Place("nodes", static_cast<std::int64_t>(i)),
-                         fmt::format("lies more than {} levels deep", kDeepestNode), "flatten the hierarchy");
+            context.fail(Place("nodes", i), fmt::format("lies more than {} levels deep", kDeepestNode),
+                         "flatten the hierarchy");
         }
         for (auto it = chain.rbegin(); it != chain.rend(); ++it) depth[*it] = ++level;
     }
@@ -117,12 +115,11 @@ void check_scenes(Context& context, const Json& root, const Sizes& sizes, const 
     if (const auto scene = root.find("scene"); scene != root.end()) checked_index(context, *scene, top, sizes.scenes);
     std::vector<std::size_t> seen_in(sizes.nodes, sizes.scenes);
     for (std::size_t i = 0; i < sizes.scenes; ++i) {
-        const Place place("scenes", static_cast<std::int64_t>(i));
+        const Place place("scenes", i);
         for (const std::size_t node : Fields(context, root["scenes"][i], place).indices("nodes", sizes.nodes)) {
             if (parent[node] != sizes.nodes) {
                 context.fail(Place(place, "nodes"),
-                             fmt::format("node {} is no root, it is a child of node {}", node, parent[node]),
-                             kRepairHint);
+                             fmt::format("node {} is no root, it is a child of node {}", node, parent[node]));
             }
             if (seen_in[node] == i) context.warn(Place(place, "nodes"), fmt::format("node {} is listed twice", node));
             seen_in[node] = i;
@@ -132,10 +129,10 @@ void check_scenes(Context& context, const Json& root, const Sizes& sizes, const 
 
 void check_skins(const Context& context, const Json& root, const Sizes& sizes) {
     for (std::size_t i = 0; i < sizes.skins; ++i) {
-        const Place place("skins", static_cast<std::int64_t>(i));
+        const Place place("skins", i);
         const Fields fields(context, root["skins"][i], place);
         const auto joints = fields.indices("joints", sizes.nodes);
-        if (joints.empty()) context.fail(Place(place, "joints"), "is missing or empty", kRepairHint);
+        if (joints.empty()) context.fail(Place(place, "joints"), "is missing or empty");
         fields.index("skeleton", sizes.nodes);
         const auto matrices = fields.index("inverseBindMatrices", sizes.accessors);
         if (!matrices) continue;
@@ -143,8 +140,7 @@ void check_skins(const Context& context, const Json& root, const Sizes& sizes) {
         if (accessor["type"] != "MAT4" || accessor["componentType"] != 5126 || accessor["count"] < joints.size()) {
             context.fail(
                 Place(place, "inverseBindMatrices"),
-                fmt::format("accessor {} is not one float MAT4 for each of {} joints", *matrices, joints.size()),
-                kRepairHint);
+                fmt::format("accessor {} is not one float MAT4 for each of {} joints", *matrices, joints.size()));
         }
     }
 }
@@ -171,7 +167,7 @@ Sizes check_arrays(const Context& context, const Json& root) {
         const auto it = root.find(row.name);
         if (it == root.end()) continue;
         const Place place(row.name);
-        if (!it->is_array()) context.fail(place, "is not an array", kRepairHint);
+        if (!it->is_array()) context.fail(place, "is not an array");
         row.size = it->size();
         total += row.size * row.bytes;
         if (total > kMostModelBytes) {
@@ -180,7 +176,7 @@ Sizes check_arrays(const Context& context, const Json& root) {
         }
         for (std::size_t i = 0; i < it->size(); ++i) {
             if (!(*it)[i].is_object()) {
-                context.fail(Place(row.name, static_cast<std::int64_t>(i)), "is not an object", kRepairHint);
+                context.fail(Place(row.name, i), "is not an object");
             }
         }
     }

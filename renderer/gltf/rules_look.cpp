@@ -67,16 +67,16 @@ bool is_one_of(const Json& value, std::initializer_list<int> allowed) {
 void check_look(Context& context, Json& root, const Sizes& sizes) {
     for (std::size_t i = 0; i < sizes.materials; ++i) {
         root["materials"][i].erase("emissiveFactor");  // not drawn
-        check_material(context, root["materials"][i], Place("materials", static_cast<std::int64_t>(i)), sizes);
+        check_material(context, root["materials"][i], Place("materials", i), sizes);
     }
     for (std::size_t i = 0; i < sizes.textures; ++i) {
-        const Place place("textures", static_cast<std::int64_t>(i));
+        const Place place("textures", i);
         const Fields fields(context, root["textures"][i], place);
         fields.index("sampler", sizes.samplers);
         fields.index("source", sizes.images);
     }
     for (std::size_t i = 0; i < sizes.samplers; ++i) {
-        const Place place("samplers", static_cast<std::int64_t>(i));
+        const Place place("samplers", i);
         Json& sampler = root["samplers"][i];
         for (const char* wrap : {"wrapS", "wrapT"}) {
             erase_unless(context, sampler, place, wrap, [](const Json& v) {

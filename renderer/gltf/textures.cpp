@@ -45,9 +45,9 @@ Textures::Textures(Context& context, const Json& root, const tinygltf::Model& mo
     : context_(context), root_(root), model_(model), buffers_(buffers), scene_(scene) {}
 
 std::optional<int> Textures::readable_image(int texture) {
-    const int source = model_.textures[static_cast<std::size_t>(texture)].source;
+    const int source = model_.textures[std::size_t(texture)].source;
     if (source >= 0) return source;
-    const std::string format = foreign_format(root_["textures"][static_cast<std::size_t>(texture)]);
+    const std::string format = foreign_format(root_["textures"][std::size_t(texture)]);
     context_.warn(Place("textures", texture), format.empty()
                                                   ? "has no image; drawn untextured"
                                                   : fmt::format("{} is not supported; drawn untextured", format));
@@ -55,8 +55,8 @@ std::optional<int> Textures::readable_image(int texture) {
 }
 
 int Textures::use(int texture, bool srgb) {
-    const int sampler = model_.textures[static_cast<std::size_t>(texture)].sampler;
-    const int source = model_.textures[static_cast<std::size_t>(texture)].source;
+    const int sampler = model_.textures[std::size_t(texture)].sampler;
+    const int source = model_.textures[std::size_t(texture)].source;
     // A texture without a source has a unique negative key, so that it gives one warning.
     const auto key = std::tuple(source >= 0 ? source : -1 - texture, sampler, srgb);
     if (const auto it = known_.find(key); it != known_.end()) return it->second;
@@ -66,20 +66,20 @@ int Textures::use(int texture, bool srgb) {
     if (!image) return -1;
 
     Texture made;
-    const Json& json = root_["images"][static_cast<std::size_t>(*image)];
+    const Json& json = root_["images"][std::size_t(*image)];
     if (const auto name = json.find("name"); name != json.end() && name->is_string()) {
         made.name = printable(name->get_ref<const std::string&>());
     }
     made.srgb = srgb;
-    if (sampler >= 0) apply_sampler(model_.samplers[static_cast<std::size_t>(sampler)], made);
-    index = static_cast<int>(scene_.textures.size());
+    if (sampler >= 0) apply_sampler(model_.samplers[std::size_t(sampler)], made);
+    index = int(scene_.textures.size());
     jobs_.push_back({*image, scene_.textures.size()});
     scene_.textures.push_back(std::move(made));
     return index;
 }
 
 std::string Textures::fetch(int image, std::span<const std::uint8_t>& bytes, Bytes& storage) {
-    const Json& json = root_["images"][static_cast<std::size_t>(image)];
+    const Json& json = root_["images"][std::size_t(image)];
     if (const auto uri_it = json.find("uri"); uri_it != json.end()) {
         if (!uri_it->is_string()) return "its uri is not a string";
         const auto& uri = uri_it->get_ref<const std::string&>();
@@ -159,13 +159,13 @@ void Textures::remove_failed(const std::vector<char>& failed) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < failed.size(); ++i) {
         if (failed[i]) continue;
-        moved[i] = static_cast<int>(kept);
+        moved[i] = int(kept);
         if (kept != i) scene_.textures[kept] = std::move(scene_.textures[i]);
         ++kept;
     }
     scene_.textures.resize(kept);
     const auto remap = [&](int& texture) {
-        if (texture >= 0) texture = moved[static_cast<std::size_t>(texture)];
+        if (texture >= 0) texture = moved[std::size_t(texture)];
     };
     for (Material& material : scene_.materials) {
         remap(material.base_colour_texture);

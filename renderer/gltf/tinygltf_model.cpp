@@ -28,7 +28,7 @@ bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, in
 
 tinygltf::Model read_model(const Context& context, const Json& root) {
     const std::string text = core_text(root);
-    if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    if (text.size() > std::size_t(std::numeric_limits<int>::max())) {
         context.fail("the JSON is too large", "split the scene");
     }
     tinygltf::Model model;

@@ -35,7 +35,7 @@ std::optional<Bytes> decode_base64(std::string_view text) {
         const std::size_t n = std::min<std::size_t>(4, text.size() - i);
         const int a = value(i), b = value(i + 1), c = n > 2 ? value(i + 2) : 0, d = n > 3 ? value(i + 3) : 0;
         if ((a | b | c | d) < 0) return std::nullopt;
-        const auto bits = static_cast<std::uint32_t>(a << 18 | b << 12 | c << 6 | d);
+        const auto bits = std::uint32_t(a << 18 | b << 12 | c << 6 | d);
         out.data[written++] = static_cast<std::uint8_t>(bits >> 16);
         if (n > 2) out.data[written++] = static_cast<std::uint8_t>(bits >> 8 & 0xff);
         if (n > 3) out.data[written++] = static_cast<std::uint8_t>(bits & 0xff);

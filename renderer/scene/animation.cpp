@@ -70,8 +70,8 @@ glm::dmat4 matrix_of(const NodeRestPose& n) {
 std::vector<NodeRestPose> move_nodes(Scene& scene, const Rig& rig, int animation, double time_s) {
     std::vector<NodeRestPose> now = rig.rest;
     if (animation >= 0) {
-        for (const AnimationChannel& channel : rig.animations[static_cast<std::size_t>(animation)].channels) {
-            NodeRestPose& node = now[static_cast<std::size_t>(channel.node)];
+        for (const AnimationChannel& channel : rig.animations[std::size_t(animation)].channels) {
+            NodeRestPose& node = now[std::size_t(channel.node)];
             const std::vector<float> value = sample_channel(channel, time_s);
             switch (channel.property) {
                 case AnimatedProperty::Translation:
@@ -92,8 +92,7 @@ std::vector<NodeRestPose> move_nodes(Scene& scene, const Rig& rig, int animation
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         Node& node = scene.nodes[i];
         if (i < now.size() && now[i].has_trs) node.local = matrix_of(now[i]);
-        node.world =
-            node.parent < 0 ? node.local : scene.nodes[static_cast<std::size_t>(node.parent)].world * node.local;
+        node.world = node.parent < 0 ? node.local : scene.nodes[std::size_t(node.parent)].world * node.local;
     }
     return now;
 }
@@ -107,8 +106,7 @@ std::vector<JointMatrix> joint_matrices(const Scene& scene, const Skin& skin, co
     const glm::dmat4 to_placement = glm::translate(glm::dmat4(1.0), -origin);
     std::vector<JointMatrix> out(skin.joints.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const glm::dmat4 m =
-            to_placement * scene.nodes[static_cast<std::size_t>(skin.joints[i])].world * skin.inverse_bind[i];
+        const glm::dmat4 m = to_placement * scene.nodes[std::size_t(skin.joints[i])].world * skin.inverse_bind[i];
         const glm::dvec3 x(m[0]), y(m[1]), z(m[2]);
         // Inverse transpose by cofactors, without the division: only its direction counts, and no scale of 0 harms it.
         const double side = glm::dot(x, glm::cross(y, z)) < 0 ? -1 : 1;
@@ -152,7 +150,7 @@ void skin_vertices(const DeformSource& source, const std::vector<JointMatrix>& j
             for (int k = 0; k < 4; ++k) {
                 const float w = influence.weights[k];
                 if (w == 0) continue;
-                const JointMatrix& joint = joints[influence.joints[static_cast<std::size_t>(k)]];
+                const JointMatrix& joint = joints[influence.joints[std::size_t(k)]];
                 point += w * joint.point;
                 normal += w * joint.normal;
             }
@@ -181,10 +179,10 @@ void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRestPose>& now) {
     mesh.normals.assign(source.normals);
     if (!mesh.tangents.empty()) mesh.tangents.assign(source.tangents);
     mesh.indices = source.indices;
-    morph(source, now[static_cast<std::size_t>(deformer.node)].weights, mesh);
+    morph(source, now[std::size_t(deformer.node)].weights, mesh);
     if (deformer.skin) {
-        const glm::dvec3 origin(scene.nodes[static_cast<std::size_t>(deformer.skin->joints[0])].world[3]);
-        Node& placement = scene.nodes[static_cast<std::size_t>(deformer.placement)];
+        const glm::dvec3 origin(scene.nodes[std::size_t(deformer.skin->joints[0])].world[3]);
+        Node& placement = scene.nodes[std::size_t(deformer.placement)];
         placement.local = placement.world = glm::translate(glm::dmat4(1.0), origin);
         skin_vertices(source, joint_matrices(scene, *deformer.skin, origin), mesh);
     }
@@ -207,7 +205,7 @@ std::vector<float> sample_channel(const AnimationChannel& c, double time_s) {
     if (time_s >= c.times_s.back()) return hold(c.times_s.size() - 1);
     const auto after = std::upper_bound(c.times_s.begin(), c.times_s.end(), time_s,
                                         [](double t, float key) { return t < static_cast<double>(key); });
-    const auto key = static_cast<std::size_t>(after - c.times_s.begin()) - 1;
+    const auto key = std::size_t(after - c.times_s.begin()) - 1;
     if (c.interpolation == Interpolation::Step) return hold(key);
     const double length_s = static_cast<double>(c.times_s[key + 1]) - static_cast<double>(c.times_s[key]);
     const double t = (time_s - static_cast<double>(c.times_s[key])) / length_s;
@@ -230,7 +228,7 @@ void apply_pose(Scene& scene, int animation, double time_s) {
         // finalise() drops cameras and lights with a transform that is not finite; indices would no longer match.
         if (things.size() != nodes.size()) return;
         for (std::size_t i = 0; i < things.size(); ++i)
-            things[i].world = things[i].home = scene.nodes[static_cast<std::size_t>(nodes[i])].world;
+            things[i].world = things[i].home = scene.nodes[std::size_t(nodes[i])].world;
     };
     follow(scene.cameras, rig.camera_nodes);
     follow(scene.lights, rig.light_nodes);
@@ -286,9 +284,9 @@ public:
             for (const std::uint32_t v : used_[i]) deformed[i].add(glm::dvec3(posed_.meshes[i].positions[v]));
         std::vector<Bounds> out;
         for (const Object* o : objects_) {
-            const auto mesh = static_cast<std::size_t>(o->mesh);
+            const auto mesh = std::size_t(o->mesh);
             const Bounds& own = posed_.meshes[mesh].deformer ? deformed[mesh] : posed_.meshes[mesh].bounds;
-            const glm::dmat4 world = posed_.nodes[static_cast<std::size_t>(o->node)].world * o->instance;
+            const glm::dmat4 world = posed_.nodes[std::size_t(o->node)].world * o->instance;
             Bounds box = own.transformed(world);
             if (!std::isfinite(box.radius())) box = {};
             out.push_back(box);
@@ -332,11 +330,11 @@ void measure_animation_bounds(Scene& scene, int animation) {
     for (Object* o : every_object(scene)) o->animation_bounds = {};
     scene.animation_bounds = {};
     scene.animation_bounds_of = -1;
-    if (!scene.rig || animation < 0 || static_cast<std::size_t>(animation) >= scene.rig->animations.size()) return;
+    if (!scene.rig || animation < 0 || std::size_t(animation) >= scene.rig->animations.size()) return;
     PoseBounds pose_bounds(scene, animation);
     const double poses = kMostPoseWork / std::max(pose_bounds.work(), 1.0);
-    const auto most = static_cast<std::size_t>(std::clamp(poses / kLeastSteps, 2.0, 1e6));
-    const std::vector<double> keys = key_times(scene.rig->animations[static_cast<std::size_t>(animation)], most);
+    const auto most = std::size_t(std::clamp(poses / kLeastSteps, 2.0, 1e6));
+    const std::vector<double> keys = key_times(scene.rig->animations[std::size_t(animation)], most);
     if (keys.empty()) return;
     scene.animation_bounds_of = animation;
     const std::vector<Bounds> first = pose_bounds.at(keys[0]);
@@ -367,7 +365,7 @@ void measure_animation_bounds(Scene& scene, int animation) {
         if (o.ground) continue;
         all[i].add(last[i]);
         scene.animation_bounds.add(all[i]);
-        const bool deforms = scene.meshes[static_cast<std::size_t>(o.mesh)].deformer != nullptr;
+        const bool deforms = scene.meshes[std::size_t(o.mesh)].deformer != nullptr;
         if (moved[i] || deforms || !same(last[i], first[i])) o.animation_bounds = all[i];
     }
 }
