@@ -14,6 +14,12 @@ constexpr int kMostForgotten = 64;  ///< limit, as a lost context reports an err
                     why));
 }
 
+void require_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size) {
+    check_memory_errors(fmt::format("the {} ({} bytes)", label, size),
+                        "use a scene of fewer triangles or fewer lights, or close what else draws");
+    buffer.track_memory(label, std::uint64_t(size));
+}
+
 }  // namespace
 
 FaultInjection& fault_injection() {
@@ -37,16 +43,6 @@ void check_memory_errors(std::string_view what, std::string_view fix) {
     if (error == GL_CONTEXT_LOST) throw_lost("while it made room for " + std::string(what));
     throw OutOfMemory(fmt::format("the driver has no memory for {}; {}", what, fix));
 }
-
-namespace {
-
-void require_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size) {
-    check_memory_errors(fmt::format("the {} ({} bytes)", label, size),
-                        "use a scene of fewer triangles or fewer lights, or close what else draws");
-    buffer.track_memory(label, std::uint64_t(size));
-}
-
-}  // namespace
 
 void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags) {
     clear_gl_errors();

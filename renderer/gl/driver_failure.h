@@ -13,14 +13,12 @@
 namespace si::gl {
 
 /// Exception: the driver has no memory for an image or a buffer. A smaller one may succeed.
-class OutOfMemory : public Error {
-public:
+struct OutOfMemory : Error {
     using Error::Error;
 };
 
 /// Exception: the OpenGL context and all its objects are lost. Only a new context draws again.
-class ContextLost : public Error {
-public:
+struct ContextLost : Error {
     using Error::Error;
 };
 

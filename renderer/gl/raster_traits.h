@@ -2,6 +2,7 @@
 // OpenGL leaves to the driver.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
@@ -24,7 +25,10 @@ struct PolygonOffset {
     /// Returns the depth shift of units = 1 at a depth where the format's step is `quantum`.
     double unit(double quantum) const { return unit_depth + unit_steps * quantum; }
     /// Returns the depth shift of factor = 1 on a plane. @param per_texel change of depth per texel along u and v
-    double slope(const glm::dvec2& per_texel) const;
+    double slope(const glm::dvec2& per_texel) const {
+        const glm::dvec2 s = glm::abs(per_texel);
+        return slope_gain * (slope_is_length ? glm::length(s) : std::max(s.x, s.y));
+    }
 };
 
 /// Properties of the driver's rasteriser that bias depends on.

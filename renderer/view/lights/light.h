@@ -1,6 +1,7 @@
 // Lights as placed by the settings, and lights with the views of their shadow maps. CPU, double precision, no GL.
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/type_precision.hpp>
 #include <memory>
@@ -22,7 +23,7 @@ struct ClipLevel {
     glm::i64vec2 corner{0};  ///< page at the lower left
     double eye_m = 0;        ///< position of the eye along the axis to the light, metres from the world's origin
     /// Returns the width of a texel of the clip level in metres.
-    double texel_m() const;
+    double texel_m() const { return std::exp2(double(exponent)); }
 };
 
 /// Limits of a shadow map that no bias or kernel can overcome; computed by map_limits().
