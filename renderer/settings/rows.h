@@ -19,14 +19,8 @@ std::span<const Param> map_rows();
 std::span<const Param> bias_rows();
 /// Returns the rows of light settings: light.count and light.*.
 std::span<const Param> light_rows();
-/// Returns the rows of shadow volume settings: volumes.*.
-std::span<const Param> volume_rows();
-/// Returns the rows of contact shadow settings: contact.*.
-std::span<const Param> contact_rows();
-/// Returns the rows of blob shadow settings: blob.*.
-std::span<const Param> blob_rows();
-/// Returns the rows of light map settings: light_map.*.
-std::span<const Param> light_map_rows();
+/// Returns the rows of shadows that no map holds: volumes.*, contact.*, blob.*, light_map.*.
+std::span<const Param> source_rows();
 /// Returns the rows of shading settings: shading.*.
 std::span<const Param> shading_rows();
 /// Returns the rows of camera settings: camera.*.

@@ -1,0 +1,64 @@
+// Rows of shadows that no map holds: volumes.*, contact.*, blob.*, light_map.*.
+#include <algorithm>
+
+#include "renderer/settings/rows.h"
+
+namespace si {
+namespace {
+
+using namespace rows;
+
+bool no_light_has_contacts(const Settings& s) {
+    const auto lights = std::span(s.lights).first(std::size_t(std::clamp(s.light_count, 0, kMaxLights)));
+    return std::ranges::none_of(lights, [](const LightSettings& light) { return light.cast && light.contact > 0; });
+}
+
+constexpr std::string_view kNone = "without effect: no light has contact shadows (light.contact)";
+
+constexpr auto kSourceRows = std::to_array<Param>({
+    {SI_FIELD(volumes.allow_large), .label = "Draw large volumes",
+     .help = "Draws shadow volumes also where more than 20000 triangles of casters are not of closed surfaces: each "
+             "then adds faces of its own, and a picture may take minutes. Off: the light has no shadow then, and a "
+             "note says how many triangles it would take and how often they would cover the picture."},
+    {SI_FIELD(contact.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 256, .logarithmic = true,
+     SI_IDLE(no_light_has_contacts(s), kNone),
+     .help = "Number of samples along the ray. Thin casters between samples are missed. Each pixel starts at its own "
+             "offset, which turns this into noise.",
+     .also = "samples, ray steps", .read_by = ReadBy::Visibility},
+    {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
+     SI_IDLE(no_light_has_contacts(s), kNone),
+     .help = "Assumed thickness of visible surfaces: a ray at most this far behind one is blocked. The picture does "
+             "not hold thickness. Too little lets light through, and too much shadows free surfaces behind an edge.",
+     .also = "depth bias, ray thickness", .read_by = ReadBy::Visibility},
+    {SI_FIELD(blob.size), .label = "Size", .unit = "x caster", .min = 0.1, .max = 4,
+     .help = "Radius of the disc against half the caster's width across the light.", .read_by = ReadBy::Blobs},
+    {SI_FIELD(blob.softness), .label = "Softness", .min = 0, .max = 1,
+     .help = "Share of the radius over which the disc fades at its rim: 0 is a hard edge, 1 fades from the middle on.",
+     .read_by = ReadBy::Blobs},
+    {SI_FIELD(blob.opacity), .label = "Opacity", .min = 0, .max = 1,
+     .help = "Share of light that the middle of the disc removes.", .read_by = ReadBy::Blobs},
+    {SI_FIELD(blob.reach), .label = "Reach", .unit = "radii", .min = 0, .max = 1000, .logarithmic = true,
+     .help = "Distance below the caster's middle at which the disc has faded away, in radii of the disc; with 0 it "
+             "does not fade and reaches everything below.",
+     .read_by = ReadBy::Blobs},
+    {SI_FIELD(light_map.resolution), .label = "Resolution", .unit = "texels", .min = 16, .max = 16384,
+     .logarithmic = true, .cost = Cost::Target,
+     .help =
+         "Side of the square that holds all surfaces of the scene, a byte a texel and light. All surfaces have the "
+         "same texels per metre: as many as fit, as the pass reports. An edge of a shadow is off by up to 0.7 texels."},
+    {SI_FIELD(light_map.samples), .label = "Rays per texel", .min = 1, .max = 1 << 20, .logarithmic = true,
+     .cost = Cost::Target,
+     .help = "Maximum rays of a texel, over the light's area (light.size): 64 everywhere, then four times as many, and "
+             "again, where noise requires it. A single ray goes to the light's middle, and the shadow is hard."},
+});
+static_assert(kSourceRows.size() == member_count<VolumeSettings>() + member_count<ContactSettings>() +
+                                        member_count<BlobSettings>() + member_count<LightMapSettings>(),
+              "a member of these settings has no row");
+
+}  // namespace
+
+std::span<const Param> source_rows() {
+    return kSourceRows;
+}
+
+}  // namespace si
