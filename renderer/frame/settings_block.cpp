@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "renderer/settings/idle_reason.h"
-#include "renderer/settings/owners.h"
 #include "renderer/settings/param.h"
 #include "shaders/shared/units.h"
 

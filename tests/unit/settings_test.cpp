@@ -10,7 +10,6 @@
 #include "renderer/base/error.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/idle_reason.h"
-#include "renderer/settings/owners.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/rows.h"
 #include "renderer/settings/search.h"

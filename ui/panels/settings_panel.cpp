@@ -8,7 +8,7 @@
 
 #include "renderer/advise/tuner.h"
 #include "renderer/scene/placement.h"
-#include "renderer/settings/owners.h"
+#include "renderer/settings/idle_reason.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
