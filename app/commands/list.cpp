@@ -126,7 +126,7 @@ Json metric_rows() {
 
 Json overlay_rows() {
     return technique_rows(overlays(), [](Json& json, const Overlay& o) {
-        json["file"] = o.file;
+        json["file"] = o.file();
         json["unit"] = o.unit;
         json["scalar"] = o.scalar;
         json["min"] = o.min;

@@ -23,7 +23,7 @@ std::string slot_name(std::string_view name, const ShownPane& pane) {
 
 std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row) {
     const int last = std::max(int(f.gl.fitted.size()) - 1, 0);
-    std::vector<gl::Define> out{{"OVERLAY_FILE", std::string(row.file)},
+    std::vector<gl::Define> out{{"OVERLAY_FILE", row.file()},
                                 {"LIGHT_INDEX", std::to_string(std::clamp(f.settings.view.light, 0, last))}};
     if (!row.keeps_optimisations)
         out.insert(out.end(), {{"MAP_BOUNDS", "0"}, {"SKIPS_SEARCH", "0"}, {"SKIPS_UNLIT", "0"}});

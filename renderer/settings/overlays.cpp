@@ -17,7 +17,6 @@ constexpr Overlay kOverlays[] = {
      .label = "Visibility",
      .help = "Result of the kernel: 1 lit, 0 in shadow.",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/visibility.glsl",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
      .reads_visibility = true},
     {.key = "stored-depth",
@@ -25,21 +24,18 @@ constexpr Overlay kOverlays[] = {
      .unit = "depth",
      .help = "The depth in the texel that each fragment falls into, as stored.",
      .group = OverlayGroup::Depth,
-     .file = "overlays/stored_depth.glsl",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978"},
     {.key = "own-depth",
      .label = "Own depth",
      .unit = "depth",
      .help = "Each fragment's own depth seen from the light, before any bias.",
-     .group = OverlayGroup::Depth,
-     .file = "overlays/own_depth.glsl"},
+     .group = OverlayGroup::Depth},
     {.key = "depth-difference",
      .label = "Depth difference",
      .unit = "m",
      .help = "Own minus stored distance along the light's ray: above zero a caster lies before the fragment, and "
              "around zero there may be acne.",
      .group = OverlayGroup::Depth,
-     .file = "overlays/depth_difference.glsl",
      .min = -0.5,
      .max = 0.5,
      .diverging = true},
@@ -48,7 +44,6 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "All bias that each fragment receives, in shadow texels at its place.",
      .group = OverlayGroup::Bias,
-     .file = "overlays/bias_applied.glsl",
      .min = 0,
      .max = 5},
     {.key = "n-dot-l",
@@ -56,7 +51,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Cosine between the triangle's normal and the direction to the light; near zero the bias need grows "
              "without bound.",
      .group = OverlayGroup::Bias,
-     .file = "overlays/n_dot_l.glsl",
      .min = -1,
      .max = 1,
      .diverging = true},
@@ -64,21 +58,18 @@ constexpr Overlay kOverlays[] = {
      .label = "Light UV and texels",
      .help = "Map coordinates as red and green, the map's texels as a checkerboard.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/light_uv.glsl",
      .scalar = false},
     {.key = "outside-map",
      .label = "Outside the map",
      .help = "Fragments outside the map: beyond its sides (orange), beyond its far plane (blue), behind the light "
              "(magenta).",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/outside_map.glsl",
      .scalar = false},
     {.key = "page-level",
      .label = "Page level",
      .help = "With map.virtual, the clip level that each fragment is looked up in, by colour from the finest on, with "
              "its pages as a checkerboard.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/page_level.glsl",
      .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",
      .scalar = false},
     {.key = "page-state",
@@ -86,7 +77,6 @@ constexpr Overlay kOverlays[] = {
      .help = "With map.virtual, the state of the page of each fragment: drawn in the last update (orange), cached "
              "(green), replaced by a coarser one since the pool is full (purple). Nothing where no page is requested.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/page_state.glsl",
      .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",
      .scalar = false},
     {.key = "texels-per-pixel",
@@ -94,7 +84,6 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "Shadow texels that a pixel spans along its widest direction; below 1 the map's texels show.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/texels_per_pixel.glsl",
      .paper = "Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002",
      .min = 0,
      .max = 4},
@@ -103,7 +92,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Pixels that are wrong by the ray-traced reference, coloured by cause. More bias cures acne, less bias "
              "cures peter-panning, a finer map cures edge aliasing and undersampling. The legend names all causes.",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/artefacts.glsl",
      .scalar = false,
      .names_causes = true,
      .reads_reference = true},
@@ -111,39 +99,30 @@ constexpr Overlay kOverlays[] = {
      .label = "Reference",
      .help = "The ray-traced visibility of view.light: 1 lit, 0 in shadow.",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/truth.glsl",
      .reads_reference = true},
     {.key = "truth-difference",
      .label = "Visibility minus reference",
      .help = "The map's visibility minus the ray-traced one: above zero too light, below too dark.",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/truth_difference.glsl",
      .min = -1,
      .max = 1,
      .diverging = true,
      .reads_reference = true},
-    {.key = "normals",
-     .label = "Normals",
-     .help = "Shading normals, each axis from -1..1 to 0..1.",
-     .file = "overlays/normals.glsl",
-     .scalar = false},
+    {.key = "normals", .label = "Normals", .help = "Shading normals, each axis from -1..1 to 0..1.", .scalar = false},
     {.key = "non-finite",
      .label = "NaN and Inf",
      .help = "Fragments whose shadow test meets a NaN or an infinite value (magenta).",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/non_finite.glsl",
      .scalar = false},
     {.key = "wireframe",
      .label = "Wireframe",
      .help = "The edges of the triangles that the camera sees.",
-     .file = "overlays/wireframe.glsl",
      .scalar = false,
      .draw = OverlayDraw::Edges},
     {.key = "overdraw",
      .label = "Overdraw",
      .unit = "fragments",
      .help = "Number of fragments at each pixel, hidden ones included: the cost of shading without a depth test.",
-     .file = "overlays/overdraw.glsl",
      .min = 0,
      .max = 8,
      .draw = OverlayDraw::Count},
@@ -153,7 +132,6 @@ constexpr Overlay kOverlays[] = {
      .help = "The bias below which each triangle's plane shadows itself, by the kernel's reach, the plane's slope in "
              "the map and the depth format.",
      .group = OverlayGroup::Bias,
-     .file = "overlays/least_bias.glsl",
      .min = 0,
      .max = 8},
     {.key = "bias-slack",
@@ -162,7 +140,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Equivalent depth bias of bias and normal offset minus the needed bias. Below zero (blue) there is acne, "
              "and far above it shadows detach needlessly.",
      .group = OverlayGroup::Bias,
-     .file = "overlays/bias_slack.glsl",
      .min = -3,
      .max = 3,
      .diverging = true},
@@ -171,7 +148,6 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "Difference in texels between the places in the map by map.transform world and eye.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/transform_difference.glsl",
      .paper = "Everitt, Rege, Cebenoyan: Hardware Shadow Mapping, 2001",
      .min = 0,
      .max = 0.01},
@@ -181,7 +157,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Distance in the map between the look-up of each surface and its place by double precision. It contains "
              "the rasteriser's own steps, parts of a pixel. It grows far from the world's origin (map.origin).",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/precision_texels.glsl",
      .min = 0,
      .max = 0.1,
      .reads_precision = true},
@@ -191,7 +166,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Distance of the compared depth, before any bias, from the surface's plane in double precision, in steps "
              "of a 32-bit float at that depth.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/precision_ulps.glsl",
      .min = 0,
      .max = 16,
      .reads_precision = true},
@@ -201,7 +175,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Width of the lit strip that bias and normal offset leave on this surface beside a caster that touches "
              "it: their equivalent depth bias along the light's ray, times the sine of the angle from the normal.",
      .group = OverlayGroup::Depth,
-     .file = "overlays/contact_gap.glsl",
      .min = 0,
      .max = 0.2},
     {.key = "bias-window",
@@ -210,7 +183,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Room for bias in shadow, by the ray-traced reference: the distance from the fragment to the caster "
              "nearest the light, minus the needed bias. Below zero no depth bias is right.",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/bias_window.glsl",
      .min = -5,
      .max = 5,
      .diverging = true,
@@ -221,7 +193,6 @@ constexpr Overlay kOverlays[] = {
      .help =
          "Pixels that a shadow texel spans along its longest direction in the picture; above 1 the map's texels show.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/pixels_per_texel.glsl",
      .paper = "Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002",
      .min = 0,
      .max = 4},
@@ -231,7 +202,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Texels per pixel along the sparsest direction, in whole powers of two: blue is under-sampled (texels "
              "show), orange over-sampled (the map is finer than the picture everywhere).",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/sampling_bands.glsl",
      .paper = "Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002",
      .min = -4,
      .max = 4,
@@ -241,7 +211,6 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "Texels of the map that are fetched for each fragment. There are none where no light arrives or where map "
              "bounds answer, and few where a blocker search finds nothing.",
-     .file = "overlays/taps.glsl",
      .min = 0,
      .max = 64,
      .keeps_optimisations = true},
@@ -251,7 +220,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Mean distance of casters before each fragment by the blocker search (PCSS), along the light's axis. "
              "Nothing where it found none, or under other kernels.",
      .group = OverlayGroup::Depth,
-     .file = "overlays/blocker_gap.glsl",
      .min = 0,
      .max = 5},
     {.key = "penumbra-width",
@@ -259,7 +227,6 @@ constexpr Overlay kOverlays[] = {
      .unit = "texels",
      .help = "Width of the penumbra that the kernel made (PCSS), from the caster's distance and the light's size.",
      .group = OverlayGroup::Depth,
-     .file = "overlays/penumbra_width.glsl",
      .min = 0,
      .max = 32},
     {.key = "depth-variance",
@@ -268,7 +235,6 @@ constexpr Overlay kOverlays[] = {
      .help = "The variance of depths about each fragment under kernels that read moments (VSM), in squares of the "
              "map's depth range. Below zero it is rounding error.",
      .group = OverlayGroup::Depth,
-     .file = "overlays/depth_variance.glsl",
      .min = -0.001,
      .max = 0.001,
      .diverging = true},
@@ -277,7 +243,6 @@ constexpr Overlay kOverlays[] = {
      .help = "Invalid moments, under kernels that read them: a variance or a determinant below zero by rounding (red), "
              "or an exponential that is no number (magenta).",
      .group = OverlayGroup::Wrong,
-     .file = "overlays/invalid_moments.glsl",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .scalar = false},
     {.key = "cascade",
@@ -286,12 +251,17 @@ constexpr Overlay kOverlays[] = {
              "nearest to the camera on, then violet, grey, cyan and pink, mixed where two are blended; of a point "
              "light its faces +x -x +y -y +z -z.",
      .group = OverlayGroup::Resolution,
-     .file = "overlays/cascade.glsl",
      .scalar = false,
      .names_views = true},
 };
 
 }  // namespace
+
+std::string Overlay::file() const {
+    std::string name(key);
+    std::ranges::replace(name, '-', '_');
+    return "overlays/" + name + ".glsl";
+}
 
 std::span<const Overlay> overlays() {
     return kOverlays;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,7 +26,6 @@ enum class OverlayGroup { Wrong, Bias, Resolution, Depth, Debug };
 struct Overlay {
     std::string_view key, label, unit, help;
     OverlayGroup group = OverlayGroup::Debug;
-    std::string_view file;             ///< GLSL file below shaders/
     std::string_view paper;            ///< source; empty: no single paper
     bool scalar = true;                ///< x goes through the colour scale; else the value is a colour with alpha
     double min = 0, max = 1;           ///< ends of the colour scale if view.overlay_range is declared
@@ -37,6 +37,8 @@ struct Overlay {
     bool reads_precision = false;      ///< needs the comparison of the look-ups with double precision
     bool keeps_optimisations = false;  ///< drawn with the optimisations of the picture's look-ups
     OverlayDraw draw = OverlayDraw::Fragments;
+    /// Returns the GLSL file of the overlay below shaders/: its key with underscores.
+    std::string file() const;
 };
 
 /// Returns all rows of the overlay table.

@@ -258,7 +258,7 @@ std::vector<Axis> axes() {
     Axis overlay{.names = {"OVERLAY_FILE"}, .choices = {{}}, .files = {""}};
     for (const Overlay& row : overlays()) {
         overlay.choices.push_back({{"view.overlay", std::string(row.key)}});
-        overlay.files.emplace_back(row.file);
+        overlay.files.push_back(row.file());
     }
     out.push_back(std::move(overlay));
     return out;

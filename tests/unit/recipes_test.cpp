@@ -36,7 +36,10 @@ Table table(std::string rows, std::string folder, std::string setting, std::span
     Table t{std::move(rows), std::move(folder), std::move(setting), {}, {}};
     for (const Row& row : list) {
         t.keys.emplace_back(row.key);
-        if constexpr (requires { row.file; }) t.files.emplace_back(row.file);
+        if constexpr (requires { row.file(); })
+            t.files.push_back(row.file());
+        else
+            t.files.emplace_back(row.file);
     }
     return t;
 }
