@@ -1,66 +1,153 @@
 #include "app/editor/background_work.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <chrono>
 
 #include "app/editor/requests.h"
+#include "app/sweep/tuning.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/reference/reference.h"
 
 namespace si {
+namespace {
+
+BiasSearchResult search_bias(const SearchTools& t, const TuneRequest& request) {
+    const auto began = std::chrono::steady_clock::now();
+    const TuningJob job{.settings = t.of.settings,
+                        .width = t.of.width,
+                        .height = t.of.height,
+                        .goals = {.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost}};
+    const Tuner tuner = run_tuning(t.renderer, t.scene, job, t.workers,
+                                   [&](const Tuner& now) { t.report(now.progress(), now.step_label()); });
+    BiasSearchResult out;
+    out.best = tuner.result();
+    const BiasSearch& search = tuner.bias();
+    for (const BiasFound& f : search.tried())
+        out.families.push_back({std::string(family_label(f.family)), bias_text(f.bias), f.bias, f.trial.acne(),
+                                f.trial.wrong(), f.trial.lost(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m,
+                                search.best() && search.best()->family == f.family});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    out.text = fmt::format("{}; {} trials in {:.1f} s", tuner.summary(), tuner.trials(), seconds);
+    return out;
+}
+
+AdviceFound search_advice(const SearchTools& t, const AdviceRequest& request) {
+    const SearchSubject& of = t.of;
+    AdviceFound out;
+    if (!request.max_error && !request.max_ms) {
+        out.what = find_advice(t.renderer, t.scene, of.settings, of.width, of.height, {.cost = request.cost}, t.cache,
+                               t.workers, t.report);
+        return out;
+    }
+    const AutopilotGoals goals{.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost};
+    AutopilotResult flight = run_rendered_autopilot(t.renderer, t.scene, of.settings, of.width, of.height, goals, {},
+                                                    t.cache, t.workers, t.report);
+    out.changes = setting_changes(measured_settings(of.settings), flight.best.settings);
+    out.what = std::move(flight);
+    return out;
+}
+
+ShimmerFound search_shimmer(const SearchTools& t, const ShimmerOptions& options) {
+    ShimmerFound out{{}, options};
+    const std::vector<ShimmerVariant> variants = shimmer_variants(t.of.settings);
+    for (const ShimmerVariant& v : variants) {
+        const double before = double(out.variants.size()) / double(variants.size());
+        const auto report = [&](double share) {
+            t.report(before + share / double(variants.size()), std::string(v.label));
+        };
+        out.variants.push_back({v.label, measure_shimmer(t.renderer, t.scene, v.settings, t.of.width, t.of.height,
+                                                         options, t.workers, report)});
+    }
+    return out;
+}
+
+SavedTimes search_saved_times(const SearchTools& t, FrameRequest unforced) {
+    unforced.forced = {};  // a forced optimisation skips nothing that could be timed
+    const FrameResult frame = t.renderer.render(t.scene, t.of.settings, unforced);
+    const std::vector<Optimisation> named = optimisations_of(frame_effects(t.scene, t.of.settings, frame));
+    return measure_saved_times(t.renderer, t.scene, t.of.settings, unforced, named, kSavedTimeRounds, t.workers,
+                               [&](double share) { t.report(share, "alternating frames"); });
+}
+
+/// Returns the options of a search for fixes. The fix that the pixel's diagnosis suggests is tried, too.
+FixOptions fix_options(const Settings& settings, std::span<const PixelDiagnosis> diagnoses, const FixRequest& request) {
+    FixOptions options;
+    options.pixel = request.pixel;
+    options.time = true;
+    const auto light = std::size_t(std::max(settings.view.light, 0));
+    if (!request.pixel)
+        options.reference = reference_options(settings);  // a pixel diagnosis uses a light without size
+    else if (light < diagnoses.size() && diagnoses[light].fix)
+        options.more.push_back(suggested_candidate(*diagnoses[light].fix, settings));
+    return options;
+}
+
+/// Returns true if a bias search of the present subject would give the same result. The present bias does not matter,
+/// since the search replaces it.
+bool is_current(const BiasSearchResult& found, SearchSubject of, const SearchSubject& present) {
+    if (found.best) apply_tuning(of.settings, *found.best);
+    of.settings.bias = present.settings.bias;
+    of.settings.truth.area = present.settings.truth.area;  // a search sets its own
+    return of.measures_like(present);
+}
+
+}  // namespace
+
+bool BackgroundWork::busy() const {
+    return std::apply([](const auto&... work) { return (work.busy() || ...); }, all());
+}
+
+bool BackgroundWork::moved() const {
+    return std::apply([](const auto&... work) { return (work.moved() || ...); }, all());
+}
+
+void BackgroundWork::finish() const {
+    std::apply([](const auto&... work) { (work.wait(), ...); }, all());
+}
 
 bool BackgroundWork::poll_found(auto& search) {
-    std::string problem;
-    if (!search.poll(problem)) return false;
-    if (!problem.empty()) state_.log.add(LogKind::Warning, problem);
-    return true;
+    const auto end = search.poll();
+    if (end && !end->problem.empty()) state_.log.add(LogKind::Warning, end->problem);
+    return end.has_value();
 }
 
 bool BackgroundWork::poll(const Scene* scene) {
-    const bool tuned = poll_tuning(scene);
-    const bool cured = poll_found(fixes_);
-    const bool advised = poll_found(advice_);
-    const bool compared = poll_found(pipelines_);
-    const bool shimmered = poll_found(shimmer_);
-    return poll_found(optimisation_times_) || shimmered || compared || advised || cured || tuned;
-}
-
-bool BackgroundWork::fulfil_optimisation_times(const SceneLoader& scenes, const FrameRequest& request,
-                                               const EditorRequests& requests) {
-    if (requests.cancel_measuring) optimisation_times_.cancel();
-    if (!requests.measure_saved_times) return requests.cancel_measuring;
-    return attempt(state_, [&] { optimisation_times_.start(scenes.require(), state_.settings, request); });
+    bool ended = poll_tuning(scene);
+    const auto poll_each = [&](auto&... searches) { ((ended |= poll_found(searches)), ...); };
+    poll_each(fixes_, advice_, pipelines_, shimmer_, optimisation_times_);
+    return ended;
 }
 
 bool BackgroundWork::poll_tuning(const Scene* scene) {
-    const auto outcome = bias_search_.poll();
-    if (!outcome) return false;
-    if (!outcome->families.empty()) tuning_ = *outcome;
-    if (!outcome->found) {
-        if (outcome->failed)
-            report(state_, outcome->text);
-        else
-            state_.log.add(LogKind::Info, outcome->text);
-        return true;
+    const auto end = bias_search_.poll();
+    if (!end) return false;
+    if (end->failed) {
+        report(state_, end->problem);
+    } else if (!end->problem.empty()) {
+        state_.log.add(LogKind::Info, end->problem);
+    } else {
+        const BiasSearchResult& found = *bias_search_.found();
+        const SearchSubject& of = bias_search_.subject();
+        if (!found.families.empty()) {
+            tuning_ = found;
+            tuning_of_ = of;
+        }
+        // The result is valid for its scene, camera and light only.
+        Settings now = state_.settings;
+        apply_tuning(now, of.settings);
+        now.view = of.settings.view;
+        const bool same = scene && scene->id == of.scene && now == of.settings;
+        if (found.best && !same) {
+            state_.log.add(LogKind::Warning, "Not applied, as scene or settings changed meanwhile: " + found.text);
+            return true;
+        }
+        if (found.best) apply_tuning(state_.settings, *found.best);
+        state_.log.add(LogKind::Info, found.text);
     }
-    // The result is valid for its scene, camera and light only.
-    Settings now = state_.settings;
-    apply_tuning(now, outcome->settings);
-    now.view = outcome->settings.view;
-    if (!scene || scene->id != outcome->scene || !(now == outcome->settings)) {
-        state_.log.add(LogKind::Warning, "Not applied, as scene or settings changed meanwhile: " + outcome->text);
-        return true;
-    }
-    apply_tuning(state_.settings, *outcome->found);
-    state_.log.add(LogKind::Info, outcome->text);
     return true;
-}
-
-void BackgroundWork::start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                                 const FixRequest& request) {
-    std::vector<FixCandidate> own;
-    const auto light = std::size_t(std::max(state_.settings.view.light, 0));
-    if (request.pixel && light < diagnoses.size() && diagnoses[light].fix)
-        own.push_back(suggested_candidate(*diagnoses[light].fix, state_.settings));
-    fixes_.start(scene, state_.settings, size.x, size.y, request.pixel, std::move(own));
 }
 
 void BackgroundWork::apply_sweep_base() {
@@ -72,29 +159,50 @@ void BackgroundWork::apply_sweep_base() {
     state_.settings.view.light = light;
 }
 
-bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                            const EditorRequests& requests) {
+bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, const EditorRequests& requests) {
     bool changed = false;
     const auto request = [&](bool requested, const auto& what) {
         if (requested) changed |= attempt(state_, what);
     };
-    // A measurement needs a size, which a hidden picture does not have.
-    request(requests.tune.has_value(),
-            [&] { bias_search_.start(scenes.require(), state_.settings, size.x, size.y, *requests.tune); });
+    // Starts a search about the present settings. @param requested argument of its work
+    const auto start = [&](auto& search, const char* first, const auto& requested, const auto& work) {
+        const Scene& scene = scenes.require();
+        // A measurement needs a size, which a hidden picture does not have.
+        SearchSubject of{scene.id, state_.settings, shown.request.width, shown.request.height};
+        if constexpr (requires { requested.area; }) of.settings.truth.area = requested.area;
+        search.start(scene, of, first, [requested, work](const SearchTools& tools) { return work(tools, requested); });
+    };
+    request(requests.tune.has_value(), [&] { start(bias_search_, "the present bias", *requests.tune, search_bias); });
     if (requests.cancel_tune) bias_search_.cancel();
-    request(requests.find_fixes.has_value(),
-            [&] { start_fixes(scenes.require(), size, diagnoses, *requests.find_fixes); });
+    request(requests.find_fixes.has_value(), [&] {
+        fixes_.forget();
+        start(fixes_, "the present settings",
+              fix_options(state_.settings, shown.readings.diagnoses, *requests.find_fixes),
+              [](const SearchTools& t, const FixOptions& options) {
+                  return FixesFound{find_fixes(t.renderer, t.scene, t.of.settings, t.of.width, t.of.height, options,
+                                               t.cache, t.workers, t.report),
+                                    options.pixel};
+              });
+    });
     if (requests.cancel_fixes) fixes_.cancel();
     request(requests.forget_fixes, [&] { fixes_.forget(); });
-    request(requests.find_advice.has_value(),
-            [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *requests.find_advice); });
+    request(requests.find_advice.has_value(), [&] {
+        advice_.forget();
+        start(advice_, "the present settings", *requests.find_advice, search_advice);
+    });
     if (requests.cancel_advice) advice_.cancel();
-    const auto present = [&] { return LabSubject{scenes.require().id, state_.settings, size.x, size.y}; };
-    request(requests.compare_pipelines, [&] { pipelines_.start(scenes.require(), present()); });
+    request(requests.compare_pipelines, [&] {
+        start(pipelines_, "four pipelines", std::monostate(), [](const SearchTools& t, std::monostate) {
+            return compare_pipelines(t.renderer, t.scene, t.of.settings, t.of.width, t.of.height);
+        });
+    });
     if (requests.cancel_pipelines) pipelines_.cancel();
     request(requests.measure_shimmer.has_value(),
-            [&] { shimmer_.start(scenes.require(), present(), *requests.measure_shimmer); });
+            [&] { start(shimmer_, "the first frame", *requests.measure_shimmer, search_shimmer); });
     if (requests.cancel_shimmer) shimmer_.cancel();
+    request(requests.cancel_measuring, [&] { optimisation_times_.cancel(); });
+    request(requests.measure_saved_times,
+            [&] { start(optimisation_times_, "the first frame", shown.request, search_saved_times); });
     request(requests.start_sweep.has_value(),
             [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *requests.start_sweep); });
     request(requests.cancel_sweep, [&] { sweep_.cancel(); });
@@ -119,17 +227,45 @@ bool BackgroundWork::update(const Scene* scene, const EditorRequests& requests) 
 }
 
 void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) const {
-    f.tuning = bias_search_.facts();
-    if (scene && tuning_ && tuning_->scene == scene->id) {
-        f.tuned = tuning_->families;
-        f.tuned_current = tuning_->is_about(state_.settings, size.x, size.y);
+    const SearchSubject present{scene ? scene->id : 0, state_.settings, size.x, size.y};
+    f.tuning = bias_search_.progress();
+    if (scene && tuning_of_.scene == scene->id) {
+        f.tuned = tuning_.families;
+        f.tuned_current = is_current(tuning_, tuning_of_, present);
     }
-    f.fixes = fixes_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
-    optimisation_times_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
-    advice_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
-    const LabSubject present{scene ? scene->id : 0, state_.settings, size.x, size.y};
-    pipelines_.fill(f, present);
-    shimmer_.fill(f, present);
+    f.fixes.running = fixes_.progress();
+    if (const FixesFound* found = fixes_.found_in(present.scene)) {
+        f.fixes.table = &found->table;
+        f.fixes.pixel = found->pixel;
+        f.fixes.current = fixes_.subject().measures_like(present);
+    }
+    f.measuring_optimisations = optimisation_times_.progress();
+    f.saved = optimisation_times_.found_in(present.scene);
+    const SearchSubject& timed = optimisation_times_.subject();
+    f.saved_times_current =
+        f.saved && timed.settings == present.settings && timed.width == size.x && timed.height == size.y;
+    f.advising = advice_.progress();
+    if (const AdviceFound* found = advice_.found_in(present.scene)) {
+        f.advice = std::get_if<AdviceReport>(&found->what);
+        f.autopilot = std::get_if<AutopilotResult>(&found->what);
+        f.autopilot_changes = found->changes;
+        f.advice_current = advice_.subject().measures_like(present);
+    }
+    f.comparing_pipelines = pipelines_.progress();
+    if (const auto* errors = pipelines_.found()) {
+        f.pipelines = *errors;
+        // All pipelines are compared, so that the chosen one does not matter.
+        SearchSubject of = pipelines_.subject();
+        of.settings.map.origin = state_.settings.map.origin;
+        of.settings.map.transform = state_.settings.map.transform;
+        f.pipelines_current = of.measures_like(present);
+    }
+    f.measuring_shimmer = shimmer_.progress();
+    if (const ShimmerFound* found = shimmer_.found()) {
+        f.shimmer = found->variants;
+        f.shimmer_of = found->options;
+        f.shimmer_current = shimmer_.subject().measures_like(present);
+    }
     f.sweep = &sweep_.facts();
 }
 

@@ -4,17 +4,47 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
 
-#include "app/editor/advice.h"
-#include "app/editor/bias_search.h"
-#include "app/editor/fixes.h"
-#include "app/editor/lab.h"
-#include "app/editor/optimisation_times.h"
+#include "app/editor/frame_facts.h"
 #include "app/editor/scene_loader.h"
+#include "app/editor/search.h"
 #include "app/editor/sweep.h"
+#include "renderer/advise/autopilot.h"
+#include "renderer/advise/fixes.h"
+#include "renderer/measure/optimisation_times.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
+
+/// Result of a finished search for the least bias.
+struct BiasSearchResult {
+    std::optional<Settings> best;
+    std::vector<TunedFamily> families;  ///< result of each kind of bias
+    std::string text;                   ///< the bias and its cost, or the reason why there is none
+};
+
+/// Result of a finished search for fixes.
+struct FixesFound {
+    FixTable table;
+    std::optional<glm::ivec2> pixel;  ///< none: the whole picture
+};
+
+/// Result of a finished search for advice, or of the autopilot.
+struct AdviceFound {
+    std::variant<AdviceReport, AutopilotResult> what;
+    std::vector<std::pair<std::string, std::string>> changes;  ///< key and value, of the autopilot
+};
+
+/// Shimmer of shadow edges under each variant of the settings.
+struct ShimmerFound {
+    std::vector<ShimmerShown> variants;
+    ShimmerOptions options;
+};
 
 /// Background measurements of one editor (sweeps, searches, Lab), connected with the panels that show them.
 class BackgroundWork {
@@ -27,13 +57,8 @@ public:
     /// ended. @param scene shown scene; null: none
     bool poll(const Scene* scene);
     /// Starts and cancels background measurements that panels request. Errors go to the log. Returns true if there was
-    /// a request. @param size scene picture, pixels @param diagnoses diagnoses of the probed pixel, one a light
-    bool fulfil(const SceneLoader& scenes, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                const EditorRequests& requests);
-    /// Starts or cancels the background measurement of the time that each optimisation saves, as panels request.
-    /// Returns true if there was a request. @param request frame request of the shown frame
-    bool fulfil_optimisation_times(const SceneLoader& scenes, const FrameRequest& request,
-                                   const EditorRequests& requests);
+    /// a request. @param shown last drawn frame
+    bool fulfil(const SceneLoader& scenes, const FrameFacts& shown, const EditorRequests& requests);
     /// Updates the facts of the running sweep, and measures the present settings while a panel shows them. Returns true
     /// if the facts have changed. Call once a frame.
     bool update(const Scene* scene, const EditorRequests& requests);
@@ -44,47 +69,34 @@ public:
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
     /// Returns true while something is being measured.
-    bool busy() const {
-        return sweep_.busy() || bias_search_.running() || fixes_.running() || optimisation_times_.running() ||
-               advice_.running() || pipelines_.running() || shimmer_.running();
-    }
+    bool busy() const;
     /// Returns true if results or progress have changed since the last poll() and update().
-    bool moved() const {
-        return sweep_.moved() || bias_search_.moved() || fixes_.moved() || optimisation_times_.moved() ||
-               advice_.moved() || pipelines_.moved() || shimmer_.moved();
-    }
+    bool moved() const;
     /// Waits until nothing is being measured.
-    void finish() const {
-        sweep_.wait();
-        bias_search_.wait();
-        fixes_.wait();
-        optimisation_times_.wait();
-        advice_.wait();
-        pipelines_.wait();
-        shimmer_.wait();
-    }
+    void finish() const;
 
 private:
+    /// All background measurements.
+    auto all() const {
+        return std::tie(sweep_, bias_search_, fixes_, optimisation_times_, advice_, pipelines_, shimmer_);
+    }
     /// Applies the result of a finished bias search to the settings, and logs it. Returns true if a search has ended.
     bool poll_tuning(const Scene* scene);
     /// Polls one background search and logs its error. Returns true if the search has ended.
     bool poll_found(auto& search);
-    /// Starts the search for fixes of a pixel or of the whole picture. @param size scene picture, pixels
-    /// @param diagnoses diagnoses of the probed pixel, whose own fixes are tried too
-    void start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                     const FixRequest& request);
     /// Applies the settings that all cases of the shown sweep share, as one step of undo.
     void apply_sweep_base();
 
     EditorState& state_;
     EditorSweep sweep_;
-    EditorBiasSearch bias_search_;
-    std::optional<BiasSearchResult> tuning_;  ///< result of the last search that compared kinds of bias
-    EditorFixes fixes_;
-    EditorOptimisationTimes optimisation_times_;
-    EditorAdvice advice_;
-    EditorPipelines pipelines_;
-    EditorShimmer shimmer_;
+    EditorSearch<BiasSearchResult> bias_search_{"The search for the smallest bias was cancelled"};
+    BiasSearchResult tuning_;  ///< result of the last search that compared kinds of bias
+    SearchSubject tuning_of_;  ///< subject of `tuning_`
+    EditorSearch<FixesFound> fixes_{"The search for fixes was cancelled"};
+    EditorSearch<SavedTimes> optimisation_times_{"The measurement of optimisations was cancelled"};
+    EditorSearch<AdviceFound> advice_{"The search for advice was cancelled"};
+    EditorSearch<std::vector<PipelineError>> pipelines_{"The comparison of precision was cancelled"};
+    EditorSearch<ShimmerFound> shimmer_{"The measurement of shimmer was cancelled"};
 };
 
 }  // namespace si

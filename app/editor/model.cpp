@@ -189,8 +189,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.discard_lost, [&] { persistence_.forget_lost(); });
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     request(scenes_.undo_step_waits(), [&] { scenes_.show_undo_step(); });
-    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.diagnoses, requests);
-    changed |= work_.fulfil_optimisation_times(scenes_, frames_.facts().request, requests);
+    changed |= work_.fulfil(scenes_, frames_.facts(), requests);
     request(requests.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *requests.save_map); });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
     request(scenes_.scene_settings_changed() && !frames_.under_way(), [&] { scenes_.follow_scene_settings(); });

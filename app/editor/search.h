@@ -1,49 +1,102 @@
-// Common base of the editor's background searches.
+// Background searches and measurements of the editor. Each has a copy of the scene, an OpenGL context and a renderer.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "app/base/job.h"
+#include "app/context/headless_context.h"
+#include "renderer/measure/axes.h"
+#include "renderer/reference/reference_task.h"
+#include "renderer/render/renderer.h"
 #include "ui/panels/tune.h"
 
 namespace si {
 
-/// Base of the editor's background searches: one search at a time, and the result of the last one.
-/// @tparam Found result of a search
-template <typename Found>
-class EditorSearch {
-public:
-    /// Cancels the search under way.
-    void cancel() { job_.cancel(); }
-    /// Returns true while a search is under way.
-    bool running() const { return job_.busy(); }
-    /// Returns true if progress or result have changed since the last poll().
-    bool moved() const { return job_.moved(); }
-    /// Waits for the search under way.
-    void wait() const { job_.wait(); }
-    /// Stores the result of a search that has ended. Returns true if a search has ended. @param problem receives the
-    /// reason of a failure
-    bool poll(std::string& problem) {
-        auto outcome = job_.poll();
-        if (!outcome) return false;
-        if (outcome->cancelled) problem = cancelled_;
-        if (outcome->problem) problem = exception_message(outcome->problem);
-        if (outcome->value) found_ = std::move(outcome->value);
-        return true;
+/// Scene, settings and picture size that a background search is about.
+struct SearchSubject {
+    std::uint64_t scene = 0;  ///< Scene::id
+    Settings settings;
+    int width = 0;   ///< pixels of the picture
+    int height = 0;  ///< pixels of the picture
+    /// Returns true if measurements of both subjects give the same.
+    bool measures_like(const SearchSubject& other) const {
+        return scene == other.scene && width == other.width && height == other.height &&
+               measured_settings(settings) == measured_settings(other.settings);
     }
+};
 
-protected:
+/// Arguments of a background search's work: its subject, and tools of its own. Used on the search's thread only.
+struct SearchTools {
+    const Scene& scene;  ///< copy of the editor's scene
+    const SearchSubject& of;
+    Renderer& renderer;
+    ReferenceCache& cache;
+    const Workers& workers;
+    std::function<void(double share, const std::string& about)> report;  ///< reports the progress, 0..1
+};
+
+/// Background search: one at a time, and the result of the last one with its subject. @tparam T result of a search
+template <typename T>
+class EditorSearch : public Job<T, SearchProgress> {
+    using Base = Job<T, SearchProgress>;
+
+public:
+    /// End of a search: a result, or the reason why there is none.
+    struct End {
+        bool failed = false;  ///< neither a result nor cancelled
+        std::string problem;  ///< empty: there is a result
+    };
+
     /// Makes a search that does not run yet. @param cancelled message after cancel()
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
-    ~EditorSearch() = default;
+    /// Starts a search with a copy of the scene, and cancels the search under way. @param first first step of the work
+    void start(const Scene& scene, const SearchSubject& of, const char* first,
+               std::function<T(const SearchTools&)> work) {
+        started_ = of;
+        Base::start(
+            [copy = std::make_shared<const Scene>(scene), of, work = std::move(work)](const Workers& workers,
+                                                                                      const auto& report) {
+                const HeadlessContext context;
+                Renderer renderer;
+                ReferenceCache cache;
+                return work({*copy, of, renderer, cache, workers, [&](double share, const std::string& about) {
+                                 report({about, share});
+                             }});
+            },
+            {first, 0});
+    }
+    /// Stores the result of a search that has ended. Returns its end, once; nothing while it runs.
+    std::optional<End> poll() {
+        auto outcome = Base::poll();
+        if (!outcome) return {};
+        if (outcome->value) {
+            found_ = std::move(outcome->value);
+            of_ = started_;
+        }
+        const bool failed = outcome->problem != nullptr;
+        return End{failed, failed               ? exception_message(outcome->problem)
+                           : outcome->cancelled ? cancelled_
+                                                : std::string()};
+    }
+    /// Drops the last result.
+    void forget() { found_.reset(); }
 
-    Job<Found, SearchProgress> job_;
-    std::optional<Found> found_;
+    /// Result of the last search that found one; null: none.
+    const T* found() const { return found_ ? &*found_ : nullptr; }
+    /// Result of the last search if it is about this scene, else null. @param scene Scene::id
+    const T* found_in(std::uint64_t scene) const { return of_.scene == scene ? found() : nullptr; }
+    /// Subject of found().
+    const SearchSubject& subject() const { return of_; }
 
 private:
     std::string cancelled_;
+    SearchSubject started_;  ///< subject of the search under way
+    SearchSubject of_;
+    std::optional<T> found_;
 };
 
 }  // namespace si
