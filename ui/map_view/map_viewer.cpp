@@ -23,6 +23,7 @@
 #include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
 #include "ui/widgets/tooltip.h"
@@ -59,13 +60,12 @@ void exact_choice(EditorState& state) {
     ImGui::BeginDisabled(state.frozen.has_value());
     ImGui::Checkbox("Texels read", &state.map.exact_texels);
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", state.frozen
-                                    ? "Not of a frozen camera: of it only the squares about kernels are known"
-                                    : "Mark the texels that kernels fetch, exactly, where links show the squares "
-                                      "about them: red what some pixel\nof the picture fetches, darkened what "
-                                      "none does. Costs the kernel once more for every pixel and reading a\nfloat "
-                                      "of each texel back, in every new frame while nothing is dragged");
+    plain_tooltip(state.frozen ? "Not of a frozen camera: of it only the squares about kernels are known"
+                               : "Mark the texels that kernels fetch, exactly, where links show the squares "
+                                 "about them: red what some pixel\nof the picture fetches, darkened what "
+                                 "none does. Costs the kernel once more for every pixel and reading a\nfloat "
+                                 "of each texel back, in every new frame while nothing is dragged",
+                  ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
 float check_width(const char* label) {
@@ -83,8 +83,7 @@ void place_combo(EditorState& state, float width) {
         }
         ImGui::EndCombo();
     }
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", with_key("Place of the shadow map in the window", Command::NextMapPlace).c_str());
+    plain_tooltip(with_key("Place of the shadow map in the window", Command::NextMapPlace));
 }
 
 /// Lists the lights as choices; empty if there is nothing to choose from.

@@ -13,6 +13,7 @@
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -80,18 +81,12 @@ void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts
         "Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
 }
 
-void coloured_text(const std::string& text, ImU32 colour) {
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextWrapped("%s", text.c_str());
-    ImGui::PopStyleColor();
-}
-
 void findings_list(Settings& settings, const AdviceReport& report, bool current) {
     const ImU32 kColours[] = {theme::error(), theme::warning(), theme::muted()};
     int id = 0;
     for (const Finding& f : report.findings) {
         ImGui::PushID(id++);
-        coloured_text(fmt::format("{}: {}", severity_key(f.severity), f.text), kColours[std::size_t(f.severity)]);
+        coloured_wrapped(fmt::format("{}: {}", severity_key(f.severity), f.text), kColours[std::size_t(f.severity)]);
         if (!f.fix.empty()) {
             if (!f.settings.empty()) {
                 apply_button(settings, f.settings, current);
@@ -107,15 +102,13 @@ void advice_row(Settings& settings, const TriedAdvice& t, bool current) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     if (t.why_not.empty()) apply_button(settings, t.settings, current);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(time_text(t.ms).c_str());
+    text_cell(time_text(t.ms));
     wrapped_tooltip(fmt::format("{} ms a frame, ± {} ms (95 %)", signed_text(t.ms.value), digits_text(t.ms.noise)));
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(fmt::format("{:+.2g}", t.added_error()).c_str());
+    text_cell(fmt::format("{:+.2g}", t.added_error()));
     wrapped_tooltip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
     ImGui::TableNextColumn();
     const std::string text = t.why_not.empty() ? t.idea.sentence : t.idea.sentence + ": " + t.why_not;
-    coloured_text(text, t.why_not.empty() && current ? theme::text() : theme::muted());
+    coloured_wrapped(text, t.why_not.empty() && current ? theme::text() : theme::muted());
     wrapped_tooltip(list_of(t.settings));
 }
 
@@ -156,7 +149,7 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
 }
 
 void show_flight(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
-    coloured_text(r.summary, r.goals_met ? theme::text() : theme::warning());
+    coloured_wrapped(r.summary, r.goals_met ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: run again");
     if (r.goals_met) apply_button(settings, changes, current);
     for (const DroppedEffect& d : r.dropped)

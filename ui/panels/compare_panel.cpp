@@ -14,6 +14,7 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -74,9 +75,7 @@ std::string owner(const Settings& settings, const SettingRef& ref) {
 void cell(const std::string& text, ImU32 colour) {
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
+    coloured_text(text, colour);
     // The column cuts long names; the tooltip shows the whole name.
     if (ImGui::IsItemHovered() && ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x)
         ImGui::SetTooltip("%s", text.c_str());
@@ -88,7 +87,7 @@ void setting_line(Settings& settings, const Settings& reference, const SettingRe
     const ImU32 colour = idle ? theme::faint() : theme::text();
     cell(owner(settings, ref), colour);
     cell(std::string(p.label), colour);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", setting_key(ref).c_str());
+    plain_tooltip(setting_key(ref));
     cell(shown_value(settings, ref, get_value(settings, ref)), idle ? theme::faint() : theme::accent());
     cell(shown_value(reference, ref, get_value(reference, ref)), colour);
     ImGui::TableNextColumn();
@@ -119,9 +118,7 @@ void draw_compare(CompareWith& compare, Settings& settings, const std::optional<
     }
     if (!other->problem.empty()) {
         ImGui::TextDisabled("cannot be read");
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-        ImGui::TextWrapped("%s", other->problem.c_str());
-        ImGui::PopStyleColor();
+        coloured_wrapped(other->problem, theme::error());
         return;
     }
     const Settings& reference = other->settings;
@@ -155,7 +152,7 @@ void draw_compare(CompareWith& compare, Settings& settings, const std::optional<
         cell(scene_label(scene), theme::text());
         ImGui::TableNextColumn();
         if (ImGui::Button("Use")) requests.load_scene = scene;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Opens this scene under the present settings");
+        plain_tooltip("Opens this scene under the present settings");
     }
     ImGuiListClipper clipper;
     clipper.Begin(int(rows.size()));

@@ -17,8 +17,8 @@
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/progress_bar.h"
-#include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -56,9 +56,7 @@ void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
     const std::string shape = kShapes[std::size_t(state)], word(effect_state_label(state));
     const std::string text = room <= Room::Narrow ? shape : fmt::format("{} {}", shape, word);
-    ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotNeeded ? theme::muted() : theme::text());
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
+    coloured_text(text, state == EffectState::NotNeeded ? theme::muted() : theme::text());
     if (room <= Room::Narrow) wrapped_tooltip(word);
 }
 
@@ -121,9 +119,7 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
         ImGui::EndPopup();
     }
     same_line_if_fits(button_width("Reset"));
-    ImGui::BeginDisabled(forced.empty());
-    if (ImGui::Button("Reset##forced")) forced = {};
-    ImGui::EndDisabled();
+    if (button_if(!forced.empty(), "Reset##forced")) forced = {};
     wrapped_tooltip("Switches all optimisations on again.");
     same_line_if_fits(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Hide what is not needed", &panel.only_needed);
@@ -212,17 +208,11 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
     const bool needed = effect.state != EffectState::NotNeeded;
     const float indent = effect.part ? ImGui::GetFontSize() * 0.8f : 0;
     if (indent > 0) ImGui::Indent(indent);
-    ImGui::PushStyleColor(ImGuiCol_Text, needed ? theme::text() : theme::muted());
-    ImGui::TextUnformatted(effect.name.c_str());
-    ImGui::PopStyleColor();
+    coloured_text(effect.name, needed ? theme::text() : theme::muted());
     if (room == Room::Least && !effect.reason.empty()) wrapped_tooltip(effect.reason);
     if (indent > 0) ImGui::Unindent(indent);
     if (ImGui::TableSetColumnIndex(index_of(Column::Why))) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(effect.reason.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
+        coloured_wrapped(effect.reason, theme::muted());
     }
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : result.pass(effect.pass);
     if (pass && pass->state != PassState::Drawn) last_time_cell(times, *pass);

@@ -15,8 +15,8 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
-#include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -69,9 +69,7 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         name = beginning_that_fits(whole, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
-        ImGui::PushStyleColor(ImGuiCol_Text, part ? theme::muted() : theme::text());
-        ImGui::TextUnformatted(name.c_str());
-        ImGui::PopStyleColor();
+        coloured_text(name, part ? theme::muted() : theme::text());
         tooltip();
         right_cell(text_of(*row, value), value == 0 ? theme::muted() : theme::text());
         tooltip();
@@ -108,9 +106,9 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
 }
 
 void next_button(EditorState& state, const EditorFrame& frame, const std::string& tour) {
-    ImGui::BeginDisabled(artefact_tour_cause(state, frame) == Artefact::None || state.artefact_tour.waits_for != 0);
-    if (ImGui::Button("Next artefact")) next_artefact(state, frame);
-    ImGui::EndDisabled();
+    if (button_if(artefact_tour_cause(state, frame) != Artefact::None && state.artefact_tour.waits_for == 0,
+                  "Next artefact"))
+        next_artefact(state, frame);
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
             "%s.\nClusters are those of the picture in which it was pressed first. Undo takes the camera back.",
@@ -145,11 +143,8 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
 
 void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const bool there = frame.error != nullptr;
-    ImGui::BeginDisabled(!there);
-    if (ImGui::Button("Save…")) ImGui::OpenPopup("save error");
-    ImGui::EndDisabled();
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
+    if (button_if(there, "Save…")) ImGui::OpenPopup("save error");
+    plain_tooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
     const bool entered = ImGui::InputTextWithHint("##file", "file.json", &state.error_panel.save_path,

@@ -10,6 +10,7 @@
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "ui/state/shortcuts.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -28,13 +29,6 @@ std::string about(const MeasuredFix& fix, const FixTable& table) {
     return text + fmt::format("A click applies it; {} takes it back.", key_text(Command::Undo));
 }
 
-void coloured_cell(const std::string& text, ImU32 colour) {
-    ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-}
-
 void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& settings) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -49,10 +43,10 @@ void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& 
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(fix, table).c_str());
     const ImU32 plain = current ? theme::text() : theme::muted();
-    coloured_cell(std::to_string(fix.cured), plain);
-    coloured_cell(std::to_string(fix.broken), fix.broken == 0 ? theme::muted() : plain);
-    coloured_cell(time_text(fix.ms), plain);
-    coloured_cell(map_bytes_text(fix.map_bytes), plain);
+    text_cell(std::to_string(fix.cured), plain);
+    text_cell(std::to_string(fix.broken), fix.broken == 0 ? theme::muted() : plain);
+    text_cell(time_text(fix.ms), plain);
+    text_cell(map_bytes_text(fix.map_bytes), plain);
 }
 
 }  // namespace
@@ -66,14 +60,11 @@ void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::opti
         if (ImGui::Button("Cancel##cures")) requests.cancel_fixes = true;
         return;
     }
-    ImGui::BeginDisabled(!ready || !wrong);
-    if (ImGui::Button("Find fixes")) requests.find_fixes = FixRequest{pixel};
-    ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip(
-            "%s",
-            wrong ? "Measures each change that may help: pixels made right, pixels broken, time and bytes of the maps."
-                  : "Nothing is wrong here.");
+    if (button_if(ready && wrong, "Find fixes")) requests.find_fixes = FixRequest{pixel};
+    plain_tooltip(
+        wrong ? "Measures each change that may help: pixels made right, pixels broken, time and bytes of the maps."
+              : "Nothing is wrong here.",
+        ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
 void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& requests,

@@ -22,6 +22,7 @@
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -165,14 +166,10 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& 
     ImGui::InputTextWithHint("##folder", "folder of a sweep", &panel.folder);
     wrapped_tooltip("Folder with results.csv, results.json, report.html and pictures");
     ImGui::SameLine();
-    ImGui::BeginDisabled(panel.folder.empty() || facts.cases.empty());
-    if (ImGui::Button("Save")) requests.save_sweep = panel.folder;
-    ImGui::EndDisabled();
+    if (button_if(!panel.folder.empty() && !facts.cases.empty(), "Save")) requests.save_sweep = panel.folder;
     wrapped_tooltip("Write the sweep that is shown into this folder");
     ImGui::SameLine();
-    ImGui::BeginDisabled(panel.folder.empty());
-    if (ImGui::Button("Open")) requests.open_sweep = panel.folder;
-    ImGui::EndDisabled();
+    if (button_if(!panel.folder.empty(), "Open")) requests.open_sweep = panel.folder;
     wrapped_tooltip("Show the sweep in this folder, such as one of `shadow-inspector sweep`");
 }
 
@@ -281,18 +278,14 @@ void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const Meas
     const std::string text =
         fmt::format("{} {} at {}.  {}: {}", name, number_text(view.before->error, error),
                     number_text(view.before->cost, cost), facts.change, change_text(*view.before, *view.present, cost));
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextWrapped("%s", text.c_str());
     wrapped_tooltip(with_key("Other settings of the same picture: those pinned as A", Command::PinSettings) +
                     ", else those measured last. The hollow diamond.");
 }
 
 void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
     if (!facts.present_problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-        ImGui::TextWrapped("The present settings cannot be measured: %s", facts.present_problem.c_str());
-        ImGui::PopStyleColor();
+        coloured_wrapped("The present settings cannot be measured: " + facts.present_problem, theme::error());
         return;
     }
     const FrontierView& view = facts.view;
@@ -336,9 +329,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
 
 void draw_state(const SweepFacts& facts, EditorRequests& requests) {
     if (!facts.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-        ImGui::TextWrapped("The sweep ended: %s", facts.problem.c_str());
-        ImGui::PopStyleColor();
+        coloured_wrapped("The sweep ended: " + facts.problem, theme::error());
     }
     if (facts.other_scene) {
         ImGui::TextDisabled("The sweep is of another scene.");
@@ -408,9 +399,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
         }
         if (facts.software) {
             same_line_if_fits(ImGui::CalcTextSize("CPU rasteriser").x);
-            ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
-            ImGui::TextUnformatted("CPU rasteriser");
-            ImGui::PopStyleColor();
+            coloured_text("CPU rasteriser", theme::warning());
             wrapped_tooltip(
                 "OpenGL runs on the processor here: times say nothing of a GPU. Costs in bytes and taps hold "
                 "anywhere.");

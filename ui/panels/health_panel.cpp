@@ -9,6 +9,7 @@
 #include "renderer/frame/frame.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/settings.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -58,14 +59,10 @@ void finding_row(Settings& settings, const std::optional<MarkedTexel>& marked_te
                           is_of_map(f) ? "\nClick to see the worst in the map viewer"
                           : f.image    ? "\nClick to probe the worst pixel"
                                        : "");
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(f.place.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(fmt::format("{} {}{}", f.count, f.unit, f.count == 1 ? "" : "s").c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(at.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(fmt::format("{}, {}   {:.6g}", f.worst.x, f.worst.y, f.value).c_str());
+    text_cell(f.place);
+    text_cell(fmt::format("{} {}{}", f.count, f.unit, f.count == 1 ? "" : "s"));
+    text_cell(at);
+    text_cell(fmt::format("{}, {}   {:.6g}", f.worst.x, f.worst.y, f.value));
 }
 
 std::string count_text(std::size_t count) {
@@ -87,8 +84,7 @@ void draw_memory(const MemoryReport& memory) {
     for (const MemoryUse& h : memory.holders) {
         ImGui::TableNextRow();
         for (const std::string& text : {h.holder, bytes_text(h.bytes), bytes_text(h.most), count_text(h.count)}) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(text.c_str());
+            text_cell(text);
         }
     }
     ImGui::EndTable();
@@ -116,9 +112,7 @@ void draw_health(Settings& settings, const std::optional<MarkedTexel>& marked, c
             "{} numbers in {} images, and every matrix and block: no NaN, nothing infinite, depths and "
             "visibility within 0 to 1, no variance below 0, no exponent beyond its format.",
             health.numbers, health.images);
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", searched.c_str());
-        ImGui::PopTextWrapPos();
+        coloured_wrapped(searched, theme::muted());
         return;
     }
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |

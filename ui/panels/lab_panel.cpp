@@ -15,19 +15,13 @@
 #include "ui/state/shown_light.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/progress_bar.h"
-#include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
-
-void heading(const char* text) {
-    ImGui::PushFont(theme::strong());
-    ImGui::TextUnformatted(text);
-    ImGui::PopFont();
-}
 
 /// Draws the buttons that show or hide the overlays of the error of single precision.
 void precision_overlays(Settings& settings) {
@@ -44,7 +38,7 @@ void precision_overlays(Settings& settings) {
 }
 
 void place_rows(Settings& settings) {
-    heading("Where the scene is");
+    strong_text("Where the scene is");
     if (!ImGui::BeginTable("place", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return;
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.44f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.56f);
@@ -72,9 +66,7 @@ bool measure_button(const char* label, const char* about, const std::optional<Se
         ImGui::SameLine();
         progress_bar(running->progress, fmt::format("{:.0f} %  {}", 100 * running->progress, running->about));
     } else {
-        ImGui::BeginDisabled(!ready);
-        pressed = ImGui::Button(label);
-        ImGui::EndDisabled();
+        pressed = button_if(ready, label);
         wrapped_tooltip(about);
     }
     return pressed;
@@ -104,7 +96,7 @@ std::string choice_label(std::string_view key, int value) {
 
 void pipelines_part(const Settings& settings, bool ready, const FrameResult* result, const LabFacts& facts,
                     LabRequests& requests) {
-    heading("Single precision against double");
+    strong_text("Single precision against double");
     if (measure_button("Compare ways",
                        "Draws the picture by each way of computing places in the map, in the background, and compares "
                        "each pixel's with double precision.",
@@ -129,13 +121,9 @@ void pipelines_part(const Settings& settings, bool ready, const FrameResult* res
     for (const PipelineError& e : facts.pipelines) {
         const bool used = e.origin == settings.map.origin && e.transform == settings.map.transform;
         ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, colour);
-        ImGui::TextUnformatted(fmt::format("{}{}, {}", used ? "\u25cf " : "",
-                                           choice_label("map.origin", index_of(e.origin)),
-                                           choice_label("map.transform", index_of(e.transform)))
-                                   .c_str());
-        ImGui::PopStyleColor();
+        text_cell(fmt::format("{}{}, {}", used ? "\u25cf " : "", choice_label("map.origin", index_of(e.origin)),
+                              choice_label("map.transform", index_of(e.transform))),
+                  colour);
         for (const double number : {e.texels.median, e.texels.p99, e.ulps.median, e.ulps.p99})
             right_cell(digits_text(number), colour);
         right_cell(fmt::format("{}", e.flips), colour);
@@ -169,7 +157,7 @@ void motion_widgets(ShimmerOptions& options) {
 }
 
 void shimmer_part(LabPanel& panel, bool ready, const LabFacts& facts, LabRequests& requests) {
-    heading("Shimmer");
+    strong_text("Shimmer");
     motion_widgets(panel.shimmer);
     if (measure_button("Measure shimmer",
                        "Moves the camera that maps are made for, or the light, by parts of a texel while the picture "
@@ -186,10 +174,7 @@ void shimmer_part(LabPanel& panel, bool ready, const LabFacts& facts, LabRequest
     const ImU32 colour = facts.shimmer_current ? theme::text() : theme::muted();
     for (const ShimmerShown& s : facts.shimmer) {
         ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::PushStyleColor(ImGuiCol_Text, colour);
-        ImGui::TextUnformatted(std::string(s.label).c_str());
-        ImGui::PopStyleColor();
+        text_cell(s.label, colour);
         right_cell(fmt::format("{:.2f}", s.shimmer.flips_a_step), colour);
         right_cell(fmt::format("{}", s.shimmer.max_flips), colour);
         right_cell(fmt::format("{}", s.shimmer.flipping_pixels), colour);

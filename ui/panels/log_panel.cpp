@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/state/log.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -35,9 +36,7 @@ void draw_log(Log& log, std::string_view shader_log) {
         ImGui::PopStyleColor();
     }
     if (!shader_log.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-        ImGui::TextUnformatted(shader_log.data(), shader_log.data() + shader_log.size());
-        ImGui::PopStyleColor();
+        coloured_text(shader_log, theme::error());
     }
     if (log.lines().empty() && shader_log.empty()) ImGui::TextDisabled("Nothing to report.");
     ImGui::PopTextWrapPos();

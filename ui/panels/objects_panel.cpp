@@ -19,6 +19,7 @@
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -166,9 +167,7 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
         return;
     }
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
-    ImGui::TextUnformatted(fmt::format("{} lost to culling", frame.lost_casters.size()).c_str());
-    ImGui::PopStyleColor();
+    coloured_text(fmt::format("{} lost to culling", frame.lost_casters.size()), theme::warning());
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Objects that are to cast a shadow but leave nothing in light %d's map: every one of their\n"
@@ -178,7 +177,7 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
     ImGui::Checkbox("Show only lost", &state.objects.only_lost);
     same_line_if_fits(button_width("Cast from both sides"));
     if (ImGui::Button("Cast from both sides")) cast_with_all_faces(state.settings, tree);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
+    plain_tooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
 
 /// Draws the arrow that opens or closes the rows below a node.

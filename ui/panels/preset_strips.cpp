@@ -12,6 +12,7 @@
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -123,7 +124,7 @@ bool hint_button(const char* label, const char* hint, bool enabled = true) {
     if (!enabled) ImGui::BeginDisabled();
     const bool pressed = ImGui::Button(label);
     if (!enabled) ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
+    plain_tooltip(hint, ImGuiHoveredFlags_AllowWhenDisabled);
     return pressed;
 }
 

@@ -16,8 +16,8 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
-#include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -28,8 +28,7 @@ void row(const char* name, const std::string& value, const char* about = nullptr
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(value.c_str());
+    text_cell(value);
     if (about && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
 }
 
@@ -51,9 +50,7 @@ bool begin_steps(const char* id) {
 
 void verdict(const std::string& text) {
     ImGui::PushFont(theme::strong());
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopFont();
 }
 
@@ -75,7 +72,7 @@ void amount_row(const char* name, const DepthShift& a, const char* about, const 
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
+    plain_tooltip(about);
     if (!std::isfinite(a.depth)) return right_cell(endless);
     right_cell(digits_text(a.texels));
     right_cell(metres_text(a.metres));
@@ -179,10 +176,9 @@ void window_bar(const PixelDiagnosis& d) {
     list.AddRectFilled({has - em * 0.08f, at.y - em * 0.12f}, {has + em * 0.08f, at.y + high + em * 0.12f},
                        theme::text());
     ImGui::Dummy({width, high});
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Green: every bias that is right here, from the least that this surface needs to the surface\n"
-            "that shadows it. The mark: the bias that it has. Orange: no bias is right.");
+    plain_tooltip(
+        "Green: every bias that is right here, from the least that this surface needs to the surface\n"
+        "that shadows it. The mark: the bias that it has. Orange: no bias is right.");
 }
 
 void reference_column(const PixelDiagnosis& d) {
@@ -212,9 +208,7 @@ std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
 void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
     verdict(d ? d->verdict : p.verdict);
     if (d) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", p.verdict.c_str());
-        ImGui::PopTextWrapPos();
+        coloured_wrapped(p.verdict, theme::muted());
     } else if (tracing) {
         ImGui::TextDisabled("tracing the reference...");
     }

@@ -15,6 +15,7 @@
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -209,7 +210,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
                  "; other engines' names count too");
     ImGui::SameLine();
     ImGui::Checkbox("Changed", &state.settings_panel.only_changed);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Only settings that differ from their defaults");
+    plain_tooltip("Only settings that differ from their defaults");
     ImGui::Dummy({0, em * 0.1f});
     ImGui::BeginChild("rows", {0, 0}, false);
     bool any = false;

@@ -17,6 +17,7 @@
 #include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
 
@@ -27,7 +28,7 @@ bool button(const char* label, const char* hint, bool enabled = true) {
     if (!enabled) ImGui::BeginDisabled();
     const bool pressed = ImGui::Button(label);
     if (!enabled) ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", hint);
+    plain_tooltip(hint, ImGuiHoveredFlags_AllowWhenDisabled);
     return pressed;
 }
 
@@ -35,7 +36,7 @@ void recent_menu(const char* label, std::span<const std::string> paths, std::opt
     if (!ImGui::BeginMenu(label, !paths.empty())) return;
     for (const std::string& path : paths) {
         if (ImGui::MenuItem((scene_label(path) + "##" + path).c_str())) request = path;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
+        plain_tooltip(path);
     }
     ImGui::EndMenu();
 }
@@ -51,7 +52,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     recent_menu("Recent presets", frame.recent_presets, requests.load_preset);
     ImGui::Separator();
     item("Save the preset", Command::SavePreset);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.files.preset_path.c_str());
+    plain_tooltip(state.files.preset_path);
     item("Save the preset as…", Command::SavePresetAs);
     item("Back to the saved preset", Command::RevertPreset);
     if (ImGui::IsItemHovered())
@@ -59,21 +60,19 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     ImGui::Separator();
     if (ImGui::MenuItem("Compare with a preset…")) state.window.open_tab = BottomTab::Compare;
     if (ImGui::MenuItem("Reset all to the scene's own settings")) requests.reset_all = true;
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("The program's defaults with what the scene suggests over them; undo gives all back");
+    plain_tooltip("The program's defaults with what the scene suggests over them; undo gives all back");
     item("Copy command line", Command::CopyCommandLine);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The command that renders this picture without a window");
+    plain_tooltip("The command that renders this picture without a window");
     if (ImGui::BeginMenu("Screenshot")) {
         item("of the scene", Command::SceneScreenshot);
         item("of the map", Command::MapScreenshot);
         item("of the window", Command::WindowScreenshot);
         if (ImGui::MenuItem("of the probe's drawing")) state.shots.next = Shot::Drawing;
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("As a PNG, and as an SVG of any size");
+        plain_tooltip("As a PNG, and as an SVG of any size");
         ImGui::EndMenu();
     }
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "A PNG in the preset's folder under a free name, which the log prints, and in the clipboard to paste");
+    plain_tooltip(
+        "A PNG in the preset's folder under a free name, which the log prints, and in the clipboard to paste");
     ImGui::Separator();
     item("Quit", Command::Quit);
     ImGui::EndPopup();
@@ -102,16 +101,14 @@ void scene_combo(EditorState& state, EditorRequests& requests, float width) {
 void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const auto before = neighbour_preset(state, frame, -1), after = neighbour_preset(state, frame, +1);
     if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) requests.load_preset = before;
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", with_key("The guided preset before", Command::PreviousPreset).c_str());
+    plain_tooltip(with_key("The guided preset before", Command::PreviousPreset));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Guided presets", "guided presets",
                 "Artefacts and their fixes, each with a sentence on what to look at", presets_menu_width());
     draw_presets_menu("guided presets", frame.presets, state, requests);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) requests.load_preset = after;
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", with_key("The guided preset after", Command::NextPreset).c_str());
+    plain_tooltip(with_key("The guided preset after", Command::NextPreset));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Hard cases", "hard cases", "Scenes in which shadow maps fail, each with and without the fix",
                 presets_menu_width());
@@ -141,8 +138,7 @@ void view_menu(EditorState& state, const char* label) {
         if (ImGui::MenuItem(name, key_text(Command::MaximisePanel))) toggle_maximised(state, which);
     ImGui::Separator();
     ImGui::MenuItem("Desktop's file dialogs", nullptr, &layout.desktop_dialogs);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Files are chosen in the desktop's own dialog where it has one, else in the editor's");
+    plain_tooltip("Files are chosen in the desktop's own dialog where it has one, else in the editor's");
     if (ImGui::MenuItem("Reset layout"))
         layout = {.map_place = layout.map_place,
                   .map_plots = layout.map_plots,

@@ -11,13 +11,14 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
+#include "ui/widgets/text.h"
 
 namespace si {
 namespace {
 
 void limit(const char* label, const char* about, bool& on, double& value, double step, const char* format) {
     ImGui::Checkbox(label, &on);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
+    plain_tooltip(about);
     ImGui::SameLine(ImGui::GetFontSize() * 11);
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
     ImGui::PushID(label);
@@ -37,10 +38,9 @@ void limits_popup(TunePanel& panel, TuneRequests& requests) {
           panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
     choose_cost("Time", panel.cost);
     ImGui::Checkbox("Area light (soft shadows)", &panel.area);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Compare with an area light (light.size). Compared with a point or direction, the hardest kernel\n"
-            "is always the most accurate one.");
+    plain_tooltip(
+        "Compare with an area light (light.size). Compared with a point or direction, the hardest kernel\n"
+        "is always the most accurate one.");
     const bool any = panel.bound_error || panel.bound_ms;
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {
@@ -87,10 +87,8 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
             ImGui::TextDisabled("acne");
         else
             ImGui::Text("%zu", f.wrong);
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(shown_length(f.gap_p95_m).c_str());
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(shown_length(f.shift_p95_m).c_str());
+        text_cell(shown_length(f.gap_p95_m));
+        text_cell(shown_length(f.shift_p95_m));
     }
     ImGui::EndTable();
 }
@@ -114,19 +112,16 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
     const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
     const bool narrow = room - others < button_width("Auto bias");
     if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = TuneRequest{};
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Compares this picture with the ray-traced reference and sets the smallest constant bias, slope bias or\n"
-            "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
-            "One step of undo; the log says what it costs.");
+    plain_tooltip(
+        "Compares this picture with the ray-traced reference and sets the smallest constant bias, slope bias or\n"
+        "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
+        "One step of undo; the log says what it costs.");
     if (!narrow) ImGui::SameLine();
     if (ImGui::Button("No bias")) remove_bias(settings);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s",
-                          with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias).c_str());
+    plain_tooltip(with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias));
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");
+    plain_tooltip("Search kernel and resolution, too, within limits of error and time");
     ImGui::EndGroup();
     ImGui::EndDisabled();
     if (!why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))

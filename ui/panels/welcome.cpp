@@ -4,6 +4,7 @@
 
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -27,7 +28,7 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
     ImGui::Dummy({0, em * 0.3f});
     const auto button = [&](const char* label, const char* help) {
         const bool pressed = ImGui::Button(label);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+        plain_tooltip(help);
         ImGui::SameLine();
         if (pressed) state.window.show_welcome = false;
         return pressed;

@@ -11,6 +11,7 @@
 #include "shaders/shared/colours.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -85,9 +86,7 @@ void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float
     for (const LegendWidget& w : widgets) {
         if (w.key != widgets.front().key) ImGui::SameLine(0, gap);
         ImGui::AlignTextToFramePadding();
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::kOnPicture);
-        ImGui::TextUnformatted(w.label.data(), w.label.data() + w.label.size());
-        ImGui::PopStyleColor();
+        coloured_text(w.label, theme::kOnPicture);
         ImGui::SameLine(0, gap);
         setting_widget(settings, w.key, em * w.ems);
     }

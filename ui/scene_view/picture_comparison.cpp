@@ -11,6 +11,7 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -105,10 +106,9 @@ void comparison_other_widget(EditorState& state, const EditorFrame& frame, float
         ImGui::EndCombo();
     }
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "The other side: light, maps, bias, filter and shading of a preset, or the traced reference of the\n"
-            "shown light, under the same camera. Choosing one begins to compare");
+    plain_tooltip(
+        "The other side: light, maps, bias, filter and shading of a preset, or the traced reference of the\n"
+        "shown light, under the same camera. Choosing one begins to compare");
 }
 
 bool steer_swipe(EditorState& state, const PictureView& view) {

@@ -11,6 +11,7 @@
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/slider.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -99,7 +100,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
         ImGui::SameLine();
     }
     ImGui::Checkbox("Loop", &state.playback.loop);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Begin again after the last key; else stop there");
+    plain_tooltip("Begin again after the last key; else stop there");
     if (!has_steady) return;
     ImGui::SameLine();
     if (!(end > 0)) ImGui::BeginDisabled();

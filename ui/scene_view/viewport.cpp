@@ -22,6 +22,7 @@
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
 #include "ui/widgets/tooltip.h"
@@ -46,7 +47,7 @@ bool toggle(const char* label, bool on, const char* help) {
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
     const bool pressed = ImGui::Button(label);
     if (on) ImGui::PopStyleColor(2);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+    plain_tooltip(help);
     return pressed;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ui/widgets/combo.h"
+#include "ui/widgets/text.h"
 
 namespace si {
 
@@ -18,7 +19,7 @@ void choose_cost(const char* label, CostCase& cost) {
         for (std::size_t i = 0; i < cost_cases().size(); ++i) {
             const CostRow& row = cost_cases()[i];
             if (ImGui::Selectable(std::string(row.when).c_str(), cost == CostCase(i))) cost = CostCase(i);
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(row.help).c_str());
+            plain_tooltip(std::string(row.help));
         }
         ImGui::EndCombo();
     } else if (ImGui::IsItemHovered()) {

@@ -15,6 +15,7 @@
 
 #include "renderer/base/lower_case.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -132,9 +133,7 @@ void draw_places(FileDialog& d, const EditorFrame& frame) {
     if (ImGui::Button("Home")) read_folder(d, home());
     ImGui::SameLine();
     const std::vector<std::string> recent = recent_folders(frame);
-    ImGui::BeginDisabled(recent.empty());
-    if (ImGui::Button("Recent")) ImGui::OpenPopup("recent folders");
-    ImGui::EndDisabled();
+    if (button_if(!recent.empty(), "Recent")) ImGui::OpenPopup("recent folders");
     wrapped_tooltip("Folders of scenes and presets that were opened lately");
     if (ImGui::BeginPopup("recent folders")) {
         for (const std::string& folder : recent)
@@ -245,9 +244,7 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorReques
                        (d.problem.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
     const auto entered = draw_entries(d, std::max(ImGui::GetContentRegionAvail().y - rows, em * 3));
     if (!d.problem.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-        ImGui::TextUnformatted(d.problem.c_str());
-        ImGui::PopStyleColor();
+        coloured_text(d.problem, theme::error());
     }
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (std::exchange(d.type_on, false) || appearing) ImGui::SetKeyboardFocusHere();

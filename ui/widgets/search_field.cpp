@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/widgets/ellipsis.h"
+#include "ui/widgets/text.h"
 
 namespace si {
 
@@ -22,7 +23,7 @@ void search_field(const char* id, const char* hint, std::string& text, float lea
     if (clears) {
         ImGui::SameLine(0, 0);
         if (ImGui::Button("×", {side, side})) text.clear();
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Clears the search");
+        plain_tooltip("Clears the search");
     }
     ImGui::PopID();
 }

@@ -20,6 +20,7 @@
 #include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/slider.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -55,9 +56,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     place_tooltip();
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kSettingTip * ImGui::GetFontSize());
-    ImGui::PushFont(theme::strong());
-    ImGui::TextUnformatted(p.label.data(), p.label.data() + p.label.size());
-    ImGui::PopFont();
+    strong_text(p.label);
     const float wide = kSettingTip * ImGui::GetFontSize() - ImGui::GetStyle().WindowPadding.x - 1;
     ImGui::TextUnformatted(broken_at_spaces(p.help, wide).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
@@ -73,9 +72,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     if (const auto idle = without_effect(settings, ref); !idle.empty()) {
         std::string text(idle);
         text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
-        ImGui::TextUnformatted((text + ".").c_str());
-        ImGui::PopStyleColor();
+        coloured_text(text + ".", theme::accent());
     }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
