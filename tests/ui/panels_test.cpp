@@ -218,12 +218,14 @@ TEST(Panels, MissingDriverFeaturesHaveNoEffect) {
     s.bias.raster_slope = 1;
     DriverInfo driver;
     driver.polygon_offset_clamp = true;
-    use_driver(&driver);
+    ImGui::CreateContext();
+    const SettingFacts facts{.driver = &driver};
+    use_setting_facts(&facts);
     EXPECT_TRUE(without_effect(s, *find_setting("bias.raster_clamp")).empty());
     driver.polygon_offset_clamp = false;
     EXPECT_NE(without_effect(s, *find_setting("bias.raster_clamp")).find("driver"), std::string_view::npos);
     EXPECT_TRUE(without_effect(s, *find_setting("bias.raster_slope")).empty());
-    use_driver(nullptr);
+    ImGui::DestroyContext();
 }
 
 TEST(Panels, LightSizeHasTheUnitOfItsType) {

@@ -73,11 +73,12 @@ TEST(Playback, StaticSceneHasNothingToPlay) {
     EXPECT_GT(time_bar_height(frame), 0);
     for (const char* key : {"scene.animation", "scene.time", "scene.fit_animation"}) {
         const SettingRef ref = *find_setting(key);
-        use_scene(&ui.scene);
+        SettingFacts facts{.scene = &ui.scene};
+        use_setting_facts(&facts);
         EXPECT_EQ(without_effect({}, ref), "without effect: the scene has no animation") << key;
-        use_scene(&moving);
+        facts.scene = &moving;
         EXPECT_EQ(without_effect({}, ref), "") << key;
-        use_scene(nullptr);
+        use_setting_facts(nullptr);
     }
     EXPECT_TRUE(scene_choices(&ui.scene, "scene.animation").empty());
     const NamedValues names = scene_choices(&moving, "scene.animation");

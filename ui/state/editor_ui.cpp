@@ -323,9 +323,8 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     state.shots.scene_rect = state.shots.map_rect = state.shots.drawing_rect = {};
     state.viewport.dragging = false;
     theme::set_light(state.layout.light_theme);
-    use_driver(frame.driver);
-    use_scene(frame.scene);
-    use_result(frame.result);
+    const SettingFacts setting_facts{frame.driver, frame.scene, frame.result};
+    use_setting_facts(&setting_facts);
     if (frame.result && frame.scene) keep_times(state.times, *frame.result, frame.scene->name, ImGui::GetTime());
     advance_animation(state, frame, double(ImGui::GetIO().DeltaTime));
     // In slow frames, a click in this frame may focus a text field that the typed letters belong to.
@@ -384,9 +383,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     requests.redraw |= state.playback.playing || turning_wheel || state.viewport.flight.moving;
     requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                        io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
-    use_driver(nullptr);  // its pointer is valid in this frame only
-    use_scene(nullptr);
-    use_result(nullptr);
+    use_setting_facts(nullptr);
     return requests;
 }
 

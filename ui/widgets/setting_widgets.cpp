@@ -47,9 +47,12 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-const DriverInfo* driver_in_use = nullptr;
-const FrameResult* result_in_use = nullptr;
-bool scene_has_animations = true;
+/// Returns the facts of the current ImGui context's setting widgets.
+const SettingFacts& facts_in_use() {
+    static constexpr SettingFacts kNone;
+    const void* const facts = ImGui::GetIO().UserData;
+    return facts ? *static_cast<const SettingFacts*>(facts) : kNone;
+}
 
 void tooltip(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
@@ -156,14 +159,15 @@ bool integer(const Param& p, int& value, const std::string& unit) {
 /// Returns the last frame's value of a setting that is 0 for automatic; NaN: not known.
 double automatic_value(const SettingRef& ref) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    if (!result_in_use) return kUnknown;
+    const FrameResult* const result = facts_in_use().result;
+    if (!result) return kUnknown;
     const std::string_view key = ref.param->key, field = key.substr(key.rfind('.') + 1);
     if (ref.param->scope != Scope::Light) {
-        const DepthCurve& curve = result_in_use->camera.curve;
+        const DepthCurve& curve = result->camera.curve;
         return field == "near" ? curve.near : field == "far" ? curve.far : kUnknown;
     }
-    if (std::size_t(ref.light) >= result_in_use->lights.size()) return kUnknown;
-    const FittedLight& light = result_in_use->lights[std::size_t(ref.light)];
+    if (std::size_t(ref.light) >= result->lights.size()) return kUnknown;
+    const FittedLight& light = result->lights[std::size_t(ref.light)];
     if (field == "distance") return light.distance_m;
     if (light.views.empty()) return kUnknown;
     return field == "near" ? light.views[0].curve.near : field == "far" ? light.views[0].curve.far : kUnknown;
@@ -268,22 +272,16 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
 
 }  // namespace
 
-void use_driver(const DriverInfo* driver) {
-    driver_in_use = driver;
-}
-
-void use_scene(const Scene* scene) {
-    scene_has_animations = !scene || (scene->rig && !scene->rig->animations.empty());
-}
-
-void use_result(const FrameResult* result) {
-    result_in_use = result;
+void use_setting_facts(const SettingFacts* facts) {
+    ImGui::GetIO().UserData = const_cast<SettingFacts*>(facts);  // ImGui takes a mutable pointer and only keeps it
 }
 
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
-    if (driver_in_use && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver_in_use->polygon_offset_clamp)
+    const auto& [driver, scene, result] = facts_in_use();
+    if (driver && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver->polygon_offset_clamp)
         return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
-    if (ref.param->animation_only && !scene_has_animations) return "without effect: the scene has no animation";
+    const bool moves = !scene || (scene->rig && !scene->rig->animations.empty());
+    if (ref.param->animation_only && !moves) return "without effect: the scene has no animation";
     return idle_reason(settings, ref);
 }
 

@@ -10,17 +10,15 @@
 
 namespace si {
 
-/// Sets the OpenGL driver for which setting widgets decide whether a setting has an effect; null: a driver that can do
-/// everything. The pointer has to stay valid until the next call.
-void use_driver(const DriverInfo* driver);
-
-/// Sets the scene for which setting widgets decide whether a setting has an effect (are there animations?); null: a
-/// scene with animations.
-void use_scene(const Scene* scene);
-
-/// Sets the frame whose light and camera give the numbers that setting widgets show for automatic values; null: not
-/// known. The pointer has to stay valid until the next call.
-void use_result(const FrameResult* result);
+/// Facts that decide whether a setting has an effect, and that give the numbers of automatic values.
+struct SettingFacts {
+    const DriverInfo* driver = nullptr;   ///< null: a driver that can do everything
+    const Scene* scene = nullptr;         ///< null: a scene with animations
+    const FrameResult* result = nullptr;  ///< frame whose light and camera give automatic values; null: not known
+};
+/// Sets the facts of the current ImGui context's setting widgets; null: none are known. The pointer has to stay valid
+/// until the next call.
+void use_setting_facts(const SettingFacts* facts);
 
 /// Returns the reason why a setting has no effect with the present driver, scene or other settings; empty: it has an
 /// effect.

@@ -69,12 +69,15 @@ constexpr Colours kLightTheme{.text = IM_COL32(26, 26, 27, 255),
                               .done = IM_COL32(222, 204, 158, 255),
                               .bar = IM_COL32(120, 120, 122, 255)};
 
-bool light_in_use = false;
+/// Returns true if the style of the current ImGui context has the light theme's colours.
+bool is_light() {
+    return ImGui::GetStyle().Colors[ImGuiCol_TitleBg].x > 0.5f;
+}
 
 /// Copies the theme's colours into the style of the current ImGui context.
-void set_colours() {
-    const Colours& theme = colours();
-    const auto by = [](float dark, float light) { return grey(light_in_use ? light : dark); };
+void set_colours(bool is_light) {
+    const Colours& theme = colours(is_light);
+    const auto by = [is_light](float dark, float light) { return grey(is_light ? light : dark); };
     ImVec4* c = ImGui::GetStyle().Colors;
     const auto of = ImGui::ColorConvertU32ToFloat4;
     c[ImGuiCol_Text] = of(theme.text);
@@ -102,7 +105,7 @@ void set_colours() {
     c[ImGuiCol_HeaderActive] = by(0.29f, 0.78f);
     c[ImGuiCol_Separator] = of(theme.line);
     c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = by(0.45f, 0.55f);
-    c[ImGuiCol_ResizeGrip] = grey(light_in_use ? 0.6f : 0.30f, 0.4f);
+    c[ImGuiCol_ResizeGrip] = grey(is_light ? 0.6f : 0.30f, 0.4f);
     c[ImGuiCol_ResizeGripHovered] = c[ImGuiCol_ResizeGripActive] = by(0.45f, 0.55f);
     c[ImGuiCol_Tab] = c[ImGuiCol_TabUnfocused] = of(theme.panel);
     c[ImGuiCol_TabHovered] = by(0.27f, 0.82f);
@@ -111,7 +114,7 @@ void set_colours() {
     c[ImGuiCol_TableHeaderBg] = by(0.165f, 0.90f);
     c[ImGuiCol_TableBorderStrong] = c[ImGuiCol_TableBorderLight] = by(0.20f, 0.82f);
     c[ImGuiCol_TableRowBg] = grey(0, 0);
-    c[ImGuiCol_TableRowBgAlt] = light_in_use ? grey(0, 0.025f) : grey(1, 0.018f);
+    c[ImGuiCol_TableRowBgAlt] = is_light ? grey(0, 0.025f) : grey(1, 0.018f);
     c[ImGuiCol_TextSelectedBg] = by(0.36f, 0.78f);
     c[ImGuiCol_NavHighlight] = by(0.6f, 0.4f);
     c[ImGuiCol_ModalWindowDimBg] = grey(0, 0.45f);
@@ -165,8 +168,7 @@ void apply_style(float scale) {
     style.PopupBorderSize = style.FrameBorderSize = 1;
 
     ImGui::GetStyle() = style;
-    light_in_use = false;
-    set_colours();
+    set_colours(false);
 }
 
 const Colours& colours(bool light) {
@@ -174,13 +176,11 @@ const Colours& colours(bool light) {
 }
 
 const Colours& colours() {
-    return colours(light_in_use);
+    return colours(is_light());
 }
 
 void set_light(bool light) {
-    if (light == light_in_use) return;
-    light_in_use = light;
-    set_colours();
+    if (light != is_light()) set_colours(light);
 }
 
 }  // namespace si::theme
