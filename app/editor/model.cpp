@@ -26,14 +26,10 @@ double steady_seconds() {
 }  // namespace
 
 BottomTab tab_named(const std::string& name) {
-    static const std::vector<std::pair<std::string, BottomTab>> kTabs = {
-        {"effects", BottomTab::Effects}, {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
-        {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
-        {"advice", BottomTab::Advice},   {"lab", BottomTab::Lab},         {"numbers", BottomTab::Numbers},
-        {"log", BottomTab::Log}};
     std::string names;
-    for (const auto& [key, tab] : kTabs) {
-        if (key == name || name.empty()) return tab;
+    for (int i = 0; i < kBottomTabs; ++i) {
+        const std::string key = lower_ascii(kTabLabels[i]);
+        if (key == name || name.empty()) return BottomTab(i);
         names += (names.empty() ? "" : ", ") + key;
     }
     throw UsageError(fmt::format("--tab {}: it is one of {}", name, names));

@@ -12,18 +12,18 @@ namespace {
 
 constexpr double kLayoutSeconds = 1;  ///< time without changes before the layout is written
 
-std::string whole_path(const std::string& path) {
-    std::error_code error;
-    const std::filesystem::path whole = std::filesystem::absolute(path, error);
-    return error ? path : whole.lexically_normal().string();
-}
-
 std::string count_text(double number, const char* unit) {
     const long n = std::max(1L, std::lround(number));
     return fmt::format("{} {}{} ago", n, unit, n == 1 ? "" : "s");
 }
 
 }  // namespace
+
+std::string whole_path(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(path, error);
+    return (error ? path : whole).lexically_normal().string();
+}
 
 std::string age_text(double seconds) {
     if (seconds < 60) return "less than a minute ago";

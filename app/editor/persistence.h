@@ -49,6 +49,8 @@ private:
     std::optional<EditorLayout> seen_layout_;
 };
 
+/// Returns a path as absolute and without "." and "..".
+std::string whole_path(const std::filesystem::path& path);
 /// Formats the age of a file in words: "3 minutes ago". @param seconds age
 std::string age_text(double seconds);
 

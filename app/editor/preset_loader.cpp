@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/persistence.h"
 #include "renderer/scenes/builtin.h"
 #include "ui/state/shortcuts.h"
 
@@ -11,12 +12,6 @@ namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string whole_path(const fs::path& path) {
-    std::error_code error;
-    const fs::path whole = fs::absolute(path, error);
-    return (error ? path : whole).lexically_normal().string();
-}
 
 /// Returns the scene's name to store in a preset file: a relative path if the scene is below the preset's folder, else
 /// an absolute one, so that the preset loads from any working directory.

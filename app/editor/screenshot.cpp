@@ -15,19 +15,8 @@ namespace {
 
 constexpr int kMaxShots = 100000;
 
-const char* part_of(Shot of) {
-    switch (of) {
-        case Shot::Scene:
-            return "scene";
-        case Shot::Map:
-            return "map";
-        case Shot::Drawing:
-            return "drawing";
-        case Shot::Window:
-            break;
-    }
-    return "window";
-}
+/// Parts of file names, by Shot.
+constexpr const char* kParts[] = {"scene", "map", "window", "drawing"};
 
 /// Converts a scene's name ("hard/bias", "/a/fox.glb") to a part of a file name.
 std::string plain_name(const std::string& scene) {
@@ -66,7 +55,7 @@ std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const s
                                       const std::filesystem::path& folder, const std::string& svg) {
     const std::string name = plain_name(scene);
     for (int number = 1; number < kMaxShots; ++number) {
-        const std::filesystem::path path = folder / fmt::format("{}-{}-{}.png", name, part_of(of), number);
+        const std::filesystem::path path = folder / fmt::format("{}-{}-{}.png", name, kParts[int(of)], number);
         const std::filesystem::path drawing = std::filesystem::path(path).replace_extension(".svg");
         if (!make_empty_file(path)) continue;
         std::error_code ignored;

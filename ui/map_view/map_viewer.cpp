@@ -44,14 +44,8 @@ void save_menu(EditorState& state, EditorRequests& requests) {
                 "linear), .png the picture as shown",
                 ImGui::GetFontSize() * 24);
     if (!ImGui::BeginPopup("save map")) return;
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map.save_path,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::SameLine();
-    if ((ImGui::Button("Write") || entered) && !state.map.save_path.empty()) {
+    if (path_input("##file", "file.pfm or file.png", state.map.save_path, "Write"))
         requests.save_map = state.map.save_path;
-        ImGui::CloseCurrentPopup();
-    }
     ImGui::EndPopup();
 }
 
@@ -320,10 +314,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     const MapRect rect = place(state.map.window, origin, size, n);
     const ImVec2 rect_end(rect.lo.x + rect.size.x, rect.lo.y + rect.size.y);
     list.PushClipRect(origin, end, true);
-    list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(result.map_view.texture)), rect.lo, rect_end, {0, 1},
-                  {1, 0});                                                  // stored bottom row first
-    if (const Image* marks = camera ? nullptr : exact_marks(state, frame))  // one channel: red or black
-        list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(marks->texture)), rect.lo, rect_end, {0, 1}, {1, 0},
+    list.AddImage(texture_id(result.map_view.texture), rect.lo, rect_end, {0, 1}, {1, 0});  // stored bottom row first
+    if (const Image* marks = camera ? nullptr : exact_marks(state, frame))                  // one channel: red or black
+        list.AddImage(texture_id(marks->texture), rect.lo, rect_end, {0, 1}, {1, 0},
                       faded(IM_COL32_WHITE, kMarksOpacity));
     list.AddRect(rect.lo, rect_end, theme::line());
     const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // texels of the shown mip level

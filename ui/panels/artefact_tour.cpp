@@ -10,6 +10,7 @@
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/view/cameras/make_camera.h"
+#include "ui/scene_view/camera_gesture.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/editor_ui.h"
 
@@ -43,9 +44,7 @@ void look_at_spot(CameraSettings& camera, const ArtefactSpots& of, const Artefac
     const glm::ivec2 size = spot.last - spot.first + 1;
     const double closer =
         std::clamp(double(std::max(size.x, size.y)) / (kShareOfHeight * std::max(of.height, 1)), kClosest, 1.0);
-    camera.target_x = spot.position_ws.x;
-    camera.target_y = spot.position_ws.y;
-    camera.target_z = spot.position_ws.z;
+    set_target(camera, spot.position_ws);
     if (of.camera.orthographic) {
         camera.height = of.camera.height * closer;
         return;
@@ -68,9 +67,7 @@ void centre_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dv
     const glm::dvec2 off = glm::dvec2(at) - glm::round(glm::dvec2(at));
     const glm::dvec3 move = view.metres_per_pixel(point) * (off.x * made.axes[0] - off.y * made.axes[1]);
     CameraSettings& camera = state.settings.camera;
-    camera.target_x += move.x;
-    camera.target_y += move.y;
-    camera.target_z += move.z;
+    set_target(camera, target_of(camera) + move);
 }
 
 void go_to_spot(EditorState& state, const EditorFrame& frame) {

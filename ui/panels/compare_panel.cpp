@@ -18,29 +18,22 @@
 #include "ui/widgets/theme.h"
 
 namespace si {
+
 std::string reference_label(const CompareWith& with) {
-    switch (with.kind) {
-        case CompareKind::Scene:
-            return "the scene's own settings";
-        case CompareKind::Defaults:
-            return "the program's defaults";
-        case CompareKind::Pinned:
-            return "pinned A";
-        case CompareKind::Preset:
-            break;
-    }
-    return with.preset;
+    if (with.kind == CompareKind::Preset) return with.preset;
+    return with.kind == CompareKind::Scene      ? "the scene's own settings"
+           : with.kind == CompareKind::Defaults ? "the program's defaults"
+                                                : "pinned A";
 }
 
-namespace {
-
-/// Returns reference_label() with a guided preset's title, and a file without its folders.
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets) {
     if (with.kind != CompareKind::Preset) return reference_label(with);
     for (const PresetEntry& p : presets)
         if (p.key == with.preset) return p.title.empty() ? p.key : p.title;
     return scene_label(with.preset);
 }
+
+namespace {
 
 void reference_combo(CompareWith& compare, bool pinned, const PresetsFacts& presets) {
     if (!begin_combo("##reference", shown_label(compare, presets.presets), ImGuiComboFlags_HeightLarge)) return;

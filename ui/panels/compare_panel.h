@@ -2,12 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "renderer/settings/settings.h"
 
 namespace si {
 
+struct PresetEntry;
 struct PresetRequests;
 struct PresetsFacts;
 
@@ -37,6 +39,8 @@ struct ComparisonFacts {
 
 /// Returns the name of the settings to compare with: "the scene's own settings", or a preset's key or path.
 std::string reference_label(const CompareWith& with);
+/// Returns reference_label() with a guided preset's title, and a file without its folders.
+std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets);
 
 /// Draws the panel Compare: the settings that differ from those of `other`.
 /// @param compare choice, changed by the combo @param pinned offered as a choice @param scene_name shown scene

@@ -146,14 +146,8 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& r
     if (button_if(there, "Save…")) ImGui::OpenPopup("save error");
     plain_tooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered = ImGui::InputTextWithHint("##file", "file.json", &state.error_panel.save_path,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::SameLine();
-    if ((ImGui::Button("Write") || entered) && !state.error_panel.save_path.empty()) {
+    if (path_input("##file", "file.json", state.error_panel.save_path, "Write"))
         requests.save_error = state.error_panel.save_path;
-        ImGui::CloseCurrentPopup();
-    }
     ImGui::EndPopup();
 }
 

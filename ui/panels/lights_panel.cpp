@@ -17,6 +17,7 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -31,15 +32,6 @@ float shown(double linear) {
 double linear(float shown) {
     const double v = std::clamp(double(shown), 0.0, 1.0);
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
-
-/// Draws a button that looks pressed while `on`. Returns true at a click.
-bool toggle(const char* label, bool on, ImVec2 size = {0, 0}) {
-    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
-    const bool pressed = ImGui::Button(label, size);
-    if (on) ImGui::PopStyleColor(2);
-    return pressed;
 }
 
 /// Draws the widgets of a light's colour and intensity. @param number number of the light, for its setting keys
@@ -110,7 +102,7 @@ void light_row(EditorState& state, int i, bool intensities) {
                                 setting_key(*find_setting(fmt::format("light.{}.on", i)))));
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(s.light_count < 2);
-    if (toggle("Solo", s.light_count > 1 && is_solo(s, i))) solo_light(s, i);
+    if (toggle_button("Solo", s.light_count > 1 && is_solo(s, i))) solo_light(s, i);
     ImGui::EndDisabled();
     wrapped_tooltip("Switches all others off; again: all on");
     ImGui::TableNextColumn();
@@ -130,9 +122,7 @@ void list_buttons(Settings& s) {
                         {ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetStyle().ItemSpacing.y});
     const auto button = [&](bool possible, const char* label, const std::string& tip) {
         if (!std::exchange(first, false)) same_line_if_fits(button_width(label));
-        ImGui::BeginDisabled(!possible);
-        const bool pressed = ImGui::Button(label);
-        ImGui::EndDisabled();
+        const bool pressed = button_if(possible, label);
         wrapped_tooltip(tip);
         return pressed;
     };
@@ -161,7 +151,7 @@ void cube_cross(Settings& s, const FrameResult& result) {
     for (int face = 0; face < kFaces; ++face) {
         const std::string mark = view_short_name(ViewChoice::Face, std::size_t(face));
         ImGui::SetCursorPos({at.x + float(kColumn[face]) * (size.x + gap), at.y + float(kRow[face]) * (size.y + gap)});
-        if (toggle(mark.c_str(), face == now, size)) s.view.face = face;
+        if (toggle_button(mark.c_str(), face == now, size)) s.view.face = face;
         wrapped_tooltip(fmt::format("The map viewer shows the face towards {}", mark));
     }
     ImGui::SetCursorPos({at.x + float(kAcross) * (size.x + gap) + em * 0.3f, at.y + size.y + gap});

@@ -120,14 +120,6 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
     ImGui::PopStyleColor();
 }
 
-bool hint_button(const char* label, const char* hint, bool enabled = true) {
-    if (!enabled) ImGui::BeginDisabled();
-    const bool pressed = ImGui::Button(label);
-    if (!enabled) ImGui::EndDisabled();
-    plain_tooltip(hint, ImGuiHoveredFlags_AllowWhenDisabled);
-    return pressed;
-}
-
 /// Returns the runs of a preset's note: "3/38  Title  Description."
 std::vector<Run> note_runs(std::span<const PresetEntry> sequence, const std::string& key, const std::string& title,
                            const std::string& about) {
@@ -159,11 +151,11 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& re
     }
     strip("guide", width, buttons, runs, std::min(lines, kMaxLines), [&] {
         if (built_in) {
-            if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset).c_str(),
+            if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset),
                             at != sequence.begin()))
                 requests.load_preset = neighbour_preset(state, frame, -1);
             ImGui::SameLine();
-            if (hint_button("Next", with_key("The preset after this", Command::NextPreset).c_str(),
+            if (hint_button("Next", with_key("The preset after this", Command::NextPreset),
                             std::next(at) != sequence.end()))
                 requests.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
@@ -192,7 +184,7 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& re
         "here.";
     strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::error()}},
           0, [&] {
-              if (hint_button("Save now", fmt::format("Writes {}", state.files.preset_path).c_str()))
+              if (hint_button("Save now", fmt::format("Writes {}", state.files.preset_path)))
                   requests.save_preset = state.files.preset_path;
               ImGui::SameLine();
               if (hint_button("Save as…", "Under another name"))

@@ -24,14 +24,6 @@
 namespace si {
 namespace {
 
-bool button(const char* label, const char* hint, bool enabled = true) {
-    if (!enabled) ImGui::BeginDisabled();
-    const bool pressed = ImGui::Button(label);
-    if (!enabled) ImGui::EndDisabled();
-    plain_tooltip(hint, ImGuiHoveredFlags_AllowWhenDisabled);
-    return pressed;
-}
-
 void recent_menu(const char* label, std::span<const std::string> paths, std::optional<std::string>& request) {
     if (!ImGui::BeginMenu(label, !paths.empty())) return;
     for (const std::string& path : paths) {
@@ -87,14 +79,8 @@ void scene_combo(EditorState& state, EditorRequests& requests, float width) {
         if (ImGui::IsItemHovered() && !scene.help.empty()) ImGui::SetTooltip("%s", std::string(scene.help).c_str());
     }
     ImGui::Separator();
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered = ImGui::InputTextWithHint("##path", "path of a .gltf or .glb file", &state.files.scene_input,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::SameLine();
-    if ((ImGui::Button("Open") || entered) && !state.files.scene_input.empty()) {
+    if (path_input("##path", "path of a .gltf or .glb file", state.files.scene_input, "Open"))
         requests.load_scene = state.files.scene_input;
-        ImGui::CloseCurrentPopup();
-    }
     ImGui::EndCombo();
 }
 
@@ -199,21 +185,22 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
     bar.item("", arrows + button_width("Hard cases"), [&](float) { guided_presets(state, frame, requests); });
     bar.space(em);
     bar.item("", button_width("Undo"), [&](float) {
-        if (button("Undo", key_text(Command::Undo), state.history.can_undo() || state.playback.playing)) undo(state);
+        if (hint_button("Undo", key_text(Command::Undo), state.history.can_undo() || state.playback.playing))
+            undo(state);
     });
     bar.item("", button_width("Redo"), [&](float) {
-        if (button("Redo", key_text(Command::Redo), state.history.can_redo())) redo(state);
+        if (hint_button("Redo", key_text(Command::Redo), state.history.can_redo())) redo(state);
     });
     bar.space(close);
     bar.item("", button_width("Steps"), [&](float) { steps_menu(state); });
     bar.space(em);
     bar.item("", button_width("Compare"), [&](float) {
-        if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
+        if (hint_button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
             state.window.open_tab = BottomTab::Compare;
     });
     bar.space(em);
     bar.item("", button_width("Save"), [&](float) {
-        if (button("Save", with_key("Writes " + state.files.preset_path, Command::SavePreset).c_str()))
+        if (hint_button("Save", with_key("Writes " + state.files.preset_path, Command::SavePreset)))
             requests.save_preset = state.files.preset_path;
     });
     bar.end();
@@ -222,8 +209,7 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
     ImGui::SameLine(std::max(edge, 0.0f));
     view_menu(state, view);
     ImGui::SameLine(0, close);
-    if (button(help, with_key("Mouse and keyboard", Command::ToggleOverview).c_str()))
-        state.window.show_shortcuts = true;
+    if (hint_button(help, with_key("Mouse and keyboard", Command::ToggleOverview))) state.window.show_shortcuts = true;
 }
 
 }  // namespace si

@@ -19,6 +19,12 @@ double wrapped(double degrees) {
     return std::remainder(degrees, 360.0);
 }
 
+glm::dvec3 back_of(const CameraSettings& camera) {
+    return direction_from_angles(camera.azimuth, camera.elevation);
+}
+
+}  // namespace
+
 glm::dvec3 target_of(const CameraSettings& camera) {
     return {camera.target_x, camera.target_y, camera.target_z};
 }
@@ -28,12 +34,6 @@ void set_target(CameraSettings& camera, const glm::dvec3& target) {
     camera.target_y = target.y;
     camera.target_z = target.z;
 }
-
-glm::dvec3 back_of(const CameraSettings& camera) {
-    return direction_from_angles(camera.azimuth, camera.elevation);
-}
-
-}  // namespace
 
 void orbit_camera(CameraSettings& camera, double dx, double dy) {
     camera.azimuth = wrapped(camera.azimuth - dx * kDegreesPerPixel);

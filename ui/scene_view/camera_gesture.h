@@ -8,6 +8,10 @@
 
 namespace si {
 
+/// Returns the point that the camera looks at, world.
+glm::dvec3 target_of(const CameraSettings& camera);
+/// Sets the point that the camera looks at, world.
+void set_target(CameraSettings& camera, const glm::dvec3& target);
 /// Orbits the camera about its target. @param dx, dy mouse movement, pixels, y down
 void orbit_camera(CameraSettings& camera, double dx, double dy);
 /// Pans the camera: moves eye and target so that the point at the focus stays under the mouse.

@@ -15,23 +15,12 @@ namespace {
 
 /// Returns the colour of self-shadowed taps: that of acne in the artefact overlay.
 ImU32 self_shadow() {
-    const auto& rgb = artefact_styles()[std::size_t(Artefact::Acne) - 1].rgb;
-    return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+    return theme::rgb(artefact_styles()[std::size_t(Artefact::Acne) - 1].rgb);
 }
 
-const char* meets_text(const KernelTap& t) {
-    switch (t.meets) {
-        case KernelTap::Meets::Nothing:
-            return "nothing was drawn there";
-        case KernelTap::Meets::Own:
-            return "the surface itself";
-        case KernelTap::Meets::Nearer:
-            return "a surface nearer to the light";
-        case KernelTap::Meets::Farther:
-            return "a surface farther from the light";
-    }
-    return "";
-}
+/// Texts of KernelTap::Meets.
+constexpr const char* kMeets[] = {"nothing was drawn there", "the surface itself", "a surface nearer to the light",
+                                  "a surface farther from the light"};
 
 void tooltip(const KernelTap& t) {
     const std::string text = fmt::format(
@@ -41,7 +30,7 @@ void tooltip(const KernelTap& t) {
         "own plane {:.8f}\n"
         "weighs {:.3g} % of the kernel",
         t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, in shadow", t.stored, metres_text(t.stored_m),
-        meets_text(t), t.compared, t.plane, 100 * t.weight);
+        kMeets[int(t.meets)], t.compared, t.plane, 100 * t.weight);
     ImGui::SetTooltip("%s", text.c_str());
 }
 

@@ -41,28 +41,11 @@ bool is_cone(LightHandle h) {
 }
 
 std::string_view handle_name(LightHandle h) {
-    switch (h) {
-        case LightHandle::Position:
-            return "Place";
-        case LightHandle::AxisX:
-            return "Place along x";
-        case LightHandle::AxisY:
-            return "Place along y";
-        case LightHandle::AxisZ:
-            return "Place along z";
-        case LightHandle::Direction:
-            return "Direction";
-        case LightHandle::Target:
-            return "Target";
-        case LightHandle::Range:
-            return "Range";
-        case LightHandle::Near:
-            return "Near plane";
-        case LightHandle::Far:
-            return "Far plane";
-        default:
-            return is_cone(h) ? "Cone" : "Extent";
-    }
+    constexpr std::string_view kNames[] = {"Place",      "Place along x", "Place along y", "Place along z", "Direction",
+                                           "Target",     "Extent",        "Extent",        "Extent",        "Extent",
+                                           "Cone",       "Cone",          "Cone",          "Cone",          "Range",
+                                           "Near plane", "Far plane"};
+    return kNames[index_of(h)];
 }
 
 LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, int face) {

@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "ui/state/panels.h"
-#include "ui/widgets/button_width.h"
-#include "ui/widgets/theme.h"
 
 namespace si {
 namespace {
@@ -26,20 +24,9 @@ void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left
     if (!frame.loading) return;
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     const float wide = std::min(width - 2 * pad, em * 28);
-    ImGui::SetCursorScreenPos({left + (width - wide) / 2, top + em * 2});
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
-    // The strip is a window of its own, so that the mouse over it does not act on the picture.
-    ImGui::BeginChild("loading", {wide, ImGui::GetFrameHeight() + 2 * pad}, false,
-                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-    const float button = button_width("Cancel");
-    const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
-    progress_bar(frame.loading->progress, loading_text(*frame.loading), std::max(bar, em));
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel")) requests.cancel_load = true;
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
+    if (progress_strip("loading", left + (width - wide) / 2, top + em * 2, wide, frame.loading->progress,
+                       loading_text(*frame.loading)))
+        requests.cancel_load = true;
 }
 
 }  // namespace si

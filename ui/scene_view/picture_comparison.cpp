@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/scene_view/picture_marks.h"
+#include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
@@ -16,10 +17,6 @@
 
 namespace si {
 namespace {
-
-ImTextureID texture_id(unsigned texture) {
-    return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
-}
 
 constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
@@ -33,13 +30,7 @@ std::string visible_side(const EditorState& state) {
 }
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
-    if (state.comparison.reference) return "ray-traced reference";
-    if (state.compare.kind == CompareKind::Pinned) return "pinned A";
-    if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
-    if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
-    for (const PresetEntry& p : frame.presets)
-        if (p.key == state.compare.preset) return p.title.empty() ? p.key : p.title;
-    return scene_label(state.compare.preset);
+    return state.comparison.reference ? "ray-traced reference" : shown_label(state.compare, frame.presets);
 }
 
 std::string other_side(const EditorState& state, const EditorFrame& frame) {

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <string>
 
 #include "ui/scene_view/picture_view.h"
@@ -44,6 +45,11 @@ private:
 
 inline ImVec2 to_imgui(const glm::dvec2& p) {
     return {float(p.x), float(p.y)};
+}
+
+/// Returns ImGui's handle of a texture.
+inline ImTextureID texture_id(unsigned texture) {
+    return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
 }
 
 /// Returns the colour with another alpha, 0..255.

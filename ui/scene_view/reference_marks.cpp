@@ -9,7 +9,6 @@
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "ui/state/panels.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -69,25 +68,11 @@ void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left
     if (!frame.reference || frame.reference->current) return;
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     const float wide = std::min(width - 2 * pad, em * 24);
-    ImGui::SetCursorScreenPos({left + (width - wide) / 2, bottom - ImGui::GetFrameHeight() - 4 * pad});
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
-    ImGui::BeginChild("tracing", {wide, ImGui::GetFrameHeight() + 2 * pad}, false,
-                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-    const std::string text = reference_status(frame);
-    if (frame.reference->doing.empty()) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(text.c_str());
-    } else {
-        const float button = button_width("Cancel");
-        const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
-        progress_bar(frame.reference->progress, text, std::max(bar, em));
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel")) requests.cancel_reference = true;
-    }
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-    ImGui::PopStyleColor();
+    const ReferenceFacts& t = *frame.reference;
+    const std::optional<double> progress = t.doing.empty() ? std::nullopt : std::optional(t.progress);
+    if (progress_strip("tracing", left + (width - wide) / 2, bottom - ImGui::GetFrameHeight() - 4 * pad, wide, progress,
+                       reference_status(frame)))
+        requests.cancel_reference = true;
 }
 
 }  // namespace si

@@ -30,10 +30,6 @@
 namespace si {
 namespace {
 
-ImTextureID texture_id(unsigned texture) {
-    return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
-}
-
 /// Returns true if a light's source is ray traced or a light map, and is not computed yet.
 bool awaits_rays(const FrameResult& result) {
     const auto awaits = [](const auto& n) { return n.key != 0 && !n.met; };
@@ -41,12 +37,8 @@ bool awaits_rays(const FrameResult& result) {
            std::any_of(result.light_maps.begin(), result.light_maps.end(), awaits);
 }
 
-/// Draws a button that looks pressed while `on`. Returns true at a click.
-bool toggle(const char* label, bool on, const char* help) {
-    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
-    const bool pressed = ImGui::Button(label);
-    if (on) ImGui::PopStyleColor(2);
+bool toggle(const char* label, bool on, const std::string& help) {
+    const bool pressed = toggle_button(label, on);
     plain_tooltip(help);
     return pressed;
 }
@@ -70,16 +62,15 @@ void header(EditorState& state, const EditorFrame& frame) {
     });
     bar.item("", button_width("Through light"), [&](float) {
         if (toggle("Through light", s.camera.source == CameraSource::Light,
-                   (with_key("Look through the shown light", Command::ToggleLightCamera) + "\ncamera.source").c_str()))
+                   with_key("Look through the shown light", Command::ToggleLightCamera) + "\ncamera.source"))
             toggle_light_camera(state);
     });
     bar.item("", button_width("Freeze view"), [&](float) {
         if (toggle("Freeze view", state.frozen.has_value(),
-                   (with_key("Keep this camera and fly about with another", Command::ToggleFrozenCamera) +
-                    ": maps that follow a camera, cascades too, stay\n"
-                    "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
-                    "those that it reads.")
-                       .c_str()))
+                   with_key("Keep this camera and fly about with another", Command::ToggleFrozenCamera) +
+                       ": maps that follow a camera, cascades too, stay\n"
+                       "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
+                       "those that it reads."))
             toggle_frozen_camera(state, frame);
     });
     bar.item("Lights", ImGui::GetFrameHeight(), [&s](float room) { setting_widget(s, "view.frustum", room); });

@@ -81,7 +81,8 @@ Dragged splitter(const char* id, bool vertical, ImVec2 size) {
     return {.by = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y};
 }
 
-void tab(EditorState& state, BottomTab which, const char* label, const auto& draw) {
+void tab(EditorState& state, BottomTab which, const auto& draw, const char* label = nullptr) {
+    if (!label) label = kTabLabels[int(which)];
     const bool asked = state.window.open_tab == which;
     if (!ImGui::BeginTabItem(label, nullptr, asked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) return;
     if (!state.window.open_tab && state.tab != which) state.window.fitted_tab = which;
@@ -123,24 +124,25 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
         flags |= ImGuiTabBarFlags_TabListPopupButton;
     if (!ImGui::BeginTabBar("bottom", flags)) return;
     const auto asked = state.window.open_tab;
-    tab(state, BottomTab::Effects, "Effects",
+    tab(state, BottomTab::Effects,
         [&] { draw_effects(state.effects, state.times, frame.result, frame.driver, frame, requests); });
-    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, requests); });
-    tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, requests); });
-    tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
-    tab(state, BottomTab::Compare, "Compare", [&] {
+    tab(state, BottomTab::Probe, [&] { draw_probe(state, frame, requests); });
+    tab(state, BottomTab::Error, [&] { draw_error(state, frame, requests); });
+    tab(state, BottomTab::Objects, [&] { draw_objects(state, frame); });
+    tab(state, BottomTab::Compare, [&] {
         draw_compare(state.compare, state.settings, state.pinned, state.scene_name, frame.comparison, frame, requests);
     });
-    tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, requests); });
-    tab(state, BottomTab::Advice, "Advice",
+    tab(state, BottomTab::Frontier, [&] { draw_frontier(state, frame, requests); });
+    tab(state, BottomTab::Advice,
         [&] { draw_advice_panel(state.advice, state.settings, frame.scene != nullptr, frame, requests); });
-    tab(state, BottomTab::Lab, "Lab",
+    tab(state, BottomTab::Lab,
         [&] { draw_lab(state.lab, state.settings, frame.scene, frame.result, frame, requests); });
-    tab(state, BottomTab::Numbers, "Numbers", [&] { numbers_tab(state, frame, requests); });
+    tab(state, BottomTab::Numbers, [&] { numbers_tab(state, frame, requests); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-    tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state.log, frame.shader_log); });
+    tab(
+        state, BottomTab::Log, [&] { draw_log(state.log, frame.shader_log); }, log.c_str());
     if (errors > 0) ImGui::PopStyleColor();
     if (asked == state.tab) state.window.open_tab.reset();
     requests.redraw |= state.window.open_tab.has_value();
@@ -168,38 +170,19 @@ auto spaced(const auto& draw) {
     };
 }
 
-void panel(EditorState& state, Panel which, const char* id, ImVec2 size, const auto& draw) {
-    child(id, size, spaced(draw));
+/// Draws one of the window's panels.
+void draw_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, Panel which, ImVec2 size) {
+    constexpr const char* kIds[] = {"scene", "map", "bottom"};
+    constexpr decltype(&bottom_tabs) kDraws[] = {draw_viewport, draw_map_viewer, bottom_tabs};
+    child(kIds[int(which)], size, spaced([&] { kDraws[int(which)](state, frame, requests); }));
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.window.hovered_panel = which;
-}
-
-void scene_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
-    panel(state, Panel::Scene, "scene", size, [&] { draw_viewport(state, frame, requests); });
-}
-
-void map_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
-    panel(state, Panel::Map, "map", size, [&] { draw_map_viewer(state, frame, requests); });
-}
-
-void tabs_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
-    panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, requests); });
 }
 
 /// Draws the panel that fills the window.
 void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
-    switch (*state.window.maximised) {
-        case Panel::Scene:
-            scene_panel(state, frame, requests, rest);
-            break;
-        case Panel::Map:
-            map_panel(state, frame, requests, rest);
-            break;
-        case Panel::Tabs:
-            tabs_panel(state, frame, requests, rest);
-            break;
-    }
+    draw_panel(state, frame, requests, *state.window.maximised, rest);
     child("status", {0, status_bar_height()}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
@@ -209,24 +192,24 @@ void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& 
     const float em = ImGui::GetFontSize();
     if (layout.map_place == MapSpot::NextToScene) {
         const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
-        scene_panel(state, frame, requests, {size.x - map - bar, size.y});
+        draw_panel(state, frame, requests, Panel::Scene, {size.x - map - bar, size.y});
         ImGui::SameLine();
         if (const Dragged d = splitter("map splitter", true, {bar, size.y}); d.reset)
             layout.map_share = EditorLayout{}.map_share;
         else if (d.by != 0)
             layout.map_share = std::clamp((map - d.by) / size.x, 0.1f, 0.85f);
         ImGui::SameLine();
-        map_panel(state, frame, requests, {map, size.y});
+        draw_panel(state, frame, requests, Panel::Map, {map, size.y});
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    scene_panel(state, frame, requests, size);
+    draw_panel(state, frame, requests, Panel::Scene, size);
     if (layout.map_place != MapSpot::Inset) return;
     const float side = std::min(layout.map_inset * em, 0.6f * std::min(size.x, size.y));
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x + size.x - side - em, corner.y + size.y - side - em});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::panel());
-    map_panel(state, frame, requests, {side, side});
+    draw_panel(state, frame, requests, Panel::Map, {side, side});
     ImGui::PopStyleColor();
     ImGui::SetCursorScreenPos(after);
 }
@@ -243,7 +226,7 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
         const float wanted = as_given ? std::min(size.y * layout.map_height, square) : size.y * layout.map_height;
         const float map =
             std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kFrequentSettings : 10)));
-        map_panel(state, frame, requests, {size.x, map});
+        draw_panel(state, frame, requests, Panel::Map, {size.x, map});
         if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
             layout.map_height = EditorLayout{}.map_height;
         else if (d.by != 0)
@@ -292,7 +275,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
         layout.bottom_height = EditorLayout{}.bottom_height;
     else if (d.by != 0)
         layout.bottom_height = std::max((bottom - d.by) / em, 2.0f);
-    tabs_panel(state, frame, requests, {left, bottom});
+    draw_panel(state, frame, requests, Panel::Tabs, {left, bottom});
     ImGui::EndGroup();
     ImGui::SameLine();
     if (const Dragged d = splitter("settings splitter", true, {bar, rest.y}); d.reset)

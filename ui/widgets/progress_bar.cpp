@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -28,6 +29,31 @@ void progress_bar(double share, const std::string& text, float width) {
     ImGui::PushClipRect(at, end, true);
     list.AddText({at.x + padding.x, at.y + padding.y}, theme::text(), text.c_str());
     ImGui::PopClipRect();
+}
+
+bool progress_strip(const char* id, float x, float y, float width, std::optional<double> share,
+                    const std::string& text) {
+    const float em = ImGui::GetFontSize(), pad = em * 0.5f;
+    bool cancelled = false;
+    ImGui::SetCursorScreenPos({x, y});
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+    // The strip is a window of its own, so that the mouse over it does not act on the picture.
+    ImGui::BeginChild(id, {width, ImGui::GetFrameHeight() + 2 * pad}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
+    if (share) {
+        const float bar = ImGui::GetContentRegionAvail().x - button_width("Cancel") - ImGui::GetStyle().ItemSpacing.x;
+        progress_bar(*share, text, std::max(bar, em));
+        ImGui::SameLine();
+        cancelled = ImGui::Button("Cancel");
+    } else {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(text.c_str());
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    return cancelled;
 }
 
 }  // namespace si

@@ -1,6 +1,7 @@
 // A bar that shows the share of work that is done.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace si {
@@ -10,5 +11,11 @@ std::string seconds_text(double seconds);
 
 /// Draws a progress bar with a text over it. @param share filled part, 0..1 @param width pixels; 0: the free width
 void progress_bar(double share, const std::string& text, float width = 0);
+
+/// Draws a strip over a picture with a progress bar and a button that cancels the work. Returns true at a press of the
+/// button. @param share filled part, 0..1; none: the strip shows the text alone
+/// @param x, y upper left corner, pixels of the screen @param width pixels
+bool progress_strip(const char* id, float x, float y, float width, std::optional<double> share,
+                    const std::string& text);
 
 }  // namespace si

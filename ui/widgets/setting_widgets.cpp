@@ -104,42 +104,39 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     return changed;
 }
 
-bool combo(const Param& p, int& value) {
-    const auto list = p.choices();
-    const bool known = value >= 0 && std::size_t(value) < list.size();
-    const std::string shown = known ? std::string(list[std::size_t(value)].label) : fmt::format("{}", value);
-    bool changed = false;
-    if (!begin_combo("##value", shown)) return false;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        ImGui::PushID(int(i));
-        const bool selected = int(i) == value;
-        if (ImGui::Selectable(std::string(list[i].label).c_str(), selected) && !selected) {
-            value = int(i);
-            changed = true;
-        }
+/// Choice of a combo.
+struct ComboItem {
+    int value;
+    std::string_view label, help;
+};
+
+/// Draws a combo of a setting's choices. @param unknown text for a value that is no choice
+bool combo(const std::vector<ComboItem>& items, int& value, const std::string& unknown) {
+    const auto now = std::ranges::find(items, value, &ComboItem::value);
+    if (!begin_combo("##value", now != items.end() ? std::string(now->label) : unknown)) return false;
+    const int before = value;
+    for (const ComboItem& item : items) {
+        ImGui::PushID(item.value);
+        const bool selected = item.value == before;
+        if (ImGui::Selectable(std::string(item.label).c_str(), selected)) value = item.value;
         if (selected) ImGui::SetItemDefaultFocus();
-        if (!list[i].help.empty()) wrapped_tooltip(std::string(list[i].help));
+        if (!item.help.empty()) wrapped_tooltip(std::string(item.help));
         ImGui::PopID();
     }
     ImGui::EndCombo();
-    return changed;
+    return value != before;
+}
+
+bool choice_combo(const Param& p, int& value) {
+    std::vector<ComboItem> items;
+    for (const auto& choice : p.choices()) items.push_back({int(items.size()), choice.label, choice.help});
+    return combo(items, value, fmt::format("{}", value));
 }
 
 bool named_combo(const NamedValues& names, int& value) {
-    const auto named = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == value; });
-    const std::string shown = named != names.end() ? named->second : fmt::format("{} (not there)", value);
-    bool changed = false;
-    if (!begin_combo("##value", shown)) return false;
-    for (const auto& [number, name] : names) {
-        const bool selected = number == value;
-        if (ImGui::Selectable(name.c_str(), selected) && !selected) {
-            value = number;
-            changed = true;
-        }
-        if (selected) ImGui::SetItemDefaultFocus();
-    }
-    ImGui::EndCombo();
-    return changed;
+    std::vector<ComboItem> items;
+    for (const auto& [number, name] : names) items.push_back({number, name, {}});
+    return combo(items, value, fmt::format("{} (not there)", value));
 }
 
 bool integer(const Param& p, int& value, const std::string& unit) {
@@ -260,7 +257,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
     if (auto* b = std::get_if<bool>(&value))
         changed = ImGui::Checkbox("##value", b);
     else if (auto* i = std::get_if<int>(&value))
-        changed = p.choices ? combo(p, *i) : !names.empty() ? named_combo(names, *i) : integer(p, *i, unit);
+        changed = p.choices ? choice_combo(p, *i) : !names.empty() ? named_combo(names, *i) : integer(p, *i, unit);
     else if (auto* t = std::get_if<std::string>(&value))
         changed = text_input(ref, *t);
     else

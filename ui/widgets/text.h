@@ -2,6 +2,7 @@
 #pragma once
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <string>
 #include <string_view>
@@ -61,6 +62,33 @@ inline bool button_if(bool enabled, const char* label) {
     const bool pressed = ImGui::Button(label);
     ImGui::EndDisabled();
     return pressed;
+}
+
+/// Draws a button with a tooltip. Returns true at a press.
+inline bool hint_button(const char* label, const std::string& hint, bool enabled = true) {
+    const bool pressed = button_if(enabled, label);
+    plain_tooltip(hint, ImGuiHoveredFlags_AllowWhenDisabled);
+    return pressed;
+}
+
+/// Draws a button that looks pressed while `on`. Returns true at a press.
+inline bool toggle_button(const char* label, bool on, ImVec2 size = {0, 0}) {
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
+    const bool pressed = ImGui::Button(label, size);
+    if (on) ImGui::PopStyleColor(2);
+    return pressed;
+}
+
+/// Draws a text field for a path, and the button that accepts the path as Enter does. Closes the popup around them and
+/// returns true once a path is accepted.
+inline bool path_input(const char* id, const char* hint, std::string& path, const char* button) {
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
+    const bool entered = ImGui::InputTextWithHint(id, hint, &path, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::SameLine();
+    const bool accepted = (ImGui::Button(button) || entered) && !path.empty();
+    if (accepted) ImGui::CloseCurrentPopup();
+    return accepted;
 }
 
 }  // namespace si
