@@ -15,12 +15,12 @@
 #include "renderer/measure/axes.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
-#include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/ellipsis.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -57,7 +57,7 @@ std::string first_values(const Settings& settings, const SettingRef& ref) {
     return value_text(p, get_value(settings, ref));
 }
 
-void choose_setting(EditorState& state, AxisText& axis) {
+void choose_setting(const Settings& settings, AxisText& axis) {
     const auto known = find_setting(axis.key);
     const std::string shown = known ? std::string(known->param->label) : axis.key.empty() ? "setting" : axis.key;
     if (!begin_combo("##key", shown, ImGuiComboFlags_HeightLarge)) {
@@ -74,23 +74,23 @@ void choose_setting(EditorState& state, AxisText& axis) {
         group = prefix;
         const std::string key = setting_key(ref);
         if (ImGui::Selectable(fmt::format("{}##{}", p.label, key).c_str(), key == axis.key))
-            axis = {key, first_values(state.settings, ref)};
+            axis = {key, first_values(settings, ref)};
         wrapped_tooltip(fmt::format("{}\n{}", key, p.help));
     }
     ImGui::EndCombo();
 }
 
 /// Draws the varied settings, one a line. Returns the number of combinations; 0 if an axis is invalid.
-std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
+std::size_t draw_axes(SweepPanel& panel, const Settings& settings, std::vector<std::string>& axes) {
     const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
     std::size_t product = 1;
     std::optional<std::size_t> removed;
-    for (std::size_t i = 0; i < state.sweep.axes.size(); ++i) {
-        AxisText& axis = state.sweep.axes[i];
+    for (std::size_t i = 0; i < panel.axes.size(); ++i) {
+        AxisText& axis = panel.axes[i];
         ImGui::PushID(int(i));
         const float width = ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2 * gap;
         ImGui::SetNextItemWidth(width * 0.42f);
-        choose_setting(state, axis);
+        choose_setting(settings, axis);
         ImGui::SameLine();
         ImGui::SetNextItemWidth(width * 0.58f);
         const Checked c = checked(axis);
@@ -106,10 +106,10 @@ std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
         product *= c.problem.empty() ? c.values : 0;
         axes.push_back(c.text);
     }
-    if (removed) state.sweep.axes.erase(state.sweep.axes.begin() + std::ptrdiff_t(*removed));
-    if (ImGui::Button("Vary another")) state.sweep.axes.push_back({});
+    if (removed) panel.axes.erase(panel.axes.begin() + std::ptrdiff_t(*removed));
+    if (ImGui::Button("Vary another")) panel.axes.push_back({});
     ImGui::SameLine(0, em);
-    return state.sweep.axes.empty() ? 0 : product;
+    return panel.axes.empty() ? 0 : product;
 }
 
 void draw_size(SweepPanel& panel) {
@@ -132,7 +132,7 @@ void draw_size(SweepPanel& panel) {
     choose_cost("Times", panel.timed);
 }
 
-void draw_running(const SweepFacts& facts, EditorRequests& requests) {
+void draw_running(const SweepFacts& facts, SweepRequests& requests) {
     if (ImGui::Button("Cancel")) requests.cancel_sweep = true;
     wrapped_tooltip("What is measured stays; sweep again to go on");
     ImGui::SameLine();
@@ -142,10 +142,9 @@ void draw_running(const SweepFacts& facts, EditorRequests& requests) {
     if (!facts.current.empty()) wrapped_tooltip(facts.current);
 }
 
-void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& requests) {
-    SweepPanel& panel = state.sweep;
+void draw_controls(SweepPanel& panel, const Settings& settings, const SweepFacts& facts, SweepRequests& requests) {
     std::vector<std::string> axes;
-    const std::size_t product = draw_axes(state, axes);
+    const std::size_t product = draw_axes(panel, settings, axes);
     draw_size(panel);
     if (facts.running) {
         draw_running(facts, requests);
@@ -235,9 +234,9 @@ double value_of(const SweepFacts& facts, const MeasuredCase& c, const MeasuredCo
 }
 
 /// Applies a case's values of the varied settings, as a step of undo.
-void apply_case(EditorState& state, const MeasuredCase& c) {
-    for (const auto& [key, value] : c.settings) set_setting(state.settings, key, value);
-    state.sweep.chosen = c.number;
+void apply_case(SweepPanel& panel, Settings& settings, const MeasuredCase& c) {
+    for (const auto& [key, value] : c.settings) set_setting(settings, key, value);
+    panel.chosen = c.number;
 }
 
 void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
@@ -283,7 +282,8 @@ void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const Meas
                     ", else those measured last. The hollow diamond.");
 }
 
-void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
+void draw_advice(SweepPanel& panel, Settings& settings, const SweepFacts& facts, const MeasuredColumn& cost,
+                 const MeasuredColumn& error) {
     if (!facts.present_problem.empty()) {
         coloured_wrapped("The present settings cannot be measured: " + facts.present_problem, theme::error());
         return;
@@ -311,7 +311,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
         const MeasuredCase& c = facts.cases[view.marks[mark].of];
         const std::string button = text + "##" + id;
         same_line_if_fits(button_width(text.c_str()));
-        if (ImGui::Button(button.c_str())) apply_case(state, c);
+        if (ImGui::Button(button.c_str())) apply_case(panel, settings, c);
         if (ImGui::IsItemHovered()) case_tooltip(facts, c);
     };
     if (view.advice.better)
@@ -327,7 +327,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
     draw_before(facts, cost, error);
 }
 
-void draw_state(const SweepFacts& facts, EditorRequests& requests) {
+void draw_state(const SweepFacts& facts, SweepRequests& requests) {
     if (!facts.problem.empty()) {
         coloured_wrapped("The sweep ended: " + facts.problem, theme::error());
     }
@@ -350,33 +350,33 @@ void draw_state(const SweepFacts& facts, EditorRequests& requests) {
 
 }  // namespace
 
-void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* shown, SweepRequests& requests) {
     static const SweepFacts kNothing;
-    const SweepFacts& facts = frame.sweep ? *frame.sweep : kNothing;
+    const SweepFacts& facts = shown ? *shown : kNothing;
     const float em = ImGui::GetFontSize();
-    requests.want_present = state.sweep.follow;
+    requests.want_present = panel.follow;
     const float room = ImGui::GetContentRegionAvail().x, controls = std::clamp(room * 0.36f, em * 15, em * 24);
     // Side by side both would be cut, so that they stand one below the other and the panel scrolls.
     const bool stacked = room < em * 40;
     if (stacked) {
-        draw_controls(state, facts, requests);
+        draw_controls(panel, settings, facts, requests);
     } else {
         ImGui::BeginChild("controls", {controls, 0}, false);
-        draw_controls(state, facts, requests);
+        draw_controls(panel, settings, facts, requests);
         ImGui::EndChild();
         ImGui::SameLine(0, em);
     }
     const float height = stacked ? std::max(ImGui::GetContentRegionAvail().y, em * 16) : 0;
     ImGui::BeginChild("plot and advice", {0, height}, false, ImGuiWindowFlags_NoScrollbar);
-    choose_column(facts, "##error", true, state.sweep.error);
+    choose_column(facts, "##error", true, panel.error);
     ImGui::SameLine();
     ImGui::TextUnformatted("over");
     ImGui::SameLine();
-    const std::string across = facts.cost.empty() ? state.sweep.cost : facts.cost;
+    const std::string across = facts.cost.empty() ? panel.cost : facts.cost;
     std::string chosen = across;
     choose_column(facts, "##cost", false, chosen);
-    if (chosen != across) state.sweep.cost = chosen;
-    if (const MeasuredColumn* wanted = column_of(facts, state.sweep.cost); wanted && across != state.sweep.cost) {
+    if (chosen != across) panel.cost = chosen;
+    if (const MeasuredColumn* wanted = column_of(facts, panel.cost); wanted && across != panel.cost) {
         const std::string text =
             fmt::format("Not measured{}: {}", facts.running ? " yet" : "", within_sentence(wanted->label));
         same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
@@ -405,20 +405,20 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
                 "anywhere.");
         }
     }
-    const MeasuredColumn *cost = column_of(facts, across), *error = column_of(facts, state.sweep.error);
+    const MeasuredColumn *cost = column_of(facts, across), *error = column_of(facts, panel.error);
     if (cost && error) {
         draw_state(facts, requests);
-        draw_advice(state, facts, *cost, *error);
+        draw_advice(panel, settings, facts, *cost, *error);
         if (facts.view.marks.empty() && !facts.view.present) {
             ImGui::TextDisabled(facts.running ? "The first cases are being measured."
                                               : "Sweep over settings to see which pay for their time.");
         } else {
             const ImVec2 size = ImGui::GetContentRegionAvail();
             const FrontierPlotResult r =
-                draw_frontier_plot(facts, is_bytes(*cost), state.sweep.chosen, {size.x, std::max(size.y, em * 6)});
+                draw_frontier_plot(facts, is_bytes(*cost), panel.chosen, {size.x, std::max(size.y, em * 6)});
             if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
             if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
-            if (r.clicked) apply_case(state, facts.cases[*r.clicked]);
+            if (r.clicked) apply_case(panel, settings, facts.cases[*r.clicked]);
         }
     }
     ImGui::EndChild();

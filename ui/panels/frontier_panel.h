@@ -11,6 +11,8 @@
 
 namespace si {
 
+struct Settings;
+
 /// Measured number that can be an axis of the frontier plot. Smaller values are better.
 struct MeasuredColumn {
     std::string key;
@@ -112,5 +114,9 @@ struct SweepRequests {
     bool apply_sweep_base = false;          ///< apply the settings that the sweep's cases share
     bool want_present = false;              ///< measure the present settings
 };
+
+/// Draws the frontier of error against time, and the sweep that measures it.
+/// @param settings changed by a click on a case @param shown null: there is no sweep, and nothing is measured
+void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* shown, SweepRequests& requests);
 
 }  // namespace si

@@ -10,11 +10,13 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/frame.h"
 #include "renderer/projection/view_choice.h"
 #include "renderer/settings/param.h"
 #include "ui/state/light_list.h"
-#include "ui/state/panels.h"
+#include "ui/state/log.h"
 #include "ui/state/shortcuts.h"
+#include "ui/state/shown_light.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
@@ -49,8 +51,8 @@ void swatch(LightSettings& light, int number) {
 }
 
 /// Draws the text field that renames a light. Enter or a click elsewhere accepts the name; Escape does not.
-void rename_field(EditorState& state) {
-    LightRename& rename = *state.lights.rename;
+void rename_field(LightsPanel& panel, Settings& settings, Log& log) {
+    LightRename& rename = *panel.rename;
     if (!rename.begun) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputTextWithHint("##name", "name", &rename.name, ImGuiInputTextFlags_AutoSelectAll);
@@ -58,16 +60,15 @@ void rename_field(EditorState& state) {
     if (!rename.begun || ImGui::IsItemActive()) return;
     if (ImGui::IsItemDeactivatedAfterEdit()) {
         try {
-            set_setting(state.settings, fmt::format("light.{}.name", rename.light), rename.name);
+            set_setting(settings, fmt::format("light.{}.name", rename.light), rename.name);
         } catch (const UsageError& e) {
-            state.log.add(LogKind::Error, e.what());
+            log.add(LogKind::Error, e.what());
         }
     }
-    state.lights.rename.reset();
+    panel.rename.reset();
 }
 
-void light_name(EditorState& state, int i) {
-    Settings& s = state.settings;
+void light_name(LightsPanel& panel, Settings& s, int i) {
     const LightSettings& light = s.lights[std::size_t(i)];
     SettingRef type_of = *find_setting("light.type");
     type_of.light = i;
@@ -77,7 +78,7 @@ void light_name(EditorState& state, int i) {
     ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
     if (ImGui::Selectable(text.c_str(), i == shown_light(s), ImGuiSelectableFlags_AllowDoubleClick)) {
         s.view.light = i;
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_light_rename(state, i);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_light_rename(panel, s, i);
     }
     ImGui::PopStyleColor();
     wrapped_tooltip(
@@ -86,16 +87,15 @@ void light_name(EditorState& state, int i) {
                     type, key_text(Command::NextLightType), key_text(Command::RenameLight)));
 }
 
-void light_row(EditorState& state, int i, bool intensities) {
-    Settings& s = state.settings;
+void light_row(LightsPanel& panel, Settings& s, Log& log, int i, bool intensities) {
     LightSettings& light = s.lights[std::size_t(i)];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(i);
-    if (state.lights.rename && state.lights.rename->light == i)
-        rename_field(state);
+    if (panel.rename && panel.rename->light == i)
+        rename_field(panel, s, log);
     else
-        light_name(state, i);
+        light_name(panel, s, i);
     ImGui::TableNextColumn();
     ImGui::Checkbox("##on", &light.on);
     wrapped_tooltip(fmt::format("On: it shines. Off it keeps its settings, and no map is drawn for it\n{}",
@@ -165,12 +165,11 @@ void cube_cross(Settings& s, const FrameResult& result) {
 
 }  // namespace
 
-void begin_light_rename(EditorState& state, int light) {
-    state.lights.rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
+void begin_light_rename(LightsPanel& panel, const Settings& settings, int light) {
+    panel.rename = LightRename{light, settings.lights[std::size_t(light)].name};
 }
 
-void draw_lights(EditorState& state, const FrameResult* result) {
-    Settings& s = state.settings;
+void draw_lights(LightsPanel& panel, Settings& s, Log& log, const FrameResult* result) {
     const float em = ImGui::GetFontSize();
     // In a narrow panel the name has priority: the intensity is also among the settings below.
     const bool intensities = ImGui::GetContentRegionAvail().x >= em * 20;
@@ -181,9 +180,9 @@ void draw_lights(EditorState& state, const FrameResult* result) {
         ImGui::TableSetupColumn("solo", ImGuiTableColumnFlags_WidthFixed, button_width("Solo"));
         ImGui::TableSetupColumn("colour", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
         if (intensities) ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
-        for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i, intensities);
+        for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(panel, s, log, i, intensities);
         ImGui::EndTable();
-        state.lights.listed = true;
+        panel.listed = true;
     }
     list_buttons(s);
     if (result && shown_light(s) >= 0 && std::size_t(shown_light(s)) < result->lights.size()) cube_cross(s, *result);

@@ -6,8 +6,9 @@
 
 namespace si {
 
-struct EditorState;
+class Log;
 struct FrameResult;
+struct Settings;
 
 /// Name of a light while it is typed in the list of lights.
 struct LightRename {
@@ -23,10 +24,10 @@ struct LightsPanel {
 };
 
 /// Draws the list of lights: a row for each light (shown, on, alone, colour, intensity) and the buttons of the list.
-/// For a point light a cross of six faces follows, which chooses the shown map. @param result last frame; null: not
-/// known
-void draw_lights(EditorState& state, const FrameResult* result);
+/// For a point light a cross of six faces follows, which chooses the shown map. @param log receives the
+/// reason why a name is not accepted @param result last frame; null: not known
+void draw_lights(LightsPanel& panel, Settings& settings, Log& log, const FrameResult* result);
 /// Opens the text field that renames a light in the list of lights. @param light index
-void begin_light_rename(EditorState& state, int light);
+void begin_light_rename(LightsPanel& panel, const Settings& settings, int light);
 
 }  // namespace si

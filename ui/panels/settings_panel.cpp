@@ -179,7 +179,8 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
     if (!open) return;
     ImGui::PushID(std::string(group.prefix).c_str());
     bool table = false;
-    if (group.prefix == "light" && (!filtered || state.settings.light_count > 1)) draw_lights(state, frame.result);
+    if (group.prefix == "light" && (!filtered || state.settings.light_count > 1))
+        draw_lights(state.lights, state.settings, state.log, frame.result);
     for (const SettingRef& ref : rows.shown) {
         if (!table && !(table = begin_rows("rows"))) break;
         NamedValues names = view_choices(state.settings, frame.result, ref.param->key);

@@ -97,13 +97,13 @@ void column(std::size_t first, std::size_t end, float keys, float meanings) {
 
 }  // namespace
 
-void draw_shortcuts(EditorState& state) {
+void draw_shortcuts(bool& shown) {
     constexpr const char* kTitle = "Mouse and keyboard";
-    if (state.window.show_shortcuts && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (shown && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
-    if (!ImGui::BeginPopupModal(kTitle, &state.window.show_shortcuts, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (!ImGui::BeginPopupModal(kTitle, &shown, ImGuiWindowFlags_AlwaysAutoResize)) return;
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 padding = style.CellPadding;
     const float em = ImGui::GetFontSize();
@@ -126,7 +126,7 @@ void draw_shortcuts(EditorState& state) {
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();
-    if (!state.window.show_shortcuts) ImGui::CloseCurrentPopup();
+    if (!shown) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -132,7 +132,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     tab(state, BottomTab::Compare, [&] {
         draw_compare(state.compare, state.settings, state.pinned, state.scene_name, frame.comparison, frame, requests);
     });
-    tab(state, BottomTab::Frontier, [&] { draw_frontier(state, frame, requests); });
+    tab(state, BottomTab::Frontier, [&] { draw_frontier(state.sweep, state.settings, frame.sweep, requests); });
     tab(state, BottomTab::Advice,
         [&] { draw_advice_panel(state.advice, state.settings, frame.scene != nullptr, frame, requests); });
     tab(state, BottomTab::Lab,
@@ -339,7 +339,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
         all_panels(state, frame, requests);
     ImGui::PopStyleVar();
     draw_welcome(state, frame, requests);
-    draw_shortcuts(state);
+    draw_shortcuts(state.window.show_shortcuts);
     draw_file_dialog(state, frame, requests);
     draw_replace_dialog(state, requests);
     ImGui::End();

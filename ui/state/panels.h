@@ -26,10 +26,8 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);
-/// Draws the frontier of error against time, and the sweep that measures it.
-void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the overview of mouse and keyboard, while state.window.show_shortcuts.
-void draw_shortcuts(EditorState& state);
+/// Draws the overview of mouse and keyboard, while it is shown. @param shown false once it was closed
+void draw_shortcuts(bool& shown);
 /// Draws the welcome, while state.window.show_welcome.
 void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the animation's controls. Call only while time_bar_height() is not 0.

@@ -227,7 +227,8 @@ constexpr Shortcut kShortcutTable[] = {
         [](C c) { next_light_type(c.state.settings); }),
     joined(row(
         Command::RenameLight, with_any(key("F2", kF2)), "rename it",
-        [](C c) { begin_light_rename(c.state, shown_light(c.state.settings)); }, When::LightsListed)),
+        [](C c) { begin_light_rename(c.state.lights, c.state.settings, shown_light(c.state.settings)); },
+        When::LightsListed)),
     row(Command::HalveResolution, letter("["), "half the resolution of the map",
         [](C c) { scale_resolution(c.state.settings, false); }),
     joined(row(Command::DoubleResolution, letter("]"), "twice", [](C c) { scale_resolution(c.state.settings, true); })),
