@@ -16,25 +16,19 @@
 namespace si {
 
 FrameFacts FrameLoop::facts() const {
-    FrameFacts f;
+    FrameFacts f = facts_;
     if (drawn_) {
         f.driver = renderer_.driver();
-        f.result = result_;
-        if (result_.smooth.texture != 0 && !picture_comparison_.facts() &&
+        if (facts_.result.smooth.texture != 0 && !picture_comparison_.facts() &&
             !pinned_)  // the other side of a comparison is not smoothed
             for (Pane& pane : f.result.panes)
-                if (pane.overlay == 0) pane.picture = result_.smooth;
-        f.reference = reference_.facts(result_, drawn_settings_.view.light);
+                if (pane.overlay == 0) pane.picture = f.result.smooth;
+        f.reference = reference_.facts(facts_.result, drawn_settings_.view.light);
+    } else {
+        f.result = {};
     }
-    f.request = request_;
     f.readings = read_back_.facts();
     f.picture_comparison = picture_comparison_.facts();
-    f.effects = effects_;
-    f.health = health_;
-    f.artefacts = artefacts_;
-    f.shader_log = shader_log_;
-    f.problem = problem_;
-    f.driver_reset = driver_reset_;
     return f;
 }
 
@@ -44,8 +38,8 @@ void FrameLoop::clear() {
     reference_.clear();
     picture_comparison_.clear();
     frame_effects_.clear();
-    effects_.clear();
-    health_.reset();
+    facts_.effects.clear();
+    facts_.health.reset();
 }
 
 FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
@@ -76,11 +70,11 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
 bool FrameLoop::follow_health() {
     std::shared_ptr<const NumericHealth> health;
     bool waits = false;
-    if (drawn_ && request_.outputs.health && renderer_.has_images_of(result_)) {
-        health = renderer_.numeric_health(result_, false);
+    if (drawn_ && facts_.request.outputs.health && renderer_.has_images_of(facts_.result)) {
+        health = renderer_.numeric_health(facts_.result, false);
         waits = !health;
     }
-    return std::exchange(health_, health) != health || waits;
+    return std::exchange(facts_.health, health) != health || waits;
 }
 
 bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests,
@@ -88,20 +82,20 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
     if (drawn) frame_effects_.clear();
     const bool posed = drawn && std::exchange(posed_scene_, scene.id) != scene.id;
     if (!requests.want_effects || !drawn_) {
-        const bool had = !effects_.empty();
-        effects_.clear();
+        const bool had = !facts_.effects.empty();
+        facts_.effects.clear();
         return had;
     }
     if (frame_effects_.empty()) {
-        frame_effects_ = frame_effects(scene, drawn_settings_, result_, request_.forced);
+        frame_effects_ = frame_effects(scene, drawn_settings_, facts_.result, facts_.request.forced);
         frame_effects_.push_back(posing_effect(scene, drawn_settings_.scene, posed));
     }
     std::vector<Effect> effects = frame_effects_;
     for (Effect& effect : panel_effects(state, requests)) effects.push_back(std::move(effect));
-    effects.push_back(artefact_effect(state.artefacts, artefacts_, artefacts_found_));
-    effects.push_back(reference_effect(reference_.facts(result_, drawn_settings_.view.light)));
-    if (effects == effects_) return false;
-    effects_ = std::move(effects);
+    effects.push_back(artefact_effect(state.artefacts, facts_.artefacts, artefacts_found_));
+    effects.push_back(reference_effect(reference_.facts(facts_.result, drawn_settings_.view.light)));
+    if (effects == facts_.effects) return false;
+    facts_.effects = std::move(effects);
     return true;
 }
 
@@ -109,8 +103,8 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     FrameRequest wanted;
     // A map that fills the window belongs to the hidden picture's size.
     const bool scene_shown = requests.scene_width >= 1;
-    wanted.width = scene_shown ? requests.scene_width : request_.width;
-    wanted.height = scene_shown ? std::max(1, requests.scene_height) : request_.height;
+    wanted.width = scene_shown ? requests.scene_width : facts_.request.width;
+    wanted.height = scene_shown ? std::max(1, requests.scene_height) : facts_.request.height;
     wanted.outputs.colour = true;
     wanted.outputs.shadow_map = requests.want_map;
     wanted.outputs.overlay = true;
@@ -129,37 +123,36 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     // A compared picture has one pane.
     Settings settings = state.settings;
     if (state.comparison.view != ComparisonView::Off) settings.view.panes = Panes::One;
-    const bool same =
-        drawn_ && renderer_.has_images_of(result_) && !shaders_changed_ && wanted.width == request_.width &&
-        wanted.height == request_.height && wanted.outputs == request_.outputs && wanted.timing == request_.timing &&
-        wanted.forced == request_.forced && wanted.reference == request_.reference &&
-        wanted.traced == request_.traced && wanted.light_maps == request_.light_maps &&
-        wanted.map_camera == request_.map_camera && drawn_settings_ == settings && drawn_scene_ == scene.id;
+    const bool same = drawn_ && renderer_.has_images_of(facts_.result) && !shaders_changed_ &&
+                      same_inputs(wanted, facts_.request) && wanted.outputs == facts_.request.outputs &&
+                      wanted.timing == facts_.request.timing && wanted.forced == facts_.request.forced &&
+                      wanted.map_camera == facts_.request.map_camera && drawn_settings_ == settings &&
+                      drawn_scene_ == scene.id;
     if (same || (!scene_shown && !requests.want_map)) return false;
     if (warmup_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         warmup_->forget();
         warmed_programs_.clear();
         drawn_rig_ = scene.rig;
     }
-    request_ = wanted;
+    facts_.request = wanted;
     drawn_settings_ = settings;
     drawn_scene_ = scene.id;
     shaders_changed_ = false;
     smoothed_ = 0;
     try {
-        result_ = renderer_.render(scene, drawn_settings_, request_);
+        facts_.result = renderer_.render(scene, drawn_settings_, facts_.request);
         drawn_ = true;
-        driver_reset_ = false;
-        problem_.clear();
+        facts_.driver_reset = false;
+        facts_.problem.clear();
         if (requests.search_all) require_sound_numbers(scene);
         queue_likely_shaders(scene);
     } catch (const std::exception& e) {
         drawn_ = false;
-        driver_reset_ = dynamic_cast<const gl::ContextLost*>(&e) != nullptr;
-        if (problem_ != e.what()) report(e.what());
-        problem_ = e.what();
+        facts_.driver_reset = dynamic_cast<const gl::ContextLost*>(&e) != nullptr;
+        if (facts_.problem != e.what()) report(e.what());
+        facts_.problem = e.what();
     }
-    shader_log_ = renderer_.shader_log();
+    facts_.shader_log = renderer_.shader_log();
     for (std::string& message : renderer_.take_gl_messages()) {
         news_.remarks.push_back({.kind = LogKind::Warning, .text = message});
         news_.driver.push_back(std::move(message));
@@ -168,9 +161,9 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
 }
 
 void FrameLoop::require_sound_numbers(const Scene& scene) {
-    const auto health = renderer_.numeric_health(result_);
+    const auto health = renderer_.numeric_health(facts_.result);
     if (health->sound()) return;
-    news_.unsound = fmt::format("{} {}x{} {}: {}", scene.name, request_.width, request_.height,
+    news_.unsound = fmt::format("{} {}x{} {}: {}", scene.name, facts_.request.width, facts_.request.height,
                                 set_options({}, drawn_settings_), health_text(*health));
     report(news_.unsound);
 }
@@ -179,19 +172,19 @@ bool FrameLoop::add_sample(const Scene& scene, const PictureState& state, const 
     const ViewSettings& view = drawn_settings_.view;
     if (!drawn_ || !requests.at_rest || smoothed_ >= kMaxSmoothedShadings || !view.smooth) return false;
     if (view.slabs != Slabs::None || state.comparison.view != ComparisonView::Off || state.pinned) return false;
-    if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
-    FrameRequest request = request_;
+    if (std::ranges::none_of(facts_.result.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
+    FrameRequest request = facts_.request;
     request.timing = false;
     request.smoothed = ++smoothed_;
     try {
         const FrameResult more = renderer_.render(scene, drawn_settings_, request);
         if (more.smooth.texture == 0) return smoothed_ = kMaxSmoothedShadings, false;
-        result_.smooth = more.smooth;
+        facts_.result.smooth = more.smooth;
         report_smoothing(more);
         return true;
     } catch (const std::exception& e) {
         smoothed_ = kMaxSmoothedShadings;
-        result_.smooth = {};
+        facts_.result.smooth = {};
         report(e.what());
         return true;
     }
@@ -199,8 +192,8 @@ bool FrameLoop::add_sample(const Scene& scene, const PictureState& state, const 
 
 void FrameLoop::report_smoothing(const FrameResult& more) {
     const PassInfo* const did = more.pass(kSmoothingPass);
-    const auto shown = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
-    if (!did || shown == result_.passes.end() || shown->reason == did->reason) return;
+    const auto shown = std::ranges::find(facts_.result.passes, kSmoothingPass, &PassInfo::name);
+    if (!did || shown == facts_.result.passes.end() || shown->reason == did->reason) return;
     // Other passes keep the states and times of the frame.
     shown->state = did->state;
     shown->reason = did->reason;
@@ -209,9 +202,9 @@ void FrameLoop::report_smoothing(const FrameResult& more) {
 
 void FrameLoop::queue_likely_shaders(const Scene& scene) {
     if (!warmup_) return;
-    if (!warmed_programs_.insert(renderer_.programs_key(scene, drawn_settings_, request_)).second) return;
+    if (!warmed_programs_.insert(renderer_.programs_key(scene, drawn_settings_, facts_.request)).second) return;
     // A hover needs map coordinates, a click a probe, the map viewer its picture.
-    WarmupFrame next{.scene = {}, .settings = drawn_settings_, .request = request_};
+    WarmupFrame next{.scene = {}, .settings = drawn_settings_, .request = facts_.request};
     next.request.outputs.shadow_map = next.request.outputs.map_coordinates = next.request.outputs.texels_read = true;
     next.scene = std::make_shared<const Scene>(stand_in(scene, drawn_settings_));
     warmup_->enqueue(std::move(next));
@@ -224,7 +217,7 @@ bool FrameLoop::follow_read_back(const Scene& scene, const PictureState& state, 
         return false;
     }
     try {
-        return read_back_.update(renderer_, scene, state, requests, request_, result_, drawn);
+        return read_back_.update(renderer_, scene, state, requests, facts_.request, facts_.result, drawn);
     } catch (const std::exception& e) {
         read_back_.clear();
         report(e.what());
@@ -239,16 +232,16 @@ bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, 
         picture_comparison_.clear();
         return false;
     }
-    const EditorReference::Requests truth_requests{requests.cancel_reference, requests.save_error};
-    bool changed = reference_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, truth_requests);
+    bool changed = reference_.update(renderer_, scene, drawn_settings_, facts_.request, facts_.result, drawn, requests);
     if (drawn) artefacts_found_ = false;
-    if (state.artefacts.number != artefacts_.number && result_.error && result_.reference.met && request_.reference) {
-        artefacts_ = {.number = state.artefacts.number};  // on an error there are no clusters
-        artefacts_ = find_artefact_spots(renderer_, scene, drawn_settings_, request_, state.artefacts);
+    if (state.artefacts.number != facts_.artefacts.number && facts_.result.error && facts_.result.reference.met &&
+        facts_.request.reference) {
+        facts_.artefacts = {.number = state.artefacts.number};  // on an error there are no clusters
+        facts_.artefacts = find_artefact_spots(renderer_, scene, drawn_settings_, facts_.request, state.artefacts);
         artefacts_found_ = changed = true;
     }
     if (const std::string remark = reference_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
-    changed |= picture_comparison_.update(renderer_, scene, state, request_, result_, drawn, comparison);
+    changed |= picture_comparison_.update(renderer_, scene, state, facts_.request, facts_.result, drawn, comparison);
     return changed;
 }
 
@@ -257,7 +250,7 @@ void FrameLoop::save_map(const Scene& scene, const Settings& settings, const std
     const bool camera = settings.view.map_source == MapSource::Camera;
     const View view = find_view(camera ? "camera-depth" : "shadow-map");
     check_view_file(view, path);
-    FrameRequest request = request_;
+    FrameRequest request = facts_.request;
     request.timing = false;
     write_view(renderer_, scene, settings, request, view, path);
 }

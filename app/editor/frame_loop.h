@@ -94,26 +94,21 @@ private:
     bool follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
 
     Renderer renderer_;
-    FrameRequest request_;
     Settings drawn_settings_;
     std::uint64_t drawn_scene_ = 0;
     std::shared_ptr<const Rig> drawn_rig_;
-    bool drawn_ = false, shaders_changed_ = false, driver_reset_ = false;
-    FrameResult result_;
+    bool drawn_ = false, shaders_changed_ = false;
+    FrameFacts facts_;  ///< without those that the members below have
     FrameNews news_;
     bool pinned_ = false;
     int smoothed_ = 0;  ///< samples per pixel that the smooth picture of the last frame has
-    std::string problem_, shader_log_;
     EditorReadBack read_back_;
     EditorReference reference_;
     EditorPictureComparison picture_comparison_;
-    std::shared_ptr<const NumericHealth> health_;  ///< of the last frame; null: not requested, or not there yet
-    ArtefactSpots artefacts_;                      ///< of the last request
-    bool artefacts_found_ = false;                 ///< since the frame drawn last
-    std::vector<Effect> frame_effects_;            ///< of the last frame; empty: not requested yet
-    std::vector<Effect> effects_;                  ///< frame_effects_ and the work of panels
-    std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before
-    std::set<std::uint64_t> warmed_programs_;      ///< Renderer::programs_key() of frames whose next shaders are queued
+    bool artefacts_found_ = false;             ///< since the frame drawn last
+    std::vector<Effect> frame_effects_;        ///< of the last frame; empty: not requested yet
+    std::uint64_t posed_scene_ = 0;            ///< Scene::id of the frame before
+    std::set<std::uint64_t> warmed_programs_;  ///< Renderer::programs_key() of frames whose next shaders are queued
     std::unique_ptr<ShaderWarmup> warmup_;
 };
 

@@ -47,6 +47,11 @@ constexpr const char* kLacksRays =
 
 }  // namespace
 
+bool same_inputs(const FrameRequest& a, const FrameRequest& b) {
+    return a.width == b.width && a.height == b.height && a.reference == b.reference && a.traced == b.traced &&
+           a.light_maps == b.light_maps;
+}
+
 EditorPictureComparison::EditorPictureComparison() = default;
 EditorPictureComparison::~EditorPictureComparison() = default;
 
@@ -54,9 +59,7 @@ void EditorPictureComparison::clear() {
     hide();
     other_.reset();
     other_scene_ = 0;
-    other_reference_.reset();
-    other_traced_.clear();
-    other_light_maps_.clear();
+    other_request_ = {};
 }
 
 void EditorPictureComparison::hide() {
@@ -73,27 +76,21 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
     }
     Settings settings = settings_with_shadows_of(state.settings, comparison->settings);
     settings.view.panes = Panes::One;
-    const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
-                      other_height_ == request.height && other_reference_ == request.reference &&
-                      other_traced_ == request.traced && other_light_maps_ == request.light_maps &&
-                      (facts_->picture.texture || !other_problem_.empty());
+    const FrameRequest wanted{.width = request.width,
+                              .height = request.height,
+                              .reference = request.reference,
+                              .traced = request.traced,
+                              .light_maps = request.light_maps};
+    const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id &&
+                      same_inputs(other_request_, wanted) && (facts_->picture.texture || !other_problem_.empty());
     if (same) {
         facts_->problem = other_problem_;
         return;
     }
     if (!other_) other_ = std::make_unique<Renderer>();
-    FrameRequest wanted{.width = request.width,
-                        .height = request.height,
-                        .reference = request.reference,
-                        .traced = request.traced,
-                        .light_maps = request.light_maps};
     other_drawn_ = settings;
     other_scene_ = scene.id;
-    other_width_ = request.width;
-    other_height_ = request.height;
-    other_reference_ = request.reference;
-    other_traced_ = request.traced;
-    other_light_maps_ = request.light_maps;
+    other_request_ = wanted;
     facts_->picture = facts_->difference = {};  // a failure leaves no old picture either
     try {
         const FrameResult drawn = other_->render(scene, settings, wanted);

@@ -9,6 +9,9 @@
 
 namespace si {
 
+/// Returns true if two requests have the same picture size, references and light maps.
+bool same_inputs(const FrameRequest& a, const FrameRequest& b);
+
 /// Painter of the other side of a picture comparison (reference, or other settings) and of the difference image.
 class EditorPictureComparison {
 public:
@@ -40,10 +43,7 @@ private:
     std::unique_ptr<Texture> difference_;
     Settings other_drawn_;
     std::uint64_t other_scene_ = 0;
-    int other_width_ = 0, other_height_ = 0;
-    std::shared_ptr<const ReferencePicture> other_reference_;
-    std::vector<std::shared_ptr<const ReferencePicture>> other_traced_;
-    std::vector<std::shared_ptr<const LightMap>> other_light_maps_;
+    FrameRequest other_request_;
     std::string other_problem_;  ///< why there is no other picture
 };
 

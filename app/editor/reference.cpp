@@ -132,7 +132,7 @@ void EditorReference::start_save(Renderer& renderer, const Scene& scene, const S
 
 bool EditorReference::update(Renderer& renderer, const Scene& scene, const Settings& settings,
                              const FrameRequest& request, const FrameResult& frame, bool drawn,
-                             const Requests& requests) {
+                             const ReferenceRequests& requests) {
     const bool changed = poll();
     const std::vector<LightNeed> needs = needs_of(frame, settings.view.light);
     const auto wants = [&](std::uint64_t key) {
@@ -153,7 +153,7 @@ bool EditorReference::update(Renderer& renderer, const Scene& scene, const Setti
         std::erase_if(given_up_, [&](std::uint64_t key) { return !wants(key); });
         if (given_up_.empty()) problem_.clear();
     }
-    if (requests.cancel) {
+    if (requests.cancel_reference) {
         if (job_.busy()) given_up_.insert(doing_key_);
         for (const LightNeed& n : needs)
             if (!n.met) given_up_.insert(n.key);

@@ -26,16 +26,11 @@ public:
     /// Light maps by light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
-    /// Requests of the error panel to the reference: cancel tracing, save errors.
-    struct Requests {
-        bool cancel = false;                    ///< stop tracing until something changes
-        std::optional<std::string> save_error;  ///< all metrics of the frame as JSON into this file
-    };
     /// Stores finished references and light maps, and starts to compute those that `frame` lacks. Returns true if the
     /// scene has to be drawn again, or the facts have changed. @param drawn the frame is a new one; no work starts
     /// then, because a drag may follow @throws Error
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                const FrameResult& frame, bool drawn, const Requests& requests);
+                const FrameResult& frame, bool drawn, const ReferenceRequests& requests);
     /// Drops all references. Call when there is no frame.
     void clear();
     /// Releases references of views that are no longer shown. Call when the editor is idle.
@@ -48,7 +43,7 @@ public:
     bool moved() const { return job_.moved(); }
     /// Waits for the job.
     void wait() const { job_.wait(); }
-    /// Returns the message after Requests::save_error once: "Wrote F.json".
+    /// Returns the message after ReferenceRequests::save_error once: "Wrote F.json".
     std::string take_remark() { return std::exchange(remark_, {}); }
 
 private:

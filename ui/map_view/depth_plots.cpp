@@ -8,6 +8,7 @@
 
 #include "shaders/shared/colours.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -26,16 +27,10 @@ std::pair<ImVec2, ImVec2> frame_of_plot(ImVec2 size, const std::string& title, f
     ImFont* font = theme::small();
     const float em = ImGui::GetFontSize();
     list.PushClipRect(lo, hi, true);
-    list.AddText(font, font->FontSize, {lo.x + em * 0.4f, lo.y + em * 0.15f}, theme::muted(), title.c_str());
+    small_text({lo.x + em * 0.4f, lo.y + em * 0.15f}, title, theme::muted());
     list.PopClipRect();
     const float head = font->FontSize * 1.35f, foot = font->FontSize * 1.2f + below;
     return {{lo.x + em * 0.5f, lo.y + head}, {hi.x - em * 0.5f, hi.y - foot}};
-}
-
-void small_text(ImVec2 at, const std::string& text, ImU32 colour, float align) {
-    ImFont* font = theme::small();
-    const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
-    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, {at.x - align * width, at.y}, colour, text.c_str());
 }
 
 ImU32 band_colour(const ViewSettings& v, double share) {

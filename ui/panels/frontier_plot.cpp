@@ -1,11 +1,11 @@
 #include "ui/panels/frontier_plot.h"
 
 #include <algorithm>
-#include <cfloat>
 #include <string>
 #include <vector>
 
 #include "ui/widgets/log_axis.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -23,20 +23,13 @@ struct Area {
     }
 };
 
-float text_width(const std::string& text) {
-    return theme::small()->CalcTextSizeA(theme::small()->FontSize, FLT_MAX, 0, text.c_str()).x;
-}
-
-void small_text(ImVec2 at, const std::string& text, ImU32 colour) {
-    ImGui::GetWindowDrawList()->AddText(theme::small(), theme::small()->FontSize, at, colour, text.c_str());
-}
-
 void draw_axes(const Area& a) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = theme::small()->FontSize;
     float free_x = a.lo.x;
     for (const LogAxis::Tick& t : a.x.ticks) {
-        const float x = a.lo.x + float(a.x.position(t.value)) * (a.hi.x - a.lo.x), w = text_width(t.text);
+        const float x = a.lo.x + float(a.x.position(t.value)) * (a.hi.x - a.lo.x),
+                    w = text_width(t.text, theme::small());
         list.AddLine({x, a.lo.y}, {x, a.hi.y}, theme::line());
         const float left = std::clamp(x - 0.5f * w, a.lo.x, a.hi.x - w);
         if (t.text.empty() || left < free_x) continue;
@@ -49,7 +42,7 @@ void draw_axes(const Area& a) {
         list.AddLine({a.lo.x, y}, {a.hi.x, y}, theme::line());
         const float top = std::clamp(y - 0.5f * line, a.lo.y, a.hi.y - line);
         if (t.text.empty() || top + line > free_y) continue;
-        small_text({a.lo.x - text_width(t.text) - line * 0.3f, top}, t.text, theme::muted());
+        small_text({a.lo.x - text_width(t.text, theme::small()) - line * 0.3f, top}, t.text, theme::muted());
         free_y = top - line * 0.2f;
     }
     list.AddRect(a.lo, a.hi, theme::line());
@@ -85,7 +78,7 @@ void draw_names(const Area& a, const SweepFacts& facts) {
         if (!m.on || m.tied) continue;
         const std::string& name = facts.cases[m.of].name;
         const ImVec2 p = a.at(m.dot);
-        const float w = text_width(name);
+        const float w = text_width(name, theme::small());
         const ImVec2 places[] = {{p.x + gap, p.y - line - gap * 0.3f},
                                  {p.x + gap, p.y - line * 0.5f},
                                  {p.x + gap, p.y + gap * 0.3f},
@@ -158,7 +151,7 @@ FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::
     Area a{.x = log_axis(costs, bytes), .y = log_axis(errors)};
     const float line = theme::small()->FontSize;
     float numbers = line;
-    for (const LogAxis::Tick& t : a.y.ticks) numbers = std::max(numbers, text_width(t.text));
+    for (const LogAxis::Tick& t : a.y.ticks) numbers = std::max(numbers, text_width(t.text, theme::small()));
     a.lo = {corner.x + numbers + line * 0.5f, corner.y + line * 0.2f};
     a.hi = {corner.x + size.x - line * 0.3f, corner.y + size.y - line * 1.3f};
     if (a.hi.x < a.lo.x + line * 4 || a.hi.y < a.lo.y + line * 2) return out;

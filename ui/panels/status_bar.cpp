@@ -9,6 +9,7 @@
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/ellipsis.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -55,12 +56,11 @@ void draw_status_bar(EditorState& state, const EditorFrame& frame) {
     ImFont* font = theme::small();
     const ImVec2 at = ImGui::GetWindowPos();
     const float y = at.y + 0.5f * (status_bar_height() - font->FontSize);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string facts = frame.result ? facts_text(state, frame) : std::string();
     const float right = width - text_width(facts, font) - em * 0.7f;
     float free = width - em * 1.4f;
     if (right > em * 12) {
-        list.AddText(font, font->FontSize, {at.x + right, y}, theme::muted(), facts.c_str());
+        small_text({at.x + right, y}, facts, theme::muted());
         free = right - em * 2;
     }
     if (state.log.lines().empty()) return;
@@ -69,7 +69,7 @@ void draw_status_bar(EditorState& state, const EditorFrame& frame) {
                          : last.kind == LogKind::Warning ? theme::warning()
                                                          : theme::muted();
     const std::string text = beginning_that_fits(last.text.substr(0, last.text.find('\n')), free, font);
-    list.AddText(font, font->FontSize, {at.x + em * 0.7f, y}, colour, text.c_str());
+    small_text({at.x + em * 0.7f, y}, text, colour);
     ImGui::SetCursorScreenPos(at);
     ImGui::InvisibleButton("last message",
                            {std::max(std::min(text_width(text, font) + em, free), 1.0f), status_bar_height()});

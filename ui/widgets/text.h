@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -49,6 +50,14 @@ inline void right_aligned(const std::string& text, ImU32 colour = theme::text())
 inline void right_cell(const std::string& text, ImU32 colour = theme::text()) {
     ImGui::TableNextColumn();
     right_aligned(text, colour);
+}
+
+/// Draws small text over a picture or plot. @param at upper left corner, pixels of the screen @param align share of the
+/// text's width left of that place
+inline void small_text(ImVec2 at, const std::string& text, ImU32 colour, float align = 0) {
+    ImFont* const font = theme::small();
+    if (align > 0) at.x -= align * text_width(text, font);
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, at, colour, text.c_str());
 }
 
 /// Draws the tooltip of the last item, in the lines that the text has. @param flags ImGuiHoveredFlags
