@@ -16,8 +16,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/render/renderer.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/font_data.h"
+#include "ui/widgets/text.h"
 
 namespace si {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "renderer/frame/frame.h"
-#include "ui/state/shots.h"
+#include "ui/state/window_layout.h"
 
 namespace si {
 

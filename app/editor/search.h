@@ -12,7 +12,7 @@
 #include "renderer/measure/axes.h"
 #include "renderer/reference/reference_task.h"
 #include "renderer/render/renderer.h"
-#include "ui/panels/tune.h"
+#include "ui/panels/tune_controls.h"
 
 namespace si {
 

@@ -11,7 +11,7 @@
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/setting_widgets.h"
-#include "ui/widgets/tooltip.h"
+#include "ui/widgets/text.h"
 
 namespace si::test {
 namespace {

@@ -21,12 +21,10 @@
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -67,16 +65,11 @@ float check_width(const char* label) {
 }
 
 void place_combo(EditorState& state, float width) {
-    static constexpr const char* kPlaces[] = {"above the settings", "beside the scene", "inset", "hidden"};
-    const int place = int(state.layout.map_place);
+    static constexpr ComboItem kPlaces[] = {
+        {0, "above the settings"}, {1, "beside the scene"}, {2, "inset"}, {3, "hidden"}};
+    int place = int(state.layout.map_place);
     ImGui::SetNextItemWidth(width);
-    if (begin_combo("##map place", kPlaces[place])) {
-        for (int i = 0; i < int(std::size(kPlaces)); ++i) {
-            if (ImGui::Selectable(kPlaces[i], i == place)) state.layout.map_place = MapSpot(i);
-            if (i == place) ImGui::SetItemDefaultFocus();
-        }
-        ImGui::EndCombo();
-    }
+    if (item_combo("##map place", kPlaces, place)) state.layout.map_place = MapSpot(place);
     plain_tooltip(with_key("Place of the shadow map in the window", Command::NextMapPlace));
 }
 
@@ -102,8 +95,7 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& reque
     Toolbar bar("map tools");
     if (titled) bar.title("Map");
     if (titled && ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s",
-                          with_key("Double-click: alone in the window, and back", Command::MaximisePanel).c_str());
+        plain_tooltip(with_key("Double-click: alone in the window, and back", Command::MaximisePanel));
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) toggle_maximised(state, Panel::Map);
     }
     const auto setting = [&](const char* label, const char* key, float width) {
@@ -249,10 +241,7 @@ std::string usage_text(const EditorState& state, const EditorFrame& frame) {
 
 /// Appends `more` to the shorter of two lines.
 void append(std::pair<std::string, std::string>& lines, const std::string& more) {
-    const auto width = [](const std::string& text) {
-        ImFont* font = theme::small();
-        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
-    };
+    const auto width = [](const std::string& text) { return text_width(text, theme::small()); };
     std::string& line = width(lines.first) <= width(lines.second) ? lines.first : lines.second;
     line += "   " + more;
 }
@@ -375,10 +364,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
     }
     list.PopClipRect();
-    ImFont* font = theme::small();
     float y = end.y + em * 0.2f;
     for (const auto& [words, colour] : {std::pair(text.first, theme::text()), {text.second, theme::muted()}}) {
-        list.AddText(font, font->FontSize, {origin.x, y}, colour, beginning_that_fits(words, size.x, font).c_str());
+        small_text({origin.x, y}, beginning_that_fits(words, size.x, theme::small()), colour);
         y += line;
     }
     if (!plots) return;

@@ -15,7 +15,6 @@
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

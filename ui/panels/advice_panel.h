@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer/measure/frame_costs.h"
-#include "ui/panels/tune.h"
+#include "ui/panels/tune_controls.h"
 
 namespace si {
 

@@ -14,13 +14,10 @@
 #include "renderer/optimisations/optimisations.h"
 #include "renderer/render/renderer.h"
 #include "ui/state/frame_times.h"
-#include "ui/widgets/button_width.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "renderer/frame/optimisation_set.h"
-#include "ui/panels/tune.h"
+#include "ui/panels/tune_controls.h"
 
 namespace si {
 

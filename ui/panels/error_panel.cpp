@@ -13,8 +13,6 @@
 #include "ui/panels/fixes_table.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/button_width.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"

@@ -1,10 +1,35 @@
 // Table of fixes. A click on a row applies it.
 #pragma once
 
+#include <glm/glm.hpp>
+#include <optional>
+
 #include "renderer/settings/settings.h"
-#include "ui/panels/fixes.h"
+#include "ui/panels/tune_controls.h"
 
 namespace si {
+
+struct FixTable;
+
+/// Request for a search for fixes of wrong pixels.
+struct FixRequest {
+    std::optional<glm::ivec2> pixel;  ///< pixel to make right; none: the whole picture
+};
+
+/// State and result of the search for fixes.
+struct FixSearch {
+    std::optional<SearchProgress> running;  ///< none: no search is under way
+    const FixTable* table = nullptr;        ///< last result; null: none
+    std::optional<glm::ivec2> pixel;        ///< pixel of the last result; none: the picture
+    bool current = false;                   ///< the last result is about the present settings
+};
+
+/// Requests of the table of fixes.
+struct FixRequests {
+    std::optional<FixRequest> find_fixes;  ///< start a search
+    bool cancel_fixes = false;
+    bool forget_fixes = false;  ///< drop the last result
+};
 
 /// Draws the button that starts the search for fixes, or the progress of the search. @param pixel pixel to make right;
 /// none: the picture @param ready there is a picture @param wrong some pixel is wrong

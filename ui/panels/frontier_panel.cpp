@@ -16,15 +16,12 @@
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/cost_combo.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

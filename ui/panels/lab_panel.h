@@ -6,7 +6,7 @@
 
 #include "renderer/measure/pipelines.h"
 #include "renderer/measure/shimmer.h"
-#include "ui/panels/tune.h"
+#include "ui/panels/tune_controls.h"
 
 namespace si {
 

@@ -17,11 +17,9 @@
 #include "ui/state/log.h"
 #include "ui/state/shortcuts.h"
 #include "ui/state/shown_light.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

@@ -16,12 +16,10 @@
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

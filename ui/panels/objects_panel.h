@@ -1,4 +1,4 @@
-// State of the list of objects.
+// State of the list of objects, and the selected objects.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,12 @@ struct ObjectsPanel {
     std::set<std::string> closed_nodes;  ///< node paths whose children are folded away
     std::vector<double> ranks;           ///< sort keys, one a node of the scene `ranks_scene`
     std::uint64_t ranks_scene = 0;       ///< Scene::id
+};
+
+/// Node paths of the selected objects.
+struct ObjectSelection {
+    std::string first;             ///< the one selected first; empty: none is selected
+    std::set<std::string> others;  ///< all but the first
 };
 
 }  // namespace si

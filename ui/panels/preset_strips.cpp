@@ -11,10 +11,8 @@
 
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

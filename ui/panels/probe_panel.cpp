@@ -14,12 +14,9 @@
 #include "ui/state/panels.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/button_width.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

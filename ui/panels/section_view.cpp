@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -31,7 +31,7 @@ public:
             case Mark::Kind::Text: {
                 ImFont* const font = m.strong ? theme::strong() : theme::small();
                 ImVec2 at = screen(m.points[0]);
-                const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, m.text.c_str()).x;
+                const float width = text_width(m.text, font);
                 at.x -= m.anchor == Mark::Anchor::End ? width : m.anchor == Mark::Anchor::Middle ? 0.5f * width : 0;
                 at.y -= font->Ascent;
                 return list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, colour,
@@ -78,10 +78,6 @@ private:
     }
 };
 
-double width_of(ImFont* font, std::string_view text) {
-    return double(font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x);
-}
-
 const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size) {
     ImFont* const font = theme::small();
     if (views.of != sections) {
@@ -95,11 +91,11 @@ const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, 
     for (const SectionViews::View& v : views.views)
         if (v.light == light) return v.drawing;
     ++views.drawn;
-    const auto text_width = [font](std::string_view text) { return width_of(font, text); };
+    const auto width_of = [font](std::string_view text) { return double(text_width(text, font)); };
     views.views.push_back(
         {light, width, height, em,
          draw_section((*sections)[light],
-                      {.width = width, .height = height, .em = em, .captions = false, .text_width = text_width})});
+                      {.width = width, .height = height, .em = em, .captions = false, .text_width = width_of})});
     return views.views.back().drawing;
 }
 
@@ -121,7 +117,7 @@ LegendPlace place_of(const std::vector<LegendRow>& legend) {
     const float top = std::max(lo.y, ImGui::GetWindowPos().y), bottom = std::min(hi.y, screen.y);
     LegendPlace place;
     for (const LegendRow& row : legend)
-        place.column_width = std::max(place.column_width, float(width_of(theme::strong(), row.text)));
+        place.column_width = std::max(place.column_width, text_width(row.text, theme::strong()));
     place.column_width += (float(kSwatchEms) + 0.6f) * em;
     const auto height = [&] {
         const std::size_t rows = (legend.size() + place.columns - 1) / place.columns;
@@ -187,11 +183,11 @@ SectionSheet section_sheet(const Section& section) {
     const SectionPage as_svg;
     const double em = font->FontSize, scale = em / as_svg.em;
     // The bold font is the widest: lines are broken for it, so that none is longer than the page.
-    const auto text_width = [](std::string_view text) {
-        return std::max(width_of(theme::small(), text), width_of(theme::strong(), text));
+    const auto width_of = [](std::string_view text) {
+        return std::max(double(text_width(text, theme::small())), double(text_width(text, theme::strong())));
     };
     const SectionDrawing drawing = draw_section(
-        section, {.width = scale * as_svg.width, .height = scale * as_svg.height, .em = em, .text_width = text_width});
+        section, {.width = scale * as_svg.width, .height = scale * as_svg.height, .em = em, .text_width = width_of});
     SectionSheet sheet;
     sheet.width = int(std::ceil(drawing.width));
     sheet.height = int(std::ceil(drawing.height));

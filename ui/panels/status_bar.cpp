@@ -8,10 +8,8 @@
 #include "renderer/measure/time_sampler.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

@@ -9,7 +9,6 @@
 #include "renderer/base/lengths_text.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/text.h"
 

@@ -1,11 +1,64 @@
 // Controls of the search for the smallest bias: buttons, limits, progress, results.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 
-#include "ui/panels/tune.h"
+#include "renderer/measure/frame_costs.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
+
+/// State of the controls of the bias search: limits as typed.
+struct TunePanel {
+    bool bound_error = true;
+    bool bound_ms = false;
+    bool area = false;             ///< compares with an area light instead of a point
+    double max_error = 0.01;       ///< largest mean error of visibility
+    double max_ms = 10;            ///< longest time of a frame
+    CostCase cost = kDefaultCost;  ///< kind of frames that max_ms bounds
+};
+
+/// Progress of a background search or measurement.
+struct SearchProgress {
+    std::string about;    ///< attempt under way
+    double progress = 0;  ///< 0..1
+};
+
+/// Request for a bias search. Without limits the search finds the smallest bias without acne.
+struct TuneRequest {
+    std::optional<double> max_error, max_ms;  ///< limits; with one, kernel and resolution are searched, too
+    bool area = false;                        ///< compares with an area light instead of a point
+    CostCase cost = kDefaultCost;             ///< kind of frames that max_ms bounds
+};
+
+/// Result of a bias search for one kind of bias (constant, slope, normal offset).
+struct TunedFamily {
+    std::string name;
+    std::string bias_text;
+    BiasSettings bias;
+    std::size_t acne = 0;    ///< pixels of acne
+    std::size_t wrong = 0;   ///< wrong pixels
+    std::size_t lost = 0;    ///< pixels that the bias itself makes wrong
+    double gap_p95_m = 0;    ///< width of the lit strip at contacts, 95th percentile
+    double shift_p95_m = 0;  ///< shift of shadow edges, 95th percentile
+    bool chosen = false;     ///< the fewest lost pixels
+};
+
+/// Facts of the bias search: progress and last results.
+struct TunePanelFacts {
+    std::optional<SearchProgress> tuning;  ///< none: not under way
+    std::span<const TunedFamily> tuned;    ///< results of the last search for this scene
+    bool tuned_current = false;            ///< a search from the present settings would give the same
+};
+
+/// Requests of the controls of the bias search.
+struct TuneRequests {
+    std::optional<TuneRequest> tune;
+    bool cancel_tune = false;
+};
 
 /// Draws the controls of the bias search: buttons, limits, progress and results. @param settings changed by a click on
 /// a result @param why_not reason why no search is possible; empty: a search is possible

@@ -18,7 +18,7 @@
 namespace si {
 namespace {
 
-constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
+constexpr ComboItem kViews[] = {{0, "off"}, {1, "swipe"}, {2, "side by side"}, {3, "difference"}};
 
 bool is_pinned(const EditorState& state) {
     return !state.comparison.reference && state.compare.kind == CompareKind::Pinned;
@@ -58,14 +58,8 @@ void comparison_view_widget(EditorState& state, float width) {
         ImGui::EndDisabled();
         return;
     }
-    if (begin_combo("##against view", kViews[int(a.view)])) {
-        for (int i = 0; i < int(std::size(kViews)); ++i) {
-            const bool chosen = i == int(a.view);
-            if (ImGui::Selectable(kViews[i], chosen)) a.view = ComparisonView(i);
-            if (chosen) ImGui::SetItemDefaultFocus();
-        }
-        ImGui::EndCombo();
-    }
+    int view = int(a.view);
+    if (item_combo("##against view", kViews, view)) a.view = ComparisonView(view);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "%s. %s pins the present settings as A;\nwhile %s is held the picture shows them alone",

@@ -11,6 +11,7 @@
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -59,7 +60,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     ImFont* font = theme::small();
     const std::string colour =
         fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]);
-    const float across = std::max(side, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, colour.c_str()).x + em * 0.4f);
+    const float across = std::max(side, text_width(colour, font) + em * 0.4f);
     // The loupe moves to the other side if it would cover its own pixels.
     const float at_x = (float(loupe->at.x) + 0.5f) * size.x / float(std::max(frame.result->colour.width, 1));
     const bool right = at_x < side * 2;
@@ -88,8 +89,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
         for (const Probe::PerLight& light : frame.probe->lights)
             if (light.light == shown_light(state.settings) && light.casts) visibility = light.visibility;
     const auto line = [&](int row, const std::string& what) {
-        list.AddText(font, font->FontSize, {lo.x + em * 0.2f, hi.y + em * (0.15f + 1.2f * float(row))},
-                     theme::kOnPicture, what.c_str());
+        small_text({lo.x + em * 0.2f, hi.y + em * (0.15f + 1.2f * float(row))}, what, theme::kOnPicture);
     };
     line(0, colour);
     if (visibility) line(1, fmt::format("visibility {:.3g}", *visibility));

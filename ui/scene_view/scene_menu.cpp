@@ -11,8 +11,8 @@
 #include "ui/scene_view/pick.h"
 #include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

@@ -19,13 +19,11 @@
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/toolbar.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

@@ -1,6 +1,8 @@
-// Arrangement of the editor's window: panels, splitters, tabs, popups.
+// Arrangement of the editor's window: panels, splitters, tabs, popups; its keys and screenshots.
 #pragma once
 
+#include <array>
+#include <glm/glm.hpp>
 #include <optional>
 
 #include "renderer/base/index_of.h"
@@ -46,6 +48,36 @@ struct WindowState {
     bool show_welcome = false;
     bool show_shortcuts = false;  ///< the overview of mouse and keyboard
     bool had_popup = false;       ///< a menu or dialog was open at the end of the last frame
+};
+
+/// Owners of the arrow keys and the page keys, which ImGui uses for its own navigation.
+struct KeyboardState {
+    bool probe_has_arrows = false;            ///< the arrow keys move the probe, not the focus
+    bool took_navigation = false;             ///< ImGui's keyboard navigation is off for that reason
+    std::array<int, 2> page_keys = {-1, -1};  ///< window codes of Page up and Page down; -1: not known yet
+};
+
+/// Part of the editor that a screenshot shows. Drawing: the probe's cross-section.
+enum class Shot { Scene, Map, Window, Drawing };
+
+/// Rectangle of the screen in ImGui's units, y down. The size is 0 if that part was not drawn.
+struct ScreenRect {
+    glm::vec2 lo{0};
+    glm::vec2 size{0};
+};
+
+/// Request for a screenshot of this frame.
+struct ShotRequest {
+    Shot of = Shot::Window;
+    ScreenRect rect;  ///< part of the window to cut out
+};
+
+/// Screenshots that are due, and the places of the pictures in the window.
+struct ShotState {
+    std::optional<Shot> next;  ///< taken in the next frame, once the menu that requested it is closed
+    ScreenRect scene_rect;     ///< scene picture in the last frame
+    ScreenRect map_rect;       ///< map in the last frame
+    ScreenRect drawing_rect;   ///< cross-section in the last frame
 };
 
 }  // namespace si

@@ -4,9 +4,12 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
 
-#include "ui/widgets/ellipsis.h"
+#include "ui/widgets/text.h"
 
 namespace si {
 
@@ -26,6 +29,30 @@ inline bool begin_combo(const char* label, const std::string& shown, ImGuiComboF
     // The list comes in the next frame: all lists share a window, in which that of the closed one may stand by now.
     if (press_closed_other_popup()) ImGui::OpenPopup(ImHashStr("##ComboPopup", 0, ImGui::GetItemID()));
     return false;
+}
+
+/// Choice of a combo.
+struct ComboItem {
+    int value;
+    std::string_view label;
+    std::string_view help = {};  ///< tooltip; empty: none
+};
+
+/// Draws a combo of choices. Returns true if `value` has changed. @param unknown text for a value that is no choice
+inline bool item_combo(const char* id, std::span<const ComboItem> items, int& value, const std::string& unknown = {}) {
+    const auto now = std::ranges::find(items, value, &ComboItem::value);
+    if (!begin_combo(id, now != items.end() ? std::string(now->label) : unknown)) return false;
+    const int before = value;
+    for (const ComboItem& item : items) {
+        ImGui::PushID(item.value);
+        const bool selected = item.value == before;
+        if (ImGui::Selectable(std::string(item.label).c_str(), selected)) value = item.value;
+        if (selected) ImGui::SetItemDefaultFocus();
+        if (!item.help.empty()) wrapped_tooltip(std::string(item.help));
+        ImGui::PopID();
+    }
+    ImGui::EndCombo();
+    return value != before;
 }
 
 }  // namespace si

@@ -11,8 +11,8 @@
 #include "renderer/settings/param.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {

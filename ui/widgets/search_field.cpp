@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/text.h"
 
 namespace si {

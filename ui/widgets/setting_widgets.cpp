@@ -18,11 +18,9 @@
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/splits.h"
 #include "ui/widgets/combo.h"
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/tooltip.h"
 
 namespace si {
 namespace {
@@ -104,39 +102,16 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     return changed;
 }
 
-/// Choice of a combo.
-struct ComboItem {
-    int value;
-    std::string_view label, help;
-};
-
-/// Draws a combo of a setting's choices. @param unknown text for a value that is no choice
-bool combo(const std::vector<ComboItem>& items, int& value, const std::string& unknown) {
-    const auto now = std::ranges::find(items, value, &ComboItem::value);
-    if (!begin_combo("##value", now != items.end() ? std::string(now->label) : unknown)) return false;
-    const int before = value;
-    for (const ComboItem& item : items) {
-        ImGui::PushID(item.value);
-        const bool selected = item.value == before;
-        if (ImGui::Selectable(std::string(item.label).c_str(), selected)) value = item.value;
-        if (selected) ImGui::SetItemDefaultFocus();
-        if (!item.help.empty()) wrapped_tooltip(std::string(item.help));
-        ImGui::PopID();
-    }
-    ImGui::EndCombo();
-    return value != before;
-}
-
 bool choice_combo(const Param& p, int& value) {
     std::vector<ComboItem> items;
     for (const auto& choice : p.choices()) items.push_back({int(items.size()), choice.label, choice.help});
-    return combo(items, value, fmt::format("{}", value));
+    return item_combo("##value", items, value, fmt::format("{}", value));
 }
 
 bool named_combo(const NamedValues& names, int& value) {
     std::vector<ComboItem> items;
     for (const auto& [number, name] : names) items.push_back({number, name, {}});
-    return combo(items, value, fmt::format("{} (not there)", value));
+    return item_combo("##value", items, value, fmt::format("{} (not there)", value));
 }
 
 bool integer(const Param& p, int& value, const std::string& unit) {

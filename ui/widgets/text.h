@@ -1,16 +1,106 @@
-// Texts in a colour, a weight, a table cell or right-aligned; plain tooltips; buttons that can be disabled.
+// Texts (coloured, bold, small, right-aligned, cut to a width), tooltips and buttons.
 #pragma once
 
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <string>
 #include <string_view>
 
-#include "ui/widgets/ellipsis.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
+
+/// Returns the width of a text in a font, pixels.
+inline float text_width(std::string_view text, const ImFont* font) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.data(), text.data() + text.size()).x;
+}
+
+/// Returns true for the second and later bytes of a UTF-8 character.
+inline bool is_continuation(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0) == 0x80;
+}
+
+/// Cuts a text at its end, with an ellipsis, so that it fits a width; for sentences. @param width pixels
+inline std::string beginning_that_fits(std::string text, float width, const ImFont* font) {
+    if (text_width(text, font) <= width) return text;
+    while (!text.empty() && text_width(text + "…", font) > width) {
+        while (is_continuation(text.back())) text.pop_back();
+        text.pop_back();
+    }
+    return text + "…";
+}
+
+/// Cuts a text at its beginning, with an ellipsis, so that it fits a width; for paths. @param width pixels
+inline std::string end_that_fits(std::string text, float width, const ImFont* font) {
+    if (text_width(text, font) <= width) return text;
+    for (std::size_t at = 1; at < text.size(); ++at)
+        if (const std::string end = "…" + text.substr(at); !is_continuation(text[at]) && text_width(end, font) <= width)
+            return end;
+    return "…";
+}
+
+/// Returns the width of an ImGui button with that label, pixels.
+inline float button_width(const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
+inline constexpr float kTooltipGap = 0.3f;  ///< distance from the item, ems
+inline constexpr float kTooltipWidth = 31;  ///< largest width, ems
+
+/// Places the next tooltip so that it covers no neighbour of the last item: next to a narrow window (a list, a column
+/// of settings), below or above the item in a wide one (a toolbar). Without room for either ImGui places it.
+inline void place_tooltip() {
+    const float em = ImGui::GetFontSize(), gap = em * kTooltipGap, wide = em * kTooltipWidth;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowSize().x;
+    const bool upper = lo.y + hi.y < screen.y;
+    if (right - left < wide) {
+        const bool on_right = screen.x - right >= wide;
+        if (!on_right && left < wide) return;
+        ImGui::SetNextWindowPos({on_right ? right + gap : left - gap, upper ? lo.y : hi.y}, ImGuiCond_Always,
+                                {on_right ? 0.0f : 1.0f, upper ? 0.0f : 1.0f});
+    } else if (screen.x >= wide) {
+        ImGui::SetNextWindowPos(
+            {std::clamp(ImGui::GetMousePos().x, 0.0f, screen.x - wide), upper ? hi.y + gap : lo.y - gap},
+            ImGuiCond_Always, {0, upper ? 0.0f : 1.0f});
+    }
+}
+
+/// Breaks a text into lines at spaces only. ImGui would break after points, too, as in "map.resolution".
+/// @param width largest width of a line, pixels
+inline std::string broken_at_spaces(std::string_view text, float width) {
+    std::string out;
+    std::size_t line = 0, word = 0;  // where in `out` the last line and the last word begin
+    const auto end_word = [&] {
+        if (word == line || ImGui::CalcTextSize(out.c_str() + line).x <= width) return;
+        out[word - 1] = '\n';
+        line = word;
+    };
+    for (const char c : text) {
+        const bool ends = c == ' ' || c == '\n';
+        if (ends) end_word();
+        out += c;
+        if (ends) word = out.size();
+        if (c == '\n') line = word;
+    }
+    end_word();
+    return out;
+}
+
+/// Draws the tooltip of the last item, in lines of readable length, also if it is disabled.
+inline void wrapped_tooltip(const std::string& text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    place_tooltip();
+    ImGui::BeginTooltip();
+    const float most = ImGui::GetFontSize() * 30;
+    ImGui::PushTextWrapPos(most);
+    ImGui::TextUnformatted(broken_at_spaces(text, most - ImGui::GetStyle().WindowPadding.x - 1).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
 
 /// Draws text in one line, in a colour.
 inline void coloured_text(std::string_view text, ImU32 colour) {

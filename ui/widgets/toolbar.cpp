@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
