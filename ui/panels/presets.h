@@ -49,4 +49,10 @@ struct PresetRequests {
     bool cancel_load = false;                ///< keep the scene that is shown
 };
 
+/// Draws the popup `id` of presets by topic, while it is open. @param open key of the preset that is open
+void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const std::string& open,
+                       PresetRequests& requests);
+/// Returns the width of the popup of presets, pixels.
+float presets_menu_width();
+
 }  // namespace si

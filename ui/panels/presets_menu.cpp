@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/state/panels.h"
+#include "ui/panels/presets.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -35,8 +35,8 @@ float presets_menu_width() {
     return std::min(em * 46, ImGui::GetIO().DisplaySize.x - 4 * em);
 }
 
-void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
-                       EditorRequests& requests) {
+void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const std::string& open,
+                       PresetRequests& requests) {
     const float em = ImGui::GetFontSize();
     const float height = std::min(em * 44, ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() * 2.5f);
     ImGui::SetNextWindowSize({presets_menu_width(), height});
@@ -50,7 +50,7 @@ void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, con
             ImGui::TextDisabled("%s", topic.c_str());
             ImGui::Separator();
         }
-        if (entry(preset, preset.key == state.files.guide.key, ImGui::GetContentRegionAvail().x)) {
+        if (entry(preset, preset.key == open, ImGui::GetContentRegionAvail().x)) {
             requests.load_preset = preset.key;
             ImGui::CloseCurrentPopup();
         }

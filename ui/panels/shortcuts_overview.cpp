@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 

@@ -26,19 +26,12 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);
-/// Draws the overview of mouse and keyboard, while it is shown. @param shown false once it was closed
-void draw_shortcuts(bool& shown);
 /// Draws the welcome, while state.window.show_welcome.
 void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the animation's controls. Call only while time_bar_height() is not 0.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
 /// Returns the height of the animation's controls, pixels; 0: the scene has no animation.
 float time_bar_height(const EditorFrame& frame);
-/// Draws the popup `id` of presets by topic, while it is open.
-void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
-                       EditorRequests& requests);
-/// Returns the width of the popup of presets, pixels.
-float presets_menu_width();
 /// Draws the note of the open preset and the offer to restore a lost session, each if there is one.
 /// @param width pixels; the height follows the text
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);

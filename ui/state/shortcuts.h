@@ -138,6 +138,9 @@ void run_command(Command command, EditorState& state, const EditorFrame& frame, 
 /// Performs the actions of all shortcuts whose keys were pressed in this frame. Call once a frame.
 void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 
+/// Draws the overview of mouse and keyboard, while it is shown. @param shown false once it was closed
+void draw_shortcuts(bool& shown);
+
 /// Assigns the arrow keys to the probe or to ImGui's keyboard navigation, for the next frame.
 void assign_arrow_keys(EditorState& state);
 /// Keeps Page up and Page down from scrolling panels, except in menus, for the next frame.
