@@ -17,35 +17,16 @@
 namespace si {
 namespace {
 
-const char* egl_error_name(EGLint error) {
-    switch (error) {
-        case EGL_SUCCESS:
-            return "no error code";
-        case EGL_NOT_INITIALIZED:
-            return "EGL_NOT_INITIALIZED";
-        case EGL_BAD_ACCESS:
-            return "EGL_BAD_ACCESS";
-        case EGL_BAD_ALLOC:
-            return "EGL_BAD_ALLOC";
-        case EGL_BAD_ATTRIBUTE:
-            return "EGL_BAD_ATTRIBUTE";
-        case EGL_BAD_CONFIG:
-            return "EGL_BAD_CONFIG";
-        case EGL_BAD_CONTEXT:
-            return "EGL_BAD_CONTEXT";
-        case EGL_BAD_DISPLAY:
-            return "EGL_BAD_DISPLAY";
-        case EGL_BAD_MATCH:
-            return "EGL_BAD_MATCH";
-        case EGL_BAD_PARAMETER:
-            return "EGL_BAD_PARAMETER";
-        case EGL_BAD_SURFACE:
-            return "EGL_BAD_SURFACE";
-        case EGL_CONTEXT_LOST:
-            return "EGL_CONTEXT_LOST";
-        default:
-            return "an unknown EGL error";
-    }
+/// Returns the name of an EGL error. The codes of EGL follow one another.
+std::string_view egl_error_name(EGLint error) {
+    static constexpr std::string_view kNames[] = {
+        "no error code",     "EGL_NOT_INITIALIZED", "EGL_BAD_ACCESS",        "EGL_BAD_ALLOC",
+        "EGL_BAD_ATTRIBUTE", "EGL_BAD_CONFIG",      "EGL_BAD_CONTEXT",       "EGL_BAD_CURRENT_SURFACE",
+        "EGL_BAD_DISPLAY",   "EGL_BAD_MATCH",       "EGL_BAD_NATIVE_PIXMAP", "EGL_BAD_NATIVE_WINDOW",
+        "EGL_BAD_PARAMETER", "EGL_BAD_SURFACE",     "EGL_CONTEXT_LOST"};
+    static_assert(std::size(kNames) == EGL_CONTEXT_LOST - EGL_SUCCESS + 1);
+    const auto i = std::size_t(error - EGL_SUCCESS);
+    return i < std::size(kNames) ? kNames[i] : "an unknown EGL error";
 }
 
 std::string failed(std::string_view call) {
@@ -54,14 +35,7 @@ std::string failed(std::string_view call) {
 
 /// Returns true if a space-separated list of extensions contains the name as a whole word.
 bool listed(const char* extensions, std::string_view name) {
-    std::string_view rest = extensions ? extensions : "";
-    while (!rest.empty()) {
-        const auto end = rest.find(' ');
-        if (rest.substr(0, end) == name) return true;
-        if (end == std::string_view::npos) break;
-        rest.remove_prefix(end + 1);
-    }
-    return false;
+    return fmt::format(" {} ", extensions ? extensions : "").find(fmt::format(" {} ", name)) != std::string::npos;
 }
 
 /// Candidate for an EGL display, in the order in which they are tried.

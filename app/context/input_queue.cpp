@@ -10,22 +10,10 @@ namespace {
 
 /// Returns the GLFW_MOD_* bit of a modifier key; 0 for other keys.
 int modifier_of(int key) {
-    switch (key) {
-        case GLFW_KEY_LEFT_SHIFT:
-        case GLFW_KEY_RIGHT_SHIFT:
-            return GLFW_MOD_SHIFT;
-        case GLFW_KEY_LEFT_CONTROL:
-        case GLFW_KEY_RIGHT_CONTROL:
-            return GLFW_MOD_CONTROL;
-        case GLFW_KEY_LEFT_ALT:
-        case GLFW_KEY_RIGHT_ALT:
-            return GLFW_MOD_ALT;
-        case GLFW_KEY_LEFT_SUPER:
-        case GLFW_KEY_RIGHT_SUPER:
-            return GLFW_MOD_SUPER;
-        default:
-            return 0;
-    }
+    static constexpr int kModifiers[] = {GLFW_MOD_SHIFT, GLFW_MOD_CONTROL, GLFW_MOD_ALT, GLFW_MOD_SUPER};
+    // Keys are numbered in this order: the four on the left, then the four on the right.
+    if (key < GLFW_KEY_LEFT_SHIFT || key > GLFW_KEY_RIGHT_SUPER) return 0;
+    return kModifiers[(key - GLFW_KEY_LEFT_SHIFT) % 4];
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -18,10 +17,11 @@
 namespace si {
 namespace {
 
-std::string last_glfw_error() {
+/// Returns code and text of the last error of GLFW.
+std::pair<int, std::string> last_glfw_error() {
     const char* text = nullptr;
-    glfwGetError(&text);
-    return text ? text : "no reason given";
+    const int code = glfwGetError(&text);
+    return {code, text ? text : "no reason given"};
 }
 
 constexpr const char* kHeadlessHint =
@@ -46,7 +46,8 @@ std::string WindowContext::portal_name() const {
 }
 
 WindowContext::WindowContext(const std::string& title, int width, int height, bool maximised) {
-    if (!glfwInit()) throw Error(fmt::format("no window: glfwInit failed ({}); {}", last_glfw_error(), kHeadlessHint));
+    if (!glfwInit())
+        throw Error(fmt::format("no window: glfwInit failed ({}); {}", last_glfw_error().second, kHeadlessHint));
     glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
@@ -69,14 +70,13 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     }
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!window_) {
-        const char* text = nullptr;
-        const bool too_old = glfwGetError(&text) == GLFW_VERSION_UNAVAILABLE;
-        const std::string reason = text ? text : "no reason given";
+        const auto [code, reason] = last_glfw_error();
         glfwTerminate();
         throw Error(fmt::format("no window: glfwCreateWindow (OpenGL 4.5 core) failed ({}); {}", reason,
-                                too_old ? "`shadow-inspector info` says what the driver offers; update it, or use "
-                                          "Mesa's software driver with LIBGL_ALWAYS_SOFTWARE=1"
-                                        : kHeadlessHint));
+                                code == GLFW_VERSION_UNAVAILABLE
+                                    ? "`shadow-inspector info` says what the driver offers; update it, or use "
+                                      "Mesa's software driver with LIBGL_ALWAYS_SOFTWARE=1"
+                                    : kHeadlessHint));
     }
     float scale_x = 1, scale_y = 1;
     glfwGetWindowContentScale(window_, &scale_x, &scale_y);
@@ -202,22 +202,15 @@ void WindowContext::swap() {
     glfwSwapBuffers(window_);
 }
 
-int WindowContext::framebuffer_width() const {
-    int w = 0, h = 0;
-    glfwGetFramebufferSize(window_, &w, &h);
-    return w;
-}
-
-int WindowContext::framebuffer_height() const {
-    int w = 0, h = 0;
-    glfwGetFramebufferSize(window_, &w, &h);
-    return h;
+glm::ivec2 WindowContext::framebuffer_size() const {
+    glm::ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
 }
 
 std::pair<int, int> WindowContext::size() const {
-    const float scale = content_scale();
-    return {int(std::lround(float(framebuffer_width()) / scale)),
-            int(std::lround(float(framebuffer_height()) / scale))};
+    const glm::vec2 size = glm::round(glm::vec2(framebuffer_size()) / content_scale());
+    return {int(size.x), int(size.y)};
 }
 
 bool WindowContext::maximised() const {

@@ -42,10 +42,8 @@ public:
     void swap();
     /// Hides the cursor and lets it move without limits (true), or shows it again where it was (false).
     void hold_cursor(bool held);
-    /// Returns the width of the window's framebuffer in pixels.
-    int framebuffer_width() const;
-    /// Returns the height of the window's framebuffer in pixels.
-    int framebuffer_height() const;
+    /// Returns width and height of the window's framebuffer in pixels.
+    glm::ivec2 framebuffer_size() const;
     /// Returns width and height of the window in screen coordinates at scale 1, as the constructor takes them.
     std::pair<int, int> size() const;
     /// Returns true if the window fills the work area (maximised).

@@ -159,10 +159,10 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())
             due = std::max(due, 1);
         model.write_when_due();
-        const int width = window.framebuffer_width(), height = window.framebuffer_height();
+        const glm::ivec2 size = window.framebuffer_size();
         still = due == 0 && !model.busy() ? still + 1 : 0;
         if (still == kStillLooks) model.release_unused_memory();
-        if (due == 0 || width == 0 || height == 0) {
+        if (due == 0 || size.x == 0 || size.y == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised
             continue;
         }
@@ -176,12 +176,12 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         const EditorRequests requests = draw_editor(model.state, model.facts());
         ImGui::Render();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        imgui.draw(width, height);
+        imgui.draw(size.x, size.y);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             model.session().note_driver(fmt::format("the editor's window: glGetError {:#x}", error));
         const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
         if (requests.shot && !model.save_drawing(*requests.shot, imgui))
-            model.save_shot(*requests.shot, read_window(width, height), scale);
+            model.save_shot(*requests.shot, read_window(size.x, size.y), scale);
         window.swap();
         try {
             gl::check_context_alive();
