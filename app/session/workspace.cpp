@@ -6,8 +6,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -28,70 +26,62 @@ constexpr int kWorkspaceVersion = 1;
 constexpr std::size_t kMaxRecent = 12;
 constexpr const char* kFile = "workspace.json";
 
-/// Reads a number within its bounds from a member of JSON; else keeps `value`.
+/// Calls visit(section, key, member) for each member of the file, in the file's order. Members outside all sections
+/// have an empty one; numbers come with their bounds.
+template <class Data, class Visit>
+void visit_members(Data& d, const Visit& visit) {
+    visit("layout", "settings_width", d.layout.settings_width, 4, 400);
+    visit("layout", "bottom_height", d.layout.bottom_height, 0, 400);
+    visit("layout", "map_share", d.layout.map_share, 0.05, 0.95);
+    visit("layout", "map_height", d.layout.map_height, 0.05, 0.95);
+    visit("layout", "map_inset", d.layout.map_inset, 4, 400);
+    visit("layout", "map_place", d.layout.map_place, 0, index_of(MapSpot::Hidden));
+    visit("layout", "map_plots", d.layout.map_plots);
+    visit("layout", "light_theme", d.layout.light_theme);
+    visit("layout", "desktop_dialogs", d.layout.desktop_dialogs);
+    visit("window", "width", d.window_width, 200, 32768);
+    visit("window", "height", d.window_height, 150, 32768);
+    visit("window", "maximised", d.maximised);
+    visit("", "welcomed", d.welcomed);
+    visit("", "recent_scenes", d.recent_scenes);
+    visit("", "recent_presets", d.recent_presets);
+}
+
+/// Reads a member of its type and within its bounds; else keeps `value`.
 template <class T>
-void read_member(const Json& json, const char* key, T& value, double least, double most) {
-    const auto it = json.find(key);
-    if (it == json.end() || !it->is_number()) return;
-    const double number = it->get<double>();
+void read_member(const Json& json, T& value, double least, double most) {
+    if (!json.is_number()) return;
+    const double number = json.get<double>();
     if (number >= least && number <= most) value = T(number);
 }
 
-void read_member(const Json& json, const char* key, std::vector<std::string>& list) {
-    const auto it = json.find(key);
-    if (it == json.end() || !it->is_array()) return;
+void read_member(const Json& json, bool& value) {
+    if (json.is_boolean()) value = json.get<bool>();
+}
+
+void read_member(const Json& json, std::vector<std::string>& list) {
+    if (!json.is_array()) return;
     list.clear();
-    for (const Json& entry : *it)
+    for (const Json& entry : json)
         if (entry.is_string() && list.size() < kMaxRecent) list.push_back(entry.get<std::string>());
 }
 
 WorkspaceData from_json(const Json& json) {
     WorkspaceData d;
-    const Json none = Json::object();
-    const auto part = [&](const char* key) -> const Json& {
-        const auto it = json.find(key);
-        return it != json.end() && it->is_object() ? *it : none;
-    };
-    const Json& layout = part("layout");
-    read_member(layout, "settings_width", d.layout.settings_width, 4, 400);
-    read_member(layout, "bottom_height", d.layout.bottom_height, 0, 400);
-    read_member(layout, "map_share", d.layout.map_share, 0.05, 0.95);
-    read_member(layout, "map_height", d.layout.map_height, 0.05, 0.95);
-    read_member(layout, "map_inset", d.layout.map_inset, 4, 400);
-    int place = int(d.layout.map_place);
-    read_member(layout, "map_place", place, 0, index_of(MapSpot::Hidden));
-    d.layout.map_place = MapSpot(place);
-    d.layout.light_theme = layout.value("light_theme", Json()) == Json(true);
-    d.layout.desktop_dialogs = layout.value("desktop_dialogs", Json()) != Json(false);
-    d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
-    const Json& window = part("window");
-    read_member(window, "width", d.window_width, 200, 32768);
-    read_member(window, "height", d.window_height, 150, 32768);
+    visit_members(d, [&](const std::string& section, const char* key, auto& value, auto... bounds) {
+        const Json part = section.empty() ? json : json.value(section, Json());
+        if (const auto it = part.find(key); it != part.end()) read_member(*it, value, bounds...);
+    });
     if (d.window_width == 0 || d.window_height == 0) d.window_width = d.window_height = 0;
-    d.maximised = window.value("maximised", Json()) == Json(true);
-    d.welcomed = json.value("welcomed", Json()) == Json(true);
-    read_member(json, "recent_scenes", d.recent_scenes);
-    read_member(json, "recent_presets", d.recent_presets);
     return d;
 }
 
 std::string to_text(const WorkspaceData& d) {
-    const Json json{{"format", kWorkspaceFormat},
-                    {"version", kWorkspaceVersion},
-                    {"layout",
-                     {{"settings_width", d.layout.settings_width},
-                      {"bottom_height", d.layout.bottom_height},
-                      {"map_share", d.layout.map_share},
-                      {"map_height", d.layout.map_height},
-                      {"map_inset", d.layout.map_inset},
-                      {"map_place", int(d.layout.map_place)},
-                      {"map_plots", d.layout.map_plots},
-                      {"light_theme", d.layout.light_theme},
-                      {"desktop_dialogs", d.layout.desktop_dialogs}}},
-                    {"window", {{"width", d.window_width}, {"height", d.window_height}, {"maximised", d.maximised}}},
-                    {"welcomed", d.welcomed},
-                    {"recent_scenes", d.recent_scenes},
-                    {"recent_presets", d.recent_presets}};
+    Json json{{"format", kWorkspaceFormat}, {"version", kWorkspaceVersion}};
+    visit_members(d, [&](const std::string& section, const char* key, const auto& value, auto...) {
+        Json& part = section.empty() ? json : json[section];
+        part[key] = value;
+    });
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -41,17 +41,11 @@ std::vector<SettingValue> values_named(const Json& settings, const std::vector<S
 }
 
 std::string axes_text(const Json& axes) {
-    std::string text;
-    for (const Json& axis : axes) {
-        if (!text.empty()) text += ' ';
-        text += axis.at("key").get<std::string>();
-        text += '=';
-        for (std::size_t i = 0; i < axis.at("values").size(); ++i) {
-            if (i > 0) text += ',';
-            text += axis.at("values")[i].get<std::string>();
-        }
-    }
-    return text.empty() ? "nothing" : text;
+    std::vector<std::string> texts;
+    for (const Json& axis : axes)
+        texts.push_back(fmt::format("{}={}", axis.at("key").get<std::string>(),
+                                    fmt::join(axis.at("values").get<std::vector<std::string>>(), ",")));
+    return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, " "));
 }
 
 }  // namespace
