@@ -1,6 +1,7 @@
-// Parsing of JSON from files, with limits on depth and helpful errors.
+// Parsing of JSON from files, with limits on depth and helpful errors, and lists as JSON.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -15,6 +16,14 @@ inline constexpr int kMaxJsonDepth = 32;
 /// @throws Error "NAME: line L, column C: what is wrong": broken or deeper than kMaxJsonDepth, a number out of range, a
 /// member that occurs twice, text after the end
 nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
+
+/// Converts each element of a range to JSON by `convert`, in an array.
+template <class Range, class Convert>
+nlohmann::ordered_json json_list(const Range& range, const Convert& convert) {
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& element : range) list.push_back(std::invoke(convert, element));
+    return list;
+}
 
 /// Formats a JSON value for an error message: on one line, cut after some 60 characters.
 std::string quoted(const nlohmann::ordered_json& value);

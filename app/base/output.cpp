@@ -16,6 +16,7 @@
 
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
+#include "renderer/base/lower_case.h"
 
 namespace si {
 namespace {
@@ -87,6 +88,12 @@ void require_distinct(const fs::path& a, std::string_view one, const fs::path& b
         throw UsageError(fmt::format("{}: {} and {} are one file; name two", b.string(), one, other));
 }
 
+void require_output(const fs::path& path, std::string_view what, std::initializer_list<std::string_view> extensions) {
+    if (std::ranges::find(extensions, lower_extension(path)) == extensions.end())
+        throw UsageError(fmt::format("{}: {} must end in {}", path.string(), what, fmt::join(extensions, " or ")));
+    require_writable(path);
+}
+
 void write_file(const fs::path& path, std::string_view bytes) {
     require_writable(path);
     if (is_special(path)) return write_special(path, bytes);
@@ -124,6 +131,10 @@ void write_pfm(const fs::path& path, const FloatImage& image) {
         }
     }
     write_file(path, bytes);
+}
+
+void write_scalar_image(const fs::path& path, const FloatImage& image) {
+    lower_extension(path) == ".pfm" ? write_pfm(path, image) : write_grey_png(path, image);
 }
 
 std::string read_text_file(const fs::path& path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,11 @@ void require_writable(const std::filesystem::path& path);
 void require_distinct(const std::filesystem::path& a, std::string_view one, const std::filesystem::path& b,
                       std::string_view other);
 
+/// Checks before long work that a file can be written at `path` and that its extension is one of these.
+/// @param what the file in the message: "the sheet" @throws UsageError, Error
+void require_output(const std::filesystem::path& path, std::string_view what,
+                    std::initializer_list<std::string_view> extensions);
+
 /// Writes bytes to a file, replacing it atomically; devices and pipes are written directly. @throws Error
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
@@ -32,6 +38,9 @@ void write_grey_png(const std::filesystem::path& path, const FloatImage& image);
 
 /// Writes an image's first channel as portable float map (PFM): little-endian, bottom row first. @throws Error
 void write_pfm(const std::filesystem::path& path, const FloatImage& image);
+
+/// Writes an image's first channel as PFM or as grey PNG file, by the extension of `path`. @throws Error
+void write_scalar_image(const std::filesystem::path& path, const FloatImage& image);
 
 /// Reads a text file of at most 16 MiB. @throws Error
 std::string read_text_file(const std::filesystem::path& path);

@@ -4,15 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdlib>
-#include <functional>
 #include <new>
 #include <tuple>
 
 #include "app/base/notes.h"
 #include "app/base/output.h"
-#include "app/cli/cli_measure.h"
-#include "app/commands/commands.h"
+#include "app/cli/command.h"
+#include "app/context/window_context.h"
 #include "app/editor/editor.h"
 #include "app/session/workspace.h"
 #include "renderer/base/did_you_mean.h"
@@ -24,356 +22,239 @@
 namespace si {
 namespace {
 
-constexpr const char* kSceneHelp = "A .gltf or .glb file, or a built-in scene (`list scenes`)";
+constexpr const char* kOverviewFolder = "out";  ///< of the command `overview`, by default
 
-/// Variables that the options of all commands are parsed into.
-struct Options {
-    SessionOptions session;
-    std::string size, output, file, other_file;
-    PresetTexts texts;
-    RenderOptions render;
-    ProbeOptions probe;
-    ReferenceCommandOptions reference;
-    MeasureOptions measure;
-    ListOptions list;
-    OverviewOptions overview;
-    ContactSheetOptions sheet;
+/// Options of the command `edit`, of which some become EditorOptions.
+struct EditOptions : CommandOptions {
     EditorOptions editor;
-    MeasureCliOptions sweeps;
-    DocsOptions docs;
-    int file_scene = -1;
-    bool json = false, no_state = false, area = false;
+    std::string probe;      ///< "X,Y" from the top left; empty: none
+    bool no_state = false;  ///< neither read nor keep layout, recent files and autosaves
 };
 
-void add_session_options(CLI::App& command, SessionOptions& session, bool scene_required) {
-    auto* scene = command.add_option("SCENE", session.scene, kSceneHelp);
-    if (scene_required) scene->required();
-    command.add_option("--preset", session.preset, "Start from a preset: a file or a built-in one (`list presets`)")
-        ->type_name("F");
-    command.add_option("--set", session.sets, "Set one setting; may be repeated, the last one wins")
-        ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
-    command.add_flag_callback(
-        "--no-cache", [] { light_maps().set_disk_folder({}); },
-        "Neither read nor keep baked light maps ($XDG_CACHE_HOME/shadow-inspector, by default below ~/.cache)");
-    command.footer([] { return settings_help(); });
-}
-
-void add_size(CLI::App& command, Options& o, const char* standard) {
-    o.size = "";
-    command.add_option("--size", o.size, fmt::format("Size of the picture in pixels (default {})", standard))
-        ->type_name("WxH");
-}
-
-PictureSize size_of(const Options& o) {
-    return o.size.empty() ? PictureSize{} : parse_size(o.size);
-}
-
-void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("render", "Draw a scene into a file");
-    add_session_options(*c, o.session, true);
-    c->add_option("-o,--output", o.output, "The file: .png (8 bit), or .pfm (float) for views of one number a pixel")
-        ->required()
-        ->type_name("OUT");
-    auto* view = c->add_option("--view", o.render.view,
-                               "shaded, visibility, shadow-map, camera-depth or an overlay (`list views`); "
-                               "without it the picture with the overlays and panes of view.*")
-                     ->type_name("V");
-    add_size(*c, o, "1280x720");
-    auto* against =
-        c->add_option("--against", o.render.against,
-                      "Draw another picture of the same frame right of the picture, to compare: truth (the ray-traced "
-                      "reference), or a preset (its light, maps, bias, filter and shading)")
-            ->type_name("WHAT");
-    auto* swipe = c->add_option("--swipe", o.render.swipe,
-                                "With --against: one picture, this left of a line at X (0 to 1), the other right of it")
+void add_render(CLI::App& app, Run& run) {
+    auto& c = Command<RenderOptions>::add(app, run, "render", "Draw a scene into a file", run_render);
+    RenderOptions& o = c.options;
+    c.add_session();
+    c.add_output("OUT", "The file: .png (8 bit), or .pfm (float) for views of one number a pixel")->required();
+    c.add_value(
+        "--view", o.view, "V",
+        "shaded, visibility, shadow-map, camera-depth or an overlay (`list views`); without it the picture with "
+        "the overlays and panes of view.*");
+    c.add_size();
+    auto* against = c.add_value("--against", o.against, "WHAT",
+                                "Draw another picture of the same frame right of the picture, to compare: truth (the "
+                                "ray-traced reference), or a preset (its light, maps, bias, filter and shading)");
+    auto* swipe = c.add_value("--swipe", o.swipe, "X",
+                              "With --against: one picture, this left of a line at X (0 to 1), the other right of it")
                       ->check(number_between(0, 1))
-                      ->type_name("X")
                       ->needs(against);
-    c->add_flag("--difference", o.render.difference, "With --against: one picture of 2 |A - B|")
+    c.app()
+        .add_flag("--difference", o.difference, "With --against: one picture of 2 |A - B|")
         ->needs(against)
         ->excludes(swipe);
-    c->add_option("--fit-camera", o.render.fit_camera,
-                  "Fit view-dependent maps and cascades to the camera of this preset instead of the picture's; "
-                  "shadows outside its view frustum may be missing")
-        ->type_name("F");
-    add_numeric_option(*c, o.render.check_numeric);
-    c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")
-        ->type_name("F.json");
-    c->callback([&o, &run, view] {
-        run = [&o, view] {
-            o.render.session = o.session;
-            o.render.output = o.output;
-            o.render.size = size_of(o);
-            o.render.view_given = view->count() > 0;
-            run_render(o.render);
-        };
-    });
+    c.add_value("--fit-camera", o.fit_camera, "F",
+                "Fit view-dependent maps and cascades to the camera of this preset instead of the picture's; shadows "
+                "outside its view frustum may be missing");
+    c.add_numeric();
+    c.add_value("--report", o.report, "F.json", "Write facts of the frame as JSON: fit, settings, passes and times");
 }
 
-void add_reference(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("truth", "Trace the ray-traced reference of a light's shadows into a file");
-    add_session_options(*c, o.session, true);
-    c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
-        ->required()
-        ->type_name("OUT");
-    auto* area = c->add_flag("--area", o.reference.reference.area,
-                             "Give the light its size (light.size); else it is a point or a direction. As --set "
-                             "truth.area=true");
-    c->add_flag("--as-rasterised", o.reference.reference.as_rasterised,
-                "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
-    auto* samples = c->add_option("--samples", o.reference.reference.samples,
-                                  "With --area: most rays a pixel (default 1024). As --set truth.samples=N")
-                        ->check(CLI::Range(1, 1 << 20))
-                        ->type_name("N");
-    auto* noise = c->add_option("--noise", o.reference.reference.noise,
-                                "With --area: wanted standard error of a pixel (default 0.005). As --set truth.noise=E")
-                      ->check(number_between(0, 1))
-                      ->type_name("E");
-    c->add_option("--threads", o.reference.threads, "Threads that trace (default: all)")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    add_numeric_option(*c, o.reference.check_numeric);
-    add_size(*c, o, "1280x720");
-    c->add_option("--report", o.reference.report, "Write counts, rays, noise and times as JSON")->type_name("F.json");
-    c->callback([&o, &run, area, samples, noise] {
-        run = [&o, area, samples, noise] {
-            o.reference.session = o.session;
-            std::vector<std::string>& sets = o.reference.session.sets;
-            if (area->count()) sets.push_back("truth.area=true");
-            if (samples->count()) sets.push_back(fmt::format("truth.samples={}", o.reference.reference.samples));
-            if (noise->count()) sets.push_back(fmt::format("truth.noise={}", o.reference.reference.noise));
-            o.reference.output = o.output;
-            o.reference.size = size_of(o);
-            run_reference(o.reference);
-        };
-    });
+void add_reference(CLI::App& app, Run& run) {
+    auto& c = Command<ReferenceCommandOptions>::add(
+        app, run, "truth", "Trace the ray-traced reference of a light's shadows into a file", run_reference);
+    ReferenceCommandOptions& o = c.options;
+    c.add_session();
+    c.add_output("OUT", "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")->required();
+    c.add_area("Give the light its size (light.size); else it is a point or a direction. As --set truth.area=true");
+    c.app().add_flag("--as-rasterised", o.as_rasterised,
+                     "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
+    c.add_setting<int>("--samples", "truth.samples", "N",
+                       "With --area: most rays a pixel (default 1024). As --set truth.samples=N")
+        ->check(CLI::Range(1, 1 << 20));
+    c.add_setting<double>("--noise", "truth.noise", "E",
+                          "With --area: wanted standard error of a pixel (default 0.005). As --set truth.noise=E")
+        ->check(number_between(0, 1));
+    c.add_value("--threads", o.threads, "N", "Threads that trace (default: all)")->check(CLI::Range(1, 1024));
+    c.add_numeric();
+    c.add_size();
+    c.add_value("--report", o.report, "F.json", "Write counts, rays, noise and times as JSON");
 }
 
-void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand(
-        "measure", "Measure the error of a light's shadows against the ray-traced reference, their time and memory");
-    add_session_options(*c, o.session, true);
-    c->add_flag("--area", o.area,
-                "Compare with an area light (light.size), not a point or direction. As --set truth.area=true");
-    c->add_flag("!--no-time", o.measure.time, "Take no times");
-    add_cost_option(*c, o.measure.cost);
-    add_numeric_option(*c, o.measure.check_numeric);
-    c->add_flag("--cures", o.measure.fixes,
-                "Try fixes for wrong pixels and measure each: pixels cured and broken, time and bytes");
-    add_size(*c, o, "1280x720");
-    c->add_flag("--json", o.json, "All numbers as JSON");
-    c->callback([&o, &run] {
-        run = [&o] {
-            o.measure.session = o.session;
-            if (o.area) o.measure.session.sets.push_back("truth.area=true");
-            o.measure.size = size_of(o);
-            o.measure.json = o.json;
-            run_measure(o.measure);
-        };
-    });
+void add_measure(CLI::App& app, Run& run) {
+    auto& c = Command<MeasureOptions>::add(
+        app, run, "measure",
+        "Measure the error of a light's shadows against the ray-traced reference, their time and memory", run_measure);
+    c.add_session();
+    c.add_area();
+    c.app().add_flag("!--no-time", c.options.time, "Take no times");
+    c.add_cost();
+    c.add_numeric();
+    c.app().add_flag("--cures", c.options.fixes,
+                     "Try fixes for wrong pixels and measure each: pixels cured and broken, time and bytes");
+    c.add_size();
+    c.add_json("All numbers as JSON");
 }
 
-void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("probe", "Print the shadow test of one pixel, step by step");
-    add_session_options(*c, o.session, true);
-    c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
-    add_size(*c, o, "1280x720");
-    add_numeric_option(*c, o.probe.check_numeric);
-    c->add_flag("!--no-truth", o.probe.reference, "Trace no rays: print only the map's result, without a verdict");
-    c->add_option("-o,--output", o.probe.section,
-                  "Draw the shadow test of view.light as a cross-section along the light's ray; fixes are not searched")
-        ->type_name("F.svg");
-    c->add_flag("--json", o.json, "All numbers as JSON");
-    c->callback([&o, &run] {
-        run = [&o] {
-            o.probe.session = o.session;
-            o.probe.size = size_of(o);
-            o.probe.json = o.json;
-            run_probe(o.probe);
-        };
-    });
+void add_probe(CLI::App& app, Run& run) {
+    auto& c =
+        Command<ProbeOptions>::add(app, run, "probe", "Print the shadow test of one pixel, step by step", run_probe);
+    c.add_session();
+    c.add_value("--pixel", c.options.pixel, "X,Y", "The pixel, counted from the top left")->required();
+    c.add_size();
+    c.add_numeric();
+    c.app().add_flag("!--no-truth", c.options.reference,
+                     "Trace no rays: print only the map's result, without a verdict");
+    c.add_output("F.svg",
+                 "Draw the shadow test of view.light as a cross-section along the light's ray; fixes are not searched");
+    c.add_json("All numbers as JSON");
 }
 
-void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("list", "List settings, presets, filters and other tables, with explanations");
-    c->add_option("WHAT", o.list.kind, fmt::format("{}", fmt::join(list_kinds(), ", ")))->required();
-    c->add_option("KEY", o.list.prefix,
-                  "Only keys that start with this, such as bias or bias.slope; of settings, where none does, those "
-                  "found by these words, such as \"normal bias\"");
-    c->add_flag("--json", o.json, "An array of rows as JSON");
-    c->callback([&o, &run] {
-        run = [&o] {
-            o.list.json = o.json;
-            run_list(o.list);
-        };
-    });
+void add_list(CLI::App& app, Run& run) {
+    auto& c = Command<ListOptions>::add(
+        app, run, "list", "List settings, presets, filters and other tables, with explanations", run_list);
+    c.app().add_option("WHAT", c.options.kind, fmt::format("{}", fmt::join(list_kinds(), ", ")))->required();
+    c.app().add_option(
+        "KEY", c.options.prefix,
+        "Only keys that start with this, such as bias or bias.slope; of settings, where none does, those "
+        "found by these words, such as \"normal bias\"");
+    c.add_json("An array of rows as JSON");
 }
 
-void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("preset", "Check, show and write presets");
-    c->require_subcommand(1);
-    auto* check =
-        c->add_subcommand("check", "Check whether a preset can be loaded; print the first fault and its place");
-    check->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
-    check->callback([&o, &run] { run = [&o] { run_preset_check(o.file); }; });
-    auto* show = c->add_subcommand("show", "List what a preset changes");
-    show->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
-    show->callback([&o, &run] { run = [&o] { run_preset_show(o.file); }; });
-    auto* save = c->add_subcommand("save", "Write the settings of SCENE, --preset and --set as a preset");
-    add_session_options(*save, o.session, true);
-    save->add_option("-o,--output", o.output, "The preset file, .json")->required()->type_name("FILE");
-    save->add_option("--about", o.texts.about, "A sentence on what to look at")->type_name("TEXT");
-    save->add_option("--title", o.texts.title, "A few words, its name in lists")->type_name("TEXT");
-    save->add_option("--topic", o.texts.topic, "Its heading in lists")->type_name("TEXT");
-    save->callback([&o, &run] { run = [&o] { run_preset_save(o.session, o.texts, o.output); }; });
-    auto* diff = c->add_subcommand("diff", "Print the differences of two presets in words");
-    diff->add_option("A", o.file, "A preset file, a built-in preset, or default")->required();
-    diff->add_option("B", o.other_file, "The other preset: a file, a built-in preset, or default")->required();
-    diff->add_flag("--json", o.json, "All differences as JSON");
-    diff->callback([&o, &run] { run = [&o] { run_preset_diff(o.file, o.other_file, o.json); }; });
+void add_presets(CLI::App& app, Run& run) {
+    auto& group = *app.add_subcommand("preset", "Check, show and write presets");
+    group.require_subcommand(1);
+    const auto add = [&](const char* name, const char* about, void (*execute)(const PresetOptions&)) -> auto& {
+        return Command<PresetOptions>::add(group, run, name, about, execute);
+    };
+    auto& check =
+        add("check", "Check whether a preset can be loaded; print the first fault and its place", run_preset_check);
+    auto& show = add("show", "List what a preset changes", run_preset_show);
+    for (auto* command : {&check, &show})
+        command->app().add_option("FILE", command->options.file, "A preset file, or a built-in preset")->required();
+    auto& save = add("save", "Write the settings of SCENE, --preset and --set as a preset", run_preset_save);
+    save.add_session();
+    save.add_output("FILE", "The preset file, .json")->required();
+    save.add_value("--about", save.options.about, "TEXT", "A sentence on what to look at");
+    save.add_value("--title", save.options.title, "TEXT", "A few words, its name in lists");
+    save.add_value("--topic", save.options.topic, "TEXT", "Its heading in lists");
+    auto& diff = add("diff", "Print the differences of two presets in words", run_preset_diff);
+    diff.app().add_option("A", diff.options.file, "A preset file, a built-in preset, or default")->required();
+    diff.app()
+        .add_option("B", diff.options.other_file, "The other preset: a file, a built-in preset, or default")
+        ->required();
+    diff.add_json("All differences as JSON");
 }
 
-void start_editor(Options& o) {
-    EditorOptions& e = o.editor;
+void start_editor(const EditOptions& o) {
+    EditorOptions e = o.editor;
     if (e.headless && e.screenshot.empty()) throw UsageError("edit --headless: --screenshot F.png is missing");
     if (!e.headless && !e.screenshot.empty()) throw UsageError("edit --screenshot: only together with --headless");
-    if (!e.screenshot.empty()) {
-        if (lower_extension(e.screenshot) != ".png") {
-            throw UsageError(fmt::format("{}: the screenshot must end in .png", e.screenshot.string()));
-        }
-        require_writable(e.screenshot);
-    }
-    if (!o.size.empty()) {
-        const PictureSize size = parse_size(o.size);
-        e.width = size.width;
-        e.height = size.height;
-        e.size_given = true;
-    }
+    if (!e.screenshot.empty()) require_output(e.screenshot, "the screenshot", {".png"});
+    e.width = o.size.width;
+    e.height = o.size.height;
+    e.size_given = o.size_given;
     if (!e.report.empty()) require_writable(e.report);
     require_distinct(e.screenshot, "--screenshot", e.report, "--report");
     tab_named(e.tab);
-    if (!o.probe.pixel.empty())
-        std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe.pixel, {e.width, e.height}, "--probe");
+    if (!o.probe.empty()) std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe, o.size, "--probe");
     e.session = o.session;
     e.welcome = o.session.scene.empty() && o.session.preset.empty() && e.sweep.empty() && e.tab.empty();
+    e.check_numeric = o.check_numeric;
     if (!e.headless && !o.no_state) e.state_folder = state_folder();
     if (o.no_state) light_maps().set_disk_folder({});
     if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
     print_notes(run_editor(e));
 }
 
-void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("edit", "Open the editor, or draw it into a file");
-    add_session_options(*c, o.session, false);
-    c->add_flag("--headless", o.editor.headless, "Draw the editor through EGL, without a display");
-    c->add_option("--screenshot", o.editor.screenshot, "The picture that --headless writes")->type_name("F.png");
-    add_size(*c, o, "1600x900");
-    c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
-    c->add_option("--tab", o.editor.tab,
-                  "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab, "
-                  "numbers or log");
-    c->add_option("--theme", o.editor.theme, "dark or light (default: the theme chosen last)")
-        ->type_name("T")
+/// Adds the command `edit` and returns its options.
+EditOptions& add_edit(CLI::App& app, Run& run) {
+    auto& c = Command<EditOptions>::add(app, run, "edit", "Open the editor, or draw it into a file", start_editor);
+    EditorOptions& o = c.options.editor;
+    c.add_session(false);
+    c.app().add_flag("--headless", o.headless, "Draw the editor through EGL, without a display");
+    c.add_value("--screenshot", o.screenshot, "F.png", "The picture that --headless writes");
+    c.add_size({o.width, o.height});
+    c.add_value("--probe", c.options.probe, "X,Y", "Probe this pixel of the scene's picture at the start");
+    c.app().add_option("--tab", o.tab,
+                       "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab, "
+                       "numbers or log");
+    c.add_value("--theme", o.theme, "T", "dark or light (default: the theme chosen last)")
         ->check(CLI::IsMember({"dark", "light"}));
-    c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
-    add_numeric_option(*c, o.editor.check_numeric);
-    c->add_option("--report", o.editor.report,
-                  "Write a report of the session as JSON, every few seconds: driver messages, errors, unsound numbers, "
-                  "and memory by owner over time")
-        ->type_name("F.json");
-    c->add_flag("--no-state", o.no_state,
-                "Neither read nor keep layout, recent files and autosaves "
-                "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state); implies --no-cache");
-    c->callback([&o, &run] { run = [&o] { start_editor(o); }; });
+    c.add_value("--sweep", o.sweep, "DIR", "Show the sweep in this folder in the tab frontier");
+    c.add_numeric();
+    c.add_value("--report", o.report, "F.json",
+                "Write a report of the session as JSON, every few seconds: driver messages, errors, unsound numbers, "
+                "and memory by owner over time");
+    c.app().add_flag("--no-state", c.options.no_state,
+                     "Neither read nor keep layout, recent files and autosaves "
+                     "($XDG_STATE_HOME/shadow-inspector, by default below ~/.local/state); implies --no-cache");
+    return c.options;
 }
 
-void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* info = app.add_subcommand("info", "Print the OpenGL driver, its limits, and the clock that measures times");
-    info->add_flag("--json", o.json, "As JSON");
-    info->callback([&o, &run] { run = [&o] { run_info(o.json); }; });
+void add_others(CLI::App& app, Run& run) {
+    Command<CommandOptions>::add(app, run, "info",
+                                 "Print the OpenGL driver, its limits, and the clock that measures times", run_info)
+        .add_json();
 
-    auto* scene = app.add_subcommand(
-        "scene", "Print the contents of a scene, and the parts of its file that were dropped and why");
-    scene->add_option("SCENE", o.session.scene, kSceneHelp)->required();
+    auto& scene = Command<SceneOptions>::add(
+        app, run, "scene", "Print the contents of a scene, and the parts of its file that were dropped and why",
+        run_scene);
+    scene.add_scene()->required();
     scene
-        ->add_option("--index", o.file_scene,
-                     "Index of the scene in a glTF file, from 0 (default: the file's own default)")
-        ->check(CLI::Range(0, 9999))
-        ->type_name("N");
-    scene->add_flag("--json", o.json, "As JSON");
-    scene->callback([&o, &run] { run = [&o] { run_scene(o.session.scene, o.file_scene, o.json); }; });
+        .add_value("--index", scene.options.file_scene, "N",
+                   "Index of the scene in a glTF file, from 0 (default: the file's own default)")
+        ->check(CLI::Range(0, 9999));
+    scene.add_json();
 
-    auto* sheet = app.add_subcommand("contact-sheet", "Draw every model below a folder into one picture");
-    sheet->add_option("FOLDER", o.sheet.folder, "The folder to search for .gltf and .glb files")->required();
-    sheet->add_option("-o,--output", o.sheet.output, "The sheet, .png; its index is written next to it as .txt")
-        ->required()
-        ->type_name("SHEET");
-    sheet->add_option("--columns", o.sheet.columns, "Tiles in a row (default 8)")->check(CLI::Range(1, 1000));
-    add_numeric_option(*sheet, o.sheet.check_numeric);
-    add_size(*sheet, o, "256x192");
-    sheet->callback([&o, &run] {
-        run = [&o] {
-            if (!o.size.empty()) o.sheet.size = parse_size(o.size);
-            run_contact_sheet(o.sheet);
-        };
-    });
+    auto& sheet = Command<ContactSheetOptions>::add(
+        app, run, "contact-sheet", "Draw every model below a folder into one picture", run_contact_sheet);
+    sheet.app().add_option("FOLDER", sheet.options.folder, "The folder to search for .gltf and .glb files")->required();
+    sheet.add_output("SHEET", "The sheet, .png; its index is written next to it as .txt")->required();
+    sheet.app()
+        .add_option("--columns", sheet.options.columns, "Tiles in a row (default 8)")
+        ->check(CLI::Range(1, 1000));
+    sheet.add_numeric();
+    sheet.add_size({256, 192});
 
-    auto* out = app.add_subcommand("export",
-                                   "Write a scene as glTF, in the pose that the settings choose; other settings of "
-                                   "--preset and --set become its suggested settings");
-    add_session_options(*out, o.session, true);
-    out->add_option("-o,--output", o.output, "The file: .gltf (one file, buffers inside) or .glb")
-        ->required()
-        ->type_name("FILE");
-    out->callback([&o, &run] { run = [&o] { run_export(o.session, o.output); }; });
+    auto& out = Command<CommandOptions>::add(
+        app, run, "export",
+        "Write a scene as glTF, in the pose that the settings choose; other settings of --preset and --set become its "
+        "suggested settings",
+        run_export);
+    out.add_session();
+    out.add_output("FILE", "The file: .gltf (one file, buffers inside) or .glb")->required();
 
-    auto* overview = app.add_subcommand("overview",
-                                        "Draw editor, scene, shadow map and visibility into a folder, and "
-                                        "print passes and times");
-    add_session_options(*overview, o.session, false);
-    overview->add_option("-o,--output", o.overview.folder, "The folder; made if missing (default out)")
-        ->type_name("DIR");
-    add_numeric_option(*overview, o.overview.check_numeric);
-    add_size(*overview, o, "1280x720");
-    overview->callback([&o, &run] {
-        run = [&o] {
-            o.overview.session = o.session;
-            o.overview.size = size_of(o);
-            run_overview(o.overview);
-        };
-    });
+    auto& overview = Command<CommandOptions>::add(
+        app, run, "overview", "Draw editor, scene, shadow map and visibility into a folder, and print passes and times",
+        run_overview);
+    overview.options.output = kOverviewFolder;
+    overview.add_session(false);
+    overview.add_output("DIR", "The folder; made if missing (default out)");
+    overview.add_numeric();
+    overview.add_size();
 
-    auto* docs = app.add_subcommand(
-        "docs", "Write docs/settings.md, presets.md, metrics.md or techniques.md from the program's own tables");
-    docs->add_option("WHAT", o.docs.what, "settings (the default), presets, metrics, hard-cases or techniques (draws)");
-    auto* page =
-        docs->add_option("-o,--output", o.docs.output, "The file (default: standard output)")->type_name("FILE");
-    docs->add_option("--only", o.docs.only,
-                     "Write the rows of one choice alone; the other rows of the page of techniques stay")
-        ->type_name("KEY=CHOICE")
+    auto& docs = Command<DocsOptions>::add(
+        app, run, "docs",
+        "Write docs/settings.md, presets.md, metrics.md or techniques.md from the program's own tables", run_docs);
+    docs.app().add_option("WHAT", docs.options.what,
+                          "settings (the default), presets, metrics, hard-cases or techniques (draws)");
+    auto* page = docs.add_output("FILE", "The file (default: standard output)");
+    docs.add_value("--only", docs.options.only, "KEY=CHOICE",
+                   "Write the rows of one choice alone; the other rows of the page of techniques stay")
         ->needs(page);
-    docs->add_flag("--check", o.docs.check, "Compare instead of writing; fails when the file is out of date")
+    docs.app()
+        .add_flag("--check", docs.options.check, "Compare instead of writing; fails when the file is out of date")
         ->needs(page);
-    docs->callback([&o, &run] { run = [&o] { run_docs(o.docs); }; });
-}
-
-bool has_display() {
-    const auto set = [](const char* name) { return std::getenv(name) && *std::getenv(name); };
-    return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
 /// Runs the program without a command: the editor if there is a display, else `overview`.
-void run_default(Options& o) {
-    if (has_display()) {
-        start_editor(o);
-        return;
-    }
+void run_default(const EditOptions& options) {
+    if (WindowContext::display_available()) return start_editor(options);
     fmt::print(
         "There is no display (DISPLAY and WAYLAND_DISPLAY are not set): drawing into {}/ instead of opening the "
         "editor.\n",
-        o.overview.folder);
-    run_overview(o.overview);
+        kOverviewFolder);
+    run_overview({.output = kOverviewFolder});
 }
 
 int fail(int code, const std::string& message) {
@@ -438,18 +319,17 @@ int run_cli(int argc, const char* const* argv) {
     app.set_version_flag("--version", std::string("shadow-inspector ") + SI_VERSION);
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
-    Options options;
-    std::function<void()> run = [&options] { run_default(options); };
-    add_edit(app, options, run);
-    add_render(app, options, run);
-    add_reference(app, options, run);
-    add_measure(app, options, run);
-    add_probe(app, options, run);
-    add_list(app, options, run);
-    add_measure_commands(app, options.sweeps, run,
-                         [](CLI::App& c, SessionOptions& session) { add_session_options(c, session, true); });
-    add_presets(app, options, run);
-    add_others(app, options, run);
+    Run run;
+    const EditOptions& edit = add_edit(app, run);
+    run = [&edit] { run_default(edit); };
+    add_render(app, run);
+    add_reference(app, run);
+    add_measure(app, run);
+    add_probe(app, run);
+    add_list(app, run);
+    add_measure_commands(app, run);
+    add_presets(app, run);
+    add_others(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {
         app.parse(argc, argv);

@@ -1,35 +1,24 @@
 #include <fmt/format.h>
 
+#include "app/base/json_text.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
+#include "app/report/fixes_json.h"
+#include "app/report/health_report.h"
 #include "app/report/measure_json.h"
-#include "app/report/number_watch.h"
 #include "app/report/report.h"
 #include "renderer/advise/autopilot.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/base/lower_case.h"
 
 namespace si {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Changes = std::vector<std::pair<std::string, std::string>>;
-
-Json changes_json(const Changes& changes) {
-    Json json = Json::object();
-    for (const auto& [key, value] : changes) json[key] = value;
-    return json;
-}
-
-Json ms_json(const CostChange& ms) {
-    return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.is_significant()}};
-}
-
 Json advice_json(const TriedAdvice& t) {
     static constexpr const char* kClaims[] = {"same", "right", "trade"};
     return {{"rule", t.idea.rule},
@@ -40,7 +29,7 @@ Json advice_json(const TriedAdvice& t) {
             {"holds", t.why_not.empty()},
             {"why_not", t.why_not.empty() ? Json() : Json(t.why_not)},
             {"error", {{"before", t.before.error}, {"after", t.after.error}, {"tolerance", t.tolerance()}}},
-            {"ms", ms_json(t.ms)},
+            {"ms", change_json(t.ms)},
             {"cost", {{"before", cost_json(t.before.work)}, {"after", cost_json(t.after.work)}}}};
 }
 
@@ -65,10 +54,9 @@ Json report_json(const AdviceReport& r, const AdviseOptions& o) {
     json["error"] = r.before.error;
     json["time"] = time_json(r.time);
     json["cost"] = cost_json(r.before.work);
-    for (const char* list : {"advice", "tried", "findings"}) json[list] = Json::array();
-    for (const TriedAdvice& t : r.holds) json["advice"].push_back(advice_json(t));
-    for (const TriedAdvice& t : r.fails) json["tried"].push_back(advice_json(t));
-    for (const Finding& f : r.findings) json["findings"].push_back(finding_json(f));
+    json["advice"] = json_list(r.holds, advice_json);
+    json["tried"] = json_list(r.fails, advice_json);
+    json["findings"] = json_list(r.findings, finding_json);
     return json;
 }
 
@@ -84,18 +72,19 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
     json["combinations"] = r.combinations;
     json["seconds"] = r.seconds;
     json["untried"] = r.untried;
-    for (const char* list : {"dropped", "cases"}) json[list] = Json::array();
-    for (const DroppedEffect& d : r.dropped)
-        json["dropped"].push_back({{"setting", d.key},
-                                   {"was", d.before},
-                                   {"is", d.now},
-                                   {"error_with", d.error},
-                                   {"ms_more", ms_json(d.ms)}});
-    for (const AutopilotCase& c : r.cases)
-        json["cases"].push_back({{"settings", changes_json(setting_changes(measured_settings(before), c.settings))},
-                                 {"error", c.classified.error},
-                                 {"ms", c.ms ? Json(*c.ms) : Json()},
-                                 {"holds", c.holds}});
+    json["dropped"] = json_list(r.dropped, [](const DroppedEffect& d) -> Json {
+        return {{"setting", d.key},
+                {"was", d.before},
+                {"is", d.now},
+                {"error_with", d.error},
+                {"ms_more", change_json(d.ms)}};
+    });
+    json["cases"] = json_list(r.cases, [&](const AutopilotCase& c) -> Json {
+        return {{"settings", changes_json(setting_changes(measured_settings(before), c.settings))},
+                {"error", c.classified.error},
+                {"ms", c.ms ? Json(*c.ms) : Json()},
+                {"holds", c.holds}};
+    });
     return json;
 }
 
@@ -189,10 +178,8 @@ void run_advise(const AdviseOptions& options) {
     const bool flies = options.max_error || options.max_ms;
     if (!flies && !(options.output.empty() && options.vary.empty()))
         throw UsageError("--output and --vary belong to the autopilot; add --max-error or --max-ms");
-    if (!options.output.empty() && lower_extension(options.output) != ".json")
-        throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
+    if (!options.output.empty()) require_output(options.output, "a preset", {".json"});
     const Metric& error = tuned_error(options.error);
-    if (!options.output.empty()) require_writable(options.output);
     Advisor advisor(options);
     if (flies)
         advisor.run_autopilot(error);

@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/session.h"
-#include "app/sweep/timing.h"
+#include "app/sweep/spec.h"
 #include "renderer/measure/shimmer.h"
 #include "renderer/reference/metrics.h"
-#include "renderer/reference/reference.h"
 
 namespace si {
 
@@ -27,65 +25,59 @@ PictureSize parse_size(const std::string& text);
 /// message @throws UsageError
 std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size, const char* option = "--pixel");
 
+/// Options that several commands share. Each command uses those that its command line offers.
+struct CommandOptions {
+    SessionOptions session = {};
+    std::string output = {};  ///< file or folder to write; empty: none
+    PictureSize size = {};
+    bool size_given = false;       ///< false: `size` is the default
+    CostCase cost = kDefaultCost;  ///< kind of frames to time
+    bool json = false;             ///< print JSON instead of text
+    bool check_numeric = false;    ///< fail on NaN, infinite and out-of-range numbers
+};
+
 /// Options of the command `render`.
-struct RenderOptions {
-    SessionOptions session;
-    std::string output, view = "shaded", report;
-    bool view_given = false;
-    PictureSize size;
-    std::string against;         ///< "truth" or a preset to compare the picture with; empty: no comparison
-    double swipe = -1;           ///< place of the line between both pictures, 0..1; negative: side by side
-    bool difference = false;     ///< write |A - B| instead
-    bool check_numeric = false;  ///< fail on NaN, infinite and out-of-range numbers
-    std::string fit_camera;      ///< preset whose camera view-dependent maps are fitted to; empty: the picture's camera
+struct RenderOptions : CommandOptions {
+    std::string view;         ///< key of a view; empty: the picture with the overlays and panes of the settings
+    std::string report;       ///< JSON file for facts of the frame; empty: none
+    std::string against;      ///< "truth" or a preset to compare the picture with; empty: no comparison
+    double swipe = -1;        ///< place of the line between both pictures, 0..1; negative: side by side
+    bool difference = false;  ///< write |A - B| instead
+    std::string fit_camera;   ///< preset whose camera view-dependent maps are fitted to; empty: the picture's camera
 };
 /// Runs the command `render`: draws one view of a scene into a picture or float file.
 void run_render(const RenderOptions& options);
 
 /// Options of the command `truth`.
-struct ReferenceCommandOptions {
-    SessionOptions session;
-    std::string output, report;
-    PictureSize size;
-    ReferenceOptions reference;
-    int threads = 0;  ///< 0: all
-    bool check_numeric = false;
+struct ReferenceCommandOptions : CommandOptions {
+    std::string report;          ///< JSON file for counts and times; empty: none
+    bool as_rasterised = false;  ///< leave out the faces that culling leaves out of the map
+    int threads = 0;             ///< 0: all
 };
 /// Runs the command `truth`: writes the ray-traced visibility of the light `view.light` as a picture or float file.
 void run_reference(const ReferenceCommandOptions& options);
 
 /// Options of the command `measure`.
-struct MeasureOptions {
-    SessionOptions session;
-    PictureSize size;
-    bool time = true, json = false;
-    bool check_numeric = false;
+struct MeasureOptions : CommandOptions {
+    bool time = true;    ///< time frames
     bool fixes = false;  ///< also try fixes and measure each
-    CostCase cost = kDefaultCost;
 };
 /// Runs the command `measure`: prints the error of the shadows of `view.light` against the reference, and their time
 /// and memory.
 void run_measure(const MeasureOptions& options);
 
 /// Options of the command `plan`.
-struct PlanOptions {
-    SessionOptions session;
-    PictureSize size;
+struct PlanOptions : CommandOptions {
     bool measure = false;  ///< time what each optimisation saves, in ms
     int rounds = 15;       ///< rounds of alternating frames per measurement
-    bool check_numeric = false;
-    bool waste = false;  ///< list work that changes no pixel when it is left out
-    bool json = false;
+    bool waste = false;    ///< list work that changes no pixel when it is left out
 };
 /// Runs the command `plan`: prints which passes and effects a frame draws, which it skips, and why.
 void run_plan(const PlanOptions& options);
 
 /// Options of the command `precision`.
-struct PrecisionOptions {
-    SessionOptions session;
-    PictureSize size{640, 360};
+struct PrecisionOptions : CommandOptions {
     std::string over;  ///< one of precision_series(); empty: one measurement with the given settings
-    bool json = false;
 };
 /// Runs the command `precision`: prints the error of single against double precision for each way to compute map
 /// coordinates.
@@ -93,27 +85,21 @@ void run_precision(const PrecisionOptions& options);
 /// Returns the keys of the series that `precision --over` accepts (distance, scale, ...).
 std::vector<std::string_view> precision_series();
 
-/// Options of the command `shimmer`.
-struct ShimmerCommandOptions {
-    SessionOptions session;
-    PictureSize size{640, 360};
+/// Options of the command `shimmer`. Its output is a picture of flips per pixel and step, .png or .pfm.
+struct ShimmerCommandOptions : CommandOptions {
     ShimmerOptions shimmer;
-    std::string output;  ///< picture of flips per pixel and step, .png or .pfm; empty: none
-    bool json = false;
 };
 /// Runs the command `shimmer`: prints how many pixels flip while camera or light move by fractions of a texel.
 void run_shimmer(const ShimmerCommandOptions& options);
 
-/// Options of the command `tune`.
-struct TuneOptions {
-    SessionOptions session;
-    std::string output, error;  ///< error: one of tuned_errors(); empty: the first
+/// Limits of the searches that `tune` and `advise` run.
+struct SearchLimits {
+    std::string error;  ///< metric that max_error limits, one of tuned_errors(); empty: the first
     std::optional<double> max_error, max_ms;
-    PictureSize size;
-    CostCase cost = kDefaultCost;
-    bool json = false;
-    bool check_numeric = false;
 };
+
+/// Options of the command `tune`.
+struct TuneOptions : CommandOptions, SearchLimits {};
 /// Runs the command `tune`: writes a preset with the least bias that leaves no acne. With limits the search also picks
 /// kernel and resolution.
 void run_tune(const TuneOptions& options);
@@ -124,38 +110,27 @@ std::vector<std::string_view> tuned_errors();
 /// keys
 const Metric& tuned_error(const std::string& key);
 
-/// Options of the command `advise`.
-struct AdviseOptions {
-    SessionOptions session;
-    std::string output, error;  ///< output: the preset that the autopilot writes; error: one of tuned_errors()
-    std::optional<double> max_error, max_ms;
+/// Options of the command `advise`. Its output is the preset that the autopilot writes.
+struct AdviseOptions : CommandOptions, SearchLimits {
     std::vector<std::string> vary;  ///< settings that the autopilot varies, as in a sweep; empty: chosen from the scene
     double max_seconds = 100;
-    PictureSize size;
-    CostCase cost = kDefaultCost;
-    bool json = false;
-    bool check_numeric = false;
 };
 /// Runs the command `advise`: prints changes of settings that the scene allows, each measured. With a limit the
 /// autopilot runs instead.
 void run_advise(const AdviseOptions& options);
 
-/// Options of the command `probe`.
-struct ProbeOptions {
-    SessionOptions session;
-    std::string pixel;  ///< "X,Y" from the top left
-    PictureSize size;
-    std::filesystem::path section;  ///< file for the cross-section of the shadow test of view.light, .svg; empty: none
-    bool json = false, reference = true, check_numeric = false;
+/// Options of the command `probe`. Its output is the cross-section of the shadow test of view.light, .svg.
+struct ProbeOptions : CommandOptions {
+    std::string pixel;      ///< "X,Y" from the top left
+    bool reference = true;  ///< trace rays, for a verdict and fixes
 };
 /// Runs the command `probe`: prints the shadow test of one pixel step by step, its verdict and its fixes.
 void run_probe(const ProbeOptions& options);
 
 /// Options of the command `list`.
-struct ListOptions {
+struct ListOptions : CommandOptions {
     std::string kind;    ///< one of list_kinds()
     std::string prefix;  ///< lists only keys that begin with it
-    bool json = false;
 };
 /// Runs the command `list`: prints the rows of one table (settings, filters, presets, ...).
 void run_list(const ListOptions& options);
@@ -163,43 +138,45 @@ void run_list(const ListOptions& options);
 const std::vector<std::string>& list_kinds();
 
 /// Runs the command `info`: prints the OpenGL driver, its limits and the program's version.
-void run_info(bool json);
+void run_info(const CommandOptions& options);
+
+/// Options of the command `scene`.
+struct SceneOptions : CommandOptions {
+    int file_scene = -1;  ///< index of the scene in a glTF file; -1: its default
+};
 /// Runs the command `scene`: prints what a scene holds, and which parts of its file were dropped or approximated and
 /// why.
-/// @param file_scene index of the scene in a glTF file; -1: its default
-void run_scene(const std::string& scene, int file_scene, bool json);
+void run_scene(const SceneOptions& options);
 
-/// Options of the command `contact-sheet`.
-struct ContactSheetOptions {
-    std::string folder, output;
+/// Options of the command `contact-sheet`. The size is that of each tile.
+struct ContactSheetOptions : CommandOptions {
+    std::string folder;  ///< folder of the models
     int columns = 8;
-    PictureSize size{256, 192};  ///< size of each tile
-    bool check_numeric = false;
 };
 /// Runs the command `contact-sheet`: draws every .gltf and .glb file below a folder into one picture, and writes an
 /// index (.txt) next to it.
 void run_contact_sheet(const ContactSheetOptions& options);
 
+/// Options of the commands below `preset`.
+struct PresetOptions : CommandOptions {
+    std::string file, other_file;     ///< presets to read: files or built-in ones
+    std::string title, topic, about;  ///< texts of a preset to save
+};
 /// Runs the command `preset check`: reads a preset file and reports the first fault.
-void run_preset_check(const std::string& file);
+void run_preset_check(const PresetOptions& options);
 /// Runs the command `preset show`: prints a preset's settings that differ from the defaults.
-void run_preset_show(const std::string& file);
+void run_preset_show(const PresetOptions& options);
 /// Runs the command `preset diff`: prints the differences of two presets in words. Each is a preset file, a built-in
 /// preset, or "default".
-void run_preset_diff(const std::string& before, const std::string& after, bool json);
-/// Title, topic and description of a preset to be saved.
-struct PresetTexts {
-    std::string title, topic, about;
-};
+void run_preset_diff(const PresetOptions& options);
 /// Runs the command `preset save`: writes the session's settings as a preset.
-void run_preset_save(const SessionOptions& session, const PresetTexts& texts, const std::string& output);
+void run_preset_save(const PresetOptions& options);
 /// Runs the command `export`: writes the session's scene as a glTF file.
-void run_export(const SessionOptions& session, const std::string& output);
+void run_export(const CommandOptions& options);
 
-/// Options of the command `docs`.
-struct DocsOptions {
+/// Options of the command `docs`. Without an output the page goes to standard output.
+struct DocsOptions : CommandOptions {
     std::string what = "settings";  ///< page: settings, presets, metrics, hard-cases or techniques
-    std::string output;             ///< file; empty: standard output
     std::string only;               ///< "filter.kernel=pcf": only that row of docs/techniques.md; empty: the whole page
     bool check = false;             ///< compares with the file instead of writing it
 };
@@ -222,37 +199,26 @@ std::string hard_cases_page();
 /// Formats the table of settings that --help prints.
 std::string settings_help();
 
-/// Options of the command `sweep`.
-struct SweepOptions {
-    SessionOptions session;
+/// Options of the command `sweep`. Its output is a folder.
+struct SweepOptions : CommandOptions {
     std::vector<std::string> vary;  ///< "KEY=V1,V2,..." or "KEY=from:to:step"
-    std::string folder, shard;
-    PictureSize size{640, 360};
-    SweepTiming timing;
+    std::string shard;              ///< "I/N"; empty: all cases
+    SweepTiming timing;             ///< its kind of frames is CommandOptions::cost
     bool fresh = false, retry = false;
-    bool check_numeric = false;  ///< fail on unsound numbers in the cases measured in this run
 };
 /// Runs the command `sweep`: measures error, cost and time of every combination of settings, and writes a report.
 void run_sweep(const SweepOptions& options);
 
-/// Options of the command `merge`, which joins shards of a sweep.
-struct MergeOptions {
+/// Options of the command `merge`, which joins shards of a sweep. Its output is a folder.
+struct MergeOptions : CommandOptions {
     std::vector<std::string> parts;  ///< folders of shards
-    std::string folder;
     bool fresh = false;
 };
 /// Runs the command `merge`: joins the shards of a sweep into one folder with one report.
 void run_merge(const MergeOptions& options);
 
-/// Options of the command `overview`.
-struct OverviewOptions {
-    SessionOptions session;
-    std::string folder = "out";
-    PictureSize size;
-    bool check_numeric = false;
-};
-/// Runs the command `overview`: writes pictures of the editor, the scene, its shadow map and visibility, and prints a
-/// table of passes and times.
-void run_overview(const OverviewOptions& options);
+/// Runs the command `overview`: writes pictures of the editor, the scene, its shadow map and visibility into a folder,
+/// by default out, and prints a table of passes and times.
+void run_overview(const CommandOptions& options);
 
 }  // namespace si

@@ -13,6 +13,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/health_report.h"
+#include "app/report/picture_comparison.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/render/renderer.h"
@@ -79,23 +80,14 @@ private:
 
 class Sheet {
 public:
-    Sheet(int width, int height) {
-        image_.width = width;
-        image_.height = height;
-        image_.data.assign(std::size_t(width) * std::size_t(height) * 4, 255);
-        fill(0, 0, width, height, {24, 25, 28});
-    }
+    Sheet(int width, int height) : image_(plain_image(width, height, 255)) { fill(0, 0, width, height, {24, 25, 28}); }
     const ByteImage& image() const { return image_; }
     void fill(int x, int y, int width, int height, const Colour& colour) {
         for (int row = std::max(y, 0); row < std::min(y + height, image_.height); ++row)
             for (int column = std::max(x, 0); column < std::min(x + width, image_.width); ++column)
                 std::copy(colour.begin(), colour.end(), at(column, row));
     }
-    void place(const ByteImage& picture, int x, int y) {
-        for (int row = 0; row < picture.height; ++row)
-            std::copy_n(picture.data.begin() + std::ptrdiff_t(row) * picture.width * 4, picture.width * 4,
-                        at(x, y + row));
-    }
+    void place(const ByteImage& picture, int x, int y) { paste_image(image_, picture, {x, y}); }
     /// Draws one line of UTF-8 text with its top at `y`, cut with an ellipsis beyond `width`.
     void write(const std::string& text, int x, int y, int width, const Colour& colour) {
         const ImFont& font = letters_.font();
@@ -168,10 +160,8 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
 }  // namespace
 
 void run_contact_sheet(const ContactSheetOptions& options) {
-    if (lower_extension(options.output) != ".png")
-        throw UsageError(fmt::format("{}: the sheet must end in .png", options.output));
+    require_output(options.output, "the sheet", {".png"});
     const fs::path index_path = fs::path(options.output).replace_extension(".txt");
-    require_writable(options.output);
     require_writable(index_path);
     const std::vector<fs::path> models = models_below(options.folder);
     const int columns = std::clamp(options.columns, 1, int(models.size()));

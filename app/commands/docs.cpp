@@ -98,12 +98,13 @@ std::string settings_page() {
 }
 
 void run_docs(const DocsOptions& options) {
-    const auto& [what, output, only, check] = options;
+    const std::string &what = options.what, &output = options.output;
     if (what == "techniques") {
         if (output.empty()) throw UsageError("docs techniques: -o FILE is missing; pictures go next to it");
         return run_docs_techniques(options);
     }
-    if (!only.empty()) throw UsageError(fmt::format("docs {} --only: only the page of techniques has rows", what));
+    if (!options.only.empty())
+        throw UsageError(fmt::format("docs {} --only: only the page of techniques has rows", what));
     const std::map<std::string, std::string (*)()> pages = {{"settings", settings_page},
                                                             {"presets", presets_page},
                                                             {"metrics", metrics_page},
@@ -113,7 +114,7 @@ void run_docs(const DocsOptions& options) {
         throw UsageError(
             fmt::format("docs {}: the pages are settings, presets, metrics, hard-cases and techniques", what));
     const std::string page = wanted->second();
-    if (check) {
+    if (options.check) {
         if (read_text_file(output) == page) return;
         throw Error(fmt::format("{}: is out of date; write it with `docs {} -o {}`", output, what, output));
     }

@@ -66,15 +66,21 @@ struct PageSection {
     bool has_other_settings = false;  ///< some rows change another setting (Entry::sets)
 };
 
-/// Returns an entry for each choice of a setting.
+/// Returns an entry for each choice of a setting. @param rows table of the setting's techniques, or its choices
 template <typename Rows>
 std::vector<Entry> entries_of(const Rows& rows, const Settings& base, std::string_view setting) {
     std::vector<Entry> out;
     for (const auto& row : rows) {
-        out.push_back({row.key, std::string(row.label), row.help, row.paper, base});
+        out.push_back({row.key, std::string(row.label), row.help, {}, base});
+        if constexpr (requires { row.paper; }) out.back().paper = row.paper;
         set_setting(out.back().settings, setting, row.key);
     }
     return out;
+}
+
+/// Returns an entry for each choice of a setting that has no table of techniques.
+std::vector<Entry> choices_of(const Settings& base, std::string_view setting) {
+    return entries_of(find_setting(setting)->param->choices(), base, setting);
 }
 
 /// Returns an entry for each kernel at each size of the kernel's own short list.
@@ -100,16 +106,6 @@ std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Se
         if (!least) continue;
         out.push_back({row.key, std::string(row.label), row.help, row.paper, base});
         out.back().settings.bias = *least;
-    }
-    return out;
-}
-
-/// Returns an entry for each choice of a setting that has no table of techniques.
-std::vector<Entry> choices_of(const Settings& base, std::string_view setting) {
-    std::vector<Entry> out;
-    for (const Choice& c : find_setting(setting)->param->choices()) {
-        out.push_back({c.key, std::string(c.label), c.help, {}, base});
-        set_setting(out.back().settings, setting, c.key);
     }
     return out;
 }
@@ -233,6 +229,7 @@ struct ChosenRows {
 };
 
 /// Returns the rows that `only` names, "filter.kernel=pcf": a row of a table, one of its sizes, or a row of that text.
+/// Returns all rows if it is empty.
 /// @throws UsageError naming the nearest row
 std::vector<ChosenRows> chosen_rows(const std::vector<PageSection>& sections, const std::string& only) {
     const std::string setting = only.substr(0, only.find('='));
@@ -240,14 +237,14 @@ std::vector<ChosenRows> chosen_rows(const std::vector<PageSection>& sections, co
     std::vector<std::string> names, settings;
     for (const PageSection& s : sections) {
         settings.emplace_back(s.setting);
-        if (s.setting != setting && !s.has_other_settings) continue;
+        if (!only.empty() && s.setting != setting && !s.has_other_settings) continue;
         ChosenRows chosen{s, s.make_entries(), {}};
         for (std::size_t i = 0; i < chosen.entries.size(); ++i) {
             const Entry& e = chosen.entries[i];
             const std::string name = e.sets.empty() ? fmt::format("{}={}", s.setting, e.key) : e.sets;
             names.push_back(name);
             if (!e.sets.empty()) settings.push_back(e.sets.substr(0, e.sets.find('=')));
-            if (name == only || (!e.of.empty() && fmt::format("{}={}", s.setting, e.of) == only))
+            if (only.empty() || name == only || (!e.of.empty() && fmt::format("{}={}", s.setting, e.of) == only))
                 chosen.rows.push_back(i);
         }
         if (!chosen.rows.empty()) out.push_back(std::move(chosen));
@@ -331,15 +328,7 @@ void run_docs_techniques(const DocsOptions& options) {
     const Scene scene = load_scene("stage");
     Settings base = base_settings(scene);
     base.map.resolution = kResolution;
-    const std::vector<PageSection> sections = all_sections(renderer, scene, base);
-    std::vector<ChosenRows> all;
-    if (options.only.empty())
-        for (const PageSection& s : sections) {
-            all.push_back({s, s.make_entries(), {}});
-            for (std::size_t i = 0; i < all.back().entries.size(); ++i) all.back().rows.push_back(i);
-        }
-    else
-        all = chosen_rows(sections, options.only);
+    const std::vector<ChosenRows> all = chosen_rows(all_sections(renderer, scene, base), options.only);
     std::size_t count = 0;
     for (const ChosenRows& chosen : all) count += chosen.rows.size();
     PagePainter painter(renderer, scene, folder.filename().generic_string(), count);

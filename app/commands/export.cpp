@@ -1,24 +1,16 @@
-#include <fmt/format.h>
-
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
-#include "renderer/base/error.h"
-#include "renderer/base/lower_case.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scene/ground.h"
 #include "renderer/settings/param.h"
 
 namespace si {
 
-void run_export(const SessionOptions& options, const std::string& output) {
-    const std::string extension = lower_extension(output);
-    if (extension != ".gltf" && extension != ".glb") {
-        throw UsageError(fmt::format("{}: the file must end in .gltf or .glb", output));
-    }
-    require_writable(output);
-    Session session = open_session(options);
-    if (!options.preset.empty() || !options.sets.empty()) {
+void run_export(const CommandOptions& options) {
+    require_output(options.output, "the file", {".gltf", ".glb"});
+    Session session = open_session(options.session);
+    if (!options.session.preset.empty() || !options.session.sets.empty()) {
         session.scene.suggested.clear();
         for (const SettingRef& ref : changed_settings(session.settings))
             if (!ref.param->key.starts_with("scene."))  // the file holds the pose at one time only
@@ -27,7 +19,7 @@ void run_export(const SessionOptions& options, const std::string& output) {
     }
     hide_objects(session.scene, {});  // hidden objects are exported, and hidden again by their setting
     remove_ground(session.scene);     // the ground is not part of the scene
-    save_gltf(session.scene, output);
+    save_gltf(session.scene, options.output);
     print_notes(session.notes);
 }
 

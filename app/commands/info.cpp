@@ -9,11 +9,11 @@
 
 namespace si {
 
-void run_info(bool json) {
+void run_info(const CommandOptions& options) {
     const HeadlessContext context;
     const Renderer renderer;
     const DriverInfo& d = renderer.driver();
-    if (json) {
+    if (options.json) {
         nlohmann::ordered_json facts = {
             {"program", "shadow-inspector"}, {"version", SI_VERSION}, {"context", context.description()}};
         facts["memory_pages"] = memory_pages();

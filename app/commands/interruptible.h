@@ -16,14 +16,17 @@ namespace si {
 /// Runs `work(workers, report)` and returns its result. report(share, text) updates the progress line and lets Ctrl+C
 /// stop the work. @param lost clause for the message after Ctrl+C: "nothing was written"
 template <class Work>
-auto interruptible(const char* lost, const Work& work) {
+auto interruptible(const std::string& lost, const Work& work) {
     InterruptGuard interrupt;
     std::stop_source stop;
+    const auto check = [&](double = 0) {
+        if (interrupt.stop_requested()) stop.request_stop();
+    };
     try {
         ProgressLine line;
-        const Workers workers{.stop = stop.get_token()};
+        const Workers workers{.stop = stop.get_token(), .progress = check};
         return work(workers, [&](double share, const std::string& what) {
-            if (interrupt.stop_requested()) stop.request_stop();
+            check();
             line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
         });
     } catch (const Cancelled&) {

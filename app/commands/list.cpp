@@ -4,6 +4,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "app/base/json_text.h"
 #include "app/commands/commands.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
@@ -27,8 +28,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json row(std::string_view key, std::string_view label, std::string_view help) {
-    return {{"key", key}, {"label", label}, {"help", help}};
+/// Returns a row of a table. @param more members of this table only, an object
+Json row(std::string_view key, std::string_view label, std::string_view help, const Json& more = Json::object()) {
+    Json json = {{"key", key}, {"label", label}, {"help", help}};
+    json.update(more);
+    return json;
 }
 
 /// Returns a reference to a setting as lists name it: of light 0, or of an object PATH.
@@ -36,146 +40,120 @@ SettingRef listed(const Param& p) {
     return {&p, 0, p.scope == Scope::Object ? "PATH" : ""};
 }
 
-Json setting_rows() {
-    static constexpr const char* kScopes[] = {"scene", "light", "object"};
-    static constexpr const char* kCosts[] = {"uniform", "program", "target"};
-    Json list = Json::array();
-    for (const Param& p : params()) {
-        const SettingRef ref = listed(p);
-        Json json = row(setting_key(ref), p.label, p.help);
-        const auto type = setting_type(ref);
-        const bool number = type == "int" || type == "float";
-        json["also"] = p.also;
-        json["type"] = type;
-        json["unit"] = p.unit;
-        json["min"] = number ? Json(p.min) : Json();
-        json["max"] = number || type == "text" ? Json(p.max) : Json();  // for texts the largest number of bytes
-        json["default"] = setting_to_json(ref, default_value(ref));
-        json["choices"] = Json::array();
-        if (p.choices) {
-            for (const Choice& c : p.choices()) json["choices"].push_back(row(c.key, c.label, c.help));
-        }
-        json["logarithmic"] = p.logarithmic;
-        json["scope"] = kScopes[std::size_t(p.scope)];
-        json["cost"] = kCosts[std::size_t(p.cost)];
-        list.push_back(std::move(json));
-    }
-    return list;
+Json choice_row(const Choice& c) {
+    return row(c.key, c.label, c.help);
 }
 
-/// Converts the rows of a table of techniques to JSON. @param more adds members of this table only: (Json&, const Row&)
+Json setting_row(const Param& p) {
+    static constexpr const char* kScopes[] = {"scene", "light", "object"};
+    static constexpr const char* kCosts[] = {"uniform", "program", "target"};
+    const SettingRef ref = listed(p);
+    const auto type = setting_type(ref);
+    const bool number = type == "int" || type == "float";
+    return row(setting_key(ref), p.label, p.help,
+               {{"also", p.also},
+                {"type", type},
+                {"unit", p.unit},
+                {"min", number ? Json(p.min) : Json()},
+                {"max", number || type == "text" ? Json(p.max) : Json()},  // for texts the largest number of bytes
+                {"default", setting_to_json(ref, default_value(ref))},
+                {"choices", p.choices ? json_list(p.choices(), choice_row) : Json::array()},
+                {"logarithmic", p.logarithmic},
+                {"scope", kScopes[std::size_t(p.scope)]},
+                {"cost", kCosts[std::size_t(p.cost)]}});
+}
+
+Json setting_rows() {
+    return json_list(params(), setting_row);
+}
+
+/// Converts the rows of a table of techniques to JSON. @param more returns members of this table only
 template <typename Row>
-Json technique_rows(std::span<const Row> rows, auto&& more) {
-    Json list = Json::array();
-    for (const Row& r : rows) {
-        Json json = row(r.key, r.label, r.help);
-        json["paper"] = r.paper;
-        more(json, r);
-        list.push_back(std::move(json));
-    }
-    return list;
+Json technique_rows(std::span<const Row> rows, Json (*more)(const Row&)) {
+    return json_list(rows, [&](const Row& r) {
+        Json members = {{"paper", r.paper}};
+        members.update(more(r));
+        return row(r.key, r.label, r.help, members);
+    });
 }
 
 Json filter_rows() {
-    return technique_rows(filters(), [](Json& json, const Filter& f) {
-        json["file"] = f.file;
+    return technique_rows<Filter>(filters(), [](const Filter& f) -> Json {
         const Reach reach = f.reach(f, Settings{}, std::numeric_limits<double>::infinity());
         const FilterCost cost = f.cost(f, Settings{});
-        json["size"] = taps_across(f, Settings{});
-        json["bilinear"] = is_bilinear(f, Settings{});
-        json["reach_texels"] = reach.bias;
-        json["edge_reach_texels"] = reach.edge;
-        json["read_reach_texels"] = reach.read;
-        json["gathers"] = cost.gathers;
-        json["sampler_taps"] = cost.sampler_taps;
-        json["settings"] = std::vector<std::string>(f.settings.begin(), f.settings.end());
+        return {{"file", f.file},
+                {"size", taps_across(f, Settings{})},
+                {"bilinear", is_bilinear(f, Settings{})},
+                {"reach_texels", reach.bias},
+                {"edge_reach_texels", reach.edge},
+                {"read_reach_texels", reach.read},
+                {"gathers", cost.gathers},
+                {"sampler_taps", cost.sampler_taps},
+                {"settings", std::vector<std::string>(f.settings.begin(), f.settings.end())}};
     });
 }
 
 Json bias_rows() {
-    static constexpr const char* kStages[] = {"compare", "look-up", "raster"};
-    return technique_rows(biases(), [](Json& json, const Bias& b) {
-        json["file"] = b.file;
-        json["stage"] = kStages[std::size_t(b.stage)];
-        json["settings"] = b.settings;
-        json["per_texel"] = b.per_texel;
-        json["brings_need"] = b.gives_needed_bias;
+    return technique_rows<Bias>(biases(), [](const Bias& b) -> Json {
+        static constexpr const char* kStages[] = {"compare", "look-up", "raster"};
+        return {{"file", b.file},
+                {"stage", kStages[std::size_t(b.stage)]},
+                {"settings", b.settings},
+                {"per_texel", b.per_texel},
+                {"brings_need", b.gives_needed_bias}};
     });
 }
 
 Json fit_rows() {
-    return technique_rows(fits(), [](Json& json, const FitRow& f) {
-        json["reads_camera"] = f.reads_camera;
-        json["narrows"] = f.narrows;
+    return technique_rows<FitRow>(fits(), [](const FitRow& f) -> Json {
+        return {{"reads_camera", f.reads_camera}, {"narrows", f.narrows}};
     });
 }
 
 Json source_rows() {
-    return technique_rows(sources(), [](Json& json, const Source& s) {
-        json["file"] = s.file;
-        json["fused"] = s.fused;
+    return technique_rows<Source>(sources(), [](const Source& s) -> Json {
+        return {{"file", s.file}, {"fused", s.fused}};
     });
 }
 
 Json metric_rows() {
-    return technique_rows(metrics(), [](Json& json, const Metric& m) {
-        json["unit"] = m.unit;
-        json["formula"] = m.formula;
+    return technique_rows<Metric>(metrics(), [](const Metric& m) -> Json {
+        return {{"unit", m.unit}, {"formula", m.formula}};
     });
 }
 
 Json overlay_rows() {
-    return technique_rows(overlays(), [](Json& json, const Overlay& o) {
-        json["file"] = o.file();
-        json["unit"] = o.unit;
-        json["scalar"] = o.scalar;
-        json["min"] = o.min;
-        json["max"] = o.max;
-        json["diverging"] = o.diverging;
+    return technique_rows<Overlay>(overlays(), [](const Overlay& o) -> Json {
+        return {{"file", o.file()}, {"unit", o.unit}, {"scalar", o.scalar},
+                {"min", o.min},   {"max", o.max},   {"diverging", o.diverging}};
     });
 }
 
 Json view_rows() {
-    Json list = Json::array();
-    for (const View& v : views()) {
-        Json json = row(v.key, v.label, v.help);
-        json["scalar"] = v.scalar;
-        list.push_back(std::move(json));
-    }
-    return list;
+    return json_list(views(), [](const View& v) { return row(v.key, v.label, v.help, {{"scalar", v.scalar}}); });
 }
 
 Json scene_rows() {
-    Json list = Json::array();
-    for (const BuiltinScene& s : builtin_scenes()) list.push_back(row(s.key, s.label, s.help));
-    return list;
+    return json_list(builtin_scenes(), [](const BuiltinScene& s) { return row(s.key, s.label, s.help); });
 }
 
 Json preset_rows() {
-    Json list = Json::array();
-    for (const BuiltinPreset& p : builtin_presets()) {
-        Json json = row(p.key, p.title.empty() ? p.key : p.title, p.about);
-        json["topic"] = p.topic;
-        json["scene"] = p.scene;
-        list.push_back(std::move(json));
-    }
-    return list;
+    return json_list(builtin_presets(), [](const BuiltinPreset& p) {
+        return row(p.key, p.title.empty() ? p.key : p.title, p.about, {{"topic", p.topic}, {"scene", p.scene}});
+    });
 }
 
 Json hard_case_rows() {
-    Json list = Json::array();
-    for (const HardCase& c : hard_cases()) {
-        Json json = row(HardCaseView{&c, false}.name(), c.title, c.fault);
-        json["number"] = c.number;
-        json["remedy"] = c.fix;
-        json["measure"] = c.measure;
-        json["limit"] = c.limit;
-        json["unit"] = c.unit;
-        json["why"] = c.limit_reason;
-        json["fixed"] = HardCaseView{&c, true}.name();
-        list.push_back(std::move(json));
-    }
-    return list;
+    return json_list(hard_cases(), [](const HardCase& c) {
+        return row(HardCaseView{&c, false}.name(), c.title, c.fault,
+                   {{"number", c.number},
+                    {"remedy", c.fix},
+                    {"measure", c.measure},
+                    {"limit", c.limit},
+                    {"unit", c.unit},
+                    {"why", c.limit_reason},
+                    {"fixed", HardCaseView{&c, true}.name()}});
+    });
 }
 
 std::string range_text(const Json& setting) {
@@ -222,10 +200,6 @@ void print_rows(const Json& list) {
         }
     }
 }
-
-}  // namespace
-
-namespace {
 
 struct ListKind {
     std::string key;

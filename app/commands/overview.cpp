@@ -30,7 +30,7 @@ void print_passes(const FrameResult& frame, const DriverInfo& driver) {
     fmt::print("\nmeasured with {} on {}\n", frame.clock, driver.renderer);
 }
 
-void draw_editor(const OverviewOptions& options, const std::string& path) {
+void draw_editor(const CommandOptions& options, const std::string& path) {
     EditorOptions editor;
     editor.session = options.session;
     editor.headless = true;
@@ -41,11 +41,11 @@ void draw_editor(const OverviewOptions& options, const std::string& path) {
 
 }  // namespace
 
-void run_overview(const OverviewOptions& options) {
+void run_overview(const CommandOptions& options) {
     std::error_code error;
-    fs::create_directories(options.folder, error);
-    if (error) throw Error(fmt::format("{}: cannot be made: {}", options.folder, error.message()));
-    const auto file = [&](const std::string& name) { return (fs::path(options.folder) / name).string(); };
+    fs::create_directories(options.output, error);
+    if (error) throw Error(fmt::format("{}: cannot be made: {}", options.output, error.message()));
+    const auto file = [&](const std::string& name) { return (fs::path(options.output) / name).string(); };
     const Session session = open_session(options.session);
     FrameResult frame;
     DriverInfo driver;
@@ -54,9 +54,7 @@ void run_overview(const OverviewOptions& options) {
     {
         const HeadlessContext context;
         Renderer renderer;
-        FrameRequest request;
-        request.width = options.size.width;
-        request.height = options.size.height;
+        FrameRequest request{.width = options.size.width, .height = options.size.height};
         for (const char* view : {"shaded", "shadow-map", "visibility"}) {
             const std::string path = file(view == std::string("shaded") ? "scene.png" : fmt::format("{}.png", view));
             write_view(renderer, session.scene, session.settings, request, find_view(view), path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/base/json_text.h"
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
@@ -45,15 +46,14 @@ Json spread_json(const PrecisionSpread& s) {
 }
 
 Json errors_json(const std::vector<PipelineError>& errors) {
-    Json out = Json::array();
-    for (const PipelineError& e : errors)
-        out.push_back({{"map.origin", word_of("map.origin", index_of(e.origin))},
-                       {"map.transform", word_of("map.transform", index_of(e.transform))},
-                       {"pixels", e.pixels},
-                       {"texels", spread_json(e.texels)},
-                       {"ulp", spread_json(e.ulps)},
-                       {"flips", e.flips}});
-    return out;
+    return json_list(errors, [](const PipelineError& e) -> Json {
+        return {{"map.origin", word_of("map.origin", index_of(e.origin))},
+                {"map.transform", word_of("map.transform", index_of(e.transform))},
+                {"pixels", e.pixels},
+                {"texels", spread_json(e.texels)},
+                {"ulp", spread_json(e.ulps)},
+                {"flips", e.flips}};
+    });
 }
 
 void print_errors(const std::vector<PipelineError>& errors, const std::string& before) {
@@ -114,8 +114,9 @@ void run_precision(const PrecisionOptions& options) {
             json["pipelines"] = errors_json(series.front().errors);
         } else {
             json["over"] = options.over;
-            for (const Point& p : series)
-                json["series"].push_back({{"value", p.value}, {"pipelines", errors_json(p.errors)}});
+            json["series"] = json_list(series, [](const Point& p) -> Json {
+                return {{"value", p.value}, {"pipelines", errors_json(p.errors)}};
+            });
         }
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));

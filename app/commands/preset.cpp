@@ -7,7 +7,6 @@
 #include "app/session/preset_diff.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
-#include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/idle_reason.h"
@@ -15,7 +14,8 @@
 
 namespace si {
 
-void run_preset_check(const std::string& file) {
+void run_preset_check(const PresetOptions& options) {
+    const std::string& file = options.file;
     const SessionPlan plan = plan_session({.scene = {}, .preset = file, .sets = {}});
     const Preset& preset = *plan.preset;
     std::vector<std::string> notes;
@@ -31,8 +31,8 @@ void run_preset_check(const std::string& file) {
     print_notes(notes);
 }
 
-void run_preset_show(const std::string& file) {
-    const Preset preset = load_preset(file);
+void run_preset_show(const PresetOptions& options) {
+    const Preset preset = load_preset(options.file);
     // The file's text goes to a terminal: control characters are escaped.
     const auto shown = [](const std::string& text) { return printable(text, std::string::npos); };
     if (!preset.title.empty())
@@ -47,10 +47,11 @@ void run_preset_show(const std::string& file) {
     }
 }
 
-void run_preset_diff(const std::string& before, const std::string& after, bool as_json) {
+void run_preset_diff(const PresetOptions& options) {
+    const std::string &before = options.file, &after = options.other_file;
     const Preset a = load_preset_or_default(before), b = load_preset_or_default(after);
     const std::vector<PresetDifference> differences = preset_differences(a, b);
-    if (!as_json) {
+    if (!options.json) {
         fmt::print("{}", differences_text(differences, before, after));
         return;
     }
@@ -71,11 +72,10 @@ void run_preset_diff(const std::string& before, const std::string& after, bool a
     fmt::print("{}", json_text({{"a", before}, {"b", after}, {"equal", list.empty()}, {"differences", list}}));
 }
 
-void run_preset_save(const SessionOptions& options, const PresetTexts& texts, const std::string& output) {
-    if (lower_extension(output) != ".json") throw UsageError(fmt::format("{}: a preset must end in .json", output));
-    require_writable(output);
-    const Session session = open_session(options);
-    save_preset({texts.title, texts.topic, texts.about, session.scene_name, session.settings}, output);
+void run_preset_save(const PresetOptions& options) {
+    require_output(options.output, "a preset", {".json"});
+    const Session session = open_session(options.session);
+    save_preset({options.title, options.topic, options.about, session.scene_name, session.settings}, options.output);
     print_notes(session.notes);
 }
 

@@ -19,9 +19,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/base/lower_case.h"
 #include "renderer/reference/ray_scenes.h"
-#include "renderer/reference/reference_picture.h"
 #include "renderer/reference/reference_scene.h"
 #include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
@@ -49,8 +47,8 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
         fmt::print(": visibility {:.4g}\n  {}\n", p.visibility, p.verdict);
         return;
     }
-    const char* const than = s.map.reversed_z ? (s.map.compare == Compare::Less ? ">" : ">=")
-                                              : (s.map.compare == Compare::Less ? "<" : "<=");
+    const bool strict = s.map.compare == Compare::Less, reversed = s.map.reversed_z;
+    const char* const than = reversed ? (strict ? ">" : ">=") : (strict ? "<" : "<=");
     fmt::print(", {}\n", p.view.empty() ? "its only map" : p.view);
     fmt::print("  1 light clip space   ({:.6g}, {:.6g}, {:.6g}, w {:.6g})\n", p.clip.x, p.clip.y, p.clip.z, p.clip.w);
     fmt::print("  2 divided by w       ({:.6g}, {:.6g}, {:.6g})\n", p.ndc.x, p.ndc.y, p.ndc.z);
@@ -63,10 +61,9 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("  7 compared depth     {:.8g}\n", p.compared);
     fmt::print("  8 stored depth       {:.8g}   = {:.6g} m, texel {},{} ({:.4g} m wide)\n", p.stored, p.stored_m,
                p.texel.x, p.texel.y, p.texel_m);
-    const bool lit =
-        s.map.reversed_z
-            ? (s.map.compare == Compare::Less ? p.compared_nearest > p.stored : p.compared_nearest >= p.stored)
-            : (s.map.compare == Compare::Less ? p.compared_nearest < p.stored : p.compared_nearest <= p.stored);
+    const auto [nearer, farther] =
+        reversed ? std::pair(p.stored, p.compared_nearest) : std::pair(p.compared_nearest, p.stored);
+    const bool lit = strict ? nearer < farther : nearer <= farther;
     fmt::print("  9 nearest texel      {:.8g} {} {:.8g} is {}\n", p.compared_nearest, than, p.stored,
                lit ? "true: lit" : "false: in shadow");
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
@@ -165,33 +162,19 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
     return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
 
-/// Returns the cross-section of the shadow test under view.light as SVG text.
-std::string drawing_of(const Session& session, const Probe& probe, const std::vector<PixelDiagnosis>& found,
-                       const ReferenceScene* casters) {
-    const auto i = std::size_t(std::max(session.settings.view.light, 0));
-    if (i >= probe.lights.size()) throw Error(fmt::format("view.light is {}: there is no such light to draw", i));
-    const Section section = pixel_section(probe, i, found, session.settings, casters);
-    return section_svg(section);
-}
-
 }  // namespace
 
 void run_probe(const ProbeOptions& options) {
     const auto [x, y] = parse_pixel(options.pixel, options.size);
-    if (!options.section.empty()) {
-        if (lower_extension(options.section) != ".svg")
-            throw UsageError(fmt::format("{}: the drawing must end in .svg", options.section.string()));
-        require_writable(options.section);
-    }
+    const std::string& section = options.output;
+    if (!section.empty()) require_output(section, "the drawing", {".svg"});
     const Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
-    FrameRequest request;
     const PaneGrid grid = picture_grid(session.settings, options.size.width, options.size.height);
     const auto place = grid.pane_at({x, y});
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
-    request.width = grid.width;
-    request.height = grid.height;
+    FrameRequest request{.width = grid.width, .height = grid.height};
     ReferenceCache sources;
     trace_sources(renderer, session.scene, session.settings, request, sources, tracing_workers());
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
@@ -203,7 +186,7 @@ void run_probe(const ProbeOptions& options) {
         found = diagnoses(probe, session.scene, session.settings, renderer.driver(), *casters);
     }
     const auto find_fixes = [&] {  // uses the pixel within the pane
-        if (options.reference && probe.hit && options.section.empty()) table = fixes(renderer, session, probe, found);
+        if (options.reference && probe.hit && section.empty()) table = fixes(renderer, session, probe, found);
     };
     Probe shown = probe;
     shown.x = x;
@@ -211,7 +194,7 @@ void run_probe(const ProbeOptions& options) {
     if (options.json) {
         find_fixes();
         nlohmann::ordered_json json = probe_json(shown, found);
-        if (probe.hit && options.reference && options.section.empty())
+        if (probe.hit && options.reference && section.empty())
             json["cures"] = table ? fixes_json(*table) : nlohmann::ordered_json::array();
         fmt::print("{}", json_text(json));
     } else if (!probe.hit) {
@@ -229,11 +212,14 @@ void run_probe(const ProbeOptions& options) {
         if (table) print_fixes(*table, 8);
     }
     print_notes(session.notes);
-    if (!options.section.empty()) {
+    if (!section.empty()) {
         if (!probe.hit)
-            throw Error(fmt::format("{}: not written, as pixel {},{} shows no surface; name one that does",
-                                    options.section.string(), x, y));
-        write_file(options.section, drawing_of(session, shown, found, casters.get()));
+            throw Error(
+                fmt::format("{}: not written, as pixel {},{} shows no surface; name one that does", section, x, y));
+        const auto light = std::size_t(std::max(session.settings.view.light, 0));
+        if (light >= shown.lights.size())
+            throw Error(fmt::format("view.light is {}: there is no such light to draw", light));
+        write_file(section, section_svg(pixel_section(shown, light, found, session.settings, casters.get())));
     }
     if (options.check_numeric)
         require_sound(*search_numbers(renderer, session.scene, session.settings, request, tracing_workers()));

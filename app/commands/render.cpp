@@ -16,7 +16,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/inspect/lost_casters.h"
-#include "renderer/reference/reference_picture.h"
 #include "renderer/render/reference_frames.h"
 #include "renderer/settings/param.h"
 
@@ -78,7 +77,7 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
 }  // namespace
 
 void run_render(const RenderOptions& options) {
-    const View view = find_view(options.view);
+    const View view = find_view(options.view.empty() ? "shaded" : options.view);
     require_writable(options.output);
     check_view_file(view, options.output);
     const bool against = !options.against.empty();
@@ -105,7 +104,7 @@ void run_render(const RenderOptions& options) {
     if (!options.fit_camera.empty()) fit_camera = load_preset(options.fit_camera).settings;
     Session session = open_session(options.session);
     // --view shaded draws the plain picture; without --view the settings decide on overlays, panes and slabs.
-    if (options.view_given && view.key == "shaded") {
+    if (options.view == "shaded") {
         session.settings.view.overlay = 0;
         session.settings.view.panes = Panes::One;
         session.settings.view.slabs = Slabs::None;
@@ -114,9 +113,7 @@ void run_render(const RenderOptions& options) {
 
     const HeadlessContext context;
     Renderer renderer;
-    FrameRequest request;
-    request.width = options.size.width;
-    request.height = options.size.height;
+    FrameRequest request{.width = options.size.width, .height = options.size.height};
     request.timing = !options.report.empty();
     if (fit_camera) request.map_camera = map_camera_of(renderer, session, *fit_camera, request);
     FrameResult frame;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 
+#include "app/base/json_text.h"
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
 #include "app/report/report.h"
@@ -24,64 +25,40 @@ Json texture_number(int index) {
     return index < 0 ? Json() : Json(index);
 }
 
-Json materials_json(const Scene& scene) {
-    Json list = Json::array();
-    for (const Material& m : scene.materials) {
-        list.push_back({{"name", m.name},
-                        {"alpha", kAlpha[std::size_t(m.alpha)]},
-                        {"double_sided", m.double_sided},
-                        {"unlit", m.unlit},
-                        {"base_colour", {m.base_colour.r, m.base_colour.g, m.base_colour.b, m.base_colour.a}},
-                        {"base_colour_texture", texture_number(m.base_colour_texture)},
-                        {"normal_texture", texture_number(m.normal_texture)}});
-    }
-    return list;
+Json material_json(const Material& m) {
+    return {{"name", m.name},
+            {"alpha", kAlpha[std::size_t(m.alpha)]},
+            {"double_sided", m.double_sided},
+            {"unlit", m.unlit},
+            {"base_colour", {m.base_colour.r, m.base_colour.g, m.base_colour.b, m.base_colour.a}},
+            {"base_colour_texture", texture_number(m.base_colour_texture)},
+            {"normal_texture", texture_number(m.normal_texture)}};
 }
 
-Json textures_json(const Scene& scene) {
-    Json list = Json::array();
-    for (const Texture& t : scene.textures) {
-        list.push_back({{"name", t.name}, {"width", t.width}, {"height", t.height}, {"mipmaps", t.mipmaps}});
-    }
-    return list;
+Json texture_json(const Texture& t) {
+    return {{"name", t.name}, {"width", t.width}, {"height", t.height}, {"mipmaps", t.mipmaps}};
 }
 
-Json lights_json(const Scene& scene) {
-    Json list = Json::array();
-    for (const SceneLight& l : scene.lights) {
-        Json json = {{"name", l.name}, {"type", kLights[std::size_t(l.type)]}};
-        json["position"] = vector_json(glm::dvec3(l.world[3]));
-        if (l.type != LightType::Point) json["shines_along"] = vector_json(-glm::normalize(glm::dvec3(l.world[2])));
-        if (l.type == LightType::Spot) json["cone_deg"] = 2 * l.outer_cone_rad * 180 / std::numbers::pi;
-        json["colour"] = vector_json(l.colour);
-        json["intensity"] = l.intensity;
-        if (l.type != LightType::Directional) json["range"] = l.range > 0 ? Json(l.range) : Json();
-        list.push_back(std::move(json));
-    }
-    return list;
+Json light_json(const SceneLight& l) {
+    Json json = {{"name", l.name}, {"type", kLights[std::size_t(l.type)]}};
+    json["position"] = vector_json(glm::dvec3(l.world[3]));
+    if (l.type != LightType::Point) json["shines_along"] = vector_json(-glm::normalize(glm::dvec3(l.world[2])));
+    if (l.type == LightType::Spot) json["cone_deg"] = 2 * l.outer_cone_rad * 180 / std::numbers::pi;
+    json["colour"] = vector_json(l.colour);
+    json["intensity"] = l.intensity;
+    if (l.type != LightType::Directional) json["range"] = l.range > 0 ? Json(l.range) : Json();
+    return json;
 }
 
-Json cameras_json(const Scene& scene) {
-    Json list = Json::array();
-    for (const SceneCamera& c : scene.cameras) {
-        Json json = {{"name", c.name}, {"orthographic", c.orthographic}};
-        json["position"] = vector_json(glm::dvec3(c.world[3]));
-        if (c.orthographic)
-            json["height"] = c.height;
-        else
-            json["fov_y_deg"] = c.fov_y_deg;
-        list.push_back(std::move(json));
-    }
-    return list;
+Json camera_json(const SceneCamera& c) {
+    return {{"name", c.name},
+            {"orthographic", c.orthographic},
+            {"position", vector_json(glm::dvec3(c.world[3]))},
+            {c.orthographic ? "height" : "fov_y_deg", c.orthographic ? c.height : c.fov_y_deg}};
 }
 
-Json animations_json(const Scene& scene) {
-    Json list = Json::array();
-    if (!scene.rig) return list;
-    for (const Animation& a : scene.rig->animations) {
-        list.push_back({{"name", a.name}, {"duration_s", a.duration_s}, {"channels", a.channels.size()}});
-    }
-    return list;
+Json animation_json(const Animation& a) {
+    return {{"name", a.name}, {"duration_s", a.duration_s}, {"channels", a.channels.size()}};
 }
 
 Json facts(const Scene& scene, const std::string& name) {
@@ -98,13 +75,13 @@ Json facts(const Scene& scene, const std::string& name) {
                           {"max", vector_json(scene.bounds.hi)},
                           {"size", vector_json(scene.bounds.hi - scene.bounds.lo)}};
     }
-    json["materials"] = materials_json(scene);
-    json["textures"] = textures_json(scene);
+    json["materials"] = json_list(scene.materials, material_json);
+    json["textures"] = json_list(scene.textures, texture_json);
     json["file_scenes"] = scene.file_scenes;
     json["file_scene"] = scene.file_scene;
-    json["lights"] = lights_json(scene);
-    json["cameras"] = cameras_json(scene);
-    json["animations"] = animations_json(scene);
+    json["lights"] = json_list(scene.lights, light_json);
+    json["cameras"] = json_list(scene.cameras, camera_json);
+    json["animations"] = scene.rig ? json_list(scene.rig->animations, animation_json) : Json::array();
     json["dropped_triangles"] = scene.dropped_triangles;
     json["warnings"] = scene.warnings;
     return json;
@@ -187,11 +164,10 @@ void print_facts(const Json& f) {
 
 }  // namespace
 
-void run_scene(const std::string& scene, int file_scene, bool json) {
-    GltfOptions options;
-    options.scene = file_scene;
-    const Json found = facts(load_scene(scene, options), scene);
-    if (json)
+void run_scene(const SceneOptions& options) {
+    const std::string& name = options.session.scene;
+    const Json found = facts(load_scene(name, {.scene = options.file_scene}), name);
+    if (options.json)
         fmt::print("{}", json_text(found));
     else
         print_facts(found);

@@ -8,7 +8,6 @@
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
-#include "renderer/base/lower_case.h"
 
 namespace si {
 namespace {
@@ -48,10 +47,7 @@ void run_shimmer(const ShimmerCommandOptions& options) {
     if (!options.output.empty()) {
         FloatImage picture = measured.front().shimmer.flips_of;
         for (float& flips : picture.data) flips /= float(std::max(options.shimmer.steps, 1));
-        if (lower_extension(options.output) == ".pfm")
-            write_pfm(options.output, picture);
-        else
-            write_grey_png(options.output, picture);
+        write_scalar_image(options.output, picture);
     }
     const ShimmerMotionRow& motion = shimmer_motions()[std::size_t(options.shimmer.motion)];
     if (options.json) {

@@ -6,7 +6,7 @@
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/number_watch.h"
+#include "app/report/health_report.h"
 #include "app/sweep/files.h"
 #include "app/sweep/merge.h"
 #include "app/sweep/progress_line.h"
@@ -69,7 +69,7 @@ void run_sweep(const SweepOptions& options) {
     std::vector<SweepAxis> axes;
     for (const std::string& axis : options.vary) axes.push_back(parse_axis(axis));
     const Shard shard = options.shard.empty() ? Shard{} : parse_shard(options.shard);
-    const fs::path folder = options.folder;
+    const fs::path folder = options.output;
     require_sweep_folder(folder);
     SessionPlan opened = plan_session(options.session);
     Session session = compose_session(opened, load_scene(opened.scene_name, scene_options(opened)));
@@ -85,6 +85,7 @@ void run_sweep(const SweepOptions& options) {
     notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
 
     SweepTiming timing = options.timing;
+    timing.cost = options.cost;
     // Shards run at the same time on different machines, so that their times are not comparable.
     timing.on = timing.on && shard.count == 1;
     const HeadlessContext context;
@@ -110,7 +111,7 @@ void run_sweep(const SweepOptions& options) {
 }
 
 void run_merge(const MergeOptions& options) {
-    const fs::path folder = options.folder;
+    const fs::path folder = options.output;
     std::vector<std::pair<std::string, SweepState>> parts;
     for (const std::string& part : options.parts) {
         std::error_code ignored;

@@ -9,7 +9,6 @@
 #include "app/report/report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
-#include "renderer/base/lower_case.h"
 #include "renderer/reference/reference_task.h"
 #include "renderer/render/reference_frames.h"
 
@@ -79,13 +78,12 @@ void run_reference(const ReferenceCommandOptions& options) {
     const int light = session.settings.view.light;
     const FrameRequest request{.width = options.size.width, .height = options.size.height};
     ReferenceOptions wanted = reference_options(session.settings);
-    wanted.as_rasterised = options.reference.as_rasterised;
+    wanted.as_rasterised = options.as_rasterised;
     const ReferenceTask task = reference_task(renderer, session.scene, session.settings, request, light, wanted);
     ReferenceCache cache;
     const TracedReference traced = cache.trace(task, tracing_workers(options.threads));
     const FloatImage& picture = traced.reference->visibility;
-    lower_extension(options.output) == ".pfm" ? write_pfm(options.output, picture)
-                                              : write_grey_png(options.output, picture);
+    write_scalar_image(options.output, picture);
     if (!options.report.empty()) write_file(options.report, json_text(reference_json(traced, task, light)));
     print_notes(session.notes);
     if (options.check_numeric) {

@@ -3,21 +3,19 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/base/interrupt.h"
+#include "app/base/json_text.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
+#include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
+#include "app/report/health_report.h"
 #include "app/report/measure_json.h"
-#include "app/report/number_watch.h"
 #include "app/report/report.h"
 #include "app/session/setting_json.h"
-#include "app/sweep/progress_line.h"
 #include "app/sweep/tuning.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/base/lower_case.h"
-#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -44,6 +42,25 @@ Json trial_json(const BiasTrial& t) {
 
 Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& after, CostCase cost, double seconds) {
     const BiasSearch& search = tuner.bias();
+    const auto family = [&](const BiasFound& f) {
+        Json row = {{"family", family_label(f.family)},
+                    {"chosen", search.best() && search.best()->family == f.family},
+                    {"no_acne", f.trial.acne() == 0},
+                    {"of_theory", f.factor},
+                    {"bias", bias_json(f.bias)}};
+        row.update(trial_json(f.trial));
+        return row;
+    };
+    const auto candidate = [&](const TuneCandidate& c) -> Json {
+        return {{"kernel", c.kernel},
+                {"resolution", c.settings.map.resolution},
+                {"chosen", &c == tuner.best()},
+                {"within_limits", c.meets},
+                {"no_acne", c.clear},
+                {"error", c.trial ? Json(c.error) : Json()},
+                {"ms", c.ms ? Json(*c.ms) : Json()},
+                {"bias", bias_json(c.settings.bias)}};
+    };
     Json json = {{"format", "shadow-inspector-tuning"},
                  {"version", 1},
                  {"found", tuner.result().has_value()},
@@ -53,29 +70,9 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
                  {"seconds", seconds},
                  {"before", trial_json(search.before())},
                  {"lit_pixels", search.before().needs.pixels},
-                 {"families", Json::array()},
-                 {"candidates", Json::array()},
+                 {"families", json_list(search.tried(), family)},
+                 {"candidates", json_list(tuner.candidates(), candidate)},
                  {"settings", Json::object()}};
-    for (const BiasFound& f : search.tried()) {
-        Json row = {{"family", family_label(f.family)},
-                    {"chosen", search.best() && search.best()->family == f.family},
-                    {"no_acne", f.trial.acne() == 0},
-                    {"of_theory", f.factor}};
-        row["bias"] = bias_json(f.bias);
-        row.update(trial_json(f.trial));
-        json["families"].push_back(std::move(row));
-    }
-    for (const TuneCandidate& c : tuner.candidates()) {
-        Json row = {{"kernel", c.kernel},
-                    {"resolution", c.settings.map.resolution},
-                    {"chosen", &c == tuner.best()},
-                    {"within_limits", c.meets},
-                    {"no_acne", c.clear},
-                    {"error", c.trial ? Json(c.error) : Json()},
-                    {"ms", c.ms ? Json(*c.ms) : Json()},
-                    {"bias", bias_json(c.settings.bias)}};
-        json["candidates"].push_back(std::move(row));
-    }
     for (const SettingRef& ref : all_settings(after))
         if (get_value(after, ref) != get_value(before, ref))
             json["settings"][setting_key(ref)] = setting_to_json(ref, get_value(after, ref));
@@ -121,46 +118,33 @@ const Metric& tuned_error(const std::string& key) {
 }
 
 void run_tune(const TuneOptions& options) {
-    if (lower_extension(options.output) != ".json")
-        throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
+    require_output(options.output, "a preset", {".json"});
     const TuneGoals goals{.max_error = options.max_error,
                           .max_ms = options.max_ms,
                           .error = &tuned_error(options.error),
                           .cost = options.cost};
-    require_writable(options.output);
     Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
     const NumberWatch numbers(renderer, session.settings, options.check_numeric);
     const TuningJob job{session.settings, options.size.width, options.size.height, goals};
     const auto began = std::chrono::steady_clock::now();
-    InterruptGuard interrupt;
-    std::stop_source stop;
-    std::optional<Tuner> tuner;
-    try {
-        ProgressLine line;
-        const Workers workers{.stop = stop.get_token(), .progress = [&](double) {
-                                  if (interrupt.stop_requested()) stop.request_stop();
-                              }};
-        tuner = run_tuning(renderer, session.scene, job, workers, [&](const Tuner& t) {
-            if (interrupt.stop_requested()) stop.request_stop();
-            line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.step_label()), false);
+    const Tuner tuner =
+        interruptible(options.output + " was not written", [&](const Workers& workers, const auto& report) {
+            return run_tuning(renderer, session.scene, job, workers,
+                              [&](const Tuner& t) { report(t.progress(), t.step_label()); });
         });
-    } catch (const Cancelled&) {
-        print_to_stderr(fmt::format("shadow-inspector: interrupted; {} was not written\n", options.output));
-        interrupt.end();
-    }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    const std::optional<Settings> found = tuner->result();
+    const std::optional<Settings> found = tuner.result();
     Settings after = session.settings;
     if (found) apply_tuning(after, *found);
     if (options.json)
-        fmt::print("{}", json_text(tuned_json(*tuner, session.settings, after, goals.cost, seconds)));
+        fmt::print("{}", json_text(tuned_json(tuner, session.settings, after, goals.cost, seconds)));
     else
-        print_tuned(*tuner);
+        print_tuned(tuner);
     if (!found) numbers.require_sound();
-    if (!found) throw Error(tuner->summary() + "; nothing was written");
-    save_preset({"", "", tuner->summary(), session.scene_name, after}, options.output);
+    if (!found) throw Error(tuner.summary() + "; nothing was written");
+    save_preset({"", "", tuner.summary(), session.scene_name, after}, options.output);
     if (!options.json) print_wrote(options.output);
     print_notes(session.notes);
     numbers.require_sound();

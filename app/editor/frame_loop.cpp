@@ -8,7 +8,7 @@
 #include "app/base/output.h"
 #include "app/editor/artefact_spots.h"
 #include "app/editor/panel_effects.h"
-#include "app/report/number_watch.h"
+#include "app/report/health_report.h"
 #include "app/report/views.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/scene/proxy_scene.h"

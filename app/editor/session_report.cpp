@@ -1,7 +1,6 @@
 #include "app/editor/session_report.h"
 
 #include "app/base/output.h"
-#include "app/report/memory_json.h"
 #include "app/report/report.h"
 
 namespace si {

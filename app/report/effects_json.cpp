@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/base/json_text.h"
 #include "renderer/optimisations/optimisations.h"
 
 namespace si {
@@ -26,11 +27,18 @@ const Spread* time_of_pass(const Effect& effect, const SavedTimes* saved) {
     return nullptr;
 }
 
+/// Formats the time that an optimisation saves, in ms: "1.20 (0.90 to 1.50), of 3 together"; a dash for null.
+/// @param together number of effects that were forced together for this time
+std::string saved_time_text(const Spread* ms, std::size_t together) {
+    if (!ms) return "–";
+    return fmt::format("{:.2f} ({:.2f} to {:.2f}){}", ms->median, ms->median_low, ms->median_high,
+                       together > 1 ? fmt::format(", of {} together", together) : "");
+}
+
 }  // namespace
 
 Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
-    Json rows = Json::array();
-    for (const Effect& effect : effects) {
+    return json_list(effects, [&](const Effect& effect) {
         Json row = {{"name", effect.name}, {"state", effect_state_key(effect.state)}, {"reason", effect.reason}};
         const Spread* saved_ms = saved ? saved->find(effect) : nullptr;
         put_saved(row, saved_ms);
@@ -40,9 +48,8 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
         row["part"] = effect.part;
         const Spread* ms = time_of_pass(effect, saved);
         row["ms"] = ms ? Json(ms->median) : Json();
-        rows.push_back(std::move(row));
-    }
-    return rows;
+        return row;
+    });
 }
 
 Json optimisations_json(const SavedTimes* saved) {
@@ -57,27 +64,21 @@ Json optimisations_json(const SavedTimes* saved) {
 }
 
 Json waste_json(const Waste& waste) {
-    Json rows = Json::array();
-    for (const WasteTrial& t : waste.tried)
-        rows.push_back({{"name", t.name},
-                        {"changes_picture", t.changes},
-                        {"texels_read", t.read < 0 ? Json() : Json(t.read)},
-                        {"triangles", t.triangles},
-                        {"maps_ms", waste.maps_ms && !t.changes ? Json(t.maps_ms) : Json()}});
+    const auto trial = [&](const WasteTrial& t) -> Json {
+        return {{"name", t.name},
+                {"changes_picture", t.changes},
+                {"texels_read", t.read < 0 ? Json() : Json(t.read)},
+                {"triangles", t.triangles},
+                {"maps_ms", waste.maps_ms && !t.changes ? Json(t.maps_ms) : Json()}};
+    };
     const std::optional<double> of_time = waste.share_of_time();
-    return {{"tried", std::move(rows)},
+    return {{"tried", json_list(waste.tried, trial)},
             {"triangles", waste.triangles()},
             {"wasted_triangles", waste.wasted()},
             {"share", waste.share()},
             {"maps_ms", waste.maps_ms ? Json(*waste.maps_ms) : Json()},
             {"wasted_ms", waste.maps_ms ? Json(waste.wasted_ms()) : Json()},
             {"share_of_time", of_time ? Json(*of_time) : Json()}};
-}
-
-std::string saved_time_text(const Spread* ms, std::size_t together) {
-    if (!ms) return "–";
-    return fmt::format("{:.2f} ({:.2f} to {:.2f}){}", ms->median, ms->median_low, ms->median_high,
-                       together > 1 ? fmt::format(", of {} together", together) : "");
 }
 
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {

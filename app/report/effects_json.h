@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <span>
-#include <string>
 
 #include "renderer/advise/waste.h"
 #include "renderer/inspect/effects.h"
@@ -18,9 +17,6 @@ nlohmann::ordered_json optimisations_json(const SavedTimes* saved);
 /// Converts wasted work (work that changes no pixel) to JSON.
 nlohmann::ordered_json waste_json(const Waste& waste);
 
-/// Formats the time that an optimisation saves, in ms: "1.20 (0.90 to 1.50), of 3 together"; a dash for null.
-/// @param together number of effects that were forced together for this time
-std::string saved_time_text(const Spread* ms, std::size_t together);
 /// Prints the effects of a frame to stdout. @param saved measured times; null: none
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved);
 /// Prints wasted work (work that changes no pixel) to stdout.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/base/json_text.h"
 #include "renderer/base/command_text.h"
 #include "renderer/reference/artefact_picture.h"
 
@@ -9,15 +10,22 @@ namespace si {
 
 using Json = nlohmann::ordered_json;
 
+Json changes_json(const std::vector<std::pair<std::string, std::string>>& changes) {
+    Json json = Json::object();
+    for (const auto& [key, value] : changes) json[key] = value;
+    return json;
+}
+
+Json change_json(const CostChange& ms) {
+    return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.is_significant()}};
+}
+
 Json fixes_json(const FixTable& table) {
-    Json rows = Json::array();
-    for (const MeasuredFix& fix : table.rows) {
-        Json row = {{"name", fix.name}, {"settings", Json::object()}, {"tried", fix.untried.empty()}};
-        for (const auto& [key, value] : fix.settings) row["settings"][key] = value;
+    return json_list(table.rows, [&](const MeasuredFix& fix) {
+        Json row = {{"name", fix.name}, {"settings", changes_json(fix.settings)}, {"tried", fix.untried.empty()}};
         if (!fix.untried.empty()) {
             row["reason"] = fix.untried;
-            rows.push_back(std::move(row));
-            continue;
+            return row;
         }
         row["cured_px"] = fix.cured;
         row["broken_px"] = fix.broken;
@@ -26,13 +34,10 @@ Json fixes_json(const FixTable& table) {
             if (table.wrong_of[std::size_t(style.artefact)] > 0)
                 row["cured_of"][std::string(style.key)] = fix.cured_of[std::size_t(style.artefact)];
         if (fix.pixel_right) row["pixel_right"] = *fix.pixel_right;
-        row["ms"] =
-            fix.ms ? Json{{"difference", fix.ms->value}, {"noise", fix.ms->noise}, {"told", fix.ms->is_significant()}}
-                   : Json();
+        row["ms"] = fix.ms ? change_json(*fix.ms) : Json();
         row["map_bytes"] = fix.map_bytes;
-        rows.push_back(std::move(row));
-    }
-    return rows;
+        return row;
+    });
 }
 
 void print_fixes(const FixTable& table, std::size_t rows) {

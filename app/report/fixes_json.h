@@ -8,6 +8,10 @@
 
 namespace si {
 
+/// Converts changes of settings, key and value, to a JSON object.
+nlohmann::ordered_json changes_json(const std::vector<std::pair<std::string, std::string>>& changes);
+/// Converts the change of a cost to JSON {difference, noise, told}.
+nlohmann::ordered_json change_json(const CostChange& ms);
 /// Converts a table of fixes to JSON: one object a row, in the table's order.
 nlohmann::ordered_json fixes_json(const FixTable& table);
 

@@ -1,8 +1,9 @@
-// Search for NaN, infinite and out-of-range numbers in a frame, for --check-numeric.
+// Search for NaN, infinite and out-of-range numbers in frames, for --check-numeric.
 #pragma once
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "renderer/base/workers.h"
 #include "renderer/render/renderer.h"
@@ -19,5 +20,30 @@ nlohmann::ordered_json health_json(const NumericHealth& health);
 
 /// Checks that all numbers are sound. @throws Error naming each finding and its place
 void require_sound(const NumericHealth& health);
+
+/// Formats the differences between settings and `base` as command-line options "--set KEY=VALUE ..."; empty if equal.
+std::string set_options(const Settings& base, const Settings& settings);
+
+/// Scope in which every picture that a renderer draws is searched for unsound numbers, except timed frames.
+class NumberWatch {
+public:
+    /// Starts the search of a renderer's pictures. @param base settings that the message about a fault compares with
+    /// @param on false: no picture is searched
+    NumberWatch(Renderer& renderer, Settings base, bool on);
+    ~NumberWatch();
+    NumberWatch(const NumberWatch&) = delete;
+    NumberWatch& operator=(const NumberWatch&) = delete;
+
+    /// Checks that all frames were sound. @throws Error naming the first faulty frame's settings, the fault and its
+    /// place
+    void require_sound() const;
+
+private:
+    Renderer& renderer_;
+    const Settings base_;
+    const bool on_;
+    std::string first_;  ///< message of the first fault; empty: none
+    std::size_t frames_ = 0, unsound_ = 0;
+};
 
 }  // namespace si

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/base/json_text.h"
 #include "renderer/reference/artefact_picture.h"
 
 namespace si {
@@ -33,20 +34,19 @@ Json spread_json(const Spread& s) {
 }
 
 Json time_json(const TimeMeasurement& time) {
-    Json json = {{"total_ms", spread_json(time.total_ms)},
-                 {"shadow_maps_ms", spread_json(time.maps_ms)},
-                 {"picture_ms", spread_json(time.picture_ms)},
-                 {"frames", time.total_ms.samples},
-                 {"bursts", time.total_ms.bursts},
-                 {"spread", time.total_ms.relative()},
-                 {"settled", time.settled},
-                 {"clock", time.clock},
-                 {"timed", cost_row(time.cost).key},
-                 {"passes", Json::array()}};
-    for (const PassTime& pass : time.passes)
-        json["passes"].push_back(
-            {{"name", pass.name}, {"gpu_ms", spread_json(pass.gpu_ms)}, {"cpu_ms", spread_json(pass.cpu_ms)}});
-    return json;
+    const auto pass_json = [](const PassTime& pass) -> Json {
+        return {{"name", pass.name}, {"gpu_ms", spread_json(pass.gpu_ms)}, {"cpu_ms", spread_json(pass.cpu_ms)}};
+    };
+    return {{"total_ms", spread_json(time.total_ms)},
+            {"shadow_maps_ms", spread_json(time.maps_ms)},
+            {"picture_ms", spread_json(time.picture_ms)},
+            {"frames", time.total_ms.samples},
+            {"bursts", time.total_ms.bursts},
+            {"spread", time.total_ms.relative()},
+            {"settled", time.settled},
+            {"clock", time.clock},
+            {"timed", cost_row(time.cost).key},
+            {"passes", json_list(time.passes, pass_json)}};
 }
 
 const char* state_key(PixelState state) {

@@ -9,13 +9,18 @@ namespace {
 
 constexpr int kGap = 2;  ///< pixels
 
-void copy_columns(ByteImage& to, int at, const ByteImage& from, int first, int count) {
-    for (int y = 0; y < std::min(to.height, from.height); ++y)
-        std::copy_n(&from.data[(std::size_t(y) * std::size_t(from.width) + std::size_t(first)) * 4], count * 4,
-                    &to.data[(std::size_t(y) * std::size_t(to.width) + std::size_t(at)) * 4]);
+}  // namespace
+
+ByteImage plain_image(int width, int height, std::uint8_t value) {
+    return {width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, value)};
 }
 
-}  // namespace
+void paste_image(ByteImage& to, const ByteImage& from, glm::ivec2 corner, int columns) {
+    const int width = std::max(std::min({from.width, to.width - corner.x, columns}), 0);
+    for (int y = 0; y < std::min(from.height, to.height - corner.y); ++y)
+        std::copy_n(from.data.begin() + std::ptrdiff_t(y) * from.width * 4, width * 4,
+                    to.data.begin() + (std::ptrdiff_t(corner.y + y) * to.width + corner.x) * 4);
+}
 
 Settings settings_with_shadows_of(const Settings& shown, const Settings& other) {
     Settings out = other;
@@ -29,7 +34,7 @@ Settings settings_with_shadows_of(const Settings& shown, const Settings& other) 
 ByteImage swipe_image(const ByteImage& a, const ByteImage& b, double at) {
     ByteImage out = b;
     const int line = std::clamp(int(std::lround(at * a.width)), 0, a.width);
-    if (line > 0) copy_columns(out, 0, a, 0, line);
+    paste_image(out, a, {0, 0}, line);
     for (int x = std::max(line - 1, 0); x < std::min(line + 1, out.width) && line > 0 && line < out.width; ++x)
         for (int y = 0; y < out.height; ++y)
             std::fill_n(&out.data[(std::size_t(y) * std::size_t(out.width) + std::size_t(x)) * 4], 4,
@@ -38,10 +43,9 @@ ByteImage swipe_image(const ByteImage& a, const ByteImage& b, double at) {
 }
 
 ByteImage side_by_side_image(const ByteImage& a, const ByteImage& b) {
-    ByteImage out{a.width + kGap + b.width, std::max(a.height, b.height), {}};
-    out.data.assign(std::size_t(out.width) * std::size_t(out.height) * 4, 22);
-    copy_columns(out, 0, a, 0, a.width);
-    copy_columns(out, a.width + kGap, b, 0, b.width);
+    ByteImage out = plain_image(a.width + kGap + b.width, std::max(a.height, b.height), 22);
+    paste_image(out, a, {0, 0});
+    paste_image(out, b, {a.width + kGap, 0});
     return out;
 }
 

@@ -1,10 +1,21 @@
 // Comparison of two pictures of one frame.
 #pragma once
 
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+
 #include "renderer/frame/frame.h"
 #include "renderer/settings/settings.h"
 
 namespace si {
+
+/// Makes an image with all channels at `value`.
+ByteImage plain_image(int width, int height, std::uint8_t value);
+/// Copies an image into another at a corner. Rows and columns beyond the other image are left out.
+/// @param columns columns to copy at most
+void paste_image(ByteImage& to, const ByteImage& from, glm::ivec2 corner,
+                 int columns = std::numeric_limits<int>::max());
 
 /// Returns settings that draw the view of `shown` with the shadows of `other`: maps, casters, bias, filter, lights and
 /// shading from `other`; camera, time and views from `shown`.

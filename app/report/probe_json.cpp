@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/base/json_text.h"
+#include "app/report/fixes_json.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "renderer/reference/artefact_picture.h"
@@ -15,32 +17,16 @@ Json amount_json(const DepthShift& a) {
     return {{"depth", a.depth}, {"texels", a.texels}, {"metres", a.metres}};
 }
 
-std::string_view word(KernelTap::Meets meets) {
-    switch (meets) {
-        case KernelTap::Meets::Nothing:
-            return "nothing";
-        case KernelTap::Meets::Own:
-            return "own surface";
-        case KernelTap::Meets::Nearer:
-            return "nearer surface";
-        case KernelTap::Meets::Farther:
-            return "farther surface";
-    }
-    return "";
-}
-
-Json taps_json(const Probe::PerLight& p) {
-    Json taps = Json::array();
-    for (const KernelTap& t : p.taps)
-        taps.push_back({{"texel", {t.texel.x, t.texel.y}},
-                        {"stored", t.stored},
-                        {"stored_m", t.stored_m},
-                        {"compared", t.compared},
-                        {"plane", t.plane},
-                        {"lit", t.lit},
-                        {"weight", t.weight},
-                        {"meets", word(t.meets)}});
-    return taps;
+Json tap_json(const KernelTap& t) {
+    static constexpr const char* kMeets[] = {"nothing", "own surface", "nearer surface", "farther surface"};
+    return {{"texel", {t.texel.x, t.texel.y}},
+            {"stored", t.stored},
+            {"stored_m", t.stored_m},
+            {"compared", t.compared},
+            {"plane", t.plane},
+            {"lit", t.lit},
+            {"weight", t.weight},
+            {"meets", kMeets[std::size_t(t.meets)]}};
 }
 
 Json account_json(const BiasBreakdown& a) {
@@ -94,7 +80,7 @@ Json per_light_json(const Probe::PerLight& p) {
     json["bias"] = account_json(p.account);
     json["taps_across"] = p.taps_size.x;
     json["taps_up"] = p.taps_size.y;
-    json["taps"] = taps_json(p);
+    json["taps"] = json_list(p.taps, tap_json);
     json["kernel"] = {{"texels", p.kernel.texels}};
     if (!std::isnan(p.kernel.blocker_m)) json["kernel"]["blocker_m"] = p.kernel.blocker_m;
     if (!std::isnan(p.kernel.penumbra_texels)) json["kernel"]["penumbra_texels"] = p.kernel.penumbra_texels;
@@ -131,8 +117,8 @@ Json diagnosis_json(const PixelDiagnosis& d) {
         if (style.artefact == d.reference.cause.artefact) json["artefact"] = style.key;
     if (d.fix) {
         const auto& [key, value] = d.fix->settings.front();
-        json["remedy"] = {{"key", key}, {"value", value}, {"text", d.fix->text}, {"settings", Json::object()}};
-        for (const auto& [k, v] : d.fix->settings) json["remedy"]["settings"][k] = v;
+        json["remedy"] = {
+            {"key", key}, {"value", value}, {"text", d.fix->text}, {"settings", changes_json(d.fix->settings)}};
     }
     json["also"] = Json::array();
     for (const ArtefactStyle& style : artefact_styles())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/base/json_text.h"
 #include "app/session/setting_json.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/settings/param.h"
@@ -61,13 +62,13 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
                  {"clipped_casters", light.clipped_casters},
                  {"position", vector_json(light.position)},
                  {"to_light", vector_json(light.to_light)}};
-    json["lost_casters"] = Json::array();
-    for (const LostCaster& lost : lost_casters(session.scene, session.settings, light)) {
+    const auto lost_json = [&](const LostCaster& lost) -> Json {
         const Object& object = session.scene.objects[std::size_t(lost.object)];
-        json["lost_casters"].push_back({{"object", session.scene.nodes[std::size_t(object.node)].path},
-                                        {"culled", lost.cull == Cull::Front ? "front" : "back"},
-                                        {"triangles", lost.triangles}});
-    }
+        return {{"object", session.scene.nodes[std::size_t(object.node)].path},
+                {"culled", lost.cull == Cull::Front ? "front" : "back"},
+                {"triangles", lost.triangles}};
+    };
+    json["lost_casters"] = json_list(lost_casters(session.scene, session.settings, light), lost_json);
     if (light.views.empty()) return json;
     const LightView& first = light.views.front();
     const double centre_m = glm::dot(first.axes[2], first.eye - session.scene.bounds.centre());
@@ -168,6 +169,15 @@ Json driver_json(const DriverInfo& d) {
             {"query_share", d.query_share}};
 }
 
+Json memory_json(const MemoryReport& facts) {
+    const auto holder_json = [](const MemoryUse& h) -> Json {
+        return {{"holder", h.holder}, {"bytes", h.bytes}, {"most", h.most}, {"count", h.count}};
+    };
+    const ProcessMemory& p = facts.process;
+    return {{"resident", p.resident},   {"peak", p.peak},       {"heap", p.heap},
+            {"heap_free", p.heap_free}, {"held", facts.held()}, {"holders", json_list(facts.holders, holder_json)}};
+}
+
 Json report_json(const Session& session, const std::string& view, const FrameRequest& request, const FrameResult& frame,
                  const DriverInfo& driver) {
     Json json;
@@ -186,8 +196,7 @@ Json report_json(const Session& session, const std::string& view, const FrameReq
         json["light_maps"].push_back(n.key == 0 ? Json(nullptr) : light_map_json(n));
     json["fit"] = Json::array();
     for (std::size_t i = 0; i < frame.lights.size(); ++i) json["fit"].push_back(light_json(session, frame, i));
-    json["passes"] = Json::array();
-    for (const PassInfo& pass : frame.passes) json["passes"].push_back(pass_json(pass));
+    json["passes"] = json_list(frame.passes, pass_json);
     json["notes"] = frame.notes;
     json["clock"] = frame.clock;
     json["driver"] = driver_json(driver);

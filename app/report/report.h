@@ -1,9 +1,10 @@
-// Facts of a frame as JSON, for `render --report` (docs/cli.md).
+// Facts of a frame, of the driver and of memory as JSON (docs/cli.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 #include "app/session/session.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/frame/frame.h"
 #include "renderer/render/renderer.h"
 
@@ -18,6 +19,9 @@ nlohmann::ordered_json vector_json(const glm::dvec3& v);
 nlohmann::ordered_json pages_json(const PageFacts& pages);
 /// Converts the OpenGL driver's names and limits to JSON.
 nlohmann::ordered_json driver_json(const DriverInfo& driver);
+/// Converts memory facts to JSON {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most, count}]}, in
+/// bytes.
+nlohmann::ordered_json memory_json(const MemoryReport& facts);
 /// Makes the JSON report of a drawn frame (`render --report`). @param view key of the view that was drawn
 nlohmann::ordered_json report_json(const Session& session, const std::string& view, const FrameRequest& request,
                                    const FrameResult& frame, const DriverInfo& driver);

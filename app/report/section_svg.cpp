@@ -11,26 +11,17 @@ namespace si {
 namespace {
 
 std::string escaped(const std::string& text) {
+    static constexpr std::pair<std::string_view, std::string_view> kEscapes[] = {{"&", "&amp;"},
+                                                                                 {"<", "&lt;"},
+                                                                                 {">", "&gt;"},
+                                                                                 {"\"", "&quot;"},
+                                                                                 {"\xef\xbf\xbe", "\\ufffe"},
+                                                                                 {"\xef\xbf\xbf", "\\uffff"}};
     // Control characters, which XML cannot hold, become visible escapes first.
-    std::string safe = printable(text, text.size() * 8 + 16), out;
-    for (const auto& [bytes, shown] : {std::pair{"\xef\xbf\xbe", "\\ufffe"}, {"\xef\xbf\xbf", "\\uffff"}})
-        for (std::size_t at; (at = safe.find(bytes)) != std::string::npos;) safe.replace(at, 3, shown);
-    for (const char c : safe) switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
+    std::string out = printable(text, text.size() * 8 + 16);
+    for (const auto& [raw, escape] : kEscapes)
+        for (std::size_t at = 0; (at = out.find(raw, at)) != out.npos; at += escape.size())
+            out.replace(at, raw.size(), escape);
     return out;
 }
 

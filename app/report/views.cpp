@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "app/base/output.h"
+#include "app/report/picture_comparison.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/frame/depth_histogram.h"
-#include "renderer/reference/reference_picture.h"
 #include "renderer/render/reference_frames.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
@@ -44,16 +44,9 @@ void write_depth(Renderer& renderer, const Settings& settings, const FrameResult
 
 /// Composes the panes into one picture, with dark gaps between them.
 ByteImage joined(Renderer& renderer, const FrameResult& frame, const PaneGrid& grid, int width, int height) {
-    ByteImage out{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 22)};
-    for (int pane = 0; pane < grid.count(); ++pane) {
-        const ByteImage picture = renderer.read_colour(frame.panes[std::size_t(pane)].picture);
-        const glm::ivec2 corner = grid.corner(pane);
-        const int rows = std::min(picture.height, height - corner.y),
-                  columns = std::min(picture.width, width - corner.x);
-        for (int y = 0; y < rows; ++y)
-            std::copy_n(&picture.data[std::size_t(y) * std::size_t(picture.width) * 4], std::max(columns, 0) * 4,
-                        &out.data[(std::size_t(corner.y + y) * std::size_t(width) + std::size_t(corner.x)) * 4]);
-    }
+    ByteImage out = plain_image(width, height, 22);
+    for (int pane = 0; pane < grid.count(); ++pane)
+        paste_image(out, renderer.read_colour(frame.panes[std::size_t(pane)].picture), grid.corner(pane));
     return out;
 }
 
@@ -150,8 +143,7 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
         if (view.key == "shadow-map") require_map(settings, result);
         write_depth(renderer, settings, result, path);
     } else if (view.key == "visibility") {
-        const FloatImage visibility = renderer.read_float(result.visibility, 1);
-        floats ? write_pfm(path, visibility) : write_grey_png(path, visibility);
+        write_scalar_image(path, renderer.read_float(result.visibility, 1));
     } else if (floats) {
         write_pfm(path, overlay_values(renderer, result));
     } else if (grid.count() > 1) {

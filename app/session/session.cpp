@@ -49,9 +49,7 @@ void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::s
 }  // namespace
 
 GltfOptions scene_options(const SessionPlan& plan) {
-    GltfOptions options;
-    options.scene = plan.settings.scene.index;
-    return options;
+    return {.scene = plan.settings.scene.index};
 }
 
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
 
+#include "app/base/json_text.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/results.h"
 #include "renderer/base/base64.h"
@@ -39,15 +39,14 @@ std::string script() {
 
 Json columns_json(CostCase cost) {
     static constexpr const char* kPlotted[] = {"as_is", "absolute", "lacking_to_one", "no"};
-    Json list = Json::array();
-    for (const Column& c : columns())
-        list.push_back({{"key", c.key},
-                        {"label", label_of(c, cost)},
-                        {"unit", c.unit},
-                        {"help", c.help},
-                        {"plotted", kPlotted[std::size_t(c.better)]},
-                        {"noise", c.noise}});
-    return list;
+    return json_list(columns(), [&](const Column& c) -> Json {
+        return {{"key", c.key},
+                {"label", label_of(c, cost)},
+                {"unit", c.unit},
+                {"help", c.help},
+                {"plotted", kPlotted[std::size_t(c.better)]},
+                {"noise", c.noise}};
+    });
 }
 
 /// Returns labels of the varied settings and of their choices.
@@ -128,10 +127,9 @@ std::string report_html(const Json& results, const fs::path& folder, std::size_t
     data["columns"] = columns_json(parse_cost(results.value("timed", "forced")));
     data["setting_info"] = setting_info(results.at("axes"));
     data["pictures"] = pictures_json(results, folder, max_picture_bytes);
-    data["artefact_legend"] = Json::array();
-    for (const ArtefactStyle& style : artefact_styles())
-        data["artefact_legend"].push_back(
-            {style.label, fmt::format("#{:02x}{:02x}{:02x}", style.rgb[0], style.rgb[1], style.rgb[2])});
+    data["artefact_legend"] = json_list(artefact_styles(), [](const ArtefactStyle& style) -> Json {
+        return Json::array({style.label, fmt::format("#{:02x}{:02x}{:02x}", style.rgb[0], style.rgb[1], style.rgb[2])});
+    });
     for (Json& row : data["rows"]) row["command"] = command_of(results, row);
     std::string page = asset("page.html");
     page = replaced(page, "@STYLE@", asset("style.css"));

@@ -97,10 +97,6 @@ void flush_to_disk(int descriptor, const fs::path& file) {
         throw Error(fmt::format("{}: cannot be written: {}", file.string(), reason()));
 }
 
-std::string line_text(const Json& line) {
-    return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 bool has_journal(const fs::path& folder) {
@@ -179,7 +175,7 @@ void Journal::add(const std::vector<Json>& lines) {
     std::string text;
     bool matters = false;
     for (const Json& line : lines) {
-        text += line_text(line);
+        text += line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
         matters = matters || line.contains("facts") || line.contains("failed");
     }
     write_all(descriptor_, text, file_);

@@ -1,7 +1,5 @@
 #include "app/sweep/measured_cases.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "app/sweep/columns.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "app/report/measure_json.h"
 #include "renderer/base/error.h"
 
 namespace si {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "app/base/json_text.h"
+#include "app/report/fixes_json.h"
 #include "app/report/measure_json.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/measured_cases.h"
@@ -47,8 +49,7 @@ Json run_json(const RunInfo& run, int ranked_rounds) {
 
 Json row_json(const SweepRow& row) {
     const CaseNumbers& n = row.numbers;
-    Json json = {{"case", row.number}, {"settings", Json::object()}};
-    for (const auto& [key, value] : row.settings) json["settings"][key] = value;
+    Json json = {{"case", row.number}, {"settings", changes_json(row.settings)}};
     json["failed"] = row.failed.empty() ? Json() : Json(row.failed);
     json["error"] = n.error ? error_json(n.error->metrics, n.error->noise) : Json();
     json["cost"] = n.cost ? cost_json(*n.cost) : Json();
@@ -171,11 +172,9 @@ Json results_json(const SweepResults& results) {
     json["clock"] = results.clock;
     json["timed"] = cost_row(results.cost).key;
     json["rounds"] = results.rounds;
-    json["runs"] = Json::array();
-    for (const auto& [run, rounds] : results.runs) json["runs"].push_back(run_json(run, rounds));
+    json["runs"] = json_list(results.runs, [](const auto& run) { return run_json(run.first, run.second); });
     json["frontier"] = {{"x", results.x}, {"y", results.y}, {"cases", results.frontier}, {"tied", results.tied}};
-    json["rows"] = Json::array();
-    for (const SweepRow& row : results.rows) json["rows"].push_back(row_json(row));
+    json["rows"] = json_list(results.rows, row_json);
     return json;
 }
 

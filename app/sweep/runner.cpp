@@ -7,7 +7,6 @@
 #include "app/base/output.h"
 #include "app/sweep/files.h"
 #include "app/sweep/results.h"
-#include "renderer/base/error.h"
 
 namespace si {
 namespace {

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
 
 #include "app/sweep/journal.h"
-#include "app/sweep/timing.h"
 
 namespace si {
 

@@ -1,6 +1,39 @@
 #include "app/sweep/running_sweep.h"
 
+#include "app/base/output.h"
+#include "app/sweep/pictures.h"
+
 namespace si {
+
+RunInfo RenderedCases::run() {
+    RunInfo run = this_run();
+    run.renderer = driver_.renderer;
+    run.version = driver_.version;
+    run.clock = driver_.clock;
+    run.software = driver_.software;
+    return run;
+}
+
+CaseFacts RenderedCases::facts(const SweepCase& c) {
+    CaseFacts facts;
+    CaseSessions::Prepared prepared = sessions_.prepare(c.values);
+    const Classification classified = measurer_.classify(prepared.scene, prepared.settings);
+    facts.notes = std::move(prepared.notes);
+    facts.error = {classified.error, classified.reference->noise};
+    if (classified.reference->noise_unknown > 0)
+        facts.notes.push_back("the reference: " + noise_text(*classified.reference));
+    facts.cost = classified.cost;
+    if (classified.map_resolution < prepared.settings.map.resolution) facts.map_resolution = classified.map_resolution;
+    facts.notes.insert(facts.notes.end(), classified.notes.begin(), classified.notes.end());
+    facts.picture_jpg = jpg_bytes(shrunk(classified.picture, kThumbnailWidth));
+    facts.artefacts_png = png_bytes(shrunk(classified.artefacts, kArtefactsWidth));
+    return facts;
+}
+
+TimeSamples RenderedCases::time(const SweepCase& c, int frames, CostCase cost) {
+    const CaseSessions::Prepared prepared = sessions_.prepare(c.values);
+    return measurer_.time(prepared.scene, prepared.settings, frames, cost);
+}
 
 RunningSweep::RunningSweep(Inputs inputs, Renderer& renderer, const Workers& workers)
     : inputs_(std::move(inputs)),

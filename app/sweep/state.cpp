@@ -32,9 +32,7 @@ std::string machine_key() {
 
 /// Rounds milliseconds to microseconds: finer digits are noise and would lengthen the journal.
 Json milliseconds(const std::vector<double>& values) {
-    Json out = Json::array();
-    for (const double v : values) out.push_back(std::round(v * 1e4) / 1e4);
-    return out;
+    return json_list(values, [](double v) { return std::round(v * 1e4) / 1e4; });
 }
 
 Turn turn_of(const Json& line) {
@@ -219,16 +217,15 @@ Json failure_line(std::size_t case_number, const std::string& why) {
 }
 
 Json turn_line(std::size_t case_number, const Turn& turn) {
-    Json line = {{"turn", case_number},
-                 {"round", turn.round},
-                 {"run", turn.run},
-                 {"total_ms", milliseconds(turn.samples.total_ms)},
-                 {"maps_ms", milliseconds(turn.samples.maps_ms)},
-                 {"passes", Json::array()}};
-    for (const auto& pass : turn.samples.passes)
-        line["passes"].push_back(
-            {{"name", pass.name}, {"gpu_ms", milliseconds(pass.gpu_ms)}, {"cpu_ms", milliseconds(pass.cpu_ms)}});
-    return line;
+    const auto pass_json = [](const auto& pass) -> Json {
+        return {{"name", pass.name}, {"gpu_ms", milliseconds(pass.gpu_ms)}, {"cpu_ms", milliseconds(pass.cpu_ms)}};
+    };
+    return {{"turn", case_number},
+            {"round", turn.round},
+            {"run", turn.run},
+            {"total_ms", milliseconds(turn.samples.total_ms)},
+            {"maps_ms", milliseconds(turn.samples.maps_ms)},
+            {"passes", json_list(turn.samples.passes, pass_json)}};
 }
 
 }  // namespace si

@@ -1,7 +1,5 @@
 #include "app/sweep/tuning.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "renderer/base/error.h"

@@ -1,0 +1,102 @@
+// Commands of the parser, with the options that several commands share.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands/commands.h"
+
+namespace si {
+
+/// Function of the command that the command line names.
+using Run = std::function<void()>;
+
+/// Makes a validator for an option that takes a finite number within [min, max]. CLI::Range accepts NaN and garbage.
+CLI::Validator number_between(double min, double max);
+/// Makes a validator for one of these words; its message lists them.
+CLI::Validator one_of(const std::vector<std::string_view>& words);
+
+/// One command of the parser, to which options are added. Use Command, which holds the options' values.
+class CommandParser {
+public:
+    /// Returns the parser's own object, for options that only this command has.
+    CLI::App& app() { return app_; }
+    /// Adds an option with a value. @param type name of the value in the help
+    template <class T>
+    CLI::Option* add_value(const char* name, T& to, const char* type, const std::string& help) {
+        return app_.add_option(name, to, help)->type_name(type);
+    }
+    /// Adds an option whose value becomes a setting, as by a --set after all others.
+    template <class T>
+    CLI::Option* add_setting(const char* name, const char* key, const char* type, const char* help) {
+        const auto add = [this, key](const T& value) { sets_.push_back(fmt::format("{}={}", key, value)); };
+        return app_.add_option_function<T>(name, add, help)->type_name(type);
+    }
+    /// Adds SCENE, --preset, --set and --no-cache.
+    void add_session(bool scene_required = true);
+    /// Adds SCENE alone.
+    CLI::Option* add_scene();
+    /// Adds --size, the size of the picture in pixels. @param standard size without the option
+    void add_size(PictureSize standard = {});
+    /// Adds -o, the file or folder to write.
+    CLI::Option* add_output(const char* type, const char* help);
+    /// Adds --check-numeric, which searches frames for NaN, infinite and out-of-range numbers.
+    void add_numeric();
+    /// Adds --cost, the kind of frames to time.
+    void add_cost();
+    /// Adds --json.
+    void add_json(const char* help = "As JSON");
+    /// Adds --area, which compares with a light of a size.
+    void add_area(const char* help =
+                      "Compare with an area light (light.size), not a point or direction. As --set truth.area=true");
+    /// Adds --max-error, --max-ms and --error. @param metric_help begin of the help of --error
+    void add_limits(SearchLimits& limits, const char* error_help, const char* ms_help, const char* metric_help);
+
+protected:
+    CommandParser(CLI::App& parent, const char* name, const char* about) : app_(*parent.add_subcommand(name, about)) {}
+    /// Applies the values that are parsed as text to the options. @throws UsageError
+    void finish();
+
+    CLI::App& app_;
+    CommandOptions* options_ = nullptr;  ///< Command::options
+
+private:
+    std::string size_;
+    std::vector<std::string> sets_;  ///< KEY=VALUE
+};
+
+/// Command of the parser with the values of its options. Lives as long as the parser that it belongs to.
+template <class Options>
+class Command : public CommandParser {
+public:
+    Options options;
+
+    /// Adds a command to the parser. @param run receives the command's function when the command line names it
+    /// @param execute function that runs the command
+    static Command& add(CLI::App& parent, Run& run, const char* name, const char* about,
+                        void (*execute)(const Options&)) {
+        const auto made = std::shared_ptr<Command>(new Command(parent, name, about));
+        made->app_.callback([made, &run, execute] {
+            run = [made, execute] {
+                made->finish();
+                execute(made->options);
+            };
+        });
+        return *made;
+    }
+
+private:
+    Command(CLI::App& parent, const char* name, const char* about) : CommandParser(parent, name, about) {
+        options_ = &options;
+    }
+};
+
+/// Adds the commands that measure (sweep, merge, tune, plan, advise, precision, shimmer) to the parser.
+void add_measure_commands(CLI::App& app, Run& run);
+
+}  // namespace si
