@@ -45,11 +45,13 @@ void write_special(const fs::path& path, std::string_view bytes) {
     if (!why.empty()) throw Error(fmt::format("{}: cannot be written: {}", path.string(), why));
 }
 
+/// Appends encoded bytes to a std::string, for the encoders of stb.
+void append(void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), std::size_t(size));
+}
+
 std::string png_bytes(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
     std::string bytes;
-    const auto append = [](void* to, void* data, int size) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(data), std::size_t(size));
-    };
     if (!stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels)) {
         throw Error(fmt::format("a picture of {} x {} pixels could not be encoded as PNG", width, height));
     }
@@ -104,6 +106,13 @@ std::string png_bytes(const ByteImage& image) {
     std::vector<std::uint8_t> rgb(image.data.size() / 4 * 3);
     for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&image.data[4 * i], 3, &rgb[3 * i]);
     return png_bytes(image.width, image.height, 3, rgb);
+}
+
+std::string jpg_bytes(const ByteImage& image, int quality) {
+    std::string bytes;
+    if (!stbi_write_jpg_to_func(append, &bytes, image.width, image.height, 4, image.data.data(), quality))
+        throw Error(fmt::format("a picture of {} x {} pixels could not be encoded as JPEG", image.width, image.height));
+    return bytes;
 }
 
 void write_png(const fs::path& path, const ByteImage& image) {

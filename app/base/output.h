@@ -30,6 +30,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Encodes an image as 8-bit RGB PNG; alpha is dropped. @throws Error
 std::string png_bytes(const ByteImage& image);
 
+/// Encodes an image as JPEG. @throws Error
+std::string jpg_bytes(const ByteImage& image, int quality = 85);
+
 /// Writes an image as 8-bit RGB PNG file; alpha is dropped. @throws Error
 void write_png(const std::filesystem::path& path, const ByteImage& image);
 

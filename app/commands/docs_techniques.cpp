@@ -13,7 +13,6 @@
 #include "app/context/headless_context.h"
 #include "app/report/picture_comparison.h"
 #include "app/session/command_line.h"
-#include "app/sweep/pictures.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/advise/bias_needs.h"
 #include "renderer/base/did_you_mean.h"

@@ -121,26 +121,6 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Se
                    d.window_open() ? "" : ": empty");
 }
 
-}  // namespace
-
-std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size, const char* option) {
-    int x = 0, y = 0;
-    const char* const end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, x);
-    const bool has_comma = first.ec == std::errc() && first.ptr != end && *first.ptr == ',';
-    const auto second = has_comma ? std::from_chars(first.ptr + 1, end, y) : first;
-    if (!has_comma || second.ec != std::errc() || second.ptr != end) {
-        throw UsageError(fmt::format("{} {}: must be X,Y from the top left, such as 640,360", option, text));
-    }
-    if (x < 0 || y < 0 || x >= size.width || y >= size.height) {
-        throw UsageError(fmt::format("{} {}: outside of the picture of {} x {} pixels (0,0 to {},{})", option, text,
-                                     size.width, size.height, size.width - 1, size.height - 1));
-    }
-    return {x, y};
-}
-
-namespace {
-
 std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, const Settings& settings,
                                       const DriverInfo& driver, const ReferenceScene& casters) {
     std::vector<PixelDiagnosis> out;
@@ -163,6 +143,22 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
 }
 
 }  // namespace
+
+std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size, const char* option) {
+    int x = 0, y = 0;
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, x);
+    const bool has_comma = first.ec == std::errc() && first.ptr != end && *first.ptr == ',';
+    const auto second = has_comma ? std::from_chars(first.ptr + 1, end, y) : first;
+    if (!has_comma || second.ec != std::errc() || second.ptr != end) {
+        throw UsageError(fmt::format("{} {}: must be X,Y from the top left, such as 640,360", option, text));
+    }
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height) {
+        throw UsageError(fmt::format("{} {}: outside of the picture of {} x {} pixels (0,0 to {},{})", option, text,
+                                     size.width, size.height, size.width - 1, size.height - 1));
+    }
+    return {x, y};
+}
 
 void run_probe(const ProbeOptions& options) {
     const auto [x, y] = parse_pixel(options.pixel, options.size);

@@ -9,6 +9,11 @@ namespace {
 
 constexpr int kGap = 2;  ///< pixels
 
+/// Returns the share of source pixel `i` that lies within [from, to).
+double overlap(int i, double from, double to) {
+    return std::max(0.0, std::min(to, i + 1.0) - std::max(from, double(i)));
+}
+
 }  // namespace
 
 ByteImage plain_image(int width, int height, std::uint8_t value) {
@@ -20,6 +25,33 @@ void paste_image(ByteImage& to, const ByteImage& from, glm::ivec2 corner, int co
     for (int y = 0; y < std::min(from.height, to.height - corner.y); ++y)
         std::copy_n(from.data.begin() + std::ptrdiff_t(y) * from.width * 4, width * 4,
                     to.data.begin() + (std::ptrdiff_t(corner.y + y) * to.width + corner.x) * 4);
+}
+
+ByteImage shrunk(const ByteImage& image, int width) {
+    if (image.width <= width) return image;
+    const double scale = double(image.width) / width;
+    ByteImage out;
+    out.width = width;
+    out.height = std::max(1, int(std::lround(image.height / scale)));
+    out.data.resize(std::size_t(out.width) * std::size_t(out.height) * 4);
+    const double scale_y = double(image.height) / out.height;
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const double left = x * scale, right = left + scale, top = y * scale_y, bottom = top + scale_y;
+            double sum[4] = {}, area = 0;
+            for (int sy = int(top); sy < std::min(int(std::ceil(bottom)), image.height); ++sy)
+                for (int sx = int(left); sx < std::min(int(std::ceil(right)), image.width); ++sx) {
+                    const double share = overlap(sx, left, right) * overlap(sy, top, bottom);
+                    const std::uint8_t* p =
+                        &image.data[(std::size_t(sy) * std::size_t(image.width) + std::size_t(sx)) * 4];
+                    for (int c = 0; c < 4; ++c) sum[c] += share * p[c];
+                    area += share;
+                }
+            for (int c = 0; c < 4; ++c)
+                out.data[(std::size_t(y) * std::size_t(out.width) + std::size_t(x)) * 4 + std::size_t(c)] =
+                    std::uint8_t(std::lround(sum[c] / area));
+        }
+    return out;
 }
 
 Settings settings_with_shadows_of(const Settings& shown, const Settings& other) {

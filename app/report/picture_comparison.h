@@ -1,4 +1,4 @@
-// Comparison of two pictures of one frame.
+// Images made of other images: comparison of two pictures of one frame, thumbnails.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,9 @@ ByteImage plain_image(int width, int height, std::uint8_t value);
 /// @param columns columns to copy at most
 void paste_image(ByteImage& to, const ByteImage& from, glm::ivec2 corner,
                  int columns = std::numeric_limits<int>::max());
+
+/// Shrinks an image to a width of at most `width` pixels by area averaging. Returns smaller images unchanged.
+ByteImage shrunk(const ByteImage& image, int width);
 
 /// Returns settings that draw the view of `shown` with the shadows of `other`: maps, casters, bias, filter, lights and
 /// shading from `other`; camera, time and views from `shown`.

@@ -127,13 +127,6 @@ LockFile::LockFile(const fs::path& path, bool wait) {
     }
 }
 
-LockFile::LockFile(LockFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-
-LockFile& LockFile::operator=(LockFile&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-}
-
 void LockFile::release() {
     if (fd_ >= 0) ::close(std::exchange(fd_, -1));
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/state/editor_ui.h"
@@ -37,8 +38,11 @@ public:
     /// @param wait blocks until another holder releases the lock; false: gives up at once
     LockFile(const std::filesystem::path& path, bool wait);
     ~LockFile() { release(); }
-    LockFile(LockFile&& other) noexcept;
-    LockFile& operator=(LockFile&& other) noexcept;
+    LockFile(LockFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+    LockFile& operator=(LockFile other) noexcept {
+        std::swap(fd_, other.fd_);
+        return *this;
+    }
     /// Returns true if this process holds the lock.
     explicit operator bool() const { return fd_ >= 0; }
     /// Releases the lock and closes the file.

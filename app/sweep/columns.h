@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/sweep/numbers.h"
+#include "app/sweep/state.h"
 
 namespace si {
 

@@ -18,14 +18,15 @@ std::size_t columns_of_terminal() {
     return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
 }
 
-}  // namespace
-
+/// Formats a duration: "2 h 05 min", "3 min 20 s", "12 s".
 std::string duration_text(double seconds) {
     const long s = std::lround(std::max(seconds, 0.0));
     if (s < 60) return fmt::format("{} s", s);
     if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
     return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
 }
+
+}  // namespace
 
 std::string progress_text(const SweepProgress& p, const SweepTiming& timing) {
     std::string text =

@@ -8,9 +8,6 @@
 
 namespace si {
 
-/// Formats a duration: "2 h 05 min", "3 min 20 s", "12 s".
-std::string duration_text(double seconds);
-
 /// Formats the progress of a sweep as one line without line break.
 std::string progress_text(const SweepProgress& progress, const SweepTiming& timing);
 

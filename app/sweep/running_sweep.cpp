@@ -1,7 +1,7 @@
 #include "app/sweep/running_sweep.h"
 
 #include "app/base/output.h"
-#include "app/sweep/pictures.h"
+#include "app/report/picture_comparison.h"
 
 namespace si {
 

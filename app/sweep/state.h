@@ -1,14 +1,17 @@
 // State of a sweep: the sum of its journal's lines.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/sweep/numbers.h"
 #include "app/sweep/spec.h"
 #include "renderer/base/error.h"
+#include "renderer/measure/time_sampler.h"
+#include "renderer/reference/metrics.h"
 
 namespace si {
 
@@ -19,6 +22,19 @@ struct Turn {
     int round = 0;
     std::string run;
     TimeSamples samples;
+};
+
+/// Error metrics with the noise of the reference.
+struct CaseErrors {
+    ErrorMetrics metrics;
+    double noise = std::numeric_limits<double>::quiet_NaN();  ///< noise of the reference; NaN: unknown
+};
+
+/// Error, cost and time of one case of a sweep; parts that are not measured yet are empty.
+struct CaseNumbers {
+    std::optional<CaseErrors> error;
+    std::optional<WorkCost> cost;
+    std::optional<TimeMeasurement> time;
 };
 
 /// Results of one case of a sweep so far.
