@@ -12,8 +12,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kQuotedBytes = 60;
 
 std::string line_and_column(std::string_view text, std::size_t byte) {

@@ -8,6 +8,9 @@
 
 namespace si {
 
+/// JSON that keeps the order of members.
+using Json = nlohmann::ordered_json;
+
 /// Largest nesting depth of JSON that is read. Walking over a JSON tree recurses once per level; the program's own
 /// files are shallower.
 inline constexpr int kMaxJsonDepth = 32;

@@ -25,10 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20;
 
-std::string reason() {
-    return std::strerror(errno);
-}
-
 bool is_special(const fs::path& path) {
     std::error_code error;
     const auto status = fs::status(path, error);
@@ -38,10 +34,10 @@ bool is_special(const fs::path& path) {
 /// Writes bytes directly to a device or pipe, which cannot be replaced atomically.
 void write_special(const fs::path& path, std::string_view bytes) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason()));
+    if (!file) throw Error(fmt::format("{}: cannot be written: {}", path.string(), errno_text()));
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
-    std::string why = written ? "" : reason();
-    if (std::fclose(file) != 0 && why.empty()) why = reason();
+    std::string why = written ? "" : errno_text();
+    if (std::fclose(file) != 0 && why.empty()) why = errno_text();
     if (!why.empty()) throw Error(fmt::format("{}: cannot be written: {}", path.string(), why));
 }
 
@@ -60,6 +56,10 @@ std::string png_bytes(int width, int height, int channels, const std::vector<std
 
 }  // namespace
 
+std::string errno_text() {
+    return std::strerror(errno);
+}
+
 void require_writable(const fs::path& path) {
     std::error_code error;
     if (path.empty()) throw Error("an empty file name cannot be written; name a file");
@@ -74,7 +74,8 @@ void require_writable(const fs::path& path) {
         throw Error(fmt::format("{}: its folder {} does not exist; make it first", path.string(), folder.string()));
     }
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw Error(fmt::format("{}: its folder {} cannot be written: {}", path.string(), folder.string(), reason()));
+        throw Error(
+            fmt::format("{}: its folder {} cannot be written: {}", path.string(), folder.string(), errno_text()));
     }
 }
 
@@ -156,10 +157,10 @@ std::string read_text_file(const fs::path& path) {
     }
     errno = 0;
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
+    if (!in) throw Error(fmt::format("{}: cannot be read: {}", path.string(), errno_text()));
     std::ostringstream text;  // stream iterators would throw on a read error
     if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-    if (in.bad() || text.fail()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
+    if (in.bad() || text.fail()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), errno_text()));
     return text.str();
 }
 

@@ -10,6 +10,9 @@
 
 namespace si {
 
+/// Returns the text of the last error of the system (errno).
+std::string errno_text();
+
 /// Checks before long work that a file can be written at `path`. @throws Error for a directory, a missing folder, no
 /// permission
 void require_writable(const std::filesystem::path& path);

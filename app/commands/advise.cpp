@@ -18,7 +18,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
 Json advice_json(const TriedAdvice& t) {
     static constexpr const char* kClaims[] = {"same", "right", "trade"};
     return {{"rule", t.idea.rule},

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
 
 #include "app/base/json_text.h"
 #include "app/commands/commands.h"
@@ -25,8 +24,6 @@
 
 namespace si {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Returns a row of a table. @param more members of this table only, an object
 Json row(std::string_view key, std::string_view label, std::string_view help, const Json& more = Json::object()) {

@@ -20,8 +20,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 void print_metric(const Metric& metric, const ErrorMetrics& m, std::string_view label) {
     const double value = metric.value(m);
     if (metric.rare && !(value > 0)) return;

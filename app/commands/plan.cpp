@@ -15,8 +15,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 bool shows_reference(const Settings& s) {
     return any_pane_shows(s.view, &Overlay::reads_reference);
 }

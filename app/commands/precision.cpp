@@ -16,8 +16,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Series of `precision --over`: a setting with the values it takes.
 struct SeriesRow {
     std::string_view name, key;

@@ -15,8 +15,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kAlpha[] = {"opaque", "mask", "blend"};
 constexpr const char* kLights[] = {"directional", "spot", "point"};
 

@@ -12,8 +12,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Measured {
     ShimmerVariant variant;
     Shimmer shimmer;

@@ -21,8 +21,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json bias_json(const BiasSettings& b) {
     static constexpr const char* kUnits[] = {"depth", "texels", "metres"};
     return {{"unit", kUnits[std::size_t(b.unit)]}, {"constant", b.constant}, {"slope", b.slope}, {"normal", b.normal}};

@@ -6,8 +6,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMaxMessages = 100;  ///< largest number of messages of a kind
 constexpr std::size_t kMaxSamples = 200;   ///< beyond it every second sample is dropped, and the interval doubles
 

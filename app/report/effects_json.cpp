@@ -6,13 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/base/json_text.h"
 #include "renderer/optimisations/optimisations.h"
 
 namespace si {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void put_saved(Json& json, const Spread* ms) {
     json["saved_ms"] = ms ? Json(ms->median) : Json();

@@ -1,9 +1,9 @@
 // Effects of a frame and the time that optimisations save, as JSON and as text (docs/cli.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 
+#include "app/base/json_text.h"
 #include "renderer/advise/waste.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/measure/optimisation_times.h"

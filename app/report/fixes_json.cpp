@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "app/base/json_text.h"
 #include "renderer/base/command_text.h"
 #include "renderer/reference/artefact_picture.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 Json changes_json(const std::vector<std::pair<std::string, std::string>>& changes) {
     Json json = Json::object();

@@ -1,9 +1,9 @@
 // Table of measured fixes as JSON and as text (docs/cli.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/base/json_text.h"
 #include "renderer/advise/fixes.h"
 
 namespace si {

@@ -5,15 +5,12 @@
 #include <cmath>
 #include <utility>
 
-#include "app/base/json_text.h"
 #include "renderer/advise/fixes.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/render/reference_frames.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 std::shared_ptr<const NumericHealth> search_numbers(Renderer& renderer, const Scene& scene, const Settings& settings,
                                                     FrameRequest request, const Workers& workers) {

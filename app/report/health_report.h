@@ -2,9 +2,9 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/base/json_text.h"
 #include "renderer/base/workers.h"
 #include "renderer/render/renderer.h"
 

@@ -5,8 +5,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int kBins = 64;
 
 Json histogram_json(const DepthHistogram& h) {

@@ -1,10 +1,10 @@
 // Depth statistics and utilisation of the shown light's map, for reports.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
+#include "app/base/json_text.h"
 #include "renderer/frame/depth_histogram.h"
 #include "renderer/inspect/texel_usage.h"
 #include "renderer/render/renderer.h"

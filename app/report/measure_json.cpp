@@ -3,12 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/base/json_text.h"
 #include "renderer/reference/artefact_picture.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Errors, times and costs as JSON, shared by `measure --json` and the results of sweeps.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "app/base/json_text.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/reference/metrics.h"
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "app/base/json_text.h"
 #include "app/report/fixes_json.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
@@ -10,8 +9,6 @@
 
 namespace si {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json amount_json(const DepthShift& a) {
     return {{"depth", a.depth}, {"texels", a.texels}, {"metres", a.metres}};

@@ -1,9 +1,9 @@
 // Probe of one pixel as JSON (docs/cli.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 
+#include "app/base/json_text.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 
 namespace si {

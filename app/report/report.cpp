@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
-#include "app/base/json_text.h"
 #include "app/session/setting_json.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

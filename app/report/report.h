@@ -1,8 +1,7 @@
 // Facts of a frame, of the driver and of memory as JSON (docs/cli.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "app/base/json_text.h"
 #include "app/session/session.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/frame/frame.h"

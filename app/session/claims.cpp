@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
+#include "app/base/json_text.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
@@ -13,8 +13,6 @@
 
 namespace si {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 5> kOperators = {"<", "<=", "==", ">=", ">"};
 constexpr int kMaxSide = 4096;

@@ -20,8 +20,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::string_view kFormat = "shadow-inspector-preset";
 constexpr std::string_view kFolder = "assets/presets/", kExtension = ".json";
 

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "app/base/json_text.h"
 #include "renderer/base/error.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view setting_type(const SettingRef& ref) {
     if (ref.param->choices) return "choice";

@@ -1,8 +1,7 @@
 // Conversion of setting values to and from JSON: choices by key, booleans and numbers as such.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "app/base/json_text.h"
 #include "renderer/settings/param.h"
 
 namespace si {

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/base/json_text.h"
@@ -19,7 +18,6 @@ namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kWorkspaceFormat = "shadow-inspector-workspace";
 constexpr int kWorkspaceVersion = 1;

@@ -20,7 +20,6 @@ namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kResultsFile = "results.json";
 constexpr const char* kTableFile = "results.csv";

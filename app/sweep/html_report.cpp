@@ -6,7 +6,6 @@
 #include <iterator>
 #include <set>
 
-#include "app/base/json_text.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/results.h"
 #include "renderer/base/base64.h"
@@ -17,8 +16,6 @@
 #include "renderer/settings/param.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

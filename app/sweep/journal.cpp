@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -20,18 +19,13 @@ namespace si {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr int kMaxBadLines = 5;  ///< number of bad lines that notes name one by one
-
-std::string reason() {
-    return std::strerror(errno);
-}
 
 /// Returns the journal's text up to its last line break; a rest without one was cut off.
 std::string whole_lines(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) throw Error(fmt::format("{}: cannot be read: {}", file.string(), reason()));
+    if (!in) throw Error(fmt::format("{}: cannot be read: {}", file.string(), errno_text()));
     std::string text{std::istreambuf_iterator<char>(in), {}};
     const auto last = text.rfind('\n');
     text.resize(last == std::string::npos ? 0 : last + 1);
@@ -86,7 +80,7 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& file) {
     while (!bytes.empty()) {
         const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) throw Error(fmt::format("{}: cannot be written: {}", file.string(), reason()));
+        if (n < 0) throw Error(fmt::format("{}: cannot be written: {}", file.string(), errno_text()));
         bytes.remove_prefix(std::size_t(n));
     }
 }
@@ -94,7 +88,7 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& file) {
 /// Flushes the file to disk. A file system that cannot flush is no failure.
 void flush_to_disk(int descriptor, const fs::path& file) {
     if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS)
-        throw Error(fmt::format("{}: cannot be written: {}", file.string(), reason()));
+        throw Error(fmt::format("{}: cannot be written: {}", file.string(), errno_text()));
 }
 
 }  // namespace
@@ -137,7 +131,7 @@ Journal::Journal(const fs::path& folder, const Json& spec, const std::string& pl
     if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
     require_writable(file_);
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0644);
-    if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be written: {}", file_.string(), reason()));
+    if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be written: {}", file_.string(), errno_text()));
     try {
         if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
             throw Error(fmt::format("{}: another process is at this sweep; wait for it, or choose another folder",
@@ -145,7 +139,7 @@ Journal::Journal(const fs::path& folder, const Json& spec, const std::string& pl
         const std::string text = whole_lines(file_);
         state_ = state_of(text, file_);
         if (::ftruncate(descriptor_, off_t(text.size())) != 0)
-            throw Error(fmt::format("{}: cannot be written: {}", file_.string(), reason()));
+            throw Error(fmt::format("{}: cannot be written: {}", file_.string(), errno_text()));
         if (state_.spec.is_null()) {
             add(header_line(spec, plan));
         } else if (const std::string difference = spec_difference(state_.spec, spec); !difference.empty()) {

@@ -10,8 +10,6 @@
 namespace si {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMaxNamed = 5;  ///< number of contradicting cases that notes name
 
 bool knows(const std::vector<Turn>& turns, const Turn& turn) {

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <set>
 
-#include "app/base/json_text.h"
 #include "app/report/fixes_json.h"
 #include "app/report/measure_json.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/measured_cases.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

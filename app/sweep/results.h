@@ -1,9 +1,9 @@
 // Results of a sweep as tables and files: results.json and results.csv (docs/cli.md).
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/base/json_text.h"
 #include "app/sweep/state.h"
 
 namespace si {

@@ -10,8 +10,6 @@
 
 namespace si {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
 
 constexpr int kMaxShards = 100'000;

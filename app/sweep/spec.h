@@ -2,10 +2,10 @@
 // so that a sweep can be continued, split into shards and merged.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
+#include "app/base/json_text.h"
 #include "app/session/session.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/frame_costs.h"

@@ -11,14 +11,11 @@
 #include <fstream>
 #include <thread>
 
-#include "app/base/json_text.h"
 #include "app/report/measure_json.h"
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
 
 namespace si {
-
-using Json = nlohmann::ordered_json;
 
 namespace {
 

@@ -3,11 +3,11 @@
 
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/base/json_text.h"
 #include "app/sweep/spec.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/time_sampler.h"
