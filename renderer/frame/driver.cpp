@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "renderer/base/error.h"
 #include "renderer/software/rasteriser.h"
 
@@ -54,20 +56,11 @@ DriverInfo query_driver() {
 }
 
 GLenum map_internal_format(MapFormat format) {
-    switch (format) {
-        case MapFormat::D16:
-            return GL_DEPTH_COMPONENT16;
-        case MapFormat::D24:
-            return GL_DEPTH_COMPONENT24;
-        case MapFormat::D32F:
-            return GL_DEPTH_COMPONENT32F;
-        case MapFormat::Colour:
-        case MapFormat::Linear:
-            return GL_R32F;
-        case MapFormat::Linear16:
-            return GL_R16;
-    }
-    return GL_DEPTH_COMPONENT32F;
+    // In the order of MapFormat.
+    static constexpr GLenum kFormats[] = {
+        GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F, GL_R32F, GL_R32F, GL_R16};
+    static_assert(std::size(kFormats) == kMapFormats);
+    return kFormats[std::size_t(format)];
 }
 
 }  // namespace si

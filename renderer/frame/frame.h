@@ -113,13 +113,16 @@ struct PartInfo {
 /// Report on one pass of a frame: state, reason, time and draw counts.
 struct PassInfo {
     std::string name;
+    std::optional<Result> makes;  ///< result that identifies the pass, the first that it writes
     PassState state = PassState::Skipped;
     std::string reason;
     double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless FrameRequest::timing
     std::uint64_t draws = 0, triangles = 0;
     PassCategory category = PassCategory::Picture;
-    int light = -1;               ///< light index; below 0: all lights, or none
-    std::vector<PartInfo> parts;  ///< parts of the pass; empty: it is undivided
+    int light = -1;                  ///< light index; below 0: all lights, or none
+    std::string needs;               ///< Pass::needs
+    std::optional<Optimisation> by;  ///< Pass::by
+    std::vector<PartInfo> parts;     ///< parts of the pass; empty: it is undivided
 };
 
 /// Texture of a frame: an OpenGL name that the user interface shows and the renderer reads back.
@@ -222,6 +225,8 @@ struct FrameResult {
     FrameContents contents;
     /// Returns the report on the pass of this name; null if the frame has none.
     const PassInfo* pass(std::string_view name) const;
+    /// Returns the report on the first pass that makes a result; null if the frame has none.
+    const PassInfo* pass(Result makes) const;
 };
 
 /// Image of floats read back from the GPU, top row first.

@@ -7,72 +7,49 @@
 
 namespace si {
 
+namespace {
+
+constexpr std::string_view kResultNames[] = {
+    "visible depths",
+    "requested pages",
+    "pages of shadow maps",
+    "shadow maps as drawn",
+    "shadow maps",
+    "moments",
+    "bounds of the maps",
+    "camera depth",
+    "surface ids",
+    "blobs",
+    "light map",
+    "shadow volumes",
+    "visibility",
+    "unfiltered map",
+    "visible surfaces",
+    "reference",
+    "compared pixels",
+    "classified pixels",
+    "error",
+    "evidence",
+    "picture by the reference",
+    "errors of single precision",
+    "shaded picture",
+    "smooth picture",
+    "overlay values",
+    "picture with overlay",
+    "picture with stored-depth quads",
+    "map coordinates",
+    "texels read",
+    "map channel",
+    "depth range",
+    "map view",
+    "numeric health",
+};
+static_assert(std::size(kResultNames) == std::size_t(Result::Health) + 1);
+
+}  // namespace
+
 std::string_view result_name(Result result) {
-    switch (result) {
-        case Result::PagesWanted:
-            return "requested pages";
-        case Result::DrawnMaps:
-            return "shadow maps as drawn";
-        case Result::ShadowMaps:
-            return "shadow maps";
-        case Result::Moments:
-            return "moments";
-        case Result::MapBounds:
-            return "bounds of the maps";
-        case Result::CameraDepth:
-            return "camera depth";
-        case Result::SurfaceIds:
-            return "surface ids";
-        case Result::Blobs:
-            return "blobs";
-        case Result::LightMap:
-            return "light map";
-        case Result::ShadowVolumes:
-            return "shadow volumes";
-        case Result::Visibility:
-            return "visibility";
-        case Result::UnfilteredMap:
-            return "unfiltered map";
-        case Result::VisibleSurfaces:
-            return "visible surfaces";
-        case Result::Reference:
-            return "reference";
-        case Result::Compared:
-            return "compared pixels";
-        case Result::Classified:
-            return "classified pixels";
-        case Result::Error:
-            return "error";
-        case Result::Evidence:
-            return "evidence";
-        case Result::ReferenceLitPicture:
-            return "picture by the reference";
-        case Result::Precision:
-            return "errors of single precision";
-        case Result::Shaded:
-            return "shaded picture";
-        case Result::Smooth:
-            return "smooth picture";
-        case Result::Overlay:
-            return "overlay values";
-        case Result::Composed:
-            return "picture with overlay";
-        case Result::Slabs:
-            return "picture with stored-depth quads";
-        case Result::MapCoordinates:
-            return "map coordinates";
-        case Result::TexelsRead:
-            return "texels read";
-        case Result::MapChannel:
-            return "map channel";
-        case Result::DepthRange:
-            return "depth range";
-        case Result::MapView:
-            return "map view";
-        case Result::Health:
-            return "numeric health";
-    }
-    return {};
+    return kResultNames[std::size_t(result)];
 }
 
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
@@ -83,8 +60,11 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         const Pass& pass = passes[i];
         PassInfo& info = out[i];
         info.name = pass.name;
+        if (!pass.writes.empty()) info.makes = pass.writes.front().what;
         info.category = pass.category;
         info.light = pass.light;
+        info.needs = pass.needs;
+        info.by = pass.by;
         const bool live =
             std::any_of(pass.writes.begin(), pass.writes.end(), [&](const ResultRef& w) { return needed.contains(w); });
         if (!pass.unneeded.empty() && !(draw_unneeded && pass.run && live)) {
@@ -155,9 +135,13 @@ bool Plan::is_current(const ResultRef& result) const {
 }
 
 const PassInfo* FrameResult::pass(std::string_view name) const {
-    for (const PassInfo& p : passes)
-        if (p.name == name) return &p;
-    return nullptr;
+    const auto found = std::ranges::find(passes, name, &PassInfo::name);
+    return found == passes.end() ? nullptr : &*found;
+}
+
+const PassInfo* FrameResult::pass(Result makes) const {
+    const auto found = std::ranges::find(passes, std::optional(makes), &PassInfo::makes);
+    return found == passes.end() ? nullptr : &*found;
 }
 
 }  // namespace si

@@ -19,8 +19,10 @@ struct Pass {
     PassCategory category = PassCategory::Picture;
     int light = -1;  ///< light index for PassInfo::light
     std::vector<ResultRef> reads, writes;
-    std::string unneeded;   ///< reason why the scene does not need the pass; empty: needed
-    std::uint64_t key = 0;  ///< hash of everything the result depends on, size and format too, except `reads`
+    std::string needs;     ///< request or setting that needs the pass; empty: see renderer/inspect/effects.cpp
+    std::string unneeded;  ///< reason why the scene does not need the pass; empty: needed
+    std::optional<Optimisation> by;  ///< optimisation that skips the pass, or that the pass is a part of
+    std::uint64_t key = 0;           ///< hash of everything the result depends on, size and format too, except `reads`
     /// True: the pass only saves its readers work, and their results stay equal without it. Its key is not part of
     /// theirs. It runs only where one of them runs.
     bool only_saves_work = false;
@@ -52,6 +54,11 @@ public:
     /// Appends a pass and completes its key by the keys of its inputs. Passes that write the inputs must be added
     /// before.
     void add_pass(Pass pass);
+    /// Appends a pass that the scene does not need, with the reason.
+    void skip_pass(Pass pass, std::string reason) {
+        pass.unneeded = std::move(reason);
+        add_pass(std::move(pass));
+    }
     /// Registers an image of a result, where it lies once its pass has run. Call once for each image of the result, and
     /// once for each texture unit.
     void place_result(const ResultRef& result, PlacedImage image);

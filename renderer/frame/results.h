@@ -8,7 +8,9 @@ namespace si {
 
 /// Kind of image or buffer that one pass writes and others read.
 enum class Result {
+    VisibleDepths,        ///< measured depth range of visible surfaces
     PagesWanted,          ///< pages of virtual maps that look-ups read
+    Pages,                ///< page pool with its page table
     DrawnMaps,            ///< shadow maps as drawn, or the page pool with its page table
     ShadowMaps,           ///< maps to compare, show and read back: as drawn, or with blurred depths
     Moments,              ///< averaged functions of the maps' depths (VSM, ESM, MSM)

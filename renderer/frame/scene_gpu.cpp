@@ -166,20 +166,16 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     }
     vao_ = gl::VertexArray::create("scene");
     const GLuint vao = vao_.id();
-    const auto attribute = [&](GLuint location, GLuint binding, GLint size, GLuint offset) {
-        glEnableVertexArrayAttrib(vao, location);
-        glVertexArrayAttribFormat(vao, location, size, GL_FLOAT, GL_FALSE, offset);
-        glVertexArrayAttribBinding(vao, location, binding);
-    };
-    attribute(0, 0, 3, 0);
-    attribute(1, 1, 3, 0);
-    attribute(2, 1, 2, offsetof(Attributes, uv));
-    attribute(14, 5, 3, 0);
-    for (GLuint row = 0; row < 3; ++row) attribute(4 + row, 3, 4, row * 16);
-    attribute(7, 3, 4, offsetof(InstanceData, base_colour));
-    attribute(8, 3, 4, offsetof(InstanceData, surface));
-    for (GLuint row = 0; row < 3; ++row)
-        attribute(9 + row, 3, 3, GLuint(offsetof(InstanceData, normal_rows)) + row * 12);
+    gl::enable_attribute(vao_, 0, 0, 3);
+    gl::enable_attribute(vao_, 1, 1, 3);
+    gl::enable_attribute(vao_, 2, 1, 2, offsetof(Attributes, uv));
+    gl::enable_attribute(vao_, 14, 5, 3);
+    gl::enable_attribute(vao_, 7, 3, 4, offsetof(InstanceData, base_colour));
+    gl::enable_attribute(vao_, 8, 3, 4, offsetof(InstanceData, surface));
+    for (GLuint row = 0; row < 3; ++row) {
+        gl::enable_attribute(vao_, 4 + row, 3, 4, row * 16);
+        gl::enable_attribute(vao_, 9 + row, 3, 3, GLuint(offsetof(InstanceData, normal_rows)) + row * 12);
+    }
     glVertexArrayBindingDivisor(vao, 3, 1);
     glVertexArrayVertexBuffer(vao, 0, positions_.id(), 0, sizeof(glm::vec3));
     glVertexArrayVertexBuffer(vao, 1, attributes_.id(), 0, sizeof(Attributes));
@@ -187,9 +183,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     if (coloured) {
         colours_ = gl::Buffer::create("vertex colours");
         store(colours_, "vertex colours", colours);
-        glEnableVertexArrayAttrib(vao, 3);
-        glVertexArrayAttribFormat(vao, 3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
-        glVertexArrayAttribBinding(vao, 3, 2);
+        gl::enable_attribute(vao_, 3, 2, 4, 0, GL_UNSIGNED_BYTE);
         glVertexArrayVertexBuffer(vao, 2, colours_.id(), 0, 4);
     }
     upload_normal_map_attributes(scene, vertex_count);
@@ -213,14 +207,9 @@ void SceneGpu::upload_normal_map_attributes(const Scene& scene, std::size_t vert
     }
     normal_map_ = gl::Buffer::create("normal map coordinates");
     store(normal_map_, "normal map coordinates", data);
-    const GLuint vao = vao_.id();
-    glEnableVertexArrayAttrib(vao, 12);
-    glVertexArrayAttribFormat(vao, 12, 3, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(vao, 12, 4);
-    glEnableVertexArrayAttrib(vao, 13);
-    glVertexArrayAttribFormat(vao, 13, 4, GL_FLOAT, GL_FALSE, offsetof(NormalMapAttributes, tangent));
-    glVertexArrayAttribBinding(vao, 13, 4);
-    glVertexArrayVertexBuffer(vao, 4, normal_map_.id(), 0, sizeof(NormalMapAttributes));
+    gl::enable_attribute(vao_, 12, 4, 3);
+    gl::enable_attribute(vao_, 13, 4, 4, offsetof(NormalMapAttributes, tangent));
+    glVertexArrayVertexBuffer(vao_.id(), 4, normal_map_.id(), 0, sizeof(NormalMapAttributes));
 }
 
 void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
@@ -322,26 +311,25 @@ void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
             ++batches_.back().instances;
         } else {
             const MeshRange& r = ranges_[std::size_t(e.mesh)];
-            Batch b;
-            b.index_count = r.index_count;
-            b.first_index = r.first_index;
-            b.base_vertex = r.base_vertex;
-            b.first_instance = GLuint(order_.size());
-            b.instances = 1;
-            b.texture = e.texture;
-            b.finest_texture = e.finest_texture;
-            b.normal_texture = e.normal_texture;
-            b.mirrored = e.mirrored;
-            b.masked = e.masked;
-            b.blend = e.blend;
-            b.double_sided = material_of(scene, mesh).double_sided;
-            b.tangents = !mesh.tangents.empty();
-            b.cast = e.cast;
-            b.cull = e.cull;
-            b.closed = bodies_[std::size_t(e.mesh)].closed;
-            b.ground = scene.objects[e.object].ground;
-            b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
-            batches_.push_back(b);
+            const Object& object = scene.objects[e.object];
+            batches_.push_back({.index_count = r.index_count,
+                                .first_index = r.first_index,
+                                .base_vertex = r.base_vertex,
+                                .first_instance = GLuint(order_.size()),
+                                .instances = 1,
+                                .texture = e.texture,
+                                .finest_texture = e.finest_texture,
+                                .normal_texture = e.normal_texture,
+                                .tangents = !mesh.tangents.empty(),
+                                .mirrored = e.mirrored,
+                                .masked = e.masked,
+                                .blend = e.blend,
+                                .double_sided = material_of(scene, mesh).double_sided,
+                                .cast = e.cast,
+                                .closed = bodies_[std::size_t(e.mesh)].closed,
+                                .ground = object.ground,
+                                .cull = e.cull,
+                                .centre_ws = glm::dvec3(object.world * glm::dvec4(mesh.bounds.centre(), 1))});
         }
         order_.push_back(e.object);
         batch_of_.push_back(std::uint32_t(batches_.size() - 1));
@@ -407,14 +395,10 @@ void SceneGpu::bind_vertices(const Scene& scene, const Settings& settings, const
     glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
 }
 
-void SceneGpu::bind_transforms(GLuint vao, GLuint binding, Drawn drawn) const {
-    for (GLuint row = 0; row < 3; ++row) {
-        glEnableVertexArrayAttrib(vao, 4 + row);
-        glVertexArrayAttribFormat(vao, 4 + row, 4, GL_FLOAT, GL_FALSE, row * 16);
-        glVertexArrayAttribBinding(vao, 4 + row, binding);
-    }
-    glVertexArrayBindingDivisor(vao, binding, 1);
-    glVertexArrayVertexBuffer(vao, binding, slots_[std::size_t(drawn)].buffer.id(), 0, sizeof(InstanceData));
+void SceneGpu::bind_transforms(const gl::VertexArray& vao, GLuint binding, Drawn drawn) const {
+    for (GLuint row = 0; row < 3; ++row) gl::enable_attribute(vao, 4 + row, binding, 4, row * 16);
+    glVertexArrayBindingDivisor(vao.id(), binding, 1);
+    glVertexArrayVertexBuffer(vao.id(), binding, slots_[std::size_t(drawn)].buffer.id(), 0, sizeof(InstanceData));
 }
 
 void SceneGpu::draw_batch(const Batch& b) const {

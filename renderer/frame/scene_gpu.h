@@ -78,7 +78,7 @@ public:
     /// Lets another vertex array read the instance transforms of the last bind_vertices(): matrix rows at locations 4
     /// to 6.
     /// @param binding vertex buffer binding index in `vao`
-    void bind_transforms(GLuint vao, GLuint binding, Drawn drawn) const;
+    void bind_transforms(const gl::VertexArray& vao, GLuint binding, Drawn drawn) const;
 
 private:
     std::uint64_t scene_id_ = 0;

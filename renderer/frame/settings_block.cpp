@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
+#include <iterator>
+#include <span>
 
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
@@ -86,31 +88,27 @@ std::vector<std::byte> settings_block_bytes(const Settings& s) {
     for_block_params([&](const Param& p, std::size_t place) {
         out.resize(4 * place);
         const Value v = get_value(s, {&p, 0, {}});
-        std::byte bytes[4];
-        if (const double* real = std::get_if<double>(&v)) {
-            const float f = float(*real);
-            std::memcpy(bytes, &f, 4);
-        } else {
-            const int i = as_int(v);
-            std::memcpy(bytes, &i, 4);
-        }
-        out.insert(out.end(), bytes, bytes + 4);
+        const double* real = std::get_if<double>(&v);
+        const std::int32_t bits = real ? std::bit_cast<std::int32_t>(float(*real)) : as_int(v);
+        std::ranges::copy(std::as_bytes(std::span(&bits, 1)), std::back_inserter(out));
     });
     out.resize((out.size() + 15) / 16 * 16);
     return out;
 }
 
+void add_value(Key& key, const Settings& s, const SettingRef& ref) {
+    std::visit([&](const auto& v) { key.add(v); }, get_value(s, ref));
+}
+
 void add_shader_settings(Key& key, const Settings& s) {
     for_shader_params([&](const Param& p) {
-        if (unused_setting_reason(s, {&p, 0, {}}).empty())
-            std::visit([&](const auto& v) { key.add(v); }, get_value(s, {&p, 0, {}}));
+        if (unused_setting_reason(s, {&p, 0, {}}).empty()) add_value(key, s, {&p, 0, {}});
     });
 }
 
 void add_settings(Key& key, const Settings& s, ReadBy pass) {
     for (const Param& p : params())
-        if (is_read_by(p.read_by, pass) && idle_reason(s, {&p, 0, {}}).empty())
-            std::visit([&](const auto& v) { key.add(v); }, get_value(s, {&p, 0, {}}));
+        if (is_read_by(p.read_by, pass) && idle_reason(s, {&p, 0, {}}).empty()) add_value(key, s, {&p, 0, {}});
 }
 
 }  // namespace si

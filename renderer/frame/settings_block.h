@@ -20,6 +20,8 @@ std::vector<gl::Define> settings_defines(const Settings& s);
 std::string settings_block_text(bool as_image);
 /// Returns the contents of the settings block or image for these settings; a multiple of 16 bytes.
 std::vector<std::byte> settings_block_bytes(const Settings& s);
+/// Adds to `key` the value of one setting.
+void add_value(Key& key, const Settings& s, const SettingRef& ref);
 /// Adds to `key` the value of every setting that shaders see.
 void add_shader_settings(Key& key, const Settings& s);
 

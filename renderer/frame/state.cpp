@@ -41,6 +41,12 @@ void FrameState::bind_results(std::span<const ResultRef> results) const {
         }
 }
 
+void FrameState::place_compared_maps(const gl::Target& maps) {
+    plan.place_result(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &gl.map_nearest});
+    if (!is_colour(settings.map.format))
+        plan.place_result(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &gl.map_compare});
+}
+
 void FrameState::begin_camera_pass(GLuint framebuffer) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, request.width, request.height);
@@ -105,6 +111,18 @@ void FrameState::begin_fullscreen_pass(GLuint framebuffer, int width, int height
     glBindVertexArray(gl.empty_vao.id());
 }
 
+gl::Framebuffer FrameState::begin_fullscreen_pass(std::string_view label, const gl::Target& into, int layer) const {
+    gl::Framebuffer framebuffer = gl::make_framebuffer(label, &into, nullptr, layer);
+    begin_fullscreen_pass(framebuffer.id(), into.width, into.height);
+    return framebuffer;
+}
+
+GLuint FrameState::use_fullscreen(std::string_view fragment, std::vector<gl::Define> extra) const {
+    const GLuint id = program("passes/fullscreen.vert.glsl", fragment, std::move(extra));
+    glUseProgram(id);
+    return id;
+}
+
 void FrameState::draw_fullscreen(PassInfo& info) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     ++info.draws;
@@ -134,6 +152,12 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
     return program(vertex, fragment, std::move(wanted));
 }
 
+void FrameState::draw_batch(const Batch& batch, PassInfo& info) const {
+    gl.scene->draw_batch(batch);
+    ++info.draws;
+    info.triangles += batch.triangles();
+}
+
 void FrameState::bind_textures(const Batch& batch) const {
     if (batch.texture) glBindTextureUnit(shared::UNIT_BASE_COLOUR, batch.texture);
     if (batch.normal_texture) glBindTextureUnit(shared::UNIT_NORMAL_MAP, batch.normal_texture);
@@ -155,9 +179,7 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
             batch.double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         if (!previous || previous->mirrored != batch.mirrored) glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
         if (!previous) glCullFace(GL_BACK);
-        gl.scene->draw_batch(batch);
-        ++info.draws;
-        info.triangles += batch.triangles();
+        draw_batch(batch, info);
         previous = &batch;
     }
 }

@@ -97,7 +97,8 @@ struct FrameState {
     bool may_light_picture(std::size_t light) const;
     /// Returns true when shading treats a light as unshadowed and skips its look-up: see is_always_lit().
     bool shades_as_lit(std::size_t light) const;
-    bool paged = false;  ///< maps are virtual and drawn by pages (map.virtual)
+    bool paged = false;                      ///< maps are virtual and drawn by pages (map.virtual)
+    std::string separate_visibility_reason;  ///< reason why visibility has a texture of its own; empty: it has none
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< picture position of pixel (0, 0) of the target
     std::vector<glm::vec2> disk_texels;        ///< disk sample positions that shaders read from an image
@@ -135,6 +136,9 @@ struct FrameState {
     bool blocks_as_images() const { return request.blocks_as_images.value_or(driver.blocks_as_images); }
     /// Returns an image of a result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
+    /// Places a texture array as the maps that look-ups compare with: at the unit for reading depths and, unless depths
+    /// are stored as colour, at the unit of the comparing sampler.
+    void place_compared_maps(const gl::Target& maps);
     /// Binds results to the texture units at which the plan placed them. Done for each pass before it runs, for its
     /// reads.
     void bind_results(std::span<const ResultRef> results) const;
@@ -182,6 +186,9 @@ struct FrameState {
     /// @param alpha_only leaves out textures other than the alpha mask
     GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
                          const Batch& batch, bool alpha_only) const;
+    /// Draws one batch. Call SceneGpu::bind_vertices() before.
+    /// @param[out] info draw and triangle counts
+    void draw_batch(const Batch& batch, PassInfo& info) const;
     /// Binds the textures that a batch's fragments sample.
     void bind_textures(const Batch& batch) const;
     /// Binds a framebuffer of the picture's size and sets depth test, clip control and blending for drawing from the
@@ -190,6 +197,10 @@ struct FrameState {
     /// Binds a framebuffer and sets the state for computing every pixel by one triangle. Follow with draw_fullscreen().
     /// @param width, height pixels
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
+    /// Creates a framebuffer over the image, or over one layer of it, and begins a pass over all its pixels.
+    gl::Framebuffer begin_fullscreen_pass(std::string_view label, const gl::Target& into, int layer = -1) const;
+    /// Binds the program of a full-screen pass, see program(), and returns it for setting uniforms.
+    GLuint use_fullscreen(std::string_view fragment, std::vector<gl::Define> extra = {}) const;
     /// Draws one triangle over the whole viewport, after begin_fullscreen_pass().
     /// @param[out] info draw and triangle counts
     static void draw_fullscreen(PassInfo& info);

@@ -3,9 +3,11 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "renderer/base/error.h"
 #include "renderer/gl/handle.h"
@@ -42,6 +44,20 @@ bool is_injected_failure(DriverFailure kind, std::string_view what);
 /// Allocates a buffer and copies `size` bytes into it (glNamedBufferData).
 /// @param bytes null: contents stay undefined @throws OutOfMemory, ContextLost
 void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
+/// Replaces a buffer's contents by an array; an empty array gives room for one element, as OpenGL has no empty buffers.
+/// @throws OutOfMemory
+template <typename T>
+void fill_buffer(Buffer& buffer, std::string_view label, const std::vector<T>& data, GLenum usage) {
+    fill_buffer(buffer, label, GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
+                data.empty() ? nullptr : data.data(), usage);
+}
+/// Creates a buffer with the contents of an array, which seldom change. @throws OutOfMemory
+template <typename T>
+Buffer make_buffer(std::string_view label, const std::vector<T>& data) {
+    Buffer buffer = Buffer::create(label);
+    fill_buffer(buffer, label, data, GL_STATIC_DRAW);
+    return buffer;
+}
 /// Allocates immutable storage for a buffer and copies `size` bytes into it (glNamedBufferStorage).
 /// @param bytes null: contents stay undefined @throws OutOfMemory, ContextLost
 void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags);

@@ -86,4 +86,13 @@ using Sampler = Handle<ObjectTraits<GL_SAMPLER, glCreateSamplers, glDeleteSample
 using Program = Handle<ProgramTraits>;
 using Query = Handle<ObjectTraits<GL_QUERY, glCreateQueries, glDeleteQueries>>;
 
+/// Enables a float attribute of a vertex array. @param size numbers in it @param offset bytes within a vertex
+/// @param type GL_UNSIGNED_BYTE: bytes, which count as 0 to 1
+inline void enable_attribute(const VertexArray& vao, GLuint location, GLuint binding, GLint size, GLuint offset = 0,
+                             GLenum type = GL_FLOAT) {
+    glEnableVertexArrayAttrib(vao.id(), location);
+    glVertexArrayAttribFormat(vao.id(), location, size, type, type != GL_FLOAT, offset);
+    glVertexArrayAttribBinding(vao.id(), location, binding);
+}
+
 }  // namespace si::gl

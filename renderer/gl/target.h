@@ -4,6 +4,7 @@
 #include <bit>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "renderer/gl/handle.h"
 
@@ -57,5 +58,15 @@ GLenum single_channel_format(GLenum internal_format);
 /// Prepares OpenGL for reading pixels into memory: packs rows without gaps and waits for pending draws. OpenGL promises
 /// the wait, but llvmpipe (Mesa 22.3) sometimes returns the old contents of a target that is only being cleared.
 void prepare_read_back();
+
+/// Reads back the finest level of a texture, bottom row first.
+/// @param count numbers of type T in the texture @param format,type as for glGetTextureImage()
+template <typename T>
+std::vector<T> read_texture(GLuint texture, std::size_t count, GLenum format, GLenum type) {
+    std::vector<T> out(count);
+    prepare_read_back();
+    glGetTextureImage(texture, 0, format, type, GLsizei(count * sizeof(T)), out.data());
+    return out;
+}
 
 }  // namespace si::gl

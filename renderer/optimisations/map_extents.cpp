@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/optimisations/mesh_boxes.h"
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
@@ -32,7 +31,7 @@ bool reads_whole_maps(const FrameState& f) {
     return std::ranges::any_of(f.panes, [](const FrameState::ShownPane& pane) { return pane.overlay > 0; });
 }
 
-std::optional<PartInfo> unread_texels_part(const FrameState& f, std::string name) {
+void add_unread_texels_part(const FrameState& f, std::string name, PassInfo& info) {
     const std::uint64_t each = std::uint64_t(f.map_resolution) * std::uint64_t(f.map_resolution);
     std::uint64_t left_out = 0;
     for (const MapCells& held : f.drawn_cells_by_layer) {
@@ -41,13 +40,14 @@ std::optional<PartInfo> unread_texels_part(const FrameState& f, std::string name
             made += std::uint64_t(r.to.x - r.from.x) * std::uint64_t(r.to.y - r.from.y);
         left_out += each - std::min(made, each);
     }
-    if (left_out == 0) return std::nullopt;
-    PartInfo part{.name = std::move(name), .unit = "texels"};
-    part.left_out = left_out;
-    part.by = Optimisation::UnreadViews;
-    part.reason = fmt::format("no visible surface reads {:.0f} % of the maps' texels: they are skipped",
-                              100.0 * double(left_out) / double(each * f.drawn_cells_by_layer.size()));
-    return part;
+    if (left_out == 0) return;
+    const double share = double(left_out) / double(each * f.drawn_cells_by_layer.size());
+    info.parts.push_back({.name = std::move(name),
+                          .reason = fmt::format(
+                              "no visible surface reads {:.0f} % of the maps' texels: they are skipped", 100.0 * share),
+                          .left_out = left_out,
+                          .unit = "texels",
+                          .by = Optimisation::UnreadViews});
 }
 
 NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps) {

@@ -1,8 +1,6 @@
 // Parts of each light's maps that a frame reads, cached between frames.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 
 #include "renderer/frame/state.h"
@@ -14,10 +12,9 @@ namespace si {
 /// probe or the map viewer.
 bool reads_whole_maps(const FrameState& f);
 
-/// Returns the plan entry for texels that a pass over all maps skips because nothing reads them; empty if it skips
-/// none. Call after the maps' passes are planned.
-/// @param name name of the plan entry
-std::optional<PartInfo> unread_texels_part(const FrameState& f, std::string name);
+/// Reports texels that a pass over all maps skips because nothing reads them. Call after the maps' passes are planned.
+/// @param name name of the part @param[in,out] info report on the pass; unchanged if it skips no texel
+void add_unread_texels_part(const FrameState& f, std::string name, PassInfo& info);
 
 /// Returns the cells of a casting light's maps that the frame reads (Optimisation::UnreadViews). Cached until camera,
 /// scene or maps change.

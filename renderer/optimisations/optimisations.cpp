@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <ranges>
 
 #include "renderer/base/error.h"
 
@@ -80,12 +81,10 @@ const OptimisationRow& row_of(Optimisation optimisation) {
 }
 
 Optimisation parse_optimisation(std::string_view key) {
-    const auto row =
-        std::find_if(std::begin(kRows), std::end(kRows), [&](const OptimisationRow& r) { return r.key == key; });
+    const auto row = std::ranges::find(kRows, key, &OptimisationRow::key);
     if (row != std::end(kRows)) return Optimisation(row - kRows);
-    std::string known;
-    for (const OptimisationRow& r : kRows) known += fmt::format("{}{}", known.empty() ? "" : ", ", r.key);
-    throw Error(fmt::format("unknown optimisation \"{}\"; known keys: {}", key, known));
+    throw Error(fmt::format("unknown optimisation \"{}\"; known keys: {}", key,
+                            fmt::join(kRows | std::views::transform(&OptimisationRow::key), ", ")));
 }
 
 }  // namespace si

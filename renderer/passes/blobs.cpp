@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/gl/driver_failure.h"
@@ -50,13 +51,9 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
     glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, &lit.x);
     const std::vector<glm::vec4> casters = discs(f, fitted);
     if (casters.empty()) return;
-    gl::Buffer buffer = gl::Buffer::create("casters of blobs");
-    gl::fill_buffer(buffer, "casters of blobs", GLsizeiptr(casters.size() * sizeof(glm::vec4)), casters.data(),
-                    GL_STATIC_DRAW);
+    const gl::Buffer buffer = gl::make_buffer("casters of blobs", casters);
     const gl::VertexArray vao = gl::VertexArray::create("blobs");
-    glEnableVertexArrayAttrib(vao.id(), 0);
-    glVertexArrayAttribFormat(vao.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(vao.id(), 0, 0);
+    gl::enable_attribute(vao, 0, 0, 4);
     glVertexArrayBindingDivisor(vao.id(), 0, 1);
     glVertexArrayVertexBuffer(vao.id(), 0, buffer.id(), 0, sizeof(glm::vec4));
 
@@ -65,8 +62,7 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
     const GLuint id =
         f.program("passes/blob.vert.glsl", "passes/blob.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}});
     glUseProgram(id);
-    float widest = 0;
-    for (const glm::vec4& c : casters) widest = std::max(widest, c.w);
+    const float widest = std::ranges::max(casters, {}, &glm::vec4::w).w;
     const double endless = 2 * f.scene.bounds.radius();
     glUniform1f(glGetUniformLocation(id, "end_m"), float(blob.reach > 0 ? blob.reach * widest : endless));
     glUniform4f(glGetUniformLocation(id, "blob"), float(blob.softness), float(blob.opacity), float(blob.reach), 0);
@@ -96,23 +92,20 @@ void BlobPass::declare(FrameState& f) {
         return;
     }
     f.plan.place_result(Result::Blobs, {&lit_, shared::UNIT_BLOBS});
-    Pass pass;
-    pass.name = "blobs";
-    pass.category = PassCategory::Maps;
-    pass.reads = {Result::VisibleSurfaces};
-    pass.writes = {Result::Blobs};
-    pass.idle_reason = "no pass reads visibility";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Blobs);
     for (const int light : lights) key.add(light);
-    pass.key = key.value();
-    pass.cached = &lit_.key;
-    pass.run = [this, &f, lights](PassInfo& info) { run(f, lights, info); };
-    f.plan.add_pass(std::move(pass));
-}
-
-void BlobPass::run(const FrameState& f, const std::vector<int>& lights, PassInfo& info) {
-    lit_.ensure("blobs", GL_R16F, f.request.width, f.request.height, int(f.gl.fitted.size()));
-    for (const int light : lights) draw_light(f, lit_, light, info);
+    const auto run = [this, &f, lights](PassInfo& info) {
+        lit_.ensure("blobs", GL_R16F, f.request.width, f.request.height, int(f.gl.fitted.size()));
+        for (const int light : lights) draw_light(f, lit_, light, info);
+    };
+    f.plan.add_pass({.name = "blobs",
+                     .category = PassCategory::Maps,
+                     .reads = {Result::VisibleSurfaces},
+                     .writes = {Result::Blobs},
+                     .key = key.value(),
+                     .cached = &lit_.key,
+                     .run = run,
+                     .idle_reason = "no pass reads visibility"});
 }
 
 }  // namespace si

@@ -1,8 +1,6 @@
 // Pass that draws blob shadows.
 #pragma once
 
-#include <vector>
-
 #include "renderer/frame/frame_pass.h"
 #include "renderer/frame/state.h"
 
@@ -14,11 +12,6 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the blob shadows of `lights` into their layers of the visibility image. Called when the plan runs the
-    /// pass.
-    /// @param[out] info draw counts
-    void run(const FrameState& f, const std::vector<int>& lights, PassInfo& info);
-
     gl::Target lit_;  ///< R16F, a layer for each light: visibility 1 to 0
 };
 

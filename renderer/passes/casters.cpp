@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "renderer/frame/driver.h"
-#include "renderer/optimisations/mesh_boxes.h"
+#include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/caster_findings.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
@@ -320,7 +320,7 @@ private:
         if (run.batch.instances == 0) return;
         programs_.use(run.batch, run.bare);
         set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
-        draw_now(run.batch);
+        f_.draw_batch(run.batch, info_);
         if (run.fronts_alone && f_.request.forced.contains(Optimisation::CasterBackFaces)) draw_backs(run.batch);
         run.batch.instances = 0;
     }
@@ -332,14 +332,8 @@ private:
         set_cull(Cull::Front, batch.mirrored);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(away, 4 * away);
-        draw_now(batch);
+        f_.draw_batch(batch, info_);
         glDisable(GL_POLYGON_OFFSET_FILL);
-    }
-
-    void draw_now(const Batch& batch) {
-        f_.gl.scene->draw_batch(batch);
-        ++info_.draws;
-        info_.triangles += batch.triangles();
     }
 };
 

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "renderer/optimisations/map_extents.h"
-#include "renderer/passes/compared_maps.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {
@@ -24,9 +23,7 @@ void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Frameb
             glDepthFunc(GL_ALWAYS);
             glDepthMask(GL_TRUE);
         }
-        const GLuint id =
-            f.program("passes/fullscreen.vert.glsl", "passes/depth_blur.frag.glsl", {{"BLUR_COLUMNS", columns}});
-        glUseProgram(id);
+        const GLuint id = f.use_fullscreen("passes/depth_blur.frag.glsl", {{"BLUR_COLUMNS", columns}});
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "radius"), f.settings.map.blur_texels);
         FrameState::draw_fullscreen(f.drawn_cells_by_layer[std::size_t(layer)].texel_rects(n), info);
@@ -42,20 +39,17 @@ void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Frameb
 }  // namespace
 
 void DepthBlurPass::declare(FrameState& f) {
-    Pass pass;
-    pass.name = "depth blur";
-    pass.category = PassCategory::Maps;
-    pass.reads = {Result::DrawnMaps};
-    pass.writes = {Result::ShadowMaps};
-    pass.idle_reason = "no pass samples a shadow map";
+    Pass pass{.name = "depth blur",
+              .category = PassCategory::Maps,
+              .reads = {Result::DrawnMaps},
+              .writes = {Result::ShadowMaps},
+              .idle_reason = "no pass samples a shadow map"};
     const int radius = f.settings.map.blur_texels;
     if (!f.blurs_depths()) {
-        pass.unneeded = radius == 0 ? "map.blur_texels is 0" : "no light has a shadow map";
         f.plan.release_later([this] { targets_ = {}; });
-        f.plan.add_pass(std::move(pass));
-        return;
+        return f.plan.skip_pass(std::move(pass), radius == 0 ? "map.blur_texels is 0" : "no light has a shadow map");
     }
-    place_compared_maps(f, targets_.maps);
+    f.place_compared_maps(targets_.maps);
     pass.key = f.with_settings({}, ReadBy::DepthBlur).add(f.maps_extent).value();
     pass.cached = &targets_.maps.key;
     pass.run = [this, &f, radius](PassInfo& info) { run(f, radius, info); };
@@ -70,8 +64,7 @@ void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
     const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
     for (int layer = 0; layer < f.view_count; ++layer)
         if (!f.drawn_cells_by_layer[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
-    if (std::optional<PartInfo> part = unread_texels_part(f, "blurred depths that no pass reads"))
-        info.parts.push_back(std::move(*part));
+    add_unread_texels_part(f, "blurred depths that no pass reads", info);
     info.reason +=
         fmt::format("; mean of {0} x {0} texels' depths, which gives wrong shadows on purpose", 2 * radius + 1);
 }

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "renderer/optimisations/map_extents.h"
-#include "renderer/passes/caster_content.h"
+#include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/compared_maps.h"
 #include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
@@ -85,40 +84,34 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
 /// Returns the report on a view that this frame does not draw.
 /// @param kept its needed texels are cached
 PartInfo undrawn_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
-    PartInfo part{.name = name_of_view(f.gl.fitted[light], view, light)};
-    part.state = kept ? PassState::Cached : PassState::Skipped;
-    part.reason = kept ? "the needed texels were drawn in an earlier frame"
-                       : "not drawn: no surface that the camera sees looks up this map";
-    if (!kept) part.by = Optimisation::UnreadViews;
-    return part;
+    return {.name = name_of_view(f.gl.fitted[light], view, light),
+            .state = kept ? PassState::Cached : PassState::Skipped,
+            .reason = kept ? "the needed texels were drawn in an earlier frame"
+                           : "not drawn: no surface that the camera sees looks up this map",
+            .by = kept ? std::nullopt : std::optional(Optimisation::UnreadViews)};
 }
 
 /// Returns the report on skipped back faces.
 /// @param closed casters, counted once for each view
 PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t closed) {
-    PartInfo part{.name = fmt::format("back faces in maps of light {}", light)};
     const bool forced = f.request.forced.contains(Optimisation::CasterBackFaces);
-    part.by = Optimisation::CasterBackFaces;
-    part.state = forced ? PassState::Drawn : PassState::Skipped;
-    part.reason = fmt::format("{} closed caster{} drawn with {}", closed, closed == 1 ? " is" : "s are",
-                              forced ? "both faces (forced)" : "front faces alone: front faces hide back faces");
-    return part;
+    return {.name = fmt::format("back faces in maps of light {}", light),
+            .state = forced ? PassState::Drawn : PassState::Skipped,
+            .reason = fmt::format("{} closed caster{} drawn with {}", closed, closed == 1 ? " is" : "s are",
+                                  forced ? "both faces (forced)" : "front faces alone: front faces hide back faces"),
+            .by = Optimisation::CasterBackFaces};
 }
 
 /// Returns the report on skipped fragment shaders.
 /// @param bare casters, counted once for each view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
-    PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
-    part.by = Optimisation::CasterFragments;
-    part.left_out = bare;
-    part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is edge-on to the light", bare,
-                              bare == 1 ? " is" : "s are");
-    return part;
+    return {.name = fmt::format("fragments in maps of light {}", light),
+            .reason = fmt::format("{} caster{} drawn without a fragment shader: no side is edge-on to the light", bare,
+                                  bare == 1 ? " is" : "s are"),
+            .left_out = bare,
+            .unit = "fragment shaders",
+            .by = Optimisation::CasterFragments};
 }
-
-}  // namespace
-
-namespace {
 
 /// Cells that a frame draws of each view of a light, and cells valid afterwards.
 struct MapPlan {
@@ -157,10 +150,6 @@ Key light_views_key(const FrameState& f, std::size_t light) {
             .add(v.curve.convention.reversed);
     if (f.request.emptied && f.request.emptied->light == int(light)) key.add("emptied").add(f.request.emptied->view);
     return key.add(l.map_origin).add(f.first_view[light]).add(f.gl.programs.source().generation());
-}
-
-Key light_maps_key(const FrameState& f, std::size_t light) {
-    return light_views_key(f, light).add(f.geometry_key);
 }
 
 void clear_layers(const FrameState& f, const gl::Target& maps) {
@@ -360,22 +349,20 @@ void LightDepthPasses::declare(FrameState& f) {
     std::vector<ResultRef> writes = {Result::DrawnMaps};
     if (!f.blurs_depths()) {
         writes.push_back(Result::ShadowMaps);
-        place_compared_maps(f, t.maps);
+        f.place_compared_maps(t.maps);
     }
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
-        Pass pass;
-        pass.name = fmt::format("shadow map {} ({})", i, type_name(light.type));
-        pass.category = PassCategory::Maps;
-        pass.light = int(i);
-        pass.writes = writes;
-        pass.idle_reason = "no pass samples a shadow map";
+        Pass pass{.name = fmt::format("shadow map {} ({})", i, type_name(light.type)),
+                  .category = PassCategory::Maps,
+                  .light = int(i),
+                  .writes = writes,
+                  .idle_reason = "no pass samples a shadow map"};
         if (!light.casts) {
-            pass.unneeded = light.reason;
-            f.plan.add_pass(std::move(pass));
+            f.plan.skip_pass(std::move(pass), light.reason);
             continue;
         }
-        pass.key = light_maps_key(f, i).value();
+        pass.key = light_views_key(f, i).add(f.geometry_key).value();
         pass.cached = &t.keys[i];
         const bool kept = !f.request.force && t.keys[i] == pass.key;
         MapPlan work = kept && all_whole(t.drawn_cells[i]) ? MapPlan({t.drawn_cells[i], {}}, t.drawn_cells[i])
@@ -400,12 +387,11 @@ void LightDepthPasses::declare(FrameState& f) {
 
 void UnfilteredMapPass::declare(FrameState& f) {
     DrawnMaps& t = light_depth_.maps();
-    Pass pass;
-    pass.name = "unfiltered map";
-    pass.category = PassCategory::Tool;
-    pass.reads = {Result::DrawnMaps};
-    pass.writes = {Result::UnfilteredMap};
-    pass.idle_reason = "no output shows wrong pixels";
+    Pass pass{.name = "unfiltered map",
+              .category = PassCategory::Tool,
+              .reads = {Result::DrawnMaps},
+              .writes = {Result::UnfilteredMap},
+              .idle_reason = "no output shows wrong pixels"};
     if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
     const bool own = f.view_count > 0 && f.needs_unfiltered_map();
     f.plan.place_result(Result::UnfilteredMap,

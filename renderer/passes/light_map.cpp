@@ -16,22 +16,13 @@ struct ChartRow {
     glm::vec4 u, v, reach;
 };
 
-template <typename T>
-gl::Buffer buffer_of(std::string_view label, const std::vector<T>& data) {
-    gl::Buffer buffer = gl::Buffer::create(label);
-    // OpenGL has no empty buffers.
-    gl::fill_buffer(buffer, label, GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
-                    data.empty() ? nullptr : data.data(), GL_STATIC_DRAW);
-    return buffer;
-}
-
 /// Uploads the charts of the atlas. The first 16 bytes of the object buffer are the offset from the frame's origin,
 /// which LightMapPass::bind_buffers() fills in.
 void upload_layout(LightMapPass::Targets& t, const LightMapLayout& layout) {
     std::vector<glm::uvec2> objects(2);
     for (const auto& part : layout.objects) objects.emplace_back(part.first, part.count);
-    t.objects = buffer_of("objects of the light map", objects);
-    t.triangles = buffer_of("charts of the light map's triangles", layout.chart_of);
+    t.objects = gl::make_buffer("objects of the light map", objects);
+    t.triangles = gl::make_buffer("charts of the light map's triangles", layout.chart_of);
     std::vector<ChartRow> charts;
     charts.reserve(layout.charts.size());
     for (const LightMapChart& c : layout.charts) {
@@ -40,7 +31,7 @@ void upload_layout(LightMapPass::Targets& t, const LightMapLayout& layout) {
         const glm::vec4 reach(c.rect.x + 0.5, c.rect.y + 0.5, c.rect.x + c.rect.z - 0.5, c.rect.y + c.rect.w - 0.5);
         charts.push_back({glm::vec4(glm::vec3(c.u * n), c.at.x), glm::vec4(glm::vec3(c.v * n), c.at.y), reach});
     }
-    t.charts = buffer_of("charts of the light map", charts);
+    t.charts = gl::make_buffer("charts of the light map", charts);
 }
 
 std::string described(const LightMap& map) {
@@ -71,17 +62,15 @@ void LightMapPass::declare(FrameState& f) {
             glSamplerParameteri(t.bilinear.id(), side, GL_CLAMP_TO_EDGE);
     }
     f.plan.place_result(Result::LightMap, {&t.atlas, shared::UNIT_LIGHT_MAP, &t.bilinear});
-    Pass pass;
-    pass.name = "light map";
-    pass.category = PassCategory::Maps;
-    pass.writes = {Result::LightMap};
-    pass.idle_reason = "no pass reads visibility";
     Key key;
     for (const LightMap* map : maps) key.add(map->version);
-    pass.key = key.value();
-    pass.cached = &t.atlas.key;
-    pass.run = [this, maps](PassInfo& info) { run(maps, info); };
-    f.plan.add_pass(std::move(pass));
+    f.plan.add_pass({.name = "light map",
+                     .category = PassCategory::Maps,
+                     .writes = {Result::LightMap},
+                     .key = key.value(),
+                     .cached = &t.atlas.key,
+                     .run = [this, maps](PassInfo& info) { run(maps, info); },
+                     .idle_reason = "no pass reads visibility"});
 }
 
 void LightMapPass::run(const std::vector<const LightMap*>& maps, PassInfo& info) {

@@ -11,17 +11,17 @@ namespace {
 
 void draw_step(const FrameState& f, const gl::Target& into, int into_layer, int step, int layer, int reach,
                PassInfo& info) {
-    const gl::Framebuffer framebuffer = gl::make_framebuffer("bounds of a shadow map", &into, nullptr, into_layer);
-    f.begin_fullscreen_pass(framebuffer.id(), into.width, into.height);
-    const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/map_bounds.frag.glsl",
-                                {{"BOUNDS_STEP", std::to_string(step)}});
-    glUseProgram(id);
+    const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("bounds of a shadow map", into, into_layer);
+    const GLuint id = f.use_fullscreen("passes/map_bounds.frag.glsl", {{"BOUNDS_STEP", std::to_string(step)}});
     glUniform1i(glGetUniformLocation(id, "layer"), layer);
     glUniform1i(glGetUniformLocation(id, "reach"), reach);
     FrameState::draw_fullscreen(info);
 }
 
-void find_bounds(const FrameState& f, MapBoundsPass::Targets& t, PassInfo& info) {
+}  // namespace
+
+void MapBoundsPass::run(const FrameState& f, PassInfo& info) {
+    Targets& t = targets_;
     const int cells = (f.map_resolution + kBoundsCell - 1) / kBoundsCell;
     const int blocks = (cells + kBoundsCell - 1) / kBoundsCell;
     t.bounds.ensure("bounds of shadow maps", GL_RGBA32F, blocks, blocks, f.map_layers());
@@ -37,20 +37,21 @@ void find_bounds(const FrameState& f, MapBoundsPass::Targets& t, PassInfo& info)
             draw_step(f, t.bounds, t.bounds.layers == 0 ? -1 : layer, 1, layer, reach, info);
         }
     }
+    info.reason += fmt::format("; depths within the kernel's reach of blocks of {0} x {0} texels", kBoundsBlock);
 }
 
-}  // namespace
-
 void MapBoundsPass::declare(FrameState& f) {
-    Pass pass;
-    pass.name = "map bounds";
-    pass.category = PassCategory::Maps;
-    pass.reads = {Result::ShadowMaps};
-    pass.writes = {Result::MapBounds};
-    pass.idle_reason = "no pass samples a shadow map";
-    pass.only_saves_work = true;
-    pass.unneeded = map_bounds_skip_reason(f);
+    Pass pass{.name = "map bounds",
+              .category = PassCategory::Maps,
+              .reads = {Result::ShadowMaps},
+              .writes = {Result::MapBounds},
+              .unneeded = map_bounds_skip_reason(f),
+              .only_saves_work = true,
+              .idle_reason = "no pass samples a shadow map"};
     define_kernel_taps(f, pass.unneeded.empty());
+    if (pass.unneeded.empty() || pass.unneeded == kMapBoundsWaitReason ||
+        f.request.forced.contains(Optimisation::EarlyOut))
+        pass.by = Optimisation::EarlyOut;
     if (!pass.unneeded.empty()) {
         f.plan.release_later([this] { targets_ = {}; });
         f.plan.add_pass(std::move(pass));
@@ -64,11 +65,6 @@ void MapBoundsPass::declare(FrameState& f) {
     pass.cached = &targets_.bounds.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add_pass(std::move(pass));
-}
-
-void MapBoundsPass::run(const FrameState& f, PassInfo& info) {
-    find_bounds(f, targets_, info);
-    info.reason += fmt::format("; depths within the kernel's reach of blocks of {0} x {0} texels", kBoundsBlock);
 }
 
 }  // namespace si

@@ -21,8 +21,7 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     const int channel = shown_channel(f.settings);
     if (camera) extra.push_back({"FROM_CAMERA", "1"});
     if (channel > 0) extra.push_back({"FROM_CHANNEL", "1"});
-    const GLuint id = f.program("passes/fullscreen.vert.glsl", fragment, std::move(extra));
-    glUseProgram(id);
+    const GLuint id = f.use_fullscreen(fragment, std::move(extra));
     if (!camera) glUniform1i(glGetUniformLocation(id, "layer"), layer);
     const DepthCurve& curve = *f.shown_curve();
     glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective ? 1.f : 0.f,
@@ -36,14 +35,13 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
 /// Returns the pass that draws the shown moment as one number for each texel.
 Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) {
     f.plan.place_result(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
-    Pass pass;
-    pass.name = "map channel";
-    pass.category = PassCategory::Tool;
-    pass.reads = {Result::Moments};
-    pass.writes = {Result::MapChannel};
-    pass.idle_reason = "the map viewer is closed";
+    Pass pass{.name = "map channel",
+              .category = PassCategory::Tool,
+              .reads = {Result::Moments},
+              .writes = {Result::MapChannel},
+              .idle_reason = "the map viewer is closed"};
     if (shown_channel(f.settings) == 0) {
-        pass.unneeded = "view.map_channel shows depth, no moment";
+        if (f.request.outputs.shadow_map) pass.unneeded = "view.map_channel shows depth, no moment";
         f.plan.release_later([&t] { t.channel = {}; });
     }
     pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
@@ -51,10 +49,8 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
     pass.run = [&f, &t, layer](PassInfo& info) {
         const int mip = f.shown_mip(), n = std::max(f.map_resolution >> mip, 1);
         t.channel.ensure("map channel", GL_R32F, n, n);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("map channel", &t.channel, nullptr);
-        f.begin_fullscreen_pass(framebuffer.id(), n, n);
-        const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/map_channel.frag.glsl");
-        glUseProgram(id);
+        const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("map channel", t.channel);
+        const GLuint id = f.use_fullscreen("passes/map_channel.frag.glsl");
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "mip"), mip);
         glUniform1i(glGetUniformLocation(id, "channel"), shown_channel(f.settings) - 1);
@@ -66,27 +62,19 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
 
 Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int layer) {
     f.plan.place_result(Result::DepthRange, {&t.range});
-    Pass pass;
-    pass.name = "drawn depth range";
-    pass.category = PassCategory::Tool;
-    pass.writes = {Result::DepthRange};
-    if (!f.fits_grey_range()) pass.unneeded = "view.map_fit is off";
+    Pass pass{.name = "drawn depth range", .category = PassCategory::Tool, .writes = {Result::DepthRange}};
+    if (f.request.outputs.shadow_map && !f.fits_grey_range()) pass.unneeded = "view.map_fit is off";
     pass.key = shown.value();
     pass.cached = &t.range.key;
     pass.run = [&f, &t, layer](PassInfo& info) {
         t.range.ensure("drawn depth range", GL_RG32F, kBlocks, kBlocks);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("drawn depth range", &t.range, nullptr);
-        f.begin_fullscreen_pass(framebuffer.id(), kBlocks, kBlocks);
+        const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("drawn depth range", t.range);
         const GLuint id = use_program(f, "passes/depth_range.frag.glsl", layer);
         glUniform2i(glGetUniformLocation(id, "blocks"), kBlocks, kBlocks);
         FrameState::draw_fullscreen(info);
-        std::vector<glm::vec2> blocks(std::size_t(kBlocks) * kBlocks);
-        gl::prepare_read_back();
-        glGetTextureImage(t.range.texture.id(), 0, GL_RG, GL_FLOAT, GLsizei(blocks.size() * sizeof(glm::vec2)),
-                          blocks.data());
-        glm::vec2 range = blocks[0];
-        for (const glm::vec2& b : blocks) range = {std::min(range.x, b.x), std::max(range.y, b.y)};
-        t.drawn = range;
+        const auto blocks = gl::read_texture<glm::vec2>(t.range.texture.id(), kBlocks * kBlocks, GL_RG, GL_FLOAT);
+        t.drawn = blocks[0];
+        for (const glm::vec2& b : blocks) t.drawn = {std::min(t.drawn.x, b.x), std::max(t.drawn.y, b.y)};
     };
     return pass;
 }
@@ -124,18 +112,18 @@ void MapViewPasses::declare(FrameState& f) {
     const bool camera = v.map_source == MapSource::Camera;
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
-    Pass pass;
-    pass.name = "map viewer";
-    pass.category = PassCategory::Tool;
     const bool channel = shown_channel(f.settings) > 0;
-    pass.reads = {camera ? Result::CameraDepth : channel ? Result::MapChannel : Result::ShadowMaps};
-    pass.writes = {Result::MapView};
-    pass.idle_reason = "the map viewer is closed";
+    Pass pass{.name = "map viewer",
+              .category = PassCategory::Tool,
+              .reads = {camera    ? Result::CameraDepth
+                        : channel ? Result::MapChannel
+                                  : Result::ShadowMaps},
+              .writes = {Result::MapView},
+              .idle_reason = "the map viewer is closed"};
     if (!camera && !view) {
         const bool exists = std::size_t(v.light) < f.gl.fitted.size();
-        pass.unneeded = exists ? f.gl.fitted[std::size_t(v.light)].reason : "there is no such light";
-        f.plan.add_pass(std::move(pass));
-        return;
+        return f.plan.skip_pass(std::move(pass),
+                                exists ? f.gl.fitted[std::size_t(v.light)].reason : "there is no such light");
     }
     Key shown;
     shown.add(camera ? -1 : layer).add(f.gl.programs.source().generation());
@@ -156,8 +144,7 @@ void MapViewPasses::run(FrameState& f, bool camera, int layer, PassInfo& info) {
     if (const int most = std::max(size.x, size.y); most > kLargestPicture)
         size = glm::max(size * kLargestPicture / most, glm::ivec2(1));
     targets_.picture.ensure("map viewer", GL_RGBA8, size.x, size.y);
-    const gl::Framebuffer framebuffer = gl::make_framebuffer("map viewer", &targets_.picture, nullptr);
-    f.begin_fullscreen_pass(framebuffer.id(), size.x, size.y);
+    const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("map viewer", targets_.picture);
     const GLuint id = use_program(f, "passes/map_view.frag.glsl", layer);
     const ViewSettings& s = f.settings.view;
     const glm::vec2 greys = grey_range(f);

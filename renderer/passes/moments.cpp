@@ -22,25 +22,17 @@ namespace {
 /// Input of a moment draw, as named in passes/moments.frag.glsl.
 enum class From { Depths, Samples, Moments };
 
-GLenum stored_format(const FrameState& f) {
-    const StoredMoments& m = filter_of(f.settings).moments;
-    if (m.summed) return f.settings.filter.sums == TableSums::Integer ? GL_RG32UI : GL_RG32F;
-    const bool wide = f.settings.filter.moment_format == MomentFormat::Bits32;
-    switch (m.names.size()) {
-        case 1:
-            return wide ? GL_R32F : GL_R16F;
-        case 2:
-            return wide ? GL_RG32F : GL_RG16F;
-        default:
-            return wide ? GL_RGBA32F : m.quantised ? GL_RGBA16 : GL_RGBA16F;
-    }
-}
-
 /// Returns the format of intermediate layers, with at least the bits of the stored moments.
 GLenum step_format(const FrameState& f) {
     const StoredMoments& m = filter_of(f.settings).moments;
-    if (m.summed) return stored_format(f);
+    if (m.summed) return f.settings.filter.sums == TableSums::Integer ? GL_RG32UI : GL_RG32F;
     return m.names.size() == 1 ? GL_R32F : m.names.size() == 2 ? GL_RG32F : GL_RGBA32F;
+}
+
+GLenum stored_format(const FrameState& f) {
+    const StoredMoments& m = filter_of(f.settings).moments;
+    if (m.summed || f.settings.filter.moment_format == MomentFormat::Bits32) return step_format(f);
+    return m.names.size() == 1 ? GL_R16F : m.names.size() == 2 ? GL_RG16F : m.quantised ? GL_RGBA16 : GL_RGBA16F;
 }
 
 /// Computes the moments of one view's layer, step by step.
@@ -122,16 +114,15 @@ private:
             }
         if (rects.empty()) return;
         const bool summed = filter_of(f_.settings).moments.summed;
-        const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl",
-                                     {{"BLUR_COLUMNS", std::to_string(axis)},
-                                      {"MOMENTS_FROM_SAMPLES", std::to_string(index_of(From::Samples))},
-                                      {"MOMENTS_FROM_MOMENTS", std::to_string(index_of(From::Moments))},
-                                      {"MOMENTS_FROM", std::to_string(int(from))},
-                                      {"MOMENTS_AS_SUMS", summed ? "1" : "0"},
-                                      {"BLUR_RADIUS", std::to_string(radius)},
-                                      {"BLUR_WINDOW_IS_WHOLE", whole ? "1" : "0"},
-                                      {"MOMENTS_LAST", last ? "1" : "0"}});
-        glUseProgram(id);
+        const GLuint id = f_.use_fullscreen("passes/moments.frag.glsl",
+                                            {{"BLUR_COLUMNS", std::to_string(axis)},
+                                             {"MOMENTS_FROM_SAMPLES", std::to_string(index_of(From::Samples))},
+                                             {"MOMENTS_FROM_MOMENTS", std::to_string(index_of(From::Moments))},
+                                             {"MOMENTS_FROM", std::to_string(int(from))},
+                                             {"MOMENTS_AS_SUMS", summed ? "1" : "0"},
+                                             {"BLUR_RADIUS", std::to_string(radius)},
+                                             {"BLUR_WINDOW_IS_WHOLE", whole ? "1" : "0"},
+                                             {"MOMENTS_LAST", last ? "1" : "0"}});
         if (from == From::Samples) glBindTextureUnit(shared::UNIT_MAP_SAMPLES, t_.samples.texture.id());
         const DepthCurve& curve = view_->curve;
         glUniform1i(glGetUniformLocation(id, "layer"), layer_);
@@ -142,11 +133,9 @@ private:
 
     /// Sums the last draw's output along an axis; the last axis writes into the layer.
     void sum(int axis) {
-        const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/sums.frag.glsl",
-                                     {{"BLUR_COLUMNS", std::to_string(axis)}});
         for (int run = 1; run == 1 || run < f_.map_resolution; run *= 8) {
             const gl::Framebuffer into = begin(axis == 1 && run * 8 >= f_.map_resolution);
-            glUseProgram(id);
+            const GLuint id = f_.use_fullscreen("passes/sums.frag.glsl", {{"BLUR_COLUMNS", std::to_string(axis)}});
             glUniform1i(glGetUniformLocation(id, "run"), run);
             FrameState::draw_fullscreen(info_);
         }
@@ -187,17 +176,15 @@ std::vector<ResultRef> kernel_inputs(const FrameState& f) {
 }
 
 void MomentsPass::declare(FrameState& f) {
-    Pass pass;
-    pass.name = "moments";
-    pass.reads = {Result::ShadowMaps};
-    pass.writes = {Result::Moments};
-    pass.category = PassCategory::Maps;
-    pass.idle_reason = "no pass samples a shadow map";
+    Pass pass{.name = "moments",
+              .category = PassCategory::Maps,
+              .reads = {Result::ShadowMaps},
+              .writes = {Result::Moments},
+              .idle_reason = "no pass samples a shadow map"};
     if (!samples_moments(f)) {
-        pass.unneeded = f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, no moments";
         f.plan.release_later([this] { targets_ = {}; });
-        f.plan.add_pass(std::move(pass));
-        return;
+        return f.plan.skip_pass(std::move(pass), f.view_count == 0 ? "no light has a shadow map"
+                                                                   : "filter.kernel reads depths, no moments");
     }
     const bool summed = filter_of(f.settings).moments.summed;
     // Summed-area tables are fetched without filtering.
@@ -224,8 +211,7 @@ void MomentsPass::run(FrameState& f, PassInfo& info) {
                 maker.make(light, light.views[v], int(layer), f.drawn_cells_by_layer[layer]);
     }
     if (mips) glGenerateTextureMipmap(t.moments.texture.id());
-    if (std::optional<PartInfo> part = unread_texels_part(f, "moments that no pass reads"))
-        info.parts.push_back(std::move(*part));
+    add_unread_texels_part(f, "moments that no pass reads", info);
     info.reason += description(f);
 }
 

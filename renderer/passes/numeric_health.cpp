@@ -309,8 +309,7 @@ void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPas
         }
     }
     begin_read_back(t.read_back, t.found);
-    if (t.done) glDeleteSync(t.done);
-    t.done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    t.done.reset(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
     glFlush();
     info.reason += fmt::format("; {} images searched", t.so_far.images);
 }
@@ -361,7 +360,7 @@ void add_page_findings(const PoolTiles& pool, const SearchedPages& layer, std::s
 std::shared_ptr<const NumericHealth> NumericHealthPass::read_result(bool wait) {
     Targets& t = targets_;
     if (t.health || !t.done) return t.health;
-    const GLenum state = glClientWaitSync(t.done, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(60e9) : 0);
+    const GLenum state = glClientWaitSync(t.done.get(), GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(60e9) : 0);
     if (state == GL_TIMEOUT_EXPIRED) return nullptr;
     NumericHealth health = std::move(t.so_far);
     const std::size_t columns = std::size_t(t.found.width);
@@ -374,8 +373,7 @@ std::shared_ptr<const NumericHealth> NumericHealthPass::read_result(bool wait) {
         const std::vector<FaultRecord> tiles = records_of(t.pool->read_back, count);
         for (const SearchedPages& layer : t.pool->layers) add_page_findings(*t.pool, layer, tiles, health);
     }
-    glDeleteSync(t.done);
-    t.done = nullptr;
+    t.done.reset();
     t.read_back.reset();
     t.pool.reset();
     t.places.clear();
@@ -384,18 +382,16 @@ std::shared_ptr<const NumericHealth> NumericHealthPass::read_result(bool wait) {
 }
 
 void NumericHealthPass::declare(FrameState& f) {
-    Pass pass;
-    pass.name = "numeric health";
-    pass.category = PassCategory::Tool;
-    pass.reads = {Result::DrawnMaps,  Result::ShadowMaps,  Result::Moments,
-                  Result::Visibility, Result::CameraDepth, Result::Blobs};
-    pass.writes = {Result::Health};
-    pass.idle_reason = "not needed: the numbers are not checked";
+    Pass pass{.name = "numeric health",
+              .category = PassCategory::Tool,
+              .reads = {Result::DrawnMaps, Result::ShadowMaps, Result::Moments, Result::Visibility, Result::CameraDepth,
+                        Result::Blobs},
+              .writes = {Result::Health},
+              .idle_reason = "not needed: the numbers are not checked"};
     if (!f.request.outputs.health) {
         // Frames without a picture keep the findings, as a shown frame may still need them.
-        if (f.request.outputs.colour) f.plan.release_later([this] { targets_ = Targets(); });
-        f.plan.add_pass(std::move(pass));
-        return;
+        if (f.request.outputs.colour) f.plan.release_later([this] { targets_ = {}; });
+        return f.plan.add_pass(std::move(pass));
     }
     Targets& t = targets_;
     f.plan.place_result(Result::Health, {&t.found});

@@ -31,33 +31,20 @@ struct PoolTiles {
 /// Searches the frame's maps and visibility for NaN, infinity and other number faults.
 class NumericHealthPass : public FramePass {
 public:
+    /// Deleter of fences.
+    struct DeleteSync {
+        void operator()(GLsync sync) const { glDeleteSync(sync); }
+    };
     /// Targets of NumericHealthPass, kept between frames: GPU images and buffers of the search, and its findings so
     /// far.
     struct Targets {
         gl::Target tiles, found;  ///< RGBA32UI, a layer for each kind of fault
         gl::Buffer read_back;     ///< copy of `found` for the CPU
-        GLsync done = nullptr;
+        std::unique_ptr<__GLsync, DeleteSync> done;
         std::vector<NumberFinding> places;  ///< one for each column of `found`
         std::optional<PoolTiles> pool;
         NumericHealth so_far;  ///< findings of the CPU
         std::shared_ptr<const NumericHealth> health;
-
-        Targets() = default;
-        Targets(Targets&&) = delete;
-        Targets& operator=(Targets&& other) noexcept {
-            tiles = std::move(other.tiles);
-            found = std::move(other.found);
-            read_back = std::move(other.read_back);
-            std::swap(done, other.done);
-            places = std::move(other.places);
-            pool = std::move(other.pool);
-            so_far = std::move(other.so_far);
-            health = std::move(other.health);
-            return *this;
-        }
-        ~Targets() {
-            if (done) glDeleteSync(done);
-        }
     };
 
     explicit NumericHealthPass(const PagePasses& pages) : pages_(pages) {}

@@ -9,9 +9,8 @@
 
 #include "renderer/frame/driver.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/caster_content.h"
+#include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/compared_maps.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
@@ -256,32 +255,28 @@ void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
         glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/pages_wanted.frag.glsl",
                                      {{"MARK_PAGES", "1"}, {"FROM_SCENE", "1"}}, b, false));
         f.bind_textures(b);
-        f.gl.scene->draw_batch(b);
-        ++info.draws;
-        info.triangles += b.triangles();
+        f.draw_batch(b, info);
     }
     glDepthMask(GL_TRUE);
 }
 
 Pass wanted_pass(FrameState& f, PagePasses::Targets& t) {
-    Pass pass;
-    pass.name = "pages requested";
-    pass.category = PassCategory::Maps;
-    pass.reads = {Result::VisibleSurfaces};
-    pass.writes = {Result::PagesWanted};
-    pass.idle_reason = "no pass samples a shadow map";
-    pass.key = f.lighting_key().value();
-    pass.cached = &t.wanted.key;
+    Pass pass{.name = "pages requested",
+              .category = PassCategory::Maps,
+              .reads = {Result::VisibleSurfaces},
+              .writes = {Result::PagesWanted},
+              .key = f.lighting_key().value(),
+              .cached = &t.wanted.key,
+              .idle_reason = "no pass samples a shadow map"};
     pass.run = [&f, &t](PassInfo& info) {
         const int side = pages_per_side(f);
         t.wanted.ensure("pages wanted", GL_R8UI, side, side, f.view_count);
         t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
         const std::uint8_t none = 0;
         glClearTexImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &none);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("pages wanted", &t.nothing, nullptr);
-        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+        const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("pages wanted", t.nothing);
         glBindImageTexture(shared::IMAGE_PAGES_WANTED, t.wanted.texture.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_R8UI);
-        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/pages_wanted.frag.glsl", {{"MARK_PAGES", "1"}}));
+        f.use_fullscreen("passes/pages_wanted.frag.glsl", {{"MARK_PAGES", "1"}});
         FrameState::draw_fullscreen(info);
         mark_blended(f, t, info);
         glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -392,10 +387,8 @@ void choose_and_draw(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     const int side = pages_per_side(f), page = page_texels(f.settings);
     if (f.request.force || t.page != page || t.pool.format != f.map_format()) t.cache.clear();
     t.page = page;
-    std::vector<std::uint8_t> wanted(std::size_t(side) * std::size_t(side) * std::size_t(f.view_count));
-    gl::prepare_read_back();
-    glGetTextureImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, GLsizei(wanted.size()),
-                      wanted.data());
+    const std::size_t count = std::size_t(side) * std::size_t(side) * std::size_t(f.view_count);
+    const auto wanted = gl::read_texture<std::uint8_t>(t.wanted.texture.id(), count, GL_RED_INTEGER, GL_UNSIGNED_BYTE);
     update_paged_casters(f, t.casters);
     const std::vector<PagedLayer> layers = paged_layers(f, t.casters);
     std::vector<PageGrid> grids;
@@ -411,16 +404,15 @@ void choose_and_draw(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
 }
 
 Pass pages_pass(FrameState& f, PagePasses::Targets& t) {
-    Pass pass;
-    pass.name = "pages of shadow maps";
-    pass.category = PassCategory::Maps;
-    pass.reads = {Result::PagesWanted};
-    pass.writes = {Result::DrawnMaps, Result::ShadowMaps};
-    pass.idle_reason = "no pass samples a shadow map";
+    Pass pass{.name = "pages of shadow maps",
+              .category = PassCategory::Maps,
+              .reads = {Result::PagesWanted},
+              .writes = {Result::Pages, Result::DrawnMaps, Result::ShadowMaps},
+              .cached = &t.pool.key,
+              .idle_reason = "no pass samples a shadow map"};
     Key key = f.with_settings(f.with_settings(f.geometry_key, ReadBy::Maps), ReadBy::Pages);
     key.add(f.gl.fit_key).add(f.view_count).add(f.gl.programs.source().generation());
     pass.key = key.add(f.settings.caster.blend).add(f.request.forced.value()).value();
-    pass.cached = &t.pool.key;
     pass.run = [&f, &t](PassInfo& info) {
         try {
             choose_and_draw(f, t, info);
@@ -443,7 +435,7 @@ void PagePasses::declare(FrameState& f) {
     f.plan.place_result(Result::PagesWanted, {&t.wanted});
     f.plan.place_result(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     f.plan.place_result(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
-    place_compared_maps(f, t.pool);
+    f.place_compared_maps(t.pool);
     f.plan.place_result(Result::ShadowMaps, {&t.table, shared::UNIT_PAGE_TABLE});
     f.plan.add_pass(wanted_pass(f, t));
     f.plan.add_pass(pages_pass(f, t));
@@ -455,10 +447,9 @@ void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
     f.plan.place_result(Result::UnfilteredMap,
                         {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
-        pass.unneeded = "equal to the pages as drawn: no polygon offset, no mask with mip levels";
         f.plan.release_later([&t] { t.unfiltered = {}; });
-        f.plan.add_pass(std::move(pass));
-        return;
+        return f.plan.skip_pass(std::move(pass),
+                                "equal to the pages as drawn: no polygon offset, no mask with mip levels");
     }
     pass.key = Key().add("unfiltered").value();
     pass.cached = &t.unfiltered.key;
@@ -490,6 +481,22 @@ PageFacts PagePasses::page_facts(bool drawn) const {
         facts.drawn = facts.evicted = 0;
     }
     return facts;
+}
+
+std::vector<float> PagePasses::read_map_depths(const gl::Target& maps, const MapLayer& of, glm::ivec2 first,
+                                               glm::ivec2 size) const {
+    std::vector<float> out;
+    if (of.paged) {
+        out = read_depths(of.layer, first, size, float(of.curve.convention.far_depth()));
+    } else if (out.resize(std::size_t(size.x) * std::size_t(size.y)); !out.empty()) {
+        gl::prepare_read_back();
+        glGetTextureSubImage(maps.texture.id(), 0, first.x, first.y, of.layer, size.x, size.y, 1,
+                             gl::single_channel_format(maps.format), GL_FLOAT, GLsizei(out.size() * sizeof(float)),
+                             out.data());
+    }
+    if (of.holds_distances)
+        for (float& d : out) d = float(of.curve.depth_at_fraction(double(d)));
+    return out;
 }
 
 std::vector<float> PagePasses::read_depths(int layer, glm::ivec2 first, glm::ivec2 size, float empty_depth) const {

@@ -24,6 +24,13 @@ struct ReadPages {
     int texels = 0;
 };
 
+/// Layer of the shadow map textures for read-back, with its storage and depth curve.
+struct MapLayer {
+    DepthCurve curve;
+    int layer = 0;
+    bool paged = false, holds_distances = false;
+};
+
 /// Finds the pages of virtual maps that look-ups may read, and draws those that are not cached. Replaces the passes
 /// that draw whole maps.
 class PagePasses : public FramePass {
@@ -41,7 +48,6 @@ public:
         int page = 0;                                 ///< texels along a page's side
         std::vector<std::uint64_t> unfiltered_pages;  ///< by slot: key of the page in `unfiltered`
         PagedCasters casters;
-        int draw_calls = 0;
     };
 
     void declare(FrameState& f) override;
@@ -49,11 +55,13 @@ public:
     /// @param pass pass with its name and reasons filled in
     void declare_unfiltered(FrameState& f, Pass pass);
 
-    /// Reads back stored depths of a rectangle of one virtual map layer, bottom row first.
+    /// Reads back stored depths of a rectangle of one shadow map layer, bottom row first. Works for depth formats,
+    /// colour formats and virtual maps.
+    /// @param maps textures of maps that are not virtual
     /// @param first lower left texel
     /// @param size width and height in texels
-    /// @param empty_depth value for texels without a page
-    std::vector<float> read_depths(int layer, glm::ivec2 first, glm::ivec2 size, float empty_depth) const;
+    std::vector<float> read_map_depths(const gl::Target& maps, const MapLayer& of, glm::ivec2 first,
+                                       glm::ivec2 size) const;
     /// Returns the pages that the last frame read, for the search for number faults.
     ReadPages read_pages() const;
     /// Returns statistics of the frame's pages.
@@ -61,6 +69,10 @@ public:
     PageFacts page_facts(bool drawn) const;
 
 private:
+    /// Reads back stored depths of a rectangle of one virtual map layer, bottom row first.
+    /// @param empty_depth value for texels without a page
+    std::vector<float> read_depths(int layer, glm::ivec2 first, glm::ivec2 size, float empty_depth) const;
+
     Targets targets_;
 };
 

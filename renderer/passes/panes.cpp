@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "renderer/frame/read_images.h"
 #include "renderer/frame/value_range.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/moments.h"
@@ -67,15 +68,14 @@ private:
 }  // namespace
 
 Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
-    Pass pass;
-    pass.name = slot_name("overlay values", pane);
-    pass.reads = kernel_inputs(f);
+    Pass pass{.name = slot_name("overlay values", pane),
+              .reads = kernel_inputs(f),
+              .writes = {{Result::Overlay, pane.slot}},
+              .idle_reason = "the overlay is not requested"};
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     if (pane.row() && pane.row()->reads_reference)
         pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Classified});
     if (pane.row() && pane.row()->reads_precision) pass.reads.push_back(Result::Precision);
-    pass.writes = {{Result::Overlay, pane.slot}};
-    pass.idle_reason = "the overlay is not requested";
     if (!pane.row()) {
         pass.unneeded = pane.lacks_reference ? "the reference of this frame is not traced" : "no overlay is chosen";
         return pass;
@@ -96,11 +96,10 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
 }
 
 Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
-    Pass pass;
-    pass.name = slot_name("overlay over picture", pane);
-    pass.reads = {Result::Shaded, {Result::Overlay, pane.slot}};
-    pass.writes = {{Result::Composed, pane.slot}};
-    pass.idle_reason = "the picture is not requested";
+    Pass pass{.name = slot_name("overlay over picture", pane),
+              .reads = {Result::Shaded, {Result::Overlay, pane.slot}},
+              .writes = {{Result::Composed, pane.slot}},
+              .idle_reason = "the picture is not requested"};
     if (!pane.row()) {
         pass.unneeded = "no overlay is chosen";
         return pass;
@@ -111,11 +110,9 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
     pass.cached = &t.composed.key;
     pass.run = [this, &f, &t, pane](PassInfo& info) {
         t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("picture with overlay", &t.composed, nullptr);
         const ValueRange range = range_of(f, pane);
-        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
-        const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/compose.frag.glsl");
-        glUseProgram(id);
+        const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("picture with overlay", t.composed);
+        const GLuint id = f.use_fullscreen("passes/compose.frag.glsl");
         glUniform4f(glGetUniformLocation(id, "scale"), range.min, range.max, float(f.settings.view.overlay_opacity),
                     pane.row()->diverging ? 1.f : 0.f);
         glUniform1i(glGetUniformLocation(id, "scalar"), pane.row()->scalar);
@@ -145,11 +142,7 @@ ValueRange PanePasses::range_of(const FrameState& f, const ShownPane& pane) {
     const ValueRange declared{float(row.min), float(row.max)};
     if (v.overlay_range != OverlayRange::Fitted || !row.scalar || t.values.key == 0) return declared;
     if (t.fitted_key != t.values.key) {
-        FloatImage values{t.values.width, t.values.height, 4, {}};
-        values.data.resize(std::size_t(values.width) * std::size_t(values.height) * 4);
-        gl::prepare_read_back();
-        glGetTextureImage(t.values.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.data.size() * sizeof(float)),
-                          values.data.data());
+        const FloatImage values = read_floats({t.values.texture.id(), t.values.width, t.values.height}, 4);
         t.fitted = fitted_range(values, row.diverging).value_or(declared);
         t.fitted_key = t.values.key;
     }

@@ -34,17 +34,12 @@ void upload(const Precision& found, gl::Target& to) {
 
 void PrecisionPass::declare(FrameState& f) {
     f.plan.place_result(Result::Precision, {&error_, shared::UNIT_PRECISION});
-    Pass pass;
-    pass.name = "single-precision errors";
-    pass.category = PassCategory::Tool;
-    pass.reads = {Result::SurfaceIds};
-    pass.writes = {Result::Precision};
-    pass.idle_reason = "not needed: no output shows precision errors";
-    if (!f.shown_view()) {
-        pass.unneeded = "view.light has no shadow map";
-        f.plan.add_pass(std::move(pass));
-        return;
-    }
+    Pass pass{.name = "single-precision errors",
+              .category = PassCategory::Tool,
+              .reads = {Result::SurfaceIds},
+              .writes = {Result::Precision},
+              .idle_reason = "not needed: no output shows precision errors"};
+    if (!f.shown_view()) return f.plan.skip_pass(std::move(pass), "view.light has no shadow map");
     pass.key = f.shown_light_key().value();
     pass.cached = &error_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };

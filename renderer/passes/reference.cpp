@@ -25,8 +25,6 @@ constexpr int kTile = 32;  ///< pixels along a tile's side, summed by one invoca
 static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 3,
               "the sums of tiles have a number for each artefact");
 
-constexpr const char* kUntraced = "the reference of this frame is not traced";
-
 using ReferenceTargets = ReferencePasses::Targets;
 
 /// Uploads the reference's values; rows stay from the top.
@@ -56,15 +54,13 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
 }
 
 Pass upload_pass(FrameState& f, ReferenceTargets& t) {
-    Pass pass;
-    pass.name = "reference uploaded";
-    pass.category = PassCategory::Tool;
-    pass.writes = {Result::Reference};
-    pass.idle_reason = "no output needs the reference";
-    pass.key = f.reference_content;
-    pass.cached = &t.reference.key;
-    pass.run = [&f, &t](PassInfo&) { upload(f.request.reference->traced, t); };
-    return pass;
+    return {.name = "reference uploaded",
+            .category = PassCategory::Tool,
+            .writes = {Result::Reference},
+            .key = f.reference_content,
+            .cached = &t.reference.key,
+            .run = [&f, &t](PassInfo&) { upload(f.request.reference->traced, t); },
+            .idle_reason = "no output needs the reference"};
 }
 
 /// Returns true when the light's map contains the whole scene or all possible receivers, or the light has no map.
@@ -106,14 +102,13 @@ std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
 }
 
 Pass compare_pass(FrameState& f, ReferenceTargets& t) {
-    Pass pass;
-    pass.name = "pixels compared";
-    pass.category = PassCategory::Tool;
-    pass.reads = {Result::Visibility, Result::VisibleSurfaces, Result::Reference};
-    pass.writes = {Result::Compared};
-    pass.idle_reason = "no output shows wrong pixels";
-    pass.key = f.shown_light_key().value();
-    pass.cached = &t.classified.key;
+    Pass pass{.name = "pixels compared",
+              .category = PassCategory::Tool,
+              .reads = {Result::Visibility, Result::VisibleSurfaces, Result::Reference},
+              .writes = {Result::Compared},
+              .key = f.shown_light_key().value(),
+              .cached = &t.classified.key,
+              .idle_reason = "no output shows wrong pixels"};
     pass.run = [&f, &t](PassInfo& info) {
         t.causes_key = 0;
         t.classified.ensure("classified pixels", GL_RG32F, f.request.width, f.request.height);
@@ -126,7 +121,7 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
         std::vector<gl::Define> extra = reference_defines(f);
         extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
         extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f, f.settings.view.light) ? "1" : "0"});
-        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl", std::move(extra)));
+        f.use_fullscreen("passes/compare.frag.glsl", std::move(extra));
         FrameState::draw_fullscreen(info);
     };
     return pass;
@@ -135,16 +130,15 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
 /// Returns the pass that runs trials of the marked pixels. Each kind of error has a draw of its own, as a CPU
 /// rasteriser executes both sides of a branch.
 Pass causes_pass(FrameState& f, ReferenceTargets& t) {
-    Pass pass;
-    pass.name = "causes found";
-    pass.category = PassCategory::Tool;
-    pass.reads = kernel_inputs(f);
+    Pass pass{.name = "causes found",
+              .category = PassCategory::Tool,
+              .reads = kernel_inputs(f),
+              .writes = {Result::Classified},
+              .key = f.shown_light_key().value(),
+              .cached = &t.causes_key,
+              .idle_reason = "no output shows causes"};
     pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::VisibleSurfaces,
                                          Result::UnfilteredMap, Result::Reference});
-    pass.writes = {Result::Classified};
-    pass.idle_reason = "no output shows causes";
-    pass.key = f.shown_light_key().value();
-    pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
         const gl::Framebuffer framebuffer = gl::make_framebuffer("classified pixels", &t.classified, &t.marks);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
@@ -155,15 +149,14 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
             glDepthRangef(mark, mark);
             const std::vector<gl::Define> trials = trial_defines(f, f.settings.view.light);
             kind.insert(kind.end(), trials.begin(), trials.end());
-            glUseProgram(f.program("passes/fullscreen.vert.glsl", fragment, std::move(kind)));
+            f.use_fullscreen(fragment, std::move(kind));
             FrameState::draw_fullscreen(info);
         };
         draw(shared::MARK_FALSE_LIGHT, "passes/causes.frag.glsl",
              {{"FOR_FALSE_LIGHT", "1"}, {"FOR_FALSE_SHADOW", "0"}});
         draw(shared::MARK_FALSE_SHADOW, "passes/causes.frag.glsl",
              {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
-        const bool has_map = source_of(f.settings, f.settings.view.light).needs.map;
-        if (has_map)
+        if (source_of(f.settings, f.settings.view.light).needs.map)
             draw(shared::MARK_FAINT, "passes/faint_acne.frag.glsl",
                  {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
         glDepthRangef(0, 1);
@@ -173,16 +166,15 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
 }
 
 Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
-    Pass pass;
-    pass.name = "trials of all pixels";
-    pass.category = PassCategory::Tool;
-    pass.reads = kernel_inputs(f);
+    Pass pass{.name = "trials of all pixels",
+              .category = PassCategory::Tool,
+              .reads = kernel_inputs(f),
+              .writes = {Result::Evidence},
+              .key = f.shown_light_key().add(f.reference.met).value(),
+              .cached = &t.evidence[0].key,
+              .idle_reason = "no output needs the trials"};
     pass.reads.push_back(Result::UnfilteredMap);
     if (f.reference.met) pass.reads.push_back(Result::Reference);
-    pass.writes = {Result::Evidence};
-    pass.idle_reason = "no output needs the trials";
-    pass.key = f.shown_light_key().add(f.reference.met).value();
-    pass.cached = &t.evidence[0].key;
     pass.run = [&f, &t](PassInfo& info) {
         CameraPass pass_into(f, "evidence", GL_RGBA32F, t.evidence);
         pass_into.clear(glm::vec4(0));
@@ -195,10 +187,8 @@ Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
 /// @param has_map the classified light has a shadow map
 PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     const std::size_t per_layer = std::size_t(tiles.width) * std::size_t(tiles.height);
-    std::vector<glm::vec4> values(per_layer * std::size_t(shared::TILE_LAYERS));
-    gl::prepare_read_back();
-    glGetTextureImage(tiles.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
-                      values.data());
+    const auto values = gl::read_texture<glm::vec4>(tiles.texture.id(), per_layer * std::size_t(shared::TILE_LAYERS),
+                                                    GL_RGBA, GL_FLOAT);
     glm::dvec4 layers[shared::TILE_LAYERS] = {};
     for (std::size_t i = 0; i < values.size(); ++i) layers[i / per_layer] += glm::dvec4(values[i]);
     PixelSums sums;
@@ -228,15 +218,15 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
 }
 
 Pass sums_pass(FrameState& f, ReferenceTargets& t) {
-    Pass pass;
-    pass.name = "error metrics";
-    pass.category = PassCategory::Tool;
-    pass.reads = {Result::Classified, Result::Reference};
-    pass.writes = {Result::Error};
-    pass.idle_reason = "not needed: no output shows error metrics";
-    pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
-    pass.cached = &t.error_tiles.key;
-    pass.run = [&f, &t](PassInfo& info) {
+    const bool has_map = source_of(f.settings, f.settings.view.light).needs.map;
+    Pass pass{.name = "error metrics",
+              .category = PassCategory::Tool,
+              .reads = {Result::Classified, Result::Reference},
+              .writes = {Result::Error},
+              .key = Key().add(has_map).value(),
+              .cached = &t.error_tiles.key,
+              .idle_reason = "not needed: no output shows error metrics"};
+    pass.run = [&f, &t, has_map](PassInfo& info) {
         const Reference& reference = *f.request.reference->traced.reference;
         const int across = (reference.width + kTile - 1) / kTile, down = (reference.height + kTile - 1) / kTile;
         gl::Target& tiles = t.error_tiles;
@@ -245,10 +235,9 @@ Pass sums_pass(FrameState& f, ReferenceTargets& t) {
         f.begin_fullscreen_pass(framebuffer.id(), across, down);
         std::vector<gl::Define> extra = reference_defines(f);
         extra.push_back({"TILE", std::to_string(kTile)});
-        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
+        f.use_fullscreen("passes/error_tiles.frag.glsl", std::move(extra));
         FrameState::draw_fullscreen(info);
-        t.error = std::make_shared<const LiveError>(
-            metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), reference));
+        t.error = std::make_shared<const LiveError>(metrics_of(read_tiles(tiles, has_map), reference));
     };
     return pass;
 }
@@ -276,6 +265,11 @@ std::vector<gl::Define> reference_defines(const FrameState& f) {
     return out;
 }
 
+std::string missing_reference_reason(const FrameState& f) {
+    return f.reference.key == 0 && !f.gl.fitted.empty() ? "nothing in the frame needs the reference"
+                                                        : "the reference of this frame is not traced";
+}
+
 void ReferencePasses::declare(FrameState& f) {
     Targets& t = targets_;
     f.plan.place_result(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
@@ -287,7 +281,7 @@ void ReferencePasses::declare(FrameState& f) {
     std::array<Pass, 4> passes{upload_pass(f, t), compare_pass(f, t), causes_pass(f, t), sums_pass(f, t)};
     for (Pass& pass : passes) {
         if (!f.reference.met) {
-            pass.unneeded = kUntraced;
+            pass.unneeded = missing_reference_reason(f);
             pass.run = nullptr;
             pass.cached = nullptr;
         }

@@ -12,6 +12,8 @@ namespace si {
 
 /// Returns the defines for shaders that read the ray-traced reference (lib/truth.glsl).
 std::vector<gl::Define> reference_defines(const FrameState& f);
+/// Returns the reason why a frame without FrameState::reference lacks it: not needed, or not traced.
+std::string missing_reference_reason(const FrameState& f);
 /// Draws the results of all shadow-test trials of every pixel into eight colour attachments, see CauseEvidence.
 /// @param light light index
 /// @param reference_known a reference of this light is uploaded

@@ -9,6 +9,7 @@
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/moments.h"
+#include "renderer/passes/reference.h"
 #include "renderer/passes/visibility.h"
 #include "renderer/settings/sources.h"
 
@@ -37,9 +38,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
         glFrontFace(b->mirrored ? GL_CW : GL_CCW);
-        f.gl.scene->draw_batch(*b);
-        ++info.draws;
-        info.triangles += b->triangles();
+        f.draw_batch(*b, info);
     }
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
@@ -94,18 +93,15 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 /// Returns the report on objects culled by the view frustum.
 PartInfo culled_objects_part(const FrameState& f) {
     const std::size_t count = f.gl.found->seen_objects.skipped_count();
-    PartInfo part{.name = "objects outside the picture",
-                  .left_out = count,
-                  .unit = "objects",
-                  .by = Optimisation::FrustumCulling};
-    if (f.request.forced.contains(Optimisation::FrustumCulling)) {
-        part.state = PassState::Drawn;
-        part.reason = "all objects are drawn (forced)";
-    } else if (count == 0)
-        part.reason = "none skipped: every object's box meets the view frustum";
-    else
-        part.reason = "objects outside the view frustum cover no pixel";
-    return part;
+    const bool forced = f.request.forced.contains(Optimisation::FrustumCulling);
+    return {.name = "objects outside the picture",
+            .state = forced ? PassState::Drawn : PassState::Skipped,
+            .reason = forced       ? "all objects are drawn (forced)"
+                      : count == 0 ? "none skipped: every object's box meets the view frustum"
+                                   : "objects outside the view frustum cover no pixel",
+            .left_out = count,
+            .unit = "objects",
+            .by = Optimisation::FrustumCulling};
 }
 
 using SmoothTargets = ShadePasses::SmoothTargets;
@@ -136,14 +132,12 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
 /// Multiplies a picture by `scale` and writes it to another, or adds it there.
 void blend_into(const FrameState& f, const gl::Target& from, const gl::Target& to, float scale, bool add,
                 PassInfo& info) {
-    const gl::Framebuffer into = gl::make_framebuffer("smooth picture", &to, nullptr);
-    f.begin_fullscreen_pass(into.id(), to.width, to.height);
+    const gl::Framebuffer into = f.begin_fullscreen_pass("smooth picture", to);
     if (add) {
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
     }
-    const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/smooth.frag.glsl");
-    glUseProgram(id);
+    const GLuint id = f.use_fullscreen("passes/smooth.frag.glsl");
     glUniform1f(glGetUniformLocation(id, "scale"), scale);
     glBindTextureUnit(shared::UNIT_SHADED, from.texture.id());
     FrameState::draw_fullscreen(info);
@@ -171,18 +165,13 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
 
 void ReferenceShadePass::declare(FrameState& f) {
     f.plan.place_result(Result::ReferenceLitPicture, {&picture_});
-    Pass pass;
-    pass.name = "shading by the reference";
-    pass.reads = kernel_inputs(f);
+    Pass pass{.name = "shading by the reference",
+              .category = PassCategory::Tool,
+              .reads = kernel_inputs(f),
+              .writes = {Result::ReferenceLitPicture},
+              .idle_reason = "not needed: the picture by the reference is not shown"};
     pass.reads.push_back(Result::Visibility);
-    pass.category = PassCategory::Tool;
-    pass.writes = {Result::ReferenceLitPicture};
-    pass.idle_reason = "not needed: the picture by the reference is not shown";
-    if (!f.reference.met) {
-        pass.unneeded = "the reference of this frame is not traced";
-        f.plan.add_pass(std::move(pass));
-        return;
-    }
+    if (!f.reference.met) return f.plan.skip_pass(std::move(pass), missing_reference_reason(f));
     pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.reference.key).value();
     pass.cached = &picture_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
@@ -202,15 +191,14 @@ void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
 
 void ShadePasses::declare(FrameState& f) {
     f.plan.place_result(Result::Shaded, {&picture_, shared::UNIT_SHADED});
-    Pass pass;
-    pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
-    pass.reads = kernel_inputs(f);
+    const std::uint64_t key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
+    Pass pass{.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)",
+              .reads = kernel_inputs(f),
+              .writes = {Result::Shaded},
+              .key = key,
+              .cached = &picture_.key,
+              .idle_reason = "the picture is not requested"};
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
-    pass.writes = {Result::Shaded};
-    pass.idle_reason = "the picture is not requested";
-    pass.key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
-    pass.cached = &picture_.key;
-    const std::uint64_t key = pass.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add_pass(std::move(pass));
     declare_smooth(f, key);
@@ -225,19 +213,18 @@ void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
     SmoothTargets& t = smooth_;
     f.plan.place_result(Result::Smooth, {&t.mean});
     if (!f.settings.view.smooth) f.plan.release_later([&t] { t = {}; });
-    Pass pass;
-    pass.name = kSmoothingPass;
-    pass.category = PassCategory::Tool;
-    pass.reads = kernel_inputs(f);
-    pass.writes = {Result::Smooth};
-    pass.idle_reason = "not needed: the view moves, or no smooth picture is requested";
+    Pass pass{.name = std::string(kSmoothingPass),
+              .category = PassCategory::Tool,
+              .reads = kernel_inputs(f),
+              .writes = {Result::Smooth},
+              .cached = &t.mean.key,
+              .idle_reason = "not needed: the view moves, or no smooth picture is requested"};
     const int count = std::min(f.request.smoothed, kMaxSmoothedShadings);
     bool fused = true;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         fused &= !f.has_contact_shadows(i) && (!f.gl.fitted[i].shadowed || source_of(f.settings, int(i)).fused);
     if (!fused) pass.unneeded = "visibility is a separate pass, at the picture's own pixels";
     pass.key = Key().add(of).add(count).value();
-    pass.cached = &t.mean.key;
     pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };
     f.plan.add_pass(std::move(pass));
 }

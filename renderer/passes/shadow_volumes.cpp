@@ -146,14 +146,9 @@ void ShadowVolumes::upload_corners() {
         for (const glm::vec3& p : meshes_[m]->positions)
             for (const float far : {0.f, 1.f}) corners.emplace_back(p, far);
     }
-    auto stored = gl::Buffer::create("corners of shadow volumes");
-    gl::fill_buffer(stored, "corners of shadow volumes", GLsizeiptr(corners.size() * sizeof(glm::vec4)), corners.data(),
-                    GL_STATIC_DRAW);
-    corners_ = std::move(stored);
+    corners_ = gl::make_buffer("corners of shadow volumes", corners);
     vao_ = gl::VertexArray::create("shadow volumes");
-    glEnableVertexArrayAttrib(vao_.id(), 0);
-    glVertexArrayAttribFormat(vao_.id(), 0, 4, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(vao_.id(), 0, kCornerBinding);
+    gl::enable_attribute(vao_, 0, kCornerBinding, 4);
     glVertexArrayVertexBuffer(vao_.id(), kCornerBinding, corners_.id(), 0, sizeof(glm::vec4));
     corners_uploaded_ = true;
 }
@@ -171,7 +166,7 @@ void ShadowVolumes::copy_depth(const FrameState& f, PassInfo& info) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_TRUE);
-    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/volume_depth.frag.glsl"));
+    f.use_fullscreen("passes/volume_depth.frag.glsl");
     FrameState::draw_fullscreen(info);
     depth_copied_ = f.surfaces_key().value();
 }
@@ -192,13 +187,11 @@ void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassI
     Light& light = lights_[number];
     upload_corners();
     if (light.uploaded != light.shape) {
-        light.buffer = gl::Buffer::create("triangles of shadow volumes");
-        gl::fill_buffer(light.buffer, "triangles of shadow volumes",
-                        GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)), light.indices.data(), GL_STATIC_DRAW);
+        light.buffer = gl::make_buffer("triangles of shadow volumes", light.indices);
         light.uploaded = light.shape;
     }
     f.gl.scene->bind_vertices(f.scene, f.settings, f.origin, SceneGpu::Drawn::Volumes);
-    f.gl.scene->bind_transforms(vao_.id(), kTransformBinding, SceneGpu::Drawn::Volumes);
+    f.gl.scene->bind_transforms(vao_, kTransformBinding, SceneGpu::Drawn::Volumes);
     glVertexArrayElementBuffer(vao_.id(), light.buffer.id());
     glBindVertexArray(vao_.id());
 
@@ -260,7 +253,7 @@ void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassI
     f.begin_fullscreen_pass(marking_.id(), f.request.width, f.request.height);
     glStencilFunc(GL_EQUAL, 0, ~0u);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/volume_lit.frag.glsl"));
+    f.use_fullscreen("passes/volume_lit.frag.glsl");
     FrameState::draw_fullscreen(info);
     glDisable(GL_STENCIL_TEST);
     glDepthMask(GL_TRUE);
@@ -268,14 +261,13 @@ void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassI
 
 Pass ShadowVolumes::make_pass(FrameState& f, std::size_t number) {
     Light& light = lights_[number];
-    Pass pass;
-    pass.name = fmt::format("shadow volumes {}", number);
-    pass.light = int(number);
-    pass.reads = {Result::CameraDepth};
-    pass.writes = {Result::ShadowVolumes};
-    pass.category = PassCategory::Maps;
-    pass.idle_reason = "no pass reads visibility";
-    pass.unneeded = light.refusal;
+    Pass pass{.name = fmt::format("shadow volumes {}", number),
+              .category = PassCategory::Maps,
+              .light = int(number),
+              .reads = {Result::CameraDepth},
+              .writes = {Result::ShadowVolumes},
+              .unneeded = light.refusal,
+              .idle_reason = "no pass reads visibility"};
     if (!light.refusal.empty()) return pass;
     const int layers = int(f.gl.fitted.size());
     pass.key = f.surfaces_key().add(layers).add(light.shape).add(light.before).value();

@@ -5,7 +5,7 @@
 
 #include "renderer/gl/driver_failure.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/map_depths.h"
+#include "renderer/passes/pages.h"
 #include "renderer/passes/texel_slabs.h"
 #include "renderer/settings/map_storage.h"
 
@@ -28,7 +28,7 @@ void read_depths(const FrameState& f, const PagePasses& pages, SlabTargets& s, i
     if (s.depths_key == key.value()) return;
     s.depths_key = key.value();
     const MapLayer of{f.shown_view()->curve, layer, f.paged, holds_distances(f.settings.map.format)};
-    s.depths = read_map_depths(pages, f.result(Result::ShadowMaps), of, region.first, region.size);
+    s.depths = pages.read_map_depths(f.result(Result::ShadowMaps), of, region.first, region.size);
 }
 
 /// Uploads the quads' corners, farthest from the camera first for blending.
@@ -51,16 +51,10 @@ void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view
     if (!s.vao) {
         s.vao = gl::VertexArray::create("texel slabs");
         s.instances = gl::Buffer::create("texel slabs");
-        for (GLuint i = 0; i < 5; ++i) {
-            glEnableVertexArrayAttrib(s.vao.id(), i);
-            glVertexArrayAttribFormat(s.vao.id(), i, i < 4 ? 3 : 1, GL_FLOAT, GL_FALSE, i * 12);
-            glVertexArrayAttribBinding(s.vao.id(), i, 0);
-        }
+        for (GLuint i = 0; i < 5; ++i) gl::enable_attribute(s.vao, i, 0, i < 4 ? 3 : 1, i * 12);
         glVertexArrayBindingDivisor(s.vao.id(), 0, 1);
     }
-    gl::fill_buffer(s.instances, "texel slabs",
-                    GLsizeiptr(std::max<std::size_t>(instances.size(), 1) * sizeof(Instance)),
-                    instances.empty() ? nullptr : instances.data(), GL_STREAM_DRAW);
+    gl::fill_buffer(s.instances, "texel slabs", instances, GL_STREAM_DRAW);
     glVertexArrayVertexBuffer(s.vao.id(), 0, s.instances.id(), 0, sizeof(Instance));
 }
 

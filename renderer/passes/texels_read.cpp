@@ -6,19 +6,16 @@
 namespace si {
 
 void TexelsReadPass::declare(FrameState& f) {
-    Pass pass;
-    pass.name = "texels read";
-    pass.category = PassCategory::Tool;
-    pass.reads = kernel_inputs(f);
+    Pass pass{.name = "texels read",
+              .category = PassCategory::Tool,
+              .reads = kernel_inputs(f),
+              .writes = {Result::TexelsRead},
+              .idle_reason = "not needed: no output shows which texels are read"};
     pass.reads.push_back(Result::VisibleSurfaces);
-    pass.writes = {Result::TexelsRead};
-    pass.idle_reason = "not needed: no output shows which texels are read";
     int layer = 0;
     if (!f.shown_view(&layer)) {
-        pass.unneeded = "view.light has no shadow map";
         f.plan.release_later([this] { targets_ = {}; });
-        f.plan.add_pass(std::move(pass));
-        return;
+        return f.plan.skip_pass(std::move(pass), "view.light has no shadow map");
     }
     f.plan.place_result(Result::TexelsRead, {&targets_.marks});
     pass.key = f.shown_light_key().add(layer).value();
@@ -33,14 +30,12 @@ void TexelsReadPass::run(const FrameState& f, int layer, PassInfo& info) {
     t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
     const float none = 0;
     glClearTexImage(t.marks.texture.id(), 0, GL_RED, GL_FLOAT, &none);
-    const gl::Framebuffer framebuffer = gl::make_framebuffer("texels read", &t.nothing, nullptr);
-    f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+    const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("texels read", t.nothing);
     glBindImageTexture(shared::IMAGE_TEXELS_READ, t.marks.texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/texels_read.frag.glsl",
-                           {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
-                            {"MARK_TEXELS", std::to_string(layer)},
-                            {"FILTER_SAMPLER", "0"},
-                            {"COMPARE_BY_HAND", "1"}}));
+    f.use_fullscreen("passes/texels_read.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
+                                                      {"MARK_TEXELS", std::to_string(layer)},
+                                                      {"FILTER_SAMPLER", "0"},
+                                                      {"COMPARE_BY_HAND", "1"}});
     FrameState::draw_fullscreen(info);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }

@@ -34,13 +34,10 @@ std::vector<gl::Define> source_defines(const FrameState& f, std::size_t light) {
 
 /// Draws contact shadows: marches rays through the camera depth and darkens occluded pixels.
 void draw_contacts(const FrameState& f, const gl::Target& visibility, int light, PassInfo& info) {
-    const auto framebuffer = gl::make_framebuffer("contact shadows", &visibility, nullptr, light);
-    f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+    const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("contact shadows", visibility, light);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-    const GLuint id =
-        f.program("passes/fullscreen.vert.glsl", "passes/contact.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}});
-    glUseProgram(id);
+    const GLuint id = f.use_fullscreen("passes/contact.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}});
     glUniform1f(glGetUniformLocation(id, "length_m"), float(f.settings.lights[std::size_t(light)].contact));
     glUniform1f(glGetUniformLocation(id, "thickness_m"), float(f.settings.contact.thickness));
     glUniform1i(glGetUniformLocation(id, "steps"), f.settings.contact.steps);
@@ -86,12 +83,15 @@ std::string_view VisibilityPass::source_file(const FrameState& f, std::size_t li
 
 void VisibilityPass::declare(FrameState& f) {
     f.plan.place_result(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
-    Pass pass;
-    pass.name = "visibility";
-    pass.reads = kernel_inputs(f);
+    Pass pass{.name = "visibility",
+              .reads = kernel_inputs(f),
+              .writes = {Result::Visibility},
+              .needs = f.separate_visibility_reason,
+              .cached = &targets_.visibility.key,
+              .idle_reason = "no pass reads it: the shading pass evaluates visibility itself"};
     pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs, Result::LightMap});
-    pass.writes = {Result::Visibility};
-    pass.idle_reason = "no pass reads it: the shading pass evaluates visibility itself";
+    const bool fusible = !f.separate_visibility || f.request.forced.contains(Optimisation::FusedVisibility);
+    if (fusible && std::ranges::any_of(f.gl.fitted, &FittedLight::shadowed)) pass.by = Optimisation::FusedVisibility;
     Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         if (f.has_contact_shadows(i)) {
@@ -99,7 +99,6 @@ void VisibilityPass::declare(FrameState& f) {
             key.add(i).add(f.settings.lights[i].contact);
         }
     pass.key = key.value();
-    pass.cached = &targets_.visibility.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add_pass(std::move(pass));
 }

@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "renderer/passes/blobs.h"
-#include "renderer/passes/camera_depth.h"
+#include "renderer/passes/camera_images.h"
 #include "renderer/passes/depth_blur.h"
 #include "renderer/passes/light_depth.h"
 #include "renderer/passes/light_map.h"
 #include "renderer/passes/map_bounds.h"
-#include "renderer/passes/map_coordinates.h"
 #include "renderer/passes/map_view.h"
 #include "renderer/passes/moments.h"
 #include "renderer/passes/numeric_health.h"
@@ -17,10 +16,8 @@
 #include "renderer/passes/panes.h"
 #include "renderer/passes/precision.h"
 #include "renderer/passes/reference.h"
-#include "renderer/passes/seen_surfaces.h"
 #include "renderer/passes/shade.h"
 #include "renderer/passes/shadow_volumes.h"
-#include "renderer/passes/surface_ids.h"
 #include "renderer/passes/texels_read.h"
 #include "renderer/passes/visibility.h"
 

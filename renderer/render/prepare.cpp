@@ -12,8 +12,8 @@
 #include "renderer/frame/settings_block.h"
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/scene_findings.h"
+#include "renderer/passes/camera_images.h"
 #include "renderer/passes/caster_findings.h"
-#include "renderer/passes/seen_depths.h"
 #include "renderer/projection/projection.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
@@ -45,7 +45,7 @@ Key lights_as_placed_key(const FrameState& f) {
     for (const Param& p : params())
         if (p.scope == Scope::Light && !is_text(p))
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
-                std::visit([&](const auto& v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
+                add_value(key, f.settings, {&p, i, {}});
     const BiasSettings& b = f.settings.bias;
     for (int i = 0; i < f.settings.light_count; ++i)
         if (f.settings.lights[std::size_t(i)].near_far == NearFar::Pancaking)
@@ -59,15 +59,10 @@ Key lights_as_placed_key(const FrameState& f) {
     return key;
 }
 
-bool any_fit_reads_camera(const Settings& settings) {
+/// Returns true when `reads` is true for some light.
+bool any_fit(const Settings& settings, bool (*reads)(const Settings&, int)) {
     for (int i = 0; i < settings.light_count; ++i)
-        if (fit_reads_camera(settings, i)) return true;
-    return false;
-}
-
-bool any_fit_reads_depths(const Settings& settings) {
-    for (int i = 0; i < settings.light_count; ++i)
-        if (fit_reads_measured_depths(settings, i)) return true;
+        if (reads(settings, i)) return true;
     return false;
 }
 
@@ -88,8 +83,8 @@ void fit(FrameState& f) {
         r.as_placed_key = key.value();
     }
     f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.fitted_without_camera);
-    const bool camera = any_fit_reads_camera(f.settings);
-    const MapCamera own{f.camera, any_fit_reads_depths(f.settings) ? r.seen.span : std::nullopt};
+    const bool camera = any_fit(f.settings, fit_reads_camera);
+    const MapCamera own{f.camera, any_fit(f.settings, fit_reads_measured_depths) ? r.seen.span : std::nullopt};
     const MapCamera& maps = f.request.map_camera ? *f.request.map_camera : own;
     if (camera) {
         add_camera(key, maps.camera);
@@ -308,8 +303,7 @@ void find_reference(FrameState& f) {
     }
     const ReferencePicture* reference = f.request.reference.get();
     f.reference.met = reference && reference->key == f.reference.key;
-    if (!f.reference.met) return;
-    f.reference_content = reference->version;
+    if (f.reference.met) f.reference_content = reference->version;
 }
 
 /// Finds the ray-traced visibility that lights need, and what of it the request has.
@@ -377,25 +371,35 @@ void find_light_maps(FrameState& f) {
 
 /// Lists the panes and the inputs of their overlays.
 void arrange_panes(FrameState& f) {
-    const std::vector<int> chosen = pane_overlays(f.settings.view);
-    const Outputs& o = f.request.outputs;
-    find_reference(f);
-    f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
-                            f.request.forced.contains(Optimisation::FusedVisibility) ||
-                            (f.reference.met && (o.error || o.classified || o.true_colour));
-    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        f.separate_visibility |=
-            f.has_contact_shadows(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
     std::vector<int> shown;
-    for (const int overlay : chosen) {
+    for (const int overlay : pane_overlays(f.settings.view)) {
         const bool lacks = overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_reference && !f.reference.met;
         shown.push_back(lacks ? 0 : overlay);
         const int slot = int(std::ranges::find(shown, shown.back()) - shown.begin());
         f.panes.push_back({shown.back(), slot, lacks});
-        const Overlay* row = f.panes.back().row();
-        f.separate_visibility |= row && (row->reads_visibility || row->reads_reference) && (o.overlay || o.colour);
     }
     f.slabs_shown = f.settings.view.slabs != Slabs::None && f.shown_view();
+}
+
+/// Returns the reason why visibility is drawn into a texture of its own; empty: shading evaluates it.
+std::string why_separate_visibility(const FrameState& f) {
+    const Outputs& o = f.request.outputs;
+    if (f.settings.shading.separate_visibility) return "shading.separate_visibility is on";
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        const Source& source = source_of(f.settings, int(i));
+        if (f.has_contact_shadows(i))
+            return fmt::format("contact shadows darken it ({})", light_setting_key(i, "contact"));
+        if (f.gl.fitted[i].shadowed && !source.fused)
+            return fmt::format("{} is {}, which shading cannot evaluate itself", light_setting_key(i, "source"),
+                               source.key);
+    }
+    for (const FrameState::ShownPane& pane : f.panes)
+        if (const Overlay* row = pane.row();
+            row && (row->reads_visibility || row->reads_reference) && (o.overlay || o.colour))
+            return fmt::format("overlay {} reads it", row->key);
+    if (f.reference.met && (o.error || o.classified || o.true_colour)) return "it is compared with the reference";
+    const bool requested = o.visibility || o.health || f.request.forced.contains(Optimisation::FusedVisibility);
+    return requested ? "it is requested" : "";
 }
 
 std::uint64_t next_number() {
@@ -430,7 +434,7 @@ void RendererImpl::calibrate_offset(MapFormat map_format) {
 
 FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     FrameState f = derive_frame_state(scene, settings, request);
-    if (!any_fit_reads_depths(f.settings)) return f;
+    if (!any_fit(f.settings, fit_reads_measured_depths)) return f;
     if (request.map_camera) {
         if (!request.map_camera->seen_m)
             f.notes.push_back(
@@ -486,7 +490,10 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     add_shader_settings(f.lights_key, f.settings);
     find_traced(f);
     find_light_maps(f);
+    find_reference(f);
     arrange_panes(f);
+    f.separate_visibility_reason = why_separate_visibility(f);
+    f.separate_visibility = !f.separate_visibility_reason.empty();
     choose_kernel(f);
     return f;
 }

@@ -5,7 +5,6 @@
 
 #include "renderer/base/error.h"
 #include "renderer/frame/read_images.h"
-#include "renderer/passes/map_depths.h"
 #include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
 
@@ -37,36 +36,28 @@ const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, cons
     return *image;
 }
 
+/// Reads back a texture, top row first. @param numbers count of type T in each pixel
+template <typename T>
+std::vector<T> read_image(const Image& image, int numbers, GLenum format, GLenum type) {
+    const std::size_t count = std::size_t(image.width) * std::size_t(image.height) * std::size_t(numbers);
+    std::vector<T> data = gl::read_texture<T>(image.texture, count, format, type);
+    flip_rows(data, image.width, image.height, numbers);
+    return data;
+}
+
 }  // namespace
 
 ByteImage Renderer::read_colour(const Image& image) {
-    ByteImage out{image.width, image.height, {}};
-    out.data.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
-    gl::prepare_read_back();
-    glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.data.size()), out.data.data());
-    flip_rows(out.data, out.width, out.height, 4);
-    return out;
+    return {image.width, image.height, read_image<std::uint8_t>(image, 4, GL_RGBA, GL_UNSIGNED_BYTE)};
 }
 
 FloatImage read_floats(const Image& image, int channels) {
-    FloatImage out{image.width, image.height, channels, {}};
-    out.data.resize(std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels));
     constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
-    const GLenum format = kFormats[channels - 1];
-    gl::prepare_read_back();
-    glGetTextureImage(image.texture, 0, format, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)), out.data.data());
-    flip_rows(out.data, out.width, out.height, channels);
-    return out;
+    return {image.width, image.height, channels, read_image<float>(image, channels, kFormats[channels - 1], GL_FLOAT)};
 }
 
 SurfaceIds read_ids(const Image& image) {
-    SurfaceIds out{image.width, image.height, {}};
-    out.data.resize(std::size_t(image.width) * std::size_t(image.height));
-    gl::prepare_read_back();
-    glGetTextureImage(image.texture, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, GLsizei(out.data.size() * sizeof(glm::uvec2)),
-                      out.data.data());
-    flip_rows(out.data, out.width, out.height, 1);
-    return out;
+    return {image.width, image.height, read_image<glm::uvec2>(image, 1, GL_RG_INTEGER, GL_UNSIGNED_INT)};
 }
 
 FloatImage Renderer::read_float(const Image& image, int channels) {
@@ -95,8 +86,8 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
     const int n = frame.map_resolution;
     const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
     FloatImage out{n, n, 1,
-                   read_map_depths(impl_->passes.pages, map,
-                                   {curve, layer, frame.pages.has_value(), frame.map_holds_distances}, {0, 0}, {n, n})};
+                   impl_->passes.pages.read_map_depths(
+                       map, {curve, layer, frame.pages.has_value(), frame.map_holds_distances}, {0, 0}, {n, n})};
     flip_rows(out.data, n, n, 1);
     return out;
 }
@@ -110,12 +101,8 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
     }
     if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
     const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::CameraDepth);
-    FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
-    gl::prepare_read_back();
-    glGetTextureImage(t.texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)),
-                      out.data.data());
-    flip_rows(out.data, t.width, t.height, 1);
-    return out;
+    const Image image{t.texture.id(), t.width, t.height};
+    return {t.width, t.height, 1, read_image<float>(image, 1, GL_DEPTH_COMPONENT, GL_FLOAT)};
 }
 
 std::shared_ptr<const NumericHealth> Renderer::numeric_health(const FrameResult& frame, bool wait) {

@@ -81,7 +81,7 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     put(Result::TexelsRead, result.texels_read);
     put(Result::MapCoordinates, result.map_coordinates);
     if (f.paged && made.contains(Result::ShadowMaps)) {
-        const PassInfo* pages = result.pass("pages of shadow maps");
+        const PassInfo* pages = result.pass(Result::Pages);
         result.pages = passes.pages.page_facts(pages && pages->state == PassState::Drawn);
         if (result.pages->coarser > 0)
             f.notes.push_back(

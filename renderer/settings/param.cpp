@@ -122,6 +122,12 @@ std::optional<SettingRef> find_setting(std::string_view key) {
     return std::nullopt;
 }
 
+std::string light_setting_key(std::size_t light, std::string_view setting) {
+    SettingRef ref = *find_setting("light." + std::string(setting));
+    ref.light = int(light);
+    return setting_key(ref);
+}
+
 std::string setting_key(const SettingRef& ref) {
     const std::string key(ref.param->key);
     if (ref.param->scope == Scope::Light && ref.light > 0) {

@@ -10,7 +10,7 @@ namespace si {
 namespace {
 
 /// Largest numbers of box tests and of pairs found: some milliseconds of work.
-constexpr std::size_t kMaxTests = 1'000'000, kMaxPairs = 200'000;
+constexpr std::size_t kMaxBoxTests = 1'000'000, kMaxPairs = 200'000;
 
 /// Up to kMaxUnsteppedBoxes each box has a rank of its own; above, distances are quantised to kSteps.
 constexpr std::size_t kMaxUnsteppedBoxes = 512, kSteps = 32;
@@ -50,7 +50,7 @@ std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxe
     for (const std::uint32_t i : by_start) {
         const Bounds& b = bounds[i];
         tests += open.size() + 1;
-        if (tests > kMaxTests) return std::nullopt;
+        if (tests > kMaxBoxTests) return std::nullopt;
         std::erase_if(open, [&](std::uint32_t other) { return bounds[other].hi.x < b.lo.x; });
         for (const std::uint32_t other : open) {
             const Bounds& o = bounds[other];

@@ -1,6 +1,5 @@
-#include "renderer/passes/caster_content.h"
-
 #include "renderer/passes/caster_findings.h"
+
 #include "renderer/passes/casters.h"
 
 namespace si {

@@ -1,6 +1,6 @@
-#include "renderer/optimisations/mesh_boxes.h"
-
 #include "renderer/optimisations/scene_findings.h"
+
+#include "renderer/frame/state.h"
 
 namespace si {
 namespace {
