@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-double quantile_of(std::vector<double> values, double share) {
-    if (values.empty()) return kUnknown;
-    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 /// Returns the width of a pixel at a depth along the camera's axis, metres.
 double pixel_m(const Camera& camera, double depth_m, int lines) {
     return (camera.orthographic ? camera.height : 2 * depth_m * std::tan(0.5 * camera.fov_y_rad)) / lines;
@@ -61,8 +54,8 @@ void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& set
         const double gap_m = reference.blocker_m.data.empty() ? kUnknown : double(reference.blocker_m.data[i]);
         if (std::isfinite(gap_m)) penumbrae.push_back(penumbra_m(light, r.position_ws, gap_m) / texel_m);
     }
-    f.texel_px = quantile_of(std::move(texels), 0.5);
-    f.penumbra_texels = penumbrae.empty() ? 0 : quantile_of(std::move(penumbrae), 0.99);
+    f.texel_px = lower_quantile(std::move(texels), 0.5, kUnknown);
+    f.penumbra_texels = lower_quantile(std::move(penumbrae), 0.99, 0);
 }
 
 }  // namespace

@@ -163,16 +163,14 @@ BiasFamily family_in_use(const BiasSettings& b) {
     return b.normal > 0 ? BiasFamily::Normal : b.slope > 0 ? BiasFamily::Slope : BiasFamily::Constant;
 }
 
-double amount_of(const BiasSettings& b, BiasFamily family) {
-    return family == BiasFamily::Normal ? b.normal : family == BiasFamily::Slope ? b.slope : b.constant;
-}
-
-double most_of(BiasFamily family) {
-    return find_setting(family == BiasFamily::Normal  ? "bias.normal"
-                        : family == BiasFamily::Slope ? "bias.slope"
-                                                      : "bias.constant")
-        ->param->max;
-}
+/// Setting that a bias family raises, by BiasFamily: its member and its key.
+struct FamilyAmount {
+    double BiasSettings::*amount;
+    const char* key;
+};
+constexpr FamilyAmount kAmounts[kBiasFamilies] = {{&BiasSettings::constant, "bias.constant"},
+                                                  {&BiasSettings::slope, "bias.slope"},
+                                                  {&BiasSettings::normal, "bias.normal"}};
 
 void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || f.needs.pixels == 0) return;
@@ -180,9 +178,10 @@ void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     for (const BiasFamily family : {BiasFamily::Normal, BiasFamily::Slope, BiasFamily::Constant}) {
         Settings least = s;
         least.bias = least_bias_of(f.needs, family);
-        const double now = amount_of(s.bias, family), need = amount_of(least.bias, family);
+        const auto [amount, key] = kAmounts[std::size_t(family)];
+        const double now = s.bias.*amount, need = least.bias.*amount;
         const bool in_use = family == family_in_use(s.bias) && s.bias.unit == BiasUnit::Texels;
-        if (!(need < most_of(family))) continue;  // above the limit of the setting
+        if (!(need < find_setting(key)->param->max)) continue;  // above the limit of the setting
         if (acne > 0)
             offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_label(family),
                               texels_text(need)),

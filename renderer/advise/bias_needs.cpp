@@ -28,13 +28,6 @@ double worst(const std::vector<Need>& needs, auto&& amount) {
     return most;
 }
 
-double share_of(std::vector<double> values, double share) {
-    if (values.empty()) return 0;
-    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 BiasSettings in_texels(double constant, double slope, double normal) {
     BiasSettings b;
     b.unit = BiasUnit::Texels;
@@ -100,27 +93,14 @@ BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Setti
 }
 
 const Bias& family_row(BiasFamily family) {
-    switch (family) {
-        case BiasFamily::Constant:
-            return *std::ranges::find(biases(), "constant", &Bias::key);
-        case BiasFamily::Slope:
-            break;
-        case BiasFamily::Normal:
-            return bias_of_stage(BiasStage::LookUp);
-    }
-    return biases()[std::size_t(default_bias())];
+    if (family == BiasFamily::Normal) return bias_of_stage(BiasStage::LookUp);
+    if (family == BiasFamily::Slope) return biases()[std::size_t(default_bias())];
+    return *std::ranges::find(biases(), "constant", &Bias::key);
 }
 
 std::string_view family_label(BiasFamily family) {
-    switch (family) {
-        case BiasFamily::Constant:
-            return "constant bias";
-        case BiasFamily::Slope:
-            return "slope bias";
-        case BiasFamily::Normal:
-            return "normal offset";
-    }
-    return "";
+    static constexpr std::string_view kLabels[kBiasFamilies] = {"constant bias", "slope bias", "normal offset"};
+    return kLabels[std::size_t(family)];
 }
 
 BiasSettings scale_bias(const BiasSettings& bias, double factor) {
@@ -162,9 +142,9 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     });
     out.pixels = needs.size();
     if (needs.empty()) return out;
-    out.gap_median_m = share_of(gaps, 0.5);
-    out.gap_p95_m = share_of(std::move(gaps), 0.95);
-    out.shift_p95_m = share_of(std::move(shifts), 0.95);
+    out.gap_median_m = lower_quantile(gaps, 0.5, 0);
+    out.gap_p95_m = lower_quantile(std::move(gaps), 0.95, 0);
+    out.shift_p95_m = lower_quantile(std::move(shifts), 0.95, 0);
     const double largest = worst(needs, [](const Need& n) { return n.total; });
     const double step = worst(needs, [](const Need& n) { return n.step; });
     out.least[std::size_t(BiasFamily::Constant)] = in_texels(largest, 0, 0);
@@ -214,8 +194,7 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
             const double share = is_last ? at.need : std::min(at.kernel, at.need);
             values.push_back(!(share > 0) ? 0 : at.effect[k] > 0 ? share / at.effect[k] : kNever);
         }
-        double value = share_of(std::move(values), kCleared);
-        value = round_up_3_digits(value * 1.001);
+        const double value = round_up_3_digits(lower_quantile(std::move(values), kCleared, 0) * 1.001);
         if (value > amounts[k].param->max) return std::nullopt;
         set_value(least, amounts[k], value);
         for (At& at : pixels) at.need -= value * at.effect[k];

@@ -22,10 +22,6 @@
 namespace si {
 namespace {
 
-double power_of_two_above(double v) {
-    return std::exp2(std::ceil(std::log2(std::max(v, 1.0)) - 1e-9));
-}
-
 /// Returns the map resolution at which 95 % of the undersampled pixels have narrow enough texels.
 double sampling_resolution(const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
     const FittedLight& light = m.lights[std::size_t(m.light)];
@@ -51,7 +47,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
     if (wanted.empty()) return 0;
     const auto at = wanted.begin() + std::ptrdiff_t(0.95 * double(wanted.size() - 1) + 0.5);
     std::nth_element(wanted.begin(), at, wanted.end());
-    return power_of_two_above(*at);
+    return std::exp2(std::ceil(std::log2(std::max(*at, 1.0)) - 1e-9));  // a power of two
 }
 
 constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},
@@ -120,8 +116,7 @@ public:
             a.push_back(first), b.push_back(second);
         }
         const Spread x = spread_of(std::move(a)), y = spread_of(std::move(b));
-        const auto noise = [](const Spread& s) { return 0.5 * (s.median_high - s.median_low); };
-        return {y.median - x.median, noise(x) + noise(y)};
+        return {y.median - x.median, x.noise() + y.noise()};
     }
 
 private:
@@ -364,27 +359,21 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
             if (after.camera.eye != before.camera.eye || after.camera.clip_from_relative(after.camera.eye) !=
                                                              before.camera.clip_from_relative(before.camera.eye)) {
                 row.untried = "the camera looks through this light and would move with it";
-                table.rows.push_back(std::move(row));
-                continue;
-            }
-            if (after.map_resolution != idea.settings.map.resolution &&
-                idea.settings.map.resolution != base.map.resolution) {
+            } else if (after.map_resolution != idea.settings.map.resolution &&
+                       idea.settings.map.resolution != base.map.resolution) {
                 row.untried =
                     fmt::format("maps of that size need too much memory; {}² would be drawn", after.map_resolution);
-                table.rows.push_back(std::move(row));
-                continue;
-            }
-            for (std::size_t i = 0; i < before.classified.size(); ++i) {
-                const bool was = wrong(before, i), is = wrong(after, i);
-                if (was && !is) {
-                    ++row.cured;
-                    ++row.cured_of[std::size_t(before.classified[i].artefact)];
+            } else {
+                for (std::size_t i = 0; i < before.classified.size(); ++i) {
+                    const bool was = wrong(before, i), is = wrong(after, i);
+                    row.cured += was && !is;
+                    row.cured_of[std::size_t(before.classified[i].artefact)] += was && !is;
+                    row.broken += !was && is;
                 }
-                if (!was && is) ++row.broken;
+                if (pixel) row.pixel_right = !wrong(after, *pixel);
+                row.map_bytes = bytes(idea.settings, after) - bytes_before;
+                if (options.time) row.ms = stopwatch.difference(base, idea.settings, workers);
             }
-            if (pixel) row.pixel_right = !wrong(after, *pixel);
-            row.map_bytes = bytes(idea.settings, after) - bytes_before;
-            if (options.time) row.ms = stopwatch.difference(base, idea.settings, workers);
         }
         table.rows.push_back(std::move(row));
     }

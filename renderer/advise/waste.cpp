@@ -43,8 +43,7 @@ struct Trial {
 std::uint64_t map_triangles(const FrameResult& frame) {
     std::uint64_t n = 0;
     for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Drawn &&
-            (pass.name.starts_with("shadow map ") || pass.name == "pages of shadow maps"))
+        if (pass.state == PassState::Drawn && (pass.makes == Result::DrawnMaps || pass.makes == Result::Pages))
             n += pass.triangles;
     return n;
 }
@@ -163,9 +162,7 @@ std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& sho
         overlay_of_pane(trial.settings.view, pane) = 0;
         trial.by = ComparedBy::Shown;
     }
-    const auto has_slabs = [](const PassInfo& p) {
-        return p.state == PassState::Drawn && p.name.starts_with("texel slabs");
-    };
+    const auto has_slabs = [](const PassInfo& p) { return p.state == PassState::Drawn && p.makes == Result::Slabs; };
     if (std::ranges::any_of(shown.passes, has_slabs)) {
         Trial& trial = out.emplace_back("stored-depth quads", settings);
         trial.settings.view.slabs = Slabs::None;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <ranges>
 #include <set>
 
 #include "renderer/base/did_you_mean.h"
@@ -19,12 +20,8 @@ constexpr std::size_t kMaxValues = 1000;
 
 std::vector<std::string> split(std::string_view text, char at) {
     std::vector<std::string> parts;
-    for (std::size_t begin = 0;;) {
-        const std::size_t end = text.find(at, begin);
-        parts.emplace_back(text.substr(begin, end - begin));
-        if (end == std::string_view::npos) return parts;
-        begin = end + 1;
-    }
+    for (const auto part : text | std::views::split(at)) parts.emplace_back(part.begin(), part.end());
+    return parts;
 }
 
 double number(std::string_view text, std::string_view whole) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 
 #include "renderer/base/error.h"
 #include "renderer/view/cameras/make_camera.h"
@@ -38,13 +39,11 @@ const CostRow& cost_row(CostCase cost) {
 }
 
 std::string cost_keys() {
-    std::string keys;
-    for (const CostRow& row : kCosts) keys += fmt::format("{}{}", keys.empty() ? "" : ", ", row.key);
-    return keys;
+    return fmt::format("{}", fmt::join(kCosts | std::views::transform(&CostRow::key), ", "));
 }
 
 CostCase parse_cost(std::string_view key) {
-    const auto row = std::find_if(std::begin(kCosts), std::end(kCosts), [&](const CostRow& r) { return r.key == key; });
+    const auto row = std::ranges::find(kCosts, key, &CostRow::key);
     if (row == std::end(kCosts)) throw Error(fmt::format("cost {}: it is one of {}", key, cost_keys()));
     return CostCase(row - std::begin(kCosts));
 }

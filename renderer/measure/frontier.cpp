@@ -26,6 +26,13 @@ bool finite(const Dot& d) {
 
 }  // namespace
 
+double lower_quantile(std::vector<double> values, double share, double none) {
+    if (values.empty()) return none;
+    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::ranges::nth_element(values, at);
+    return *at;
+}
+
 double half_interval(const std::vector<double>& values) {
     static constexpr double kT[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
     const std::size_t n = values.size();

@@ -21,6 +21,8 @@ struct Spread {
     double noise() const { return 0.5 * (median_high - median_low); }
 };
 
+/// Returns the value at a share of the sorted values, at the rank below; `none` without values.
+double lower_quantile(std::vector<double> values, double share, double none);
 /// Returns half the 95 % confidence interval of the mean of normally distributed values, by Student's t; 0 for fewer
 /// than two values.
 double half_interval(const std::vector<double>& values);
