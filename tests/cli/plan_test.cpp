@@ -73,7 +73,7 @@ TEST(PlanCommand, PrintsTheNumberOfEffectsThatShareATime) {
         }
         EXPECT_EQ(e["saved_together"].is_null(), e["saved_ms"].is_null()) << e["name"];
     }
-    EXPECT_EQ(effect_of(plan, "visibility texture")["saved_together"], 1);
+    EXPECT_EQ(effect_of(plan, "visibility")["saved_together"], 1);
     const ProcessResult text = run_program("plan boxes --size 160x90" + measured);
     EXPECT_EQ(text.code, 0) << text.err;
     EXPECT_NE(text.out.find("), of " + std::to_string(faces) + " together"), std::string::npos) << text.out;
@@ -82,7 +82,7 @@ TEST(PlanCommand, PrintsTheNumberOfEffectsThatShareATime) {
 TEST(PlanCommand, ListsTheSearchThatItRequests) {
     const Json plan = plan_of("--check-numeric");
     EXPECT_EQ(effect_of(plan, "numeric health")["state"], "simulated");
-    EXPECT_EQ(effect_of(plan, "visibility texture")["state"], "simulated") << "which is searched, too";
+    EXPECT_EQ(effect_of(plan, "visibility")["state"], "simulated") << "which is searched, too";
 }
 
 TEST(PlanCommand, ListsWaste) {

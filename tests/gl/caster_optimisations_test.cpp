@@ -1,5 +1,4 @@
 // Tests skipped casters of maps: the texels stay equal, and counts show the skipped work.
-#include <bit>
 #include <cmath>
 
 #include "renderer/optimisations/optimisations.h"
@@ -19,22 +18,7 @@ protected:
         request.outputs = {.colour = false, .shadow_map = true};
         return renderer.render(scene, s, request);
     }
-    std::vector<float> texels(const FrameResult& drawn) {
-        std::vector<float> out;
-        for (std::size_t i = 0; i < drawn.lights.size(); ++i)
-            for (std::size_t v = 0; drawn.lights[i].casts && v < drawn.lights[i].views.size(); ++v) {
-                const FloatImage map = renderer.read_shadow_map(drawn, int(i), int(v));
-                out.insert(out.end(), map.data.begin(), map.data.end());
-            }
-        return out;
-    }
-    static std::size_t differing(const std::vector<float>& a, const std::vector<float>& b) {
-        EXPECT_EQ(a.size(), b.size());
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-            count += std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i]);
-        return count;
-    }
+    std::vector<float> texels(const FrameResult& drawn) { return map_texels(renderer, drawn); }
     /// Compares every texel of every map with each optimisation forced.
     void expect_one_map(const Scene& scene, const Sets& sets, const std::string& what) {
         Settings s = settings_for(scene, sets);
@@ -42,7 +26,7 @@ protected:
         const std::vector<float> saved = texels(frame(scene, s));
         for (const Optimisation by :
              {Optimisation::CasterBackFaces, Optimisation::CasterCulling, Optimisation::CasterFragments})
-            EXPECT_EQ(differing(saved, texels(frame(scene, s, {by}))), 0u)
+            EXPECT_EQ(differing_floats(saved, texels(frame(scene, s, {by}))), 0u)
                 << what << (sets.empty() ? "" : ", " + sets[0].second) << ", " << row_of(by).key << " forced";
     }
 };
@@ -114,13 +98,6 @@ Scene two_balls() {
     add_object(scene, "Far", -1, ball, moved(-9, 1, 0));
     finalise(scene);
     return scene;
-}
-
-const PassInfo& map_pass(const FrameResult& f) {
-    for (const PassInfo& p : f.passes)
-        if (!p.parts.empty()) return p;
-    ADD_FAILURE() << "no pass has parts";
-    return f.passes.front();
 }
 
 TEST_F(CasterOptimisationsTest, CastersOutsideAFaceAreNotDrawn) {

@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
+#include <iterator>
+
 #include "app/context/headless_context.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
@@ -87,6 +92,46 @@ inline std::size_t differing_values(const FloatImage& a, const FloatImage& b, fl
 /// Counts the values of an image between the two bounds.
 inline std::size_t values_between(const FloatImage& image, float low, float high) {
     return std::size_t(std::ranges::count_if(image.data, [&](float v) { return v > low && v < high; }));
+}
+
+/// Returns two lists of setting changes as one. Where both change a setting, `more` counts.
+inline Sets joined(Sets sets, const Sets& more) {
+    sets.insert(sets.end(), more.begin(), more.end());
+    return sets;
+}
+
+/// Returns the report on the pass that draws a light's maps. Fails the test if there is none.
+inline const PassInfo& map_pass(const FrameResult& frame, int light = 0) {
+    static const PassInfo none;
+    const auto pass = std::ranges::find_if(
+        frame.passes, [&](const PassInfo& p) { return p.light == light && p.makes == Result::DrawnMaps; });
+    EXPECT_NE(pass, frame.passes.end()) << "no map of light " << light;
+    return pass == frame.passes.end() ? none : *pass;
+}
+
+/// Reads back the texels of all maps of a frame, one map after another.
+inline std::vector<float> map_texels(Renderer& renderer, const FrameResult& frame) {
+    std::vector<float> out;
+    for (std::size_t i = 0; i < frame.lights.size(); ++i)
+        for (std::size_t v = 0; frame.lights[i].casts && v < frame.lights[i].views.size(); ++v)
+            std::ranges::copy(renderer.read_shadow_map(frame, int(i), int(v)).data, std::back_inserter(out));
+    return out;
+}
+
+/// Counts the numbers of two lists of equal size that differ in any bit. Fails the test if the sizes differ.
+inline std::size_t differing_floats(const std::vector<float>& a, const std::vector<float>& b) {
+    EXPECT_EQ(a.size(), b.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        count += std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i]);
+    return count;
+}
+
+/// Returns an effect of a list by its name. Fails the test if the list has none.
+inline Effect effect_named(const std::vector<Effect>& effects, std::string_view name) {
+    const auto found = std::ranges::find(effects, name, &Effect::name);
+    EXPECT_NE(found, effects.end()) << "no effect " << name;
+    return found == effects.end() ? Effect{} : *found;
 }
 
 /// Returns settings for the built-in scene "stage" with an orthographic camera straight above it. Pickets and walls are

@@ -312,10 +312,7 @@ TEST_F(LookTest, ThePlanReportsEachLookPass) {
         FrameRequest request = small_request();
         request.smoothed = 1;
         request.force = true;
-        for (const Effect& e : frame_effects(scene, s, renderer.render(scene, s, request), {}))
-            if (e.name == name) return e;
-        ADD_FAILURE() << name;
-        return Effect{};
+        return effect_named(frame_effects(scene, s, renderer.render(scene, s, request)), name);
     };
     const Settings s = settings_for(scene, {"map.resolution=64"});
     for (const char* name : {"sky and its ambient light", "tone curve", "smoothing of a static view"}) {

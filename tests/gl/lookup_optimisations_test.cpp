@@ -249,12 +249,11 @@ TEST_F(LookupOptimisationsTest, TheGainOfBoundsIsMeasuredOverCachedMaps) {
     EXPECT_EQ(without.pass("map bounds")->state, PassState::Skipped);
     EXPECT_EQ(different_pixels(picture, renderer.read_colour(without.colour)), 0u) << "they are of one moment";
     const std::vector<Effect> effects = frame_effects(scene, s, renderer.render(scene, s, tiny));
-    const auto bounds = std::ranges::find_if(effects, [](const Effect& e) { return e.name == "map bounds"; });
-    ASSERT_NE(bounds, effects.end());
-    EXPECT_EQ(bounds->optimisation, Optimisation::EarlyOut) << bounds->reason;
+    const Effect bounds = effect_named(effects, "map bounds");
+    EXPECT_EQ(bounds.optimisation, Optimisation::EarlyOut) << bounds.reason;
     const SavedTimes times = measure_saved_times(renderer, scene, s, tiny, optimisations_of(effects), 4);
-    ASSERT_TRUE(times.find(*bounds));
-    EXPECT_EQ(times.find(*bounds)->samples, 4);
+    ASSERT_TRUE(times.find(bounds));
+    EXPECT_EQ(times.find(bounds)->samples, 4);
 }
 
 }  // namespace

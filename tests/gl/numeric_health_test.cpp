@@ -251,11 +251,9 @@ TEST_F(NumericHealthTest, RunsOnlyWhenEnabledAndChangesNoPixel) {
     EXPECT_EQ(pass->state, PassState::Skipped);
     EXPECT_EQ(pass->draws, 0u);
     EXPECT_THROW(renderer.numeric_health(plain), Error);
-    bool told = false;
-    for (const Effect& e : frame_effects(scene, s, plain, {}))
-        told |= e.name == "numeric health" && e.state == EffectState::NotNeeded &&
-                e.reason == "Not needed: the numbers are not checked.";
-    EXPECT_TRUE(told);
+    const Effect search = effect_named(frame_effects(scene, s, plain), "numeric health");
+    EXPECT_EQ(search.state, EffectState::NotNeeded);
+    EXPECT_EQ(search.reason, "Not needed: the numbers are not checked.");
     request.outputs.health = true;
     const FrameResult searched = renderer.render(scene, s, request);
     EXPECT_EQ(searched.pass("numeric health")->state, PassState::Drawn);

@@ -40,9 +40,8 @@ protected:
         const int material = add_material(scene, "plain", glm::vec3(float(grey)));
         add_object(scene, "plane", -1, add_mesh(scene, "plane", make_plane(10, 10), material));
         finalise(scene);
-        Sets sets = {{"camera.source", "manual"}, {"camera.elevation", "89"}, {"light.cast", "false"}};
-        sets.insert(sets.end(), extra.begin(), extra.end());
-        return picture(scene, settings_for(scene, sets), {.width = 16, .height = 16});
+        const Sets above = {{"camera.source", "manual"}, {"camera.elevation", "89"}, {"light.cast", "false"}};
+        return picture(scene, settings_for(scene, joined(above, extra)), {.width = 16, .height = 16});
     }
 };
 
@@ -198,21 +197,17 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreLeftOutOfTheProgram) {
                          {{"light.type", "point"}, {"light.range", "2"}, {"light.distance", "200"}},
                          {{"light.type", "spot"}, {"light.range", "2"}, {"light.distance", "200"}}};
     for (const Sets& sets : lone) {
-        Sets all = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // shading is then the last program
-        all.insert(all.end(), sets.begin(), sets.end());
-        const Settings s = settings_for(scene, all);
+        const Sets sky = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // shading is then the last program
+        const Settings s = settings_for(scene, joined(sky, sets));
         FrameRequest request = small_request();
         const FrameResult saved = renderer.render(scene, s, request);
         const int fetched = active_samplers();
         const ByteImage seen = renderer.read_colour(saved.colour);
-        for (const Effect& e : frame_effects(scene, s, saved))
-            if (e.name == "look-ups of light 0") {
-                EXPECT_EQ(e.state, EffectState::NotNeeded);
-                EXPECT_EQ(e.optimisation, Optimisation::DeadPasses);
-                EXPECT_NE(e.reason.find(sets.size() == 3 && sets[0].first == "light.type" ? "range" : "light"),
-                          std::string::npos)
-                    << e.reason;
-            }
+        const Effect e = effect_named(frame_effects(scene, s, saved), "look-ups of light 0");
+        EXPECT_EQ(e.state, EffectState::NotNeeded);
+        EXPECT_EQ(e.optimisation, Optimisation::DeadPasses);
+        EXPECT_NE(e.reason.find(sets.size() == 3 && sets[0].first == "light.type" ? "range" : "light"), e.reason.npos)
+            << e.reason;
         request.forced = {Optimisation::DeadPasses};
         const FrameResult forced = renderer.render(scene, s, request);
         EXPECT_GT(active_samplers(), 0);
@@ -241,9 +236,7 @@ TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
         {"light.elevation", "70"}, {"light.target_x", "-6"},  {"light.target_z", "-6"},
         {"bias.normal", "2"},      {"bias.kind", "constant"}, {"shading.sky", "plain"}};  // shading is then drawn last
     const auto settings = [&](const Sets& more, bool floor_casts) {
-        Sets sets = over_floor;
-        sets.insert(sets.end(), more.begin(), more.end());
-        Settings s = settings_for(scene, sets);
+        Settings s = settings_for(scene, joined(over_floor, more));
         s.objects["Floor"].cast = floor_casts;
         return s;
     };
@@ -258,14 +251,9 @@ TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
         EXPECT_EQ(active_samplers(), 0);
         const ByteImage seen = renderer.read_colour(saved.colour);
         EXPECT_EQ(saved.pass("shadow map 0 (spot)")->state, PassState::Skipped);
-        bool told = false;
-        for (const Effect& e : frame_effects(scene, s, saved))
-            if (e.name == "look-ups of light 0") {
-                told = true;
-                EXPECT_EQ(e.state, EffectState::NotNeeded);
-                EXPECT_NE(e.reason.find("o caster lies in its map"), std::string::npos) << e.reason;
-            }
-        EXPECT_TRUE(told);
+        const Effect e = effect_named(frame_effects(scene, s, saved), "look-ups of light 0");
+        EXPECT_EQ(e.state, EffectState::NotNeeded);
+        EXPECT_NE(e.reason.find("o caster lies in its map"), std::string::npos) << e.reason;
         const FrameResult forced = draw(s, {Optimisation::DeadPasses});
         EXPECT_GT(active_samplers(), 0);
         EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u);

@@ -1,7 +1,6 @@
 // Tests cached depths of static casters: texels and pictures equal those of maps drawn whole, and counts report the
 // skipped casters.
 #include <algorithm>
-#include <bit>
 #include <filesystem>
 
 #include "renderer/inspect/effects.h"
@@ -66,23 +65,11 @@ protected:
         request.outputs.shadow_map = true;
         return request;
     }
-    static const PassInfo& map_pass(const FrameResult& f) {
-        return *std::ranges::find_if(f.passes, [](const PassInfo& p) { return p.name.starts_with("shadow map "); });
-    }
     static const PartInfo* static_part(const FrameResult& f) {
         const PassInfo& pass = map_pass(f);
         const auto part =
             std::ranges::find_if(pass.parts, [](const PartInfo& p) { return p.name.starts_with("static casters"); });
         return part == pass.parts.end() ? nullptr : &*part;
-    }
-    static std::vector<float> texels(Renderer& by, const FrameResult& drawn) {
-        std::vector<float> out;
-        for (std::size_t i = 0; i < drawn.lights.size(); ++i)
-            for (std::size_t v = 0; drawn.lights[i].casts && v < drawn.lights[i].views.size(); ++v) {
-                const FloatImage map = by.read_shadow_map(drawn, int(i), int(v));
-                out.insert(out.end(), map.data.begin(), map.data.end());
-            }
-        return out;
     }
     static ByteImage picture_by(Renderer& by, const Scene& scene, const Settings& s, const FrameRequest& request) {
         return by.read_colour(by.render(scene, s, request).colour);
@@ -90,16 +77,11 @@ protected:
     /// Draws with and without the static cache. @returns the frame with the cache
     FrameResult expect_the_same(const Scene& scene, const Settings& s, const std::string& what) {
         const FrameResult kept = renderer.render(scene, s, asked());
-        const std::vector<float> texels_kept = texels(renderer, kept);
+        const std::vector<float> texels = map_texels(renderer, kept);
         const ByteImage picture = renderer.read_colour(kept.colour);
         FrameRequest request = asked({Optimisation::StaticCasterCache});
         const FrameResult all = whole.render(scene, s, request);
-        const std::vector<float> texels_all = texels(whole, all);
-        EXPECT_EQ(texels_kept.size(), texels_all.size());
-        std::size_t differ = 0;
-        for (std::size_t i = 0; i < std::min(texels_kept.size(), texels_all.size()); ++i)
-            differ += std::bit_cast<std::uint32_t>(texels_kept[i]) != std::bit_cast<std::uint32_t>(texels_all[i]);
-        EXPECT_EQ(differ, 0u) << what << ": texels";
+        EXPECT_EQ(differing_floats(texels, map_texels(whole, all)), 0u) << what << ": texels";
         EXPECT_EQ(different_pixels(picture, whole.read_colour(all.colour)), 0u) << what << ": picture";
         return kept;
     }
@@ -319,13 +301,12 @@ TEST_F(StaticOptimisationsTest, ReportTheirEffect) {
     const auto reported = [&] {
         move_by(scene, node_named(scene, "Mover"), 0.2, 0, 0);
         const FrameResult f = renderer.render(scene, s, asked());
-        for (const Effect& e : frame_effects(scene, s, f))
-            if (e.name == "static casters in maps of light 0") return e;
-        return Effect{};
+        return frame_effects(scene, s, f);
     };
     reported();
     reported();
-    const Effect drawn = reported(), kept = reported();
+    const char* name = "static casters in maps of light 0";
+    const Effect drawn = effect_named(reported(), name), kept = effect_named(reported(), name);
     EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
     EXPECT_EQ(kept.optimisation, Optimisation::StaticCasterCache);

@@ -31,22 +31,10 @@ Sets camera_over(const char* x) {
             {"camera.azimuth", "0"}};
 }
 
-Sets joined(Sets a, const Sets& b) {
-    a.insert(a.end(), b.begin(), b.end());
-    return a;
-}
-
 class ViewOptimisationsTest : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Settings& s, FrameRequest request = {.width = 96, .height = 54}) {
         return renderer.render(scene, s, request);
-    }
-    static const PassInfo& map_pass(const FrameResult& f, int light = 0) {
-        for (const PassInfo& p : f.passes)
-            if (p.light == light && p.name.starts_with("shadow map")) return p;
-        static const PassInfo none;
-        ADD_FAILURE() << "no map of light " << light;
-        return none;
     }
     static std::uint64_t drawn_triangles(const FrameResult& f) {
         const PassInfo& p = map_pass(f);
@@ -116,11 +104,9 @@ TEST_F(ViewOptimisationsTest, FacesReadByNoVisiblePointAreNotDrawn) {
     EXPECT_EQ(pass.parts[1].draws, 0u);
     EXPECT_EQ(pass.parts[1].by, Optimisation::UnreadViews);
     EXPECT_EQ(pass.parts[2].state, PassState::Skipped) << "nothing is above";
-    for (const Effect& e : frame_effects(scene, s, f))
-        if (e.name == "face -x of light 0") {
-            EXPECT_EQ(e.state, EffectState::NotNeeded);
-            EXPECT_NE(e.reason.find("camera"), std::string::npos) << e.reason;
-        }
+    const Effect unread = effect_named(frame_effects(scene, s, f), "face -x of light 0");
+    EXPECT_EQ(unread.state, EffectState::NotNeeded);
+    EXPECT_NE(unread.reason.find("camera"), std::string::npos) << unread.reason;
 }
 
 TEST_F(ViewOptimisationsTest, CascadesReadByNoVisiblePointAreNotDrawn) {
