@@ -8,7 +8,7 @@
 
 #include "renderer/inspect/texel_usage.h"
 #include "renderer/measure/axes.h"
-#include "renderer/measure/frontier.h"
+#include "renderer/measure/time_sampler.h"
 #include "renderer/passes/casters.h"
 #include "renderer/scene/part_identity.h"
 #include "renderer/settings/filters.h"
@@ -48,13 +48,6 @@ std::uint64_t map_triangles(const FrameResult& frame) {
     return n;
 }
 
-double time_of_maps(const FrameResult& frame) {
-    double ms = 0;
-    for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Drawn && pass.category == PassCategory::Maps) ms += pass.gpu_ms;
-    return ms;
-}
-
 std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame) {
     std::vector<Trial> out;
     for (std::size_t i = 0; i < frame.lights.size(); ++i) {
@@ -89,16 +82,12 @@ bool casts_with(const Scene& scene, const Settings& settings, AlphaMode alpha) {
 /// Lists frames with one setting switched off.
 std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
     std::vector<Trial> out;
-    const auto without = [&](std::string name, const auto& change) {
+    const auto without = [&](std::string name, const auto& change, bool takes_map_time = false) {
         Trial trial(std::move(name), settings);
         change(trial.settings);
+        trial.takes_map_time = takes_map_time;
         if (!(without_ineffective_settings(trial.settings) == without_ineffective_settings(settings)))
             out.push_back(std::move(trial));
-    };
-    const auto maps_without = [&](std::string name, const auto& change) {
-        const std::size_t before = out.size();
-        without(std::move(name), change);
-        if (out.size() > before) out.back().takes_map_time = true;
     };
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
         if (frame.lights[i].shadowed)
@@ -106,14 +95,19 @@ std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, 
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
         if (frame.lights[i].casts && filter_of(settings).reads_light_size)
             without(fmt::format("size of light {}", i), [&](Settings& s) { s.lights[i].size = 0; });
-    maps_without("depth blur", [](Settings& s) { s.map.blur_texels = 0; });
+    without(
+        "depth blur", [](Settings& s) { s.map.blur_texels = 0; }, true);
     if (filter_of(settings).samples == Samples::Moments) {
-        maps_without("blur of the moments", [](Settings& s) { s.filter.blur = 0; });
-        maps_without("mip levels of the moments", [](Settings& s) { s.filter.mips = false; });
-        maps_without("several samples a texel", [](Settings& s) { s.map.samples = 1; });
+        without(
+            "blur of the moments", [](Settings& s) { s.filter.blur = 0; }, true);
+        without(
+            "mip levels of the moments", [](Settings& s) { s.filter.mips = false; }, true);
+        without(
+            "several samples a texel", [](Settings& s) { s.map.samples = 1; }, true);
     }
     if (casts_with(scene, settings, AlphaMode::Blend))
-        maps_without("shadows of blended casters", [](Settings& s) { s.caster.blend = BlendCasters::None; });
+        without(
+            "shadows of blended casters", [](Settings& s) { s.caster.blend = BlendCasters::None; }, true);
     without("sky and its ambient light", [](Settings& s) { s.shading.sky = SkyLook::Plain; });
     without("tone curve", [](Settings& s) {
         s.shading.curve = ToneCurve::Plain;
@@ -247,9 +241,7 @@ private:
         picture_ = pictures_of(whole);
         triangles_ = map_triangles(whole);
         std::vector<Trial> trials = map_trials(measured_, whole);
-        const auto add = [&](std::vector<Trial> more) {
-            for (Trial& t : more) trials.push_back(std::move(t));
-        };
+        const auto add = [&](std::vector<Trial> more) { std::ranges::move(more, std::back_inserter(trials)); };
         add(setting_trials(scene_, measured_, whole));
         add(scene_trials(scene_, measured_, whole));
         const bool shows = settings_.view.slabs != Slabs::None ||
@@ -312,9 +304,9 @@ private:
         std::vector<double> saved;
         for (int turn = 0; turn < kTimedTurns; ++turn) {
             double with = 0, without = 0;
-            if (turn % 2 == 0) with = time_of_maps(draw(scene_, measured_, request));
-            without = time_of_maps(draw(trial, request));
-            if (turn % 2 != 0) with = time_of_maps(draw(scene_, measured_, request));
+            if (turn % 2 == 0) with = drawn_ms(draw(scene_, measured_, request), PassCategory::Maps);
+            without = drawn_ms(draw(trial, request), PassCategory::Maps);
+            if (turn % 2 != 0) with = drawn_ms(draw(scene_, measured_, request), PassCategory::Maps);
             whole_ms_.push_back(with);
             saved.push_back(with - without);
         }
@@ -323,7 +315,7 @@ private:
 
     double whole_ms() {
         while (whole_ms_.size() < std::size_t(kTimedTurns))
-            whole_ms_.push_back(time_of_maps(draw(scene_, measured_, timed_request())));
+            whole_ms_.push_back(drawn_ms(draw(scene_, measured_, timed_request()), PassCategory::Maps));
         return spread_of(whole_ms_).median;
     }
 };

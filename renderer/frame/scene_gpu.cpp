@@ -261,15 +261,12 @@ void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
 
     struct Entry {
         std::uint32_t object;
-        bool blend, masked;
-        int size;
-        GLuint texture, finest_texture, normal_texture;
-        int mesh;
-        ObjectCull cull;
-        bool cast, mirrored;
+        int size, mesh;
+        Batch alone;  ///< batch of the object alone
         /// State shared by the instances of one batch.
         auto batch() const {
-            return std::tuple(blend, masked, size, texture, normal_texture, mesh, cull, cast, mirrored);
+            const Batch& b = alone;
+            return std::tuple(b.blend, b.masked, size, b.texture, b.normal_texture, mesh, b.cull, b.cast, b.mirrored);
         }
         auto rank() const { return std::tuple_cat(batch(), std::tuple(object)); }
     };
@@ -294,9 +291,25 @@ void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
         GLuint normal_texture = 0;
         if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
             normal_texture = textures_[std::size_t(material.normal_texture)].whole.id();
-        entries.push_back({i, blend, masked, blend ? 0 : sizes[std::size_t(o.mesh)], texture, finest_texture,
-                           normal_texture, o.mesh, own.cull, own.cast && !o.ground,
-                           glm::determinant(glm::dmat3(o.world)) < 0});
+        const MeshRange& r = ranges_[std::size_t(o.mesh)];
+        const Batch alone{.index_count = r.index_count,
+                          .first_index = r.first_index,
+                          .base_vertex = r.base_vertex,
+                          .instances = 1,
+                          .texture = texture,
+                          .finest_texture = finest_texture,
+                          .normal_texture = normal_texture,
+                          .tangents = !mesh.tangents.empty(),
+                          .mirrored = glm::determinant(glm::dmat3(o.world)) < 0,
+                          .masked = masked,
+                          .blend = blend,
+                          .double_sided = material.double_sided,
+                          .cast = own.cast && !o.ground,
+                          .closed = bodies_[std::size_t(o.mesh)].closed,
+                          .ground = o.ground,
+                          .cull = own.cull,
+                          .centre_ws = glm::dvec3(o.world * glm::dvec4(mesh.bounds.centre(), 1))};
+        entries.push_back({i, blend ? 0 : sizes[std::size_t(o.mesh)], o.mesh, alone});
     }
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
     order_.clear();
@@ -304,32 +317,12 @@ void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
     batches_.clear();
     const Entry* previous = nullptr;
     for (const Entry& e : entries) {
-        const Mesh& mesh = scene.meshes[std::size_t(e.mesh)];
         // Blended instances are drawn one by one, back to front.
-        const bool joins = previous && !e.blend && previous->batch() == e.batch();
-        if (joins) {
+        if (previous && !e.alone.blend && previous->batch() == e.batch()) {
             ++batches_.back().instances;
         } else {
-            const MeshRange& r = ranges_[std::size_t(e.mesh)];
-            const Object& object = scene.objects[e.object];
-            batches_.push_back({.index_count = r.index_count,
-                                .first_index = r.first_index,
-                                .base_vertex = r.base_vertex,
-                                .first_instance = GLuint(order_.size()),
-                                .instances = 1,
-                                .texture = e.texture,
-                                .finest_texture = e.finest_texture,
-                                .normal_texture = e.normal_texture,
-                                .tangents = !mesh.tangents.empty(),
-                                .mirrored = e.mirrored,
-                                .masked = e.masked,
-                                .blend = e.blend,
-                                .double_sided = material_of(scene, mesh).double_sided,
-                                .cast = e.cast,
-                                .closed = bodies_[std::size_t(e.mesh)].closed,
-                                .ground = object.ground,
-                                .cull = e.cull,
-                                .centre_ws = glm::dvec3(object.world * glm::dvec4(mesh.bounds.centre(), 1))});
+            batches_.push_back(e.alone);
+            batches_.back().first_instance = GLuint(order_.size());
         }
         order_.push_back(e.object);
         batch_of_.push_back(std::uint32_t(batches_.size() - 1));

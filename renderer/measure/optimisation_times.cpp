@@ -20,13 +20,6 @@ Spread spread_of_differences(std::vector<double> values) {
     return s;
 }
 
-double total_ms(const FrameResult& frame) {
-    double total = 0;
-    for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Drawn) total += pass.gpu_ms;
-    return total;
-}
-
 }  // namespace
 
 const Spread* SavedTimes::find(Optimisation optimisation) const {
@@ -105,7 +98,7 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
         request.forced = forced;
         const FrameResult frame = renderer.render(scene, settings, request);
         if (counts && forced.empty()) samples.add(frame);
-        return total_ms(frame);
+        return drawn_ms(frame);
     };
     std::vector<Optimisation> again, kept;
     for (const Optimisation optimisation : optimisations)
@@ -132,7 +125,7 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
         CachedFrames frames(scene, settings, request, kept[i]);
         const auto draw_moment = [&](OptimisationSet forced) {
             require_going_on();
-            return total_ms(frames.draw(forced));
+            return drawn_ms(frames.draw(forced));
         };
         const Optimisation one[] = {kept[i]};
         time_optimisations_alternating(one, 4, draw_moment);  // fills the caches

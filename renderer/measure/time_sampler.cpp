@@ -25,21 +25,25 @@ void append(std::vector<double>& to, const std::vector<double>& from) {
 
 }  // namespace
 
+double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of) {
+    double ms = 0;
+    for (const PassInfo& pass : frame.passes)
+        if (pass.state == PassState::Drawn && pass.category == of.value_or(pass.category)) ms += pass.gpu_ms;
+    return ms;
+}
+
 void TimeSamples::add(const FrameResult& frame) {
     clock = frame.clock;
-    double total = 0, maps = 0;
     for (const PassInfo& info : frame.passes) {
         if (info.state != PassState::Drawn) continue;
         Pass& pass = pass_of(*this, info.name);
         pass.gpu_ms.push_back(info.gpu_ms);
         pass.cpu_ms.push_back(info.cpu_ms);
-        total += info.gpu_ms;
-        if (info.category == PassCategory::Maps) maps += info.gpu_ms;
     }
     if (burst_ended) bursts.push_back(total_ms.size());
     burst_ended = false;
-    total_ms.push_back(total);
-    maps_ms.push_back(maps);
+    total_ms.push_back(drawn_ms(frame));
+    maps_ms.push_back(drawn_ms(frame, PassCategory::Maps));
 }
 
 void TimeSamples::add(const TimeSamples& more) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@
 #include "renderer/measure/frontier.h"
 
 namespace si {
+
+/// Returns the GPU time of a frame's drawn passes, milliseconds. @param of passes to count; nullopt: all
+double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of = {});
 
 /// Times of several frames in milliseconds: the total, the maps and each pass, one number per frame.
 struct TimeSamples {

@@ -192,22 +192,17 @@ private:
 
     /// Adds an instance to the run, or draws the run and the needed parts of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
+        const auto skip = [&](std::uint64_t& count) {
+            ++count;
+            finish(run);
+        };
         if (choice_.only && !(*choice_.only)[instance]) return finish(run);
-        if (skips_ && sight_.is_outside(box_of(instance))) {
-            ++skipped.outside_map;
-            return finish(run);
-        }
-        if (choice_.needed && !covers_needed(box_of(instance))) {
-            ++skipped.unread;
-            return finish(run);
-        }
+        if (skips_ && sight_.is_outside(box_of(instance))) return skip(skipped.outside_map);
+        if (choice_.needed && !covers_needed(box_of(instance))) return skip(skipped.unread);
         const InstanceParts what = seen_            ? seen_(instance, parts_)
                                    : choice_.needed ? needed_part_of(instance)
                                                     : InstanceParts::Whole;
-        if (what == InstanceParts::Parts && parts_.empty()) {
-            ++skipped.unread;
-            return finish(run);
-        }
+        if (what == InstanceParts::Parts && parts_.empty()) return skip(skipped.unread);
         if (choice_.covered && what != InstanceParts::Nothing) add_covered_cells(box_of(instance));
         const bool fronts_alone = closed && what != InstanceParts::Nothing && sight_.is_in_front(box_of(instance)) &&
                                   !has_edge_on_side(instance);

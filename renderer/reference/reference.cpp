@@ -23,7 +23,7 @@ constexpr int kFirstParts = 8;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// Batch of shadow rays; those that need double precision are separate.
-struct Batch {
+struct RayBatch {
     std::vector<RTCRay> plain, grazing;
     std::vector<ExactRay> exact;
     std::vector<std::uint32_t> grazing_of;  ///< caller's number of each grazing ray; others carry it as their id
@@ -93,7 +93,7 @@ public:
         const bool quick = query_.emitter.type == LightType::Directional && query_.emitter.casts &&
                            receivers_.starts.size() == receivers_.pixels.size();
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
-            thread_local Batch batch;
+            thread_local RayBatch batch;
             thread_local std::vector<Hit> hits;
             std::array<std::size_t, kPixelStates> pixels{};
             std::size_t on_ground = 0;
@@ -195,7 +195,7 @@ private:
     }
 
     /// Equals classify() for a directional light that casts, but reads only RayStart where single precision is enough.
-    PixelState classify_quickly(std::size_t i, Batch& batch) {
+    PixelState classify_quickly(std::size_t i, RayBatch& batch) {
         const RayStart& start = receivers_.starts[i];
         if (start.object == Receiver::kNothing) return out_.state[i] = PixelState::Background;
         const float cosine = glm::dot(start.normal, to_light_);
@@ -210,7 +210,7 @@ private:
         return out_.state[i] = PixelState::Counted;
     }
 
-    PixelState classify(std::size_t i, Batch& batch) {
+    PixelState classify(std::size_t i, RayBatch& batch) {
         const Receiver& r = receivers_.pixels[i];
         PixelState& state = out_.state[i];
         if (!r.hit()) return state = PixelState::Background;
@@ -261,7 +261,7 @@ private:
 
     void sample(int parts, const std::vector<std::uint8_t>& wanted, const Workers& workers) {
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
-            thread_local Batch batch;
+            thread_local RayBatch batch;
             std::uint64_t rays = 0;
             for (int y = y0; y < y1; ++y)
                 for (int x = x0; x < x1; ++x) {
@@ -279,7 +279,7 @@ private:
     }
 
     /// Estimates the visible share of the light's part above the surface's horizon.
-    Estimate sampled(std::size_t i, int parts, Batch& batch) const {
+    Estimate sampled(std::size_t i, int parts, RayBatch& batch) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
         const LightSamples samples(query_.emitter, r.position_ws, parts, i);
