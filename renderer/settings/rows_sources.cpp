@@ -15,7 +15,7 @@ bool no_light_has_contacts(const Settings& s) {
 
 constexpr std::string_view kNone = "without effect: no light has contact shadows (light.contact)";
 
-constexpr auto kSourceRows = std::to_array<Param>({
+constexpr auto kSourceParams = std::to_array<Param>({
     {SI_FIELD(volumes.allow_large), .label = "Draw large volumes",
      .help = "Draws shadow volumes also where more than 20000 triangles of casters are not of closed surfaces: each "
              "then adds faces of its own, and a picture may take minutes. Off: the light has no shadow then, and a "
@@ -51,14 +51,14 @@ constexpr auto kSourceRows = std::to_array<Param>({
      .help = "Maximum rays of a texel, over the light's area (light.size): 64 everywhere, then four times as many, and "
              "again, where noise requires it. A single ray goes to the light's middle, and the shadow is hard."},
 });
-static_assert(kSourceRows.size() == member_count<VolumeSettings>() + member_count<ContactSettings>() +
-                                        member_count<BlobSettings>() + member_count<LightMapSettings>(),
+static_assert(kSourceParams.size() == member_count<VolumeSettings>() + member_count<ContactSettings>() +
+                                          member_count<BlobSettings>() + member_count<LightMapSettings>(),
               "a member of these settings has no row");
 
 }  // namespace
 
 std::span<const Param> source_rows() {
-    return kSourceRows;
+    return kSourceParams;
 }
 
 }  // namespace si
