@@ -45,7 +45,7 @@ std::vector<std::string_view> plain_kernels(const Settings& s, std::size_t first
     for (const std::string_view kernel : sweep_kernels()) {
         const Settings with = with_kernel(s, kernel);
         const Filter& row = filter_of(with);
-        if (row.square && row.linear && row.samples == Samples::Depth && !row.reads_light_size)
+        if (row.square() && row.linear && row.samples() == Samples::Depth && !row.reads_light_size)
             all.emplace_back(reach_of(with).edge, kernel);
     }
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -141,7 +141,7 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     const double reach = kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge,
                  width_px = 2 * reach * f.texel_px;
     if (!(width_px < 1.5)) return;
-    const bool moments = filter_of(s).samples == Samples::Moments;
+    const bool moments = filter_of(s).samples() == Samples::Moments;
     for (const std::string_view kernel : plain_kernels(s, 0, 2))
         if (moments || is_wider(s, kernel))
             offer(fmt::format("{} blurs over {:.2g} pixels, which is invisible: {} is enough{}", kernel_label(s),
@@ -151,7 +151,7 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 }
 
 void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
-    if (!has_map(f) || filter_of(s).samples != Samples::Moments) return;
+    if (!has_map(f) || filter_of(s).samples() != Samples::Moments) return;
     const double width_px = 2 * kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
     for (const std::string_view kernel : plain_kernels(s, 2, 1))
         offer(fmt::format("{} prepares the map to blur {} pixels: direct comparison of depths may be enough",

@@ -181,7 +181,7 @@ std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& s
     for (const std::string_view kernel : sweep_kernels()) {
         Settings s = settings;
         set_setting(s, "filter.kernel", kernel);
-        if (!filter_of(s).square) continue;
+        if (!filter_of(s).square()) continue;
         const double other = edge(s);
         if (other < reach && other > narrower) {
             narrower = other;

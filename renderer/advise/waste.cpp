@@ -97,7 +97,7 @@ std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, 
             without(fmt::format("size of light {}", i), [&](Settings& s) { s.lights[i].size = 0; });
     without(
         "depth blur", [](Settings& s) { s.map.blur_texels = 0; }, true);
-    if (filter_of(settings).samples == Samples::Moments) {
+    if (filter_of(settings).samples() == Samples::Moments) {
         without(
             "blur of the moments", [](Settings& s) { s.filter.blur = 0; }, true);
         without(

@@ -43,7 +43,7 @@ int calls_of(const FrameState& f) {
 /// Returns true when the kernel compares depths, and not along rays, which end early in empty regions.
 bool may_use_bounds(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
-    return row.samples == Samples::Depth && (!row.reads_light_size || row.searches_blockers);
+    return row.samples() == Samples::Depth && (!row.reads_light_size || row.searches_blockers);
 }
 
 bool fetches_many(const FrameState& f) {
@@ -77,7 +77,7 @@ std::string map_bounds_skip_reason(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
     if (f.view_count == 0) return "no light has a shadow map";
     if (f.request.forced.contains(Optimisation::EarlyOut)) return "forced: look-ups fetch all their taps";
-    if (row.samples != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
+    if (row.samples() != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
     if (!may_use_bounds(f)) return "the kernel's rays end at once where the map holds nothing";
     if (!fetches_many(f))
         return fmt::format("a look-up fetches {} times; bounds save time from {} on", calls_of(f), kMinTextureCalls);

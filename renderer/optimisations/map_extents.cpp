@@ -60,7 +60,7 @@ NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps
                           .normal_texels = s.bias.normal,
                           .wrap = s.map.wrap,
                           .whole_maps = filter_of(s).moments.summed || keeps_mips(s),
-                          .reads_border_texels = filter_of(s).samples == Samples::Moments,
+                          .reads_border_texels = filter_of(s).samples() == Samples::Moments,
                           .only_lit_points = !f.separate_visibility && s.shading.composition != Composition::DimLit};
     CameraMapReads& known = f.gl.found->seen;
     const VisibleBodies& seen = visible_bodies(f, known);

@@ -151,7 +151,7 @@ private:
 };
 
 bool samples_moments(const FrameState& f) {
-    return f.view_count > 0 && filter_of(f.settings).samples == Samples::Moments;
+    return f.view_count > 0 && filter_of(f.settings).samples() == Samples::Moments;
 }
 
 /// Returns a description of the moments for the pass's reason.

@@ -109,7 +109,7 @@ std::vector<Searched> searched_images(const FrameState& f) {
         if (f.blurs_depths()) add(Result::ShadowMaps, "blurred shadow map", depth, true);
         const StoredMoments& m = filter_of(f.settings).moments;
         const bool integers = m.summed && f.settings.filter.sums == TableSums::Integer;  // always numbers
-        if (filter_of(f.settings).samples == Samples::Moments && !integers)
+        if (filter_of(f.settings).samples() == Samples::Moments && !integers)
             add(Result::Moments, m.summed ? "table of sums" : "moments", moment_demands(f), true);
     }
     add(Result::Visibility, "visibility", light, false);

@@ -148,7 +148,7 @@ void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
 /// Limits the kernel's moment settings to the abilities of driver and format, with a note for each change.
 void clamp_moment_settings(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
-    if (filter.samples != Samples::Moments) return;
+    if (filter.samples() != Samples::Moments) return;
     FilterSettings& s = f.settings.filter;
     const double most = safe_exponent(f.settings);
     for (const auto& [key, value] :

@@ -8,7 +8,7 @@
 namespace si {
 
 bool compares_per_texel(const Settings& settings) {
-    return bias_of(settings).per_texel && filter_of(settings).samples == Samples::Depth;
+    return bias_of(settings).per_texel && filter_of(settings).samples() == Samples::Depth;
 }
 
 bool uses_sampler(const Settings& settings) {

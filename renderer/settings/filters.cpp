@@ -151,7 +151,6 @@ constexpr Filter kFilters[] = {
              "place of steps. Its table has 64 places.",
      .paper = "Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      .file = "filters/poisson.glsl",
-     .square = false,
      .uses_disk_table = true,
      .settings = kDiskSettings,
      .reach = disk_reach,
@@ -164,7 +163,6 @@ constexpr Filter kFilters[] = {
      .paper = "Vogel: A Better Way to Construct the Sunflower Head, Mathematical Biosciences 44, 1979; noise: Jimenez: "
               "Next Generation Post Processing in Call of Duty, SIGGRAPH 2014",
      .file = "filters/vogel.glsl",
-     .square = false,
      .settings = kDiskSettings,
      .reach = disk_reach,
      .cost = disk_cost,
@@ -175,7 +173,6 @@ constexpr Filter kFilters[] = {
              "as their distance and light.size require.",
      .paper = "Fernando: Percentage-Closer Soft Shadows, SIGGRAPH 2005",
      .file = "filters/pcss.glsl",
-     .square = false,
      .searches_blockers = true,
      .reads_light_size = true,
      .uses_disk_table = true,
@@ -195,7 +192,6 @@ constexpr Filter kFilters[] = {
      .paper = "Guy, Agopian: Physically Based Rendering in Filament (DPCF); after Gruen: Contact Hardening Shadows "
               "Made Fast, 2010",
      .file = "filters/dpcf.glsl",
-     .square = false,
      .linear = false,
      .searches_blockers = true,
      .reads_light_size = true,
@@ -211,7 +207,6 @@ constexpr Filter kFilters[] = {
              "behind the map's nearest surfaces is assumed.",
      .paper = "Epic Games: Shadow Map Ray Tracing, in Virtual Shadow Maps, Unreal Engine 5, 2021",
      .file = "filters/smrt.glsl",
-     .square = false,
      .linear = false,
      .reads_light_size = true,
      .settings = kSmrtSettings,
@@ -233,9 +228,7 @@ constexpr Filter kFilters[] = {
              "of depths before the surface. Light bleeds where shadows overlap.",
      .paper = "Donnelly, Lauritzen: Variance Shadow Maps, I3D 2006",
      .file = "filters/vsm.glsl",
-     .square = false,
      .linear = false,
-     .samples = Samples::Moments,
      .moments = {.names = kDepthMoments, .bound = kChebyshev},
      .settings = kVsmSettings,
      .reach = bounded_reach,
@@ -250,9 +243,7 @@ constexpr Filter kFilters[] = {
              "table at any width. The table costs more time than a blur, and precision.",
      .paper = "Lauritzen: Summed-Area Variance Shadow Maps, GPU Gems 3, chapter 8, 2007",
      .file = "filters/savsm.glsl",
-     .square = false,
      .linear = false,
-     .samples = Samples::Moments,
      .moments = {.names = kDepthMoments, .summed = true, .bound = kChebyshev},
      .settings = kSavsmSettings,
      .reach =
@@ -274,9 +265,7 @@ constexpr Filter kFilters[] = {
              "far behind all casters. Light leaks near contacts, more so with a lower c.",
      .paper = "Annen, Mertens, Seidel, Flerackers, Kautz: Exponential Shadow Maps, Graphics Interface 2008",
      .file = "filters/esm.glsl",
-     .square = false,
      .linear = false,
-     .samples = Samples::Moments,
      .moments = {.names = kWarpedMean,
                  .power = 1,
                  .reduces_bleeding = false,
@@ -291,9 +280,7 @@ constexpr Filter kFilters[] = {
              "count. Little light bleeds.",
      .paper = "Lauritzen, McCool: Layered Variance Shadow Maps, Graphics Interface 2008",
      .file = "filters/evsm2.glsl",
-     .square = false,
      .linear = false,
-     .samples = Samples::Moments,
      .moments = {.names = kRisenMoments, .power = 2, .bound = "Chebyshev's v / (v + (w - m)^2) of w = e^(c x)"},
      .settings = kEvsm2Settings,
      .reach = bounded_reach,
@@ -305,9 +292,7 @@ constexpr Filter kFilters[] = {
              "tight where the other is not. Twice the memory of evsm2.",
      .paper = "Lauritzen, McCool: Layered Variance Shadow Maps, Graphics Interface 2008",
      .file = "filters/evsm4.glsl",
-     .square = false,
      .linear = false,
-     .samples = Samples::Moments,
      .moments = {.names = kTwiceWarpedMoments,
                  .power = 2,
                  .bound = "the lower of Chebyshev's bounds of e^(c x) and -e^(-d x)"},
@@ -321,9 +306,7 @@ constexpr Filter kFilters[] = {
              "share before the surface. Sharper than variance. A slope needs bias as wide as the blur.",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .file = "filters/msm_hamburger.glsl",
-     .square = false,
      .linear = false,
-     .samples = Samples::Moments,
      .moments = {.names = kFourMoments,
                  .quantised = true,
                  .bound = "1 - share before z of the three depths with these moments"},
@@ -337,9 +320,7 @@ constexpr Filter kFilters[] = {
              "the range.",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .file = "filters/msm_hausdorff.glsl",
-     .square = false,
      .linear = false,
-     .samples = Samples::Moments,
      .moments = {.names = kFourMoments,
                  .quantised = true,
                  .bound = "1 - share before z of three depths, or four from near to far, with these moments"},
@@ -428,7 +409,7 @@ Reach reach_of(const Settings& settings, double widest_texels) {
 
 PrefilterBytes prefilter_bytes(const Settings& settings) {
     const Filter& row = filter_of(settings);
-    if (row.samples != Samples::Moments) return {};
+    if (row.samples() != Samples::Moments) return {};
     const double channels = double(row.moments.names.size());
     const bool wide = row.moments.summed || settings.filter.moment_format == MomentFormat::Bits32;
     const double levels = keeps_mips(settings) ? 4 / 3.0 : 1;
@@ -449,13 +430,13 @@ double stored_texel_bytes(const Settings& settings) {
 
 int shown_channel(const Settings& settings) {
     const Filter& row = filter_of(settings);
-    if (row.samples != Samples::Moments || settings.view.map_source == MapSource::Camera) return 0;
+    if (row.samples() != Samples::Moments || settings.view.map_source == MapSource::Camera) return 0;
     return settings.view.map_channel <= int(row.moments.names.size()) ? settings.view.map_channel : 0;
 }
 
 bool keeps_mips(const Settings& settings) {
     const Filter& row = filter_of(settings);
-    return row.samples == Samples::Moments && settings.filter.mips && !row.moments.summed;
+    return row.samples() == Samples::Moments && settings.filter.mips && !row.moments.summed;
 }
 
 int requested_mip(const Settings& settings) {

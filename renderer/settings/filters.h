@@ -62,14 +62,12 @@ struct Noise {
 /// Row of the table of shadow filter kernels. The row's file defines `float filter_visibility(Receiver r)`.
 struct Filter {
     std::string_view key, label, help;
-    std::string_view paper;  ///< source
-    std::string_view file;   ///< GLSL file below shaders/
-    int size = 1;            ///< texels or bilinear taps per axis of a square kernel; 0: filter.size
-    bool bilinear = false;   ///< each tap blends 2x2 texels, except with filter.point
-    bool square = true;      ///< size x size taps at fixed places around the look-up
-    bool linear = true;      ///< result is a weighted sum of comparisons, so that each tap has a weight
-    Samples samples = Samples::Depth;
-    StoredMoments moments = {};
+    std::string_view paper;          ///< source
+    std::string_view file;           ///< GLSL file below shaders/
+    int size = 1;                    ///< texels or bilinear taps per axis of a square kernel; 0: filter.size
+    bool bilinear = false;           ///< each tap blends 2x2 texels, except with filter.point
+    bool linear = true;              ///< result is a weighted sum of comparisons, so that each tap has a weight
+    StoredMoments moments = {};      ///< without names: the kernel compares depths
     bool searches_blockers = false;  ///< first searches casters; without one it returns lit and compares nothing
     bool reads_light_size = false;
     bool uses_disk_table = false;  ///< samples the kDiskTable points of the Poisson disk, unless filter.disk is spiral
@@ -87,6 +85,10 @@ struct Filter {
     /// row's key.
     std::span<const std::string_view> swept = {};
 
+    /// Returns true for size x size taps at fixed places around the look-up.
+    bool square() const { return reach == square_reach; }
+    /// Returns the values that the kernel samples.
+    Samples samples() const { return moments.names.empty() ? Samples::Depth : Samples::Moments; }
     /// Returns the reach of a square kernel, in texels.
     static Reach square_reach(const Filter& row, const Settings&, double widest_texels);
     /// Returns the cost of a square kernel.

@@ -9,7 +9,7 @@
 namespace si {
 
 std::string_view paging_idle_reason(const Settings& s, int) {
-    if (filter_of(s).samples != Samples::Depth)
+    if (filter_of(s).samples() != Samples::Depth)
         return "without effect: this kernel reads data made from whole maps, not depths";
     return s.map.blur_texels > 0 ? "without effect: map.blur_texels blurs whole maps" : "";
 }

@@ -75,7 +75,7 @@ std::string_view outside_idle(const Settings& s, int) {
 }
 
 bool keeps_moments(const Settings& s) {
-    return filter_of(s).samples == Samples::Moments;
+    return filter_of(s).samples() == Samples::Moments;
 }
 
 std::string_view compare_idle(const Settings& s, int) {

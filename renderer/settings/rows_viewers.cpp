@@ -65,7 +65,7 @@ constexpr std::string_view kBandColours = "without effect: the band view has col
 std::string_view channel_idle(const Settings& s, int) {
     if (s.view.map_source == MapSource::Camera) return "without effect: view.map_source is camera";
     const Filter& row = filter_of(s);
-    if (row.samples != Samples::Moments) return "without effect: filter.kernel stores no moments";
+    if (row.samples() != Samples::Moments) return "without effect: filter.kernel stores no moments";
     return s.view.map_channel > int(row.moments.names.size()) ? "without effect: filter.kernel stores fewer moments"
                                                               : "";
 }

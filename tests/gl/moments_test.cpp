@@ -38,7 +38,7 @@ Moments moments_of(std::string_view key, const FilterSettings& s, double z) {
 std::vector<const Filter*> moment_rows() {
     std::vector<const Filter*> out;
     for (const Filter& row : filters())
-        if (row.samples == Samples::Moments) out.push_back(&row);
+        if (row.samples() == Samples::Moments) out.push_back(&row);
     return out;
 }
 

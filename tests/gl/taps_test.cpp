@@ -79,7 +79,7 @@ TEST(ClosedForms, ExistForSquareKernels) {
     for (const std::string_view key : kDefinedKernels) {
         const auto row = std::ranges::find(filters(), key, &Filter::key);
         ASSERT_NE(row, filters().end()) << key;
-        EXPECT_TRUE(row->square) << key;
+        EXPECT_TRUE(row->square()) << key;
         Settings s = test::texel_settings(key, 128, 0.7);
         EXPECT_TRUE(closed_form(s, 3, 3.4)) << key;
     }

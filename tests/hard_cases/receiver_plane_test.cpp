@@ -200,7 +200,7 @@ TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
     for (const Filter& row : filters())
         for (const LightType type : kLightTypes) {
             // Penumbra kernels find their width from the compared depth.
-            if (row.samples != Samples::Depth || row.searches_blockers || row.reads_light_size) continue;
+            if (row.samples() != Samples::Depth || row.searches_blockers || row.reads_light_size) continue;
             SCOPED_TRACE(testing::Message() << row.key << ", light " << int(type));
             Settings s = texel_settings(row.key, 512, 0);
             s.lights[0].type = type;
@@ -225,7 +225,7 @@ TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
             }
             EXPECT_GT(floor, 5000);
             EXPECT_GT(dark, 200);
-            EXPECT_TRUE((row.square && row.size == 1) || partly > 100) << partly;
+            EXPECT_TRUE((row.square() && row.size == 1) || partly > 100) << partly;
             EXPECT_EQ(differ, 0);
         }
 }

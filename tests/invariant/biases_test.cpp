@@ -125,7 +125,7 @@ protected:
             if (reference.states[i] != ReferenceState::Lit || reference.hits[i]->normal.y < 0.5) continue;
             // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
             const glm::dvec3 on_floor = reference.hits[i]->position - c.place.at;
-            if (filter_of(s).samples == Samples::Moments && on_floor.y < 1 &&
+            if (filter_of(s).samples() == Samples::Moments && on_floor.y < 1 &&
                 std::max(std::abs(on_floor.x), std::abs(on_floor.z)) > 4.4)
                 continue;
             ++out.lit;
@@ -193,7 +193,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     EXPECT_EQ(leaks, 0u) << "of " << dark << " at " << value;
     EXPECT_GT(dark, 100u);
     // A rising plane that nothing else clears shadows itself without bias; otherwise the test would prove little.
-    if (filter_of(s).samples == Samples::Depth && t.sloped > t.lit / 2) {
+    if (filter_of(s).samples() == Samples::Depth && t.sloped > t.lit / 2) {
         EXPECT_GT(without, 20u) << value;
     }
 }

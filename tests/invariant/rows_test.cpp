@@ -34,7 +34,6 @@ float filter_visibility(Receiver r) {
                 .label = "Added here",
                 .help = "A row of the test.",
                 .file = "filters/added_here.glsl",
-                .square = false,
                 .reach =
                     [](const Filter&, const Settings&, double) {
                         return Reach{1.5, 1.5, 1.5};
@@ -153,7 +152,7 @@ TEST_P(EachKernel, PlanesAreLitAndCoveredFloorsAreDark) {
     EXPECT_GT(lit, 2000);
     EXPECT_GT(dark, 100);
     // Four moments round by themselves, which a bias of exactly the depths' need leaves no room for.
-    const bool rounds = row.samples == Samples::Moments && c.bias == "adaptive";
+    const bool rounds = row.samples() == Samples::Moments && c.bias == "adaptive";
     EXPECT_LE(darkened, rounds ? lit / 2000 : 0) << row.tolerance.why;
     EXPECT_LE(most, row.tolerance.dark) << row.tolerance.why;
 }
@@ -182,7 +181,7 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
         if (reference.states[i] != ReferenceState::Lit) continue;
         // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
         const glm::dvec3 at = reference.hits[i]->position - c.place.at;
-        if (row.samples == Samples::Moments && std::max(std::abs(at.x), std::abs(at.z)) > 2.2) continue;
+        if (row.samples() == Samples::Moments && std::max(std::abs(at.x), std::abs(at.z)) > 2.2) continue;
         ++lit;
         least = std::min(least, double(shot.visibility.data[i]));
     }

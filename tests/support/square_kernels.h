@@ -21,7 +21,7 @@ struct SizedKernel {
 inline std::vector<SizedKernel> square_kernels(std::initializer_list<int> sizes) {
     std::vector<SizedKernel> out;
     for (const Filter& row : filters()) {
-        if (!row.square) continue;
+        if (!row.square()) continue;
         for (const bool point : {false, true})
             for (const int size : sizes)
                 if ((size == 3 || owns_setting(row, "filter.size")) && (!point || owns_setting(row, "filter.point")))

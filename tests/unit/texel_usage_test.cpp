@@ -28,7 +28,7 @@ TEST(TexelUsage, FootprintsMatchTheFetchesOfKernels) {
     const int n = 64;
     for (std::size_t row = 0; row < filters().size(); ++row) {
         const Filter& filter = filters()[row];
-        if (!filter.square) continue;
+        if (!filter.square()) continue;
         Settings s;
         s.filter.kernel = int(row);
         const int across = taps_across(filter, s);

@@ -172,7 +172,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     for (std::size_t i = 0; i < filters().size(); ++i) {
         s.filter.kernel = int(i);
         const Filter& f2 = filters()[i];
-        if (!f2.square) continue;
+        if (!f2.square()) continue;
         const bool paired = f2.cost != Filter::square_cost;
         const int across = paired ? taps_across(f2, s) / 2 + 1 : taps_across(f2, s);
         EXPECT_EQ(work_cost(s, f).taps_per_pixel, across * across * (f2.bilinear ? 4 : 1)) << f2.key;

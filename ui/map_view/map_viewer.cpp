@@ -112,7 +112,7 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& reque
     }
     setting("", "view.map", em * 5.5f);
     if (!of_camera(s)) {
-        if (filter_of(s).samples == Samples::Moments) setting("Channel", "view.map_channel", em * 7);
+        if (filter_of(s).samples() == Samples::Moments) setting("Channel", "view.map_channel", em * 7);
         if (shown_channel(s) > 0 && keeps_mips(s)) setting("Mip level", "view.map_mip", em * 4);
     }
     const bool bands = s.view.map == MapView::Bands;

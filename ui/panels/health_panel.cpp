@@ -34,7 +34,7 @@ void show_map(ViewSettings& v, bool moments, const NumberFinding& f) {
 
 void show(Settings& settings, const NumberFinding& f, HealthRequests& requests) {
     if (is_of_map(f)) {
-        const bool moments = f.image == Result::Moments && filter_of(settings).samples == Samples::Moments;
+        const bool moments = f.image == Result::Moments && filter_of(settings).samples() == Samples::Moments;
         show_map(settings.view, moments, f);
         requests.show_texel = texel_of(f);
     } else if (f.image) {

@@ -122,7 +122,7 @@ bool adds_no_light(const FittedLight& light, const Settings& settings) {
 
 bool is_always_lit(const FittedLight& light, const Settings& settings) {
     const Filter& kernel = filter_of(settings);
-    const bool compares = kernel.samples == Samples::Depth && (!kernel.reads_light_size || kernel.searches_blockers);
+    const bool compares = kernel.samples() == Samples::Depth && (!kernel.reads_light_size || kernel.searches_blockers);
     // Bias must move lit surfaces towards the light.
     const BiasSettings& b = settings.bias;
     const bool nearer = b.constant >= 0 && b.slope >= 0 &&
