@@ -1,8 +1,11 @@
 // Parts of effects: work within the passes that draw maps, moments, visibility and the picture.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "renderer/frame/frame.h"
-#include "renderer/inspect/effects.h"
+#include "renderer/inspect/effect.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

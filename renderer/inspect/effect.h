@@ -1,0 +1,38 @@
+// Effect of a frame: a piece of rendering work, its state, and the reason for the state.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "renderer/frame/optimisation_set.h"
+
+namespace si {
+
+/// State of an effect in one frame: drawn, cached or not needed.
+enum class EffectState {
+    Drawn,     ///< this frame computed the effect
+    Cached,    ///< the result of an earlier frame is still valid
+    NotNeeded  ///< nothing that the frame shows depends on the effect
+};
+/// Returns the name of an effect state in JSON files: "simulated", "reused" or "not called for".
+std::string_view effect_state_key(EffectState state);
+/// Returns the name of an effect state for people: "drawn", "cached" or "not needed".
+std::string_view effect_state_label(EffectState state);
+
+/// Piece of rendering work that a frame may draw, reuse or skip, such as the map of one cascade or a blocker search.
+struct Effect {
+    std::string name;  ///< "map of light 0, cascade 2"
+    EffectState state = EffectState::NotNeeded;
+    std::string reason;                        ///< one or more sentences, each with its full stop
+    std::optional<Optimisation> optimisation;  ///< skips the effect or a part; forced off, the effect is drawn
+    std::string pass;                          ///< PassInfo::name of the pass that draws it; empty: none
+    bool part = false;                         ///< one of several effects in the pass, so the pass's time is shared
+    bool operator==(const Effect&) const = default;
+};
+
+/// Formats a clause as a sentence: adds a full stop, and a capital letter unless the text begins with a setting key.
+/// Empty text stays empty.
+std::string as_sentence(std::string_view text);
+
+}  // namespace si
