@@ -11,8 +11,6 @@
 
 namespace si {
 
-struct FrameState;
-
 /// Side of a mesh: a plane that holds triangles of one direction.
 struct MeshSide {
     glm::dvec3 normal, corner;
@@ -54,10 +52,5 @@ struct CasterFindings {
     OfMeshes<RigidMeshKeys> rigid_content;
     CasterContentCache content;
 };
-
-/// Returns the content keys of all casters in the frame's scene, independent of the scene object: cached map contents
-/// stay valid while other objects move. Keys are computed once for each arrangement; keys of meshes and textures are
-/// shared by all poses.
-const CasterContent& caster_content(const FrameState& f);
 
 }  // namespace si

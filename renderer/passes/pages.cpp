@@ -9,7 +9,7 @@
 
 #include "renderer/frame/driver.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/caster_findings.h"
+#include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
