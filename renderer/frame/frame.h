@@ -113,13 +113,13 @@ struct PartInfo {
 /// Report on one pass of a frame: state, reason, time and draw counts.
 struct PassInfo {
     std::string name;
-    std::optional<Result> makes;  ///< result that identifies the pass, the first that it writes
     PassState state = PassState::Skipped;
     std::string reason;
     double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless FrameRequest::timing
     std::uint64_t draws = 0, triangles = 0;
     PassCategory category = PassCategory::Picture;
     int light = -1;                  ///< light index; below 0: all lights, or none
+    std::optional<Result> makes;     ///< result that identifies the pass, the first that it writes
     std::string needs;               ///< Pass::needs
     std::optional<Optimisation> by;  ///< Pass::by
     std::vector<PartInfo> parts;     ///< parts of the pass; empty: it is undivided

@@ -69,9 +69,9 @@ CameraPass& CameraPass::clear(const glm::uvec4& value) {
 
 std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info) {
     info = {.name = "visible depths",
-            .makes = Result::VisibleDepths,
             .state = PassState::Drawn,
-            .category = PassCategory::Maps};
+            .category = PassCategory::Maps,
+            .makes = Result::VisibleDepths};
     const gl::DebugGroup group(info.name);
     const auto start = std::chrono::steady_clock::now();
     const CameraPass pass(f);  // read below by its bound framebuffer

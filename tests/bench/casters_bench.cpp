@@ -15,6 +15,7 @@
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -208,13 +209,9 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
 }
 
 /// Turns the camera to look from a corner of the scene along one of its sides.
-Settings with_partial_view(Settings s) {
-    s.camera.source = CameraSource::Manual;
-    s.camera.target_x = s.camera.target_z = -40;
-    s.camera.azimuth = 0;
-    s.camera.elevation = 20;
-    s.camera.distance = 12;
-    return s;
+Settings with_partial_view(const Settings& s) {
+    return settings_with(s, {"camera.source=manual", "camera.target_x=-40", "camera.target_z=-40", "camera.azimuth=0",
+                             "camera.elevation=20", "camera.distance=12"});
 }
 
 const int kRegistered = [] {
@@ -254,8 +251,7 @@ const int kRegistered = [] {
         [=](benchmark::State& s) { visible_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
     Settings above = with_partial_view(directional);
     above.camera.target_x = above.camera.target_z = 0;
-    above.camera.distance = 150;
-    above.camera.elevation = 60;
+    set_all(above, {"camera.distance=150", "camera.elevation=60"});
     add("casters/in_sight/10000_objects_all",
         [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), above); });
     add("casters/in_sight/10000_objects_part",
@@ -264,8 +260,7 @@ const int kRegistered = [] {
     blurred.camera.target_x = blurred.camera.target_z = -3;
     set_setting(blurred, "filter.kernel", "vsm");
     add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { visible_map(s, balls_on_a_floor(64), blurred); });
-    blurred.camera.distance = 2.5;
-    blurred.camera.elevation = 40;
+    set_all(blurred, {"camera.distance=2.5", "camera.elevation=40"});
     add("casters/seen/64_balls_vsm_close", [=](benchmark::State& s) { visible_map(s, balls_on_a_floor(64), blurred); });
     add("casters/seen/100k_triangles_point",
         [=](benchmark::State& s) { visible_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), point); });

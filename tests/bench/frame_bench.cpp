@@ -19,6 +19,7 @@
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -71,11 +72,7 @@ struct Machine {
 
 /// Sets a fit over the whole scene, a plain sky and no tone curve: the minimal program has no others.
 Settings around_the_scene() {
-    Settings s;
-    s.lights[0].fit = LightFit::Scene;
-    s.shading.sky = SkyLook::Plain;
-    s.shading.curve = ToneCurve::Plain;
-    return s;
+    return settings_with({}, {"light.fit=scene", "shading.sky=plain", "shading.curve=plain"});
 }
 
 /// A kernel of the renderer with the BareForward configuration that matches it.

@@ -5,6 +5,7 @@
 #include "tests/support/box_scene.h"
 #include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -55,9 +56,7 @@ protected:
 };
 
 Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
-    Settings s = test::hard_settings();
-    s.camera.target_y = 0.6;
-    s.camera.distance = 7;
+    Settings s = settings_with(test::hard_settings(), {"camera.target_y=0.6", "camera.distance=7"});
     LightSettings& light = s.lights[0];
     light.type = type;
     light.fit = fit;
@@ -121,8 +120,7 @@ TEST_F(BiasOverlays, AcneAppearsWhereSlackIsNegative) {
     const Scene scene = hills();
     Settings s = lit_by(LightType::Directional);
     s.bias = test::no_bias();
-    s.bias.unit = BiasUnit::Texels;
-    s.map.resolution = 256;
+    set_all(s, {"bias.unit=texels", "map.resolution=256"});
     for (const auto& [constant, negative] : {std::pair{0.0, true}, std::pair{40.0, false}}) {
         s.bias.constant = constant;
         const Pixels p = draw(scene, s, "bias-slack");

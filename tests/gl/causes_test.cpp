@@ -9,6 +9,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -113,15 +114,11 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
         Settings s = test::texel_settings(kernel, 256, 0.4);
         EXPECT_GT(count(agree(box, s, kernel), Artefact::Acne), 100u);
-        s.bias.constant = 30;
-        s.bias.normal = 4;
+        set_all(s, {"bias.constant=30", "bias.normal=4"});
         EXPECT_GT(count(agree(box, s, "much bias"), Artefact::PeterPanning), 10u);
-        s.bias.constant = 1;
-        s.bias.normal = 20;
+        set_all(s, {"bias.constant=1", "bias.normal=20"});
         EXPECT_GT(count(agree(box, s, "much offset"), Artefact::PeterPanningOffset), 100u);
-        s.bias.raster_units = 4000;
-        s.bias.raster_slope = 3;
-        s.bias.normal = 0;
+        set_all(s, {"bias.raster_units=4000", "bias.raster_slope=3", "bias.normal=0"});
         agree(box, s, "polygon offset");
         s.map.blur_texels = 2;
         agree(box, s, "polygon offset and depth blur");
@@ -136,9 +133,7 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
         set_setting(s, "bias.kind", "adaptive");
         EXPECT_EQ(count(agree(box, s, "what the plane needs"), Artefact::Acne), 0u);
     }
-    Settings s = test::texel_settings("pcf3", 256, 3);
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].extent = 1.2;
+    Settings s = settings_with(test::texel_settings("pcf3", 256, 3), {"light.fit=manual", "light.extent=1.2"});
     EXPECT_GT(count(agree(box, s, "outside of the map"), Artefact::OutsideMap), 10u);
     for (const LightType type : {LightType::Spot, LightType::Point})
         for (const bool reversed : {false, true}) {
@@ -153,8 +148,7 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
         s.lights[0].fit = LightFit::Lispsm;
         s.map.reversed_z = reversed;
         EXPECT_GT(count(agree(box, s, "warped"), Artefact::Acne), 100u);
-        s.bias.constant = 1;
-        s.bias.normal = 20;
+        set_all(s, {"bias.constant=1", "bias.normal=20"});
         EXPECT_GT(count(agree(box, s, "much offset in a warped map"), Artefact::PeterPanningOffset), 10u);
         s.bias.constant = s.bias.normal = 0;
         for (const char* plane : {"receiver-plane", "receiver-plane-derivatives", "adaptive"}) {
@@ -164,12 +158,10 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
     }
     for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
         s = test::texel_settings("pcf3", 64, 0.4);
-        s.lights[0].cascades = 3;
-        s.lights[0].cascade_blend = 0.3;
+        set_all(s, {"light.cascades=3", "light.cascade_blend=0.3"});
         s.lights[0].cascade_choice = choice;
         EXPECT_GT(count(agree(box, s, "cascades"), Artefact::Acne), 100u);
-        s.bias.constant = 1;
-        s.bias.normal = 20;
+        set_all(s, {"bias.constant=1", "bias.normal=20"});
         EXPECT_GT(count(agree(box, s, "much offset in cascades"), Artefact::PeterPanningOffset), 10u);
     }
     s = test::texel_settings("pcf5", 256, 2);
@@ -228,12 +220,8 @@ TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
 
 TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsAttributedToTheOffset) {
     const Scene scene = test::wall_on_plane();
-    Settings s = test::low_sun_settings("pcf3", 4096, 2);
-    s.lights[0].elevation = 40;
-    s.bias.normal = 100;
-    Settings without = s;
-    without.bias.normal = 0;
-    without.bias.constant = 6;
+    Settings s = settings_with(test::low_sun_settings("pcf3", 4096, 2), {"light.elevation=40", "bias.normal=100"});
+    Settings without = settings_with(s, {"bias.normal=0", "bias.constant=6"});
     const MeasuredError m = measure(scene, s);
     EXPECT_GT(count(m, Artefact::PeterPanningOffset), 300u);
     EXPECT_LT(count(m, Artefact::EdgeAliasing) + count(m, Artefact::PeterPanning), 20u);
@@ -328,8 +316,6 @@ TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) 
 
 /// Makes a room as one mesh of joined walls and floor, with a box that touches the floor.
 Scene room() {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     const auto wall = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
         return std::vector<glm::dvec3>{a, b, c, d};
     };
@@ -337,26 +323,21 @@ Scene room() {
                                       wall({-3, 0, -3}, {3, 0, -3}, {3, 2, -3}, {-3, 2, -3}),
                                       wall({-3, 0, 3}, {-3, 0, -3}, {-3, 2, -3}, {-3, 2, 3})});
     append(all, transformed(make_box({1.2, 0.8, 1}), moved(-0.4, 0.4, 0.2)));
-    add_object(scene, "room", -1, add_mesh(scene, "room", std::move(all), grey));
-    finalise(scene);
-    return scene;
+    return test::grey_scene({{"room", std::move(all)}});
 }
 
 /// Makes four tiles of hills that meet in the middle, with a box over the seams.
 Scene tiles() {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    std::vector<test::GreyPart> parts;
     for (const double x : {-2.5, 2.5})
         for (const double z : {-2.5, 2.5}) {
             Mesh tile = make_plane(5, 5, 12, 12);
             for (glm::vec3& p : tile.positions.edit())
                 p.y = float(0.2 * std::sin(1.3 * (p.x + x)) * std::cos(1.1 * (p.z + z)));
-            add_object(scene, "tile " + std::to_string(scene.objects.size()), -1,
-                       add_mesh(scene, "tile", std::move(tile), grey), moved(x, 0, z));
+            parts.push_back({"tile " + std::to_string(parts.size()), std::move(tile), moved(x, 0, z)});
         }
-    add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey), moved(0, 0.8, 0));
-    finalise(scene);
-    return scene;
+    parts.push_back({"box", make_box({1.5, 0.6, 2}), moved(0, 0.8, 0)});
+    return test::grey_scene(std::move(parts));
 }
 
 /// Makes a sheet with fine holes over a floor; the holes are as fine as a coarse map can draw. @param levels gives the
@@ -404,9 +385,7 @@ TEST_F(CausesTest, TapsOutsideTheMapAreClassifiedAsItsSeam) {
 
 TEST_F(CausesTest, ACubeMapHasNoSeams) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
-    Settings s = test::texel_settings("pcf9", 64, 8);
-    s.lights[0].type = LightType::Point;
-    s.lights[0].distance = 3;
+    Settings s = settings_with(test::texel_settings("pcf9", 64, 8), {"light.type=point", "light.distance=3"});
     for (const Outside outside : {Outside::Lit, Outside::Unlit}) {
         s.map.outside = outside;
         const MeasuredError m = measure(scene, s);

@@ -5,6 +5,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -18,8 +19,7 @@ TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf9", 128, 6);
         s.lights[0].type = type;
-        s.lights[0].distance = 9;
-        s.lights[0].cone = 90;
+        set_all(s, {"light.distance=9", "light.cone=90"});
         s.shading = {.ambient = 0.1, .diffuse = 0.7, .specular = 0};
         s.shading.composition = Composition::DimLit;
         s.shading.dim = 0.3;
@@ -64,8 +64,7 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf3", 1024, 3);
         s.lights[0].type = type;
-        s.lights[0].distance = 9;
-        s.lights[0].cone = 90;
+        set_all(s, {"light.distance=9", "light.cone=90"});
         const auto worst = [&](double distance_m) {
             s.camera.distance = distance_m;
             s.camera.fov = 2 * std::atan(4 / distance_m) * 180 / 3.14159265;
@@ -80,8 +79,7 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
         EXPECT_LT(near, 0.02);
         EXPECT_GT(far, 20 * near);
         EXPECT_LT(far, 1024 * 4e5 / 10 * 0x1p-22) << "1e5 m in single precision, as texels of a map 10 m wide";
-        s.camera.distance = 10;
-        s.camera.fov = 45;
+        set_all(s, {"camera.distance=10", "camera.fov=45"});
         const ByteImage world = picture(scene, s);
         s.map.transform = MapTransform::Eye;
         EXPECT_LT(different_pixels(world, picture(scene, s)), 200u) << "pixels whose comparison lies on the edge";

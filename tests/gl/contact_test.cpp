@@ -7,6 +7,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/ray_reference.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -22,10 +23,7 @@ protected:
         Settings s = test::hard_settings();
         test::place_light(s, type, place);
         s.lights[0].elevation = std::min(place.elevation, 60.0);
-        s.lights[0].contact = 0.5;
-        s.contact.steps = 64;
-        s.contact.thickness = 1;
-        return s;
+        return settings_with(s, {"light.contact=0.5", "contact.steps=64", "contact.thickness=1"});
     }
 };
 
@@ -90,9 +88,7 @@ TEST_F(ContactTest, ContactShadowsRestoreShadowsThatBiasRemoved) {
     Settings s = test::texel_settings("pcf3", 512, 40);
     const auto measured = [&] { return measure_error(renderer, scene, s, request, 0, {}, cache).metrics; };
     const ErrorMetrics without = measured();
-    s.lights[0].contact = 0.6;
-    s.contact.steps = 64;
-    s.contact.thickness = 2;
+    set_all(s, {"light.contact=0.6", "contact.steps=64", "contact.thickness=2"});
     const ErrorMetrics with = measured();
     ASSERT_GT(without.bias_false_light, 0.001);
     EXPECT_LT(with.bias_false_light, 0.3 * without.bias_false_light);

@@ -9,6 +9,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -100,8 +101,7 @@ TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
             Settings s = plain(std::string(filter.key).c_str(), 0.7);
             set_setting(s, "map.format", format);
             set_setting(s, "bias.kind", kind);
-            s.map.resolution = 128;
-            s.bias.normal = 0.5;
+            set_all(s, {"map.resolution=128", "bias.normal=0.5"});
             for (int y = 20; y < 110; y += 17)
                 for (int x = 13; x < 150; x += 23) {
                     const Probe p = renderer.probe(scene, s, kPicture, x, y);
@@ -292,8 +292,7 @@ TEST_F(DiagnosisTest, DistinguishesEdgesLostCastersAndPointsOutsideTheMap) {
     apply(s, *d.fix);
     EXPECT_TRUE(diagnosis(sheet, s, *lost).right);
 
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].extent = 1.2;
+    set_all(s, {"light.fit=manual", "light.extent=1.2"});
     const auto outside = find(measure(sheet, s), Artefact::OutsideMap);
     ASSERT_TRUE(outside);
     EXPECT_EQ(diagnosis(sheet, s, *outside).verdict.find("outside the map"), 0u);

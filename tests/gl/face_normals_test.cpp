@@ -5,6 +5,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -37,9 +38,7 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
                 SCOPED_TRACE(testing::Message() << size << " m at " << place.x << ", camera distance "
                                                 << view.distance * size << " m at " << view.elevation << " degrees");
                 const Scene scene = make_scene(make_plane(size, size), moved(place.x, place.y, place.z));
-                Settings s = test::hard_settings();
-                set_setting(s, "filter.kernel", "pcf3");
-                s.lights[0].elevation = 1.64;
+                Settings s = settings_with(test::hard_settings(), {"filter.kernel=pcf3", "light.elevation=1.64"});
                 set_target(s.camera, place);
                 s.camera.distance = view.distance * size;
                 s.camera.elevation = view.elevation;
@@ -80,8 +79,7 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
         const Scene scene = under(m);
         SCOPED_TRACE(testing::Message() << m[0].x << " " << m[1].y << " " << m[3].x);
         Settings s;  // the automatic camera and light
-        s.lights[0].azimuth = 20;
-        s.lights[0].elevation = 35;
+        set_all(s, {"light.azimuth=20", "light.elevation=35"});
         const std::vector<float> shown = values(scene, s, "n-dot-l");
         const test::RayReference rays(scene);
         int checked = 0, off = 0, facing = 0;

@@ -10,6 +10,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -262,9 +263,7 @@ TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
 
 TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
-    Settings s = test::texel_settings("hard", 256, 3);
-    s.camera.distance = 4;
-    s.lights[0].fit = LightFit::Scene;
+    Settings s = settings_with(test::texel_settings("hard", 256, 3), {"camera.distance=4", "light.fit=scene"});
     const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
     const MeasuredFix* fit = row(table, "fit: view frustum");
     ASSERT_TRUE(fit);

@@ -14,6 +14,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/combinations.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -88,8 +89,7 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
                                                       "map.far_guard=false",
                                                       "map.wrap=clamp",
                                                       "map.resolution=256"});
-                    s.lights[0].fit = LightFit::Manual;
-                    s.lights[0].distance = 20;
+                    set_all(s, {"light.fit=manual", "light.distance=20"});
                     // The far plane cuts through the scene, or the near plane lies behind it.
                     for (const bool behind : {false, true}) {
                         s.lights[0].near = behind ? 24 : 1;

@@ -1,6 +1,7 @@
 // Tests overlays of triangle edges and of overdraw.
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 
 namespace si {
 namespace {
@@ -9,14 +10,9 @@ class GeometryOverlays : public FrameTest {
 protected:
     /// Makes a floor of 4 x 4 m with a plate of 2 x 2 m above and one beneath, seen from 5 m straight above.
     static Scene plates() {
-        Scene scene;
-        scene.name = "plates";
-        const int grey = add_material(scene, "grey", {0.5f, 0.5f, 0.5f});
-        add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(4, 4), grey));
-        add_object(scene, "Above", -1, add_mesh(scene, "Above", make_plane(2, 2), grey), moved(0, 1, 0));
-        add_object(scene, "Below", -1, add_mesh(scene, "Below", make_plane(1, 1), grey), moved(0, -1, 0));
-        finalise(scene);
-        return scene;
+        return test::grey_scene({{"Floor", make_plane(4, 4)},
+                                 {"Above", make_plane(2, 2), moved(0, 1, 0)},
+                                 {"Below", make_plane(1, 1), moved(0, -1, 0)}});
     }
     FloatImage values(const Scene& scene, const char* overlay) {
         const Settings s = settings_for(scene, {"camera.source=manual", "camera.orthographic=true", "camera.height=5",

@@ -8,6 +8,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -35,11 +36,8 @@ protected:
         glm::dmat4 place(turn);
         place[3] = glm::dvec4(sight.at, 1);
         sight.normal = glm::dvec3(place[1]);
-        const int grey = add_material(sight.scene, "grey", {0.6f, 0.6f, 0.6f});
-        add_object(sight.scene, "plane", -1, add_mesh(sight.scene, "plane", make_plane(10, 10), grey), place);
-        add_object(sight.scene, "sheet", -1, add_mesh(sight.scene, "sheet", make_plane(0.1f, 0.1f), grey),
-                   place * moved(4, 2, 4));
-        finalise(sight.scene);
+        sight.scene = test::grey_scene(
+            {{"plane", make_plane(10, 10), place}, {"sheet", make_plane(0.1f, 0.1f), place * moved(4, 2, 4)}});
         Settings& s = sight.settings;
         s.camera.source = CameraSource::Manual;
         const glm::dvec3 from = glm::normalize(sight.normal + 0.4 * glm::dvec3(place[0]));

@@ -9,6 +9,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -126,9 +127,7 @@ TEST_F(LightMapTest, PenumbraeMatchTheLightsDisc) {
     test::Place above;
     above.elevation = 90;
     const Scene scene = test::floor_under_sheet(above);
-    Settings s = light_mapped(test::hard_settings(), 1024);
-    s.lights[0].elevation = 90;
-    s.lights[0].size = 6;
+    Settings s = settings_with(light_mapped(test::hard_settings(), 1024), {"light.elevation=90", "light.size=6"});
     s.light_map.samples = 256;
     request.width = 960;
     request.height = 540;
@@ -192,8 +191,7 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
         const Scene scene = rooms(one_floor, sheet);
         Settings s = light_mapped(test::hard_settings(), 64);
         s.lights[0].azimuth = 90 + kRoomsTurned;
-        s.lights[0].elevation = 55;
-        s.camera.source = CameraSource::Manual;
+        set_all(s, {"light.elevation=55", "camera.source=manual"});
         const glm::dvec3 target(turned(kRoomsTurned) * glm::dvec4(-0.6, 0.3, 0, 1));
         set_target(s.camera, target);
         s.camera.azimuth = 265 + kRoomsTurned;

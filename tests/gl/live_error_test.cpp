@@ -9,6 +9,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -68,13 +69,9 @@ TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     EXPECT_GT(agree(s, "well biased").artefacts[std::size_t(Artefact::EdgeAliasing)], 10u);
 
     s = hard(512, 3);
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].extent = 1.2;
+    set_all(s, {"light.fit=manual", "light.extent=1.2"});
     EXPECT_GT(agree(s, "outside of the map").outside_map, 0.3);
-    s = hard(512, 0);
-    s.lights[0].type = LightType::Spot;
-    s.bias.normal = 0.1;
-    s.bias.slope = 0.05;
+    s = settings_with(hard(512, 0), {"light.type=spot", "bias.normal=0.1", "bias.slope=0.05"});
     EXPECT_GT(agree(s, "spot light, too little of each bias").any_acne, 0.001);
     s.lights[0].type = LightType::Point;
     EXPECT_GT(agree(s, "point light").counted, 1000u);
@@ -83,8 +80,7 @@ TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     s = hard(1024, 3);
     s.bias.unit = BiasUnit::Metres;
     EXPECT_GT(agree(s, "peter-panning").artefacts[std::size_t(Artefact::PeterPanning)], 300u);
-    s.lights[0].type = LightType::Spot;
-    s.map.reversed_z = true;
+    set_all(s, {"light.type=spot", "map.reversed_z=true"});
     agree(s, "peter-panning under a spot light");
 
     scene = test::grey_scene({{"floor", make_plane(10, 10)}, {"sheet", make_plane(2, 2), moved(0, 1.2, 0)}});
@@ -94,11 +90,8 @@ TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
 }
 
 TEST_F(LiveErrorTest, AgreesUnderALightOfSizeAndOnPartOfThePixels) {
-    Settings s = hard(512, 0.5);
-    set_setting(s, "filter.kernel", "pcf5");
-    s.lights[0].size = 3;
-    s.truth.area = true;
-    s.truth.samples = 64;
+    Settings s =
+        settings_with(hard(512, 0.5), {"filter.kernel=pcf5", "light.size=3", "truth.area=true", "truth.samples=64"});
     EXPECT_GT(agree(s, "light of size").mae, 0.001);
     const std::size_t all = frame.error->metrics.counted;
     for (const int step : {2, 3}) {
@@ -121,8 +114,7 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
         EXPECT_LT(m.acne, 0.7 * acne + 1e-9) << constant;
     }
     EXPECT_EQ(frame.error->metrics.acne, 0);
-    set_setting(s, "filter.kernel", "pcf3");
-    s.bias.constant = 0;
+    set_all(s, {"filter.kernel=pcf3", "bias.constant=0"});
     frame = renderer.render(scene, s, request);
     ASSERT_TRUE(frame.error);
     EXPECT_GT(frame.error->metrics.any_acne, acne) << "another kernel is measured at once";
@@ -223,8 +215,7 @@ TEST_F(LiveErrorTest, ReferencePictureIsShadedWithTheReference) {
     const ByteImage map = renderer.read_colour(frame.colour), reference = renderer.read_colour(frame.true_colour);
     const std::size_t off = different_pixels(map, reference, 2);
     EXPECT_LT(off, map.data.size() / 4 / 50) << "a fine map is nearly true";
-    s.bias.constant = 0;
-    s.map.resolution = 256;
+    set_all(s, {"bias.constant=0", "map.resolution=256"});
     frame = render_with_reference(renderer, scene, s, request, cache);
     EXPECT_EQ(reference.data, renderer.read_colour(frame.true_colour).data) << "the reference has no map";
     EXPECT_GT(different_pixels(renderer.read_colour(frame.colour), reference, 2), map.data.size() / 4 / 10);

@@ -14,6 +14,7 @@
 #include "renderer/view/lights/sky.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/shared_models.h"
 #include "tests/support/traits.h"
 
@@ -22,11 +23,8 @@ namespace {
 
 class LookTest : public FrameTest {
 protected:
-    static Settings plain(Settings s) {
-        s.shading.sky = SkyLook::Plain;
-        s.shading.curve = ToneCurve::Plain;
-        s.shading.exposure = 0;
-        return s;
+    static Settings plain(const Settings& s) {
+        return settings_with(s, {"shading.sky=plain", "shading.curve=plain", "shading.exposure=0"});
     }
     static glm::ivec3 pixel(const ByteImage& image, int x, int y) {
         const std::uint8_t* p = &image.data[4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x))];

@@ -4,6 +4,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -105,9 +106,7 @@ TEST_F(MeasureTest, ClassifiesCulledFacesAsLostCasters) {
 
 TEST_F(MeasureTest, CountsPointsOutsideTheMapSeparately) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    Settings s = hard(512);
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].extent = 1.2;
+    Settings s = settings_with(hard(512), {"light.fit=manual", "light.extent=1.2"});
     const ErrorMetrics& m = measure(scene, s);
     EXPECT_GT(m.outside_map, 0.3);
     EXPECT_EQ(double(count(Artefact::OutsideMap)),
@@ -149,9 +148,7 @@ TEST_F(MeasureTest, TheReferenceIsCachedWhereOnlyTheMapChanges) {
     measure(scene, s);
     const auto reference = measured.traced.reference;
     EXPECT_GT(measured.traced.trace_ms, 0);
-    s.map.resolution = 1024;
-    set_setting(s, "filter.kernel", "pcf5");
-    s.bias.constant = 7;
+    set_all(s, {"map.resolution=1024", "filter.kernel=pcf5", "bias.constant=7"});
     measure(scene, s);
     EXPECT_EQ(measured.traced.reference, reference) << "a sweep over maps traces once";
     EXPECT_EQ(measured.traced.trace_ms, 0);

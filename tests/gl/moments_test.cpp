@@ -11,6 +11,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/idle_reason.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/sets.h"
 #include "tests/support/traits.h"
@@ -21,6 +22,9 @@ namespace {
 using Moments = std::array<double, 4>;
 
 const FrameRequest kPicture{.width = 160, .height = 90};
+const FrameRequest kMaps{
+    .width = kPicture.width, .height = kPicture.height, .outputs = {.colour = false, .shadow_map = true}};
+const FrameRequest kSmallMaps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
 
 bool reads(const Filter& row, std::string_view key) {
     return std::ranges::find(row.settings, key) != row.settings.end();
@@ -225,12 +229,8 @@ TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
         s.filter.exponent = turn % 2 ? 8 : 20;
         s.filter.negative_exponent = 4;
         s.filter.blur_shape = turn % 2 ? BlurShape::Gaussian : BlurShape::Box;
-        s.filter.blur = 2;
-        s.filter.window = 4.4;
-        s.filter.moment_bias = 1e-4;
+        set_all(s, {"filter.blur=2", "filter.window=4.4", "filter.moment_bias=1e-4"});
         ++turn;
-        const FrameRequest maps{
-            .width = kPicture.width, .height = kPicture.height, .outputs = {.colour = false, .shadow_map = true}};
         std::map<int, Shares> shares;
         int told = 0, apart = 0;
         for (int y = 30; y < 85; y += 6)
@@ -240,7 +240,7 @@ TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
                 const Probe::PerLight& l = p.lights[0];
                 const LightView& view = l.fitted.views[std::size_t(l.face)];
                 if (!shares.contains(l.face))
-                    shares.emplace(l.face, Shares(renderer.read_shadow_map(renderer.render(scene, s, maps), 0, l.face),
+                    shares.emplace(l.face, Shares(renderer.read_shadow_map(renderer.render(scene, s, kMaps), 0, l.face),
                                                   view.curve));
                 const glm::dvec2 margin = glm::abs(glm::dvec2(l.tap) - 0.5);
                 if (std::max(margin.x, margin.y) > 0.5 - 4.0 / 64) continue;
@@ -273,13 +273,9 @@ TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
 /// Makes a floor with an upper cover over the half where x < 0 (at `upper` m) and an optional lower cover over all of
 /// the middle (`lower`).
 Scene covered_floor(double upper, double lower = 0) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8), grey));
-    add_object(scene, "upper", -1, add_mesh(scene, "upper", make_plane(4, 8), grey), moved(-2, upper, 0));
-    if (lower > 0) add_object(scene, "lower", -1, add_mesh(scene, "lower", make_plane(6, 6), grey), moved(0, lower, 0));
-    finalise(scene);
-    return scene;
+    std::vector<GreyPart> parts{{"floor", make_plane(8, 8)}, {"upper", make_plane(4, 8), moved(-2, upper, 0)}};
+    if (lower > 0) parts.push_back({"lower", make_plane(6, 6), moved(0, lower, 0)});
+    return grey_scene(std::move(parts));
 }
 
 Settings overhead(const Filter& row) {
@@ -562,9 +558,7 @@ TEST(Moments, OfMipLevelsAreMeansOverThePixelFootprint) {
         const Filter& row = filters()[std::size_t(kernel_row(key))];
         Settings s = from_above(row, scene, 4);
         s.filter.exponent = s.filter.negative_exponent = 2;
-        const FrameRequest maps{
-            .width = kPicture.width, .height = kPicture.height, .outputs = {.colour = false, .shadow_map = true}};
-        const FrameResult frame = renderer.render(scene, s, maps);
+        const FrameResult frame = renderer.render(scene, s, kMaps);
         const Shares shares(renderer.read_shadow_map(frame, 0, 0), frame.lights[0].views[0].curve);
         int told = 0, sharper = 0;
         for (int x = 70; x < 90; ++x) {
@@ -620,25 +614,24 @@ TEST(Moments, OfMipLevelsAreSharperWithAnisotropy) {
 TEST(Moments, AreShownByTheMapViewer) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
-    const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
     for (const Filter* row : moment_rows()) {
         Settings s = settings_with(texel_settings(row->key, 64, 1),
                                    {"map.reversed_z=true", "filter.exponent=4", "filter.negative_exponent=3"});
         s.filter.blur = row->moments.summed ? 0 : 2;
-        const FrameResult plain = renderer.render(scene, s, maps);
+        const FrameResult plain = renderer.render(scene, s, kSmallMaps);
         EXPECT_EQ(plain.shown_map.channel, 0);
         const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
         for (int channel = 1; channel <= int(row->moments.names.size()); ++channel) {
             s.view.map_channel = channel;
             s.view.map = MapView::Raw;
             s.filter.blur = 2;
-            const FrameResult raw = renderer.render(scene, s, maps);
+            const FrameResult raw = renderer.render(scene, s, kSmallMaps);
             ASSERT_EQ(raw.shown_map.channel, channel);
             EXPECT_EQ(raw.shown_map.name, row->moments.names[std::size_t(channel - 1)]);
             const FloatImage numbers = renderer.read_map_view_depth(raw);
             s.view.map = MapView::Linear;
             s.filter.blur = 0;
-            const FloatImage alone = renderer.read_map_view_depth(renderer.render(scene, s, maps));
+            const FloatImage alone = renderer.read_map_view_depth(renderer.render(scene, s, kSmallMaps));
             double sum = 0;
             for (int x = 3; x < 61; x += 3) {
                 const int y = 30;
@@ -657,7 +650,7 @@ TEST(Moments, AreShownByTheMapViewer) {
         }
         s.view.map_channel = int(row->moments.names.size()) + 1;
         if (s.view.map_channel < 5) {
-            EXPECT_EQ(renderer.render(scene, s, maps).shown_map.channel, 0);
+            EXPECT_EQ(renderer.render(scene, s, kSmallMaps).shown_map.channel, 0);
         }
     }
 }
@@ -666,18 +659,17 @@ TEST(Moments, AreShownByTheMapViewer) {
 TEST(Moments, AreMeansOfWindowsClippedAtTheMapsSides) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
-    const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
     for (const int n : {5, 16, 33})
         for (const int radius : {0, 1, 3, 8}) {
             Settings s = texel_settings("vsm", n, 2.0 * n / 16);
             s.filter.moment_format = MomentFormat::Bits32;
             s.filter.blur = 0;
-            const FrameResult plain = renderer.render(scene, s, maps);
+            const FrameResult plain = renderer.render(scene, s, kSmallMaps);
             const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
             s.view.map_channel = 1;
             s.view.map = MapView::Raw;
             s.filter.blur = radius;
-            const FloatImage numbers = renderer.read_map_view_depth(renderer.render(scene, s, maps));
+            const FloatImage numbers = renderer.read_map_view_depth(renderer.render(scene, s, kSmallMaps));
             ASSERT_EQ(numbers.width, n);
             for (int y = 0; y < n; ++y)
                 for (int x = 0; x < n; ++x) {
@@ -695,14 +687,13 @@ TEST(Moments, AreMeansOfWindowsClippedAtTheMapsSides) {
 TEST(Moments, AreShownByMipLevel) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
-    const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
     for (const Filter* row : moment_rows()) {
         Settings s = settings_with(texel_settings(row->key, 64, 1), {"filter.mips=true", "filter.moment_format=32-bit",
                                                                      "view.map=raw", "view.map_channel=moment-1"});
         FloatImage finer;
         for (const int level : {0, 1, 2, 3, 6}) {
             s.view.map_mip = level;
-            const FrameResult frame = renderer.render(scene, s, maps);
+            const FrameResult frame = renderer.render(scene, s, kSmallMaps);
             const FloatImage numbers = renderer.read_map_view_depth(frame);
             EXPECT_EQ(frame.map_view_size, glm::ivec2(64)) << "the picture has the map's place";
             EXPECT_EQ(frame.shown_map.texels, glm::ivec2(numbers.width, numbers.height));
@@ -729,10 +720,10 @@ TEST(Moments, AreShownByMipLevel) {
         }
         if (row->moments.summed) continue;
         s.view.map_mip = 15;
-        const FrameResult coarsest = renderer.render(scene, s, maps);
+        const FrameResult coarsest = renderer.render(scene, s, kSmallMaps);
         EXPECT_EQ(coarsest.shown_map.mip, 6) << "past the coarsest";
         s.filter.mips = false;
-        EXPECT_EQ(renderer.render(scene, s, maps).shown_map.mip, 0);
+        EXPECT_EQ(renderer.render(scene, s, kSmallMaps).shown_map.mip, 0);
         EXPECT_EQ(idle_reason(s, *find_setting("view.map_mip")), "without effect: filter.mips is off");
     }
 }
@@ -742,16 +733,13 @@ TEST(Moments, AreCachedWhileOnlyTheCameraMoves) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     for (const Filter* row : moment_rows()) {
-        Settings s = texel_settings(row->key, 64, 2);
-        s.map.samples = 4;
-        s.filter.mips = true;
+        Settings s = settings_with(texel_settings(row->key, 64, 2), {"map.samples=4", "filter.mips=true"});
         const FrameResult first = renderer.render(scene, s, kPicture);
         EXPECT_EQ(first.pass("moments")->state, PassState::Drawn) << row->key;
         EXPECT_EQ(first.pass("moments")->category, PassCategory::Maps);
         s.camera.azimuth += 10;
         EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Cached) << row->key;
-        s.filter.bleed = 0.1;
-        s.filter.moment_bias = 1e-5;
+        set_all(s, {"filter.bleed=0.1", "filter.moment_bias=1e-5"});
         EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Cached) << row->key;
         s.lights[0].azimuth += 10;
         EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Drawn) << row->key;

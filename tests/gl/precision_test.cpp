@@ -12,6 +12,7 @@
 #include "renderer/settings/overlays.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -149,9 +150,7 @@ Settings shimmer_settings(bool snap) {
     Settings s = hard_settings();
     s.lights[0].fit = LightFit::Stabilised;
     s.lights[0].snap = snap;
-    s.lights[0].cascades = 2;
-    s.camera.distance = 6;
-    s.map.resolution = 128;
+    set_all(s, {"light.cascades=2", "camera.distance=6", "map.resolution=128"});
     return s;
 }
 

@@ -11,6 +11,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -287,9 +288,7 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
     std::optional<Section> found;
     for (int y = 58; y < 64 && !found; ++y) {
         // The camera looks from the side, below the sheet.
-        Settings s = settings;
-        s.camera.elevation = 5;
-        s.camera.target_y = 0.1;
+        Settings s = settings_with(settings, {"camera.elevation=5", "camera.target_y=0.1"});
         const Section one = section(test::sheet_over_floor(height), s, {80, y});
         if (one.artefact.find("peter-panning") == 0) found = one;
     }

@@ -10,6 +10,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -127,8 +128,7 @@ TEST_F(ShadowVolumesTest, ZPassFailsWithTheCameraInside) {
     Settings s = settings_with(test::hard_settings(), {"light.elevation=90", "camera.target_y=0.5",
                                                        "camera.elevation=10", "camera.distance=1.2"});
     EXPECT_GT(differing(sheet, s), 0.5);
-    s.camera.distance = 8;
-    s.camera.elevation = 30;
+    set_all(s, {"camera.distance=8", "camera.elevation=30"});
     EXPECT_LT(differing(sheet, s), 1e-4);
 }
 

@@ -12,6 +12,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/square_kernels.h"
 #include "tests/support/traits.h"
 
@@ -167,9 +168,7 @@ TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {
 
 TEST_F(TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    Settings s = test::texel_settings("pcf5", 64, 1);
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].extent = 2;
+    Settings s = settings_with(test::texel_settings("pcf5", 64, 1), {"light.fit=manual", "light.extent=2"});
     FrameRequest maps = picture;
     maps.outputs.shadow_map = true;
     int inside = 0, beyond = 0;
@@ -209,8 +208,7 @@ TEST_F(TapsTest, TexelsReadAreTheTapsOfAllPixels) {
             SCOPED_TRACE(std::string(kernel) + " " + wrap);
             Settings s = test::texel_settings(kernel, 96, 0.7);
             set_setting(s, "map.wrap", wrap);
-            s.lights[0].fit = LightFit::Manual;
-            s.lights[0].extent = 4;
+            set_all(s, {"light.fit=manual", "light.extent=4"});
             const FrameResult frame = renderer.render(scene, s, request);
             EXPECT_EQ(renderer.render(scene, s, request).pass("texels read")->state, PassState::Cached);
             const FloatImage read = renderer.read_float(frame.texels_read, 1);

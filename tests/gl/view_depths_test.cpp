@@ -8,8 +8,10 @@
 #include "renderer/settings/fits.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/ray_reference.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -72,11 +74,9 @@ TEST_F(ViewDepthsTest, MeasuredBoundsMissLessThanBoxesOnTerrain) {
 
 /// Makes a visible floor, and a sheet outside the picture, 30 m towards the light.
 Scene floor_under_far_sheet(const test::Place& place) {
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
     const glm::dvec3 at = 30.0 * direction_from_angles(place.azimuth, place.elevation);
-    add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(3, 3), grey), moved(at.x, at.y, at.z));
+    Scene scene =
+        test::grey_scene({{"floor", make_plane(10, 10)}, {"sheet", make_plane(3, 3), moved(at.x, at.y, at.z)}});
     test::move_scene(scene, place.at);
     return scene;
 }
@@ -255,9 +255,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
                                           "bias.normal=0",
                                           "bias.constant=4",
                                           "map.resolution=256"});
-        Settings walking = s;
-        walking.camera.source = CameraSource::Manual;
-        walking.camera.distance = 3;
+        Settings walking = settings_with(s, {"camera.source=manual", "camera.distance=3"});
         FrameRequest request{.width = 160, .height = 90, .outputs = {.colour = false, .visibility = true}};
         std::vector<float> before;
         std::vector<std::size_t> chosen_before;

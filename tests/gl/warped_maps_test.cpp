@@ -10,6 +10,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -50,18 +51,16 @@ protected:
     }
 
     static Settings along_the_ground(const glm::dvec3& at, const char* fit, int resolution) {
-        Settings s;
-        set_setting(s, "light.fit", fit);
+        Settings s = settings_with({}, {{"light.fit", fit},
+                                        "light.azimuth=70",
+                                        "light.elevation=55",
+                                        "camera.source=manual",
+                                        "camera.target_y=0.5",
+                                        "camera.target_z=20",
+                                        "camera.azimuth=0",
+                                        "camera.elevation=12",
+                                        "camera.distance=9"});
         s.map.resolution = resolution;
-        s.lights[0].azimuth = 70;
-        s.lights[0].elevation = 55;
-        CameraSettings& c = s.camera;
-        c.source = CameraSource::Manual;
-        c.target_y = 0.5;
-        c.target_z = 20;
-        c.azimuth = 0;
-        c.elevation = 12;
-        c.distance = 9;
         test::move_camera(s, at);
         return s;
     }

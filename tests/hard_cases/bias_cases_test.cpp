@@ -20,9 +20,7 @@ Scene plane_scene() {
 }
 
 Settings plane_settings(MapFormat format, std::string_view filter) {
-    Settings s = hard_settings();
-    s.camera.elevation = 70;
-    s.camera.target_y = 0;
+    Settings s = settings_with(hard_settings(), {"camera.elevation=70", "camera.target_y=0"});
     s.map.format = format;
     set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();
@@ -189,9 +187,7 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
 // The nearest kernel has acne on one half of a plane without bias: a texel's plane lies behind its centre's depth on
 // one side and before it on the other.
 TEST(HardCase1Share, HalfOfThePlaneHasAcneWithoutBias) {
-    Settings s = plane_settings(MapFormat::D32F, "hard");
-    s.lights[0].elevation = 40;
-    s.bias.constant = 0;
+    Settings s = settings_with(plane_settings(MapFormat::D32F, "hard"), {"light.elevation=40", "bias.constant=0"});
     EXPECT_NEAR(acne_share(draw_shot(plane_scene(), s, 320, 240)), 0.5, 0.02);
 }
 
@@ -199,10 +195,8 @@ TEST(HardCase1Share, HalfOfThePlaneHasAcneWithoutBias) {
 TEST(HardCase2, TheTerminatorOfASphereHasLittleError) {
     const Scene scene = make_scene(make_sphere(1, 128, 64));
     Settings s = hard_settings();
-    s.camera.target_y = 0;
-    s.camera.distance = 3;
-    s.camera.azimuth = 80;  // across the terminator
-    s.camera.elevation = 10;
+    // The camera looks across the terminator.
+    set_all(s, {"camera.target_y=0", "camera.distance=3", "camera.azimuth=80", "camera.elevation=10"});
     const auto energy = [&](const Shot& shot) {
         // A convex body is lit wherever the facet faces the light.
         const RayReference rays(scene);
@@ -221,8 +215,7 @@ TEST(HardCase2, TheTerminatorOfASphereHasLittleError) {
     s.bias = no_bias();
     expect_fault(2, energy(draw_shot(scene, s, 80, 60)));
     // A bias without bound would reach infinity here.
-    s.bias.slope = 1000;
-    s.bias.normal = 100;
+    set_all(s, {"bias.slope=1000", "bias.normal=100"});
     draw_shot(scene, s, 80, 60);
 }
 
@@ -238,17 +231,11 @@ class HardCase3 : public testing::TestWithParam<RangeCase> {};
 TEST_P(HardCase3, NoAcneWithTheFormatsStep) {
     const RangeCase& c = GetParam();
     Settings s = plane_settings(c.format, "hard");
-    LightSettings& light = s.lights[0];
-    light.type = LightType::Spot;
-    light.cone = 60;
-    light.elevation = 75;
-    light.distance = 20;
-    light.fit = LightFit::Manual;
-    light.far = 32;
-    light.near = light.far / c.ratio;
+    set_all(s, {"light.type=spot", "light.cone=60", "light.elevation=75", "light.distance=20", "light.fit=manual",
+                "light.far=32"});
+    s.lights[0].near = s.lights[0].far / c.ratio;
     s.map.reversed_z = c.reversed;
-    s.map.resolution = 512;
-    s.bias.constant = 0;
+    set_all(s, {"map.resolution=512", "bias.constant=0"});
     const Scene scene = plane_scene();
     const Shot bare = draw_shot(scene, s);
     EXPECT_NEAR(bare.view().curve.far / bare.view().curve.near, c.ratio, 1e-9 * c.ratio);

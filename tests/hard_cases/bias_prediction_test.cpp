@@ -12,6 +12,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -33,9 +34,7 @@ struct Case {
 };
 
 Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
-    Settings s = hard_settings();
-    s.camera.elevation = 70;
-    s.camera.target_y = 0;
+    Settings s = settings_with(hard_settings(), {"camera.elevation=70", "camera.target_y=0"});
     s.map.format = c.format;
     set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();

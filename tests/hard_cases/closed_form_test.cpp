@@ -3,6 +3,7 @@
 
 #include "renderer/settings/filters.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -24,8 +25,7 @@ TEST_P(BoxShadow, EdgesLieWithinATexel) {
     const Scene scene = floor_and_box(10, box, gap);
     Settings s = hard_settings();
     s.lights[0].type = c.type;
-    s.lights[0].distance = 9;
-    s.lights[0].cone = 80;
+    set_all(s, {"light.distance=9", "light.cone=80"});
     s.map.resolution = c.resolution;
     set_setting(s, "filter.kernel", c.filter);
     // The kernel's need on the floor is added along the light only, so that the outline does not move.
@@ -85,12 +85,12 @@ INSTANTIATE_TEST_SUITE_P(All, BoxShadow,
 TEST(PointLight, SeamsShowNoError) {
     const Scene scene = floor_and_box(10, {4.4, 0.2, 4.4}, 1.2);
     for (const char* filter : {"hard", "pcf5"}) {
-        Settings s = hard_settings();
-        s.lights[0].type = LightType::Point;
-        s.lights[0].elevation = 90;
-        s.lights[0].distance = 2.5;  // faces meet on the floor, in the shadow
-        s.camera.elevation = 35;
-        set_setting(s, "filter.kernel", filter);
+        // The map's faces meet on the floor, in the shadow.
+        Settings s = settings_with(hard_settings(), {"light.type=point",
+                                                     "light.elevation=90",
+                                                     "light.distance=2.5",
+                                                     "camera.elevation=35",
+                                                     {"filter.kernel", filter}});
         s.bias = no_bias();
         s.bias.unit = BiasUnit::Texels;
         // Near a face's rim the floor is tilted by 45 to 60 degrees against the face's axis.

@@ -10,6 +10,7 @@
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/traits.h"
 
 namespace si::test {
@@ -58,8 +59,7 @@ protected:
             s.camera.target_x += 1;
         }
         // Enough for any of these maps: in metres, so that it is the same for all fits.
-        s.bias.unit = BiasUnit::Metres;
-        s.bias.constant = 0.6;
+        set_all(s, {"bias.unit=metres", "bias.constant=0.6"});
         return s;
     }
 };
@@ -152,17 +152,15 @@ TEST(EachFitInOtherProjection, AgreesWithTheReferenceAlongItsMapsRays) {
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
             SCOPED_TRACE(std::string(row.key) + (type == LightType::Spot ? ", spot" : ", sun"));
             const bool sun = type == LightType::Directional;
-            Settings s = texel_settings("pcf3", 512, 0);
-            LightSettings& light = s.lights[0];
-            light.type = type;
-            light.azimuth = 30;
-            light.elevation = 60;
-            light.distance = 9;
-            light.cone = 100;
-            light.projection = sun ? LightProjection::Perspective : LightProjection::Orthographic;
-            set_setting(s, "light.fit", row.key);
-            s.bias.unit = BiasUnit::Metres;
-            s.bias.constant = 0.4;
+            Settings s = settings_with(texel_settings("pcf3", 512, 0), {"light.azimuth=30",
+                                                                        "light.elevation=60",
+                                                                        "light.distance=9",
+                                                                        "light.cone=100",
+                                                                        {"light.fit", std::string(row.key)},
+                                                                        "bias.unit=metres",
+                                                                        "bias.constant=0.4"});
+            s.lights[0].type = type;
+            s.lights[0].projection = sun ? LightProjection::Perspective : LightProjection::Orthographic;
             const Shot shot = draw_shot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u) << "cascades are for parallel rays";
             EXPECT_FALSE(shot.light().closed) << "narrowed fits promise something of the light's own rays";

@@ -245,11 +245,8 @@ TEST(LightFit, SpotAnglesStayFinite) {
 
 TEST(LightFit, ManualMapOfASpotIsAtMostItsCone) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
-    Settings s = one_light(LightType::Spot);
+    Settings s = settings_with(one_light(LightType::Spot), {"light.fit=manual", "light.cone=60", "light.distance=8"});
     LightSettings& l = s.lights[0];
-    l.fit = LightFit::Manual;
-    l.cone = 60;
-    l.distance = 8;
     const double of_cone = fit_lights(scene, s)[0].views[0].half_width;
     EXPECT_NEAR(of_cone, std::tan(M_PI / 6), 0.01);
     l.extent = 2;
@@ -311,9 +308,7 @@ TEST(LightFit, NonFiniteSettingsAreReplaced) {
 
 TEST(LightFit, WorksForALightInsideTheScene) {
     const Scene scene = box_scene({{glm::dvec3(-5, -1, -5), glm::dvec3(5, 0, 5)}, {glm::dvec3(-1), glm::dvec3(1)}});
-    Settings s = one_light(LightType::Spot);
-    s.lights[0].distance = 0.2;
-    s.lights[0].elevation = 90;
+    Settings s = settings_with(one_light(LightType::Spot), {"light.distance=0.2", "light.elevation=90"});
     FittedLight light = fit_lights(scene, s)[0];
     EXPECT_GT(light.views[0].curve.near, 0);
     EXPECT_EQ(light.clipped_casters, 1);  // the light is inside the cube and above the floor
@@ -322,9 +317,7 @@ TEST(LightFit, WorksForALightInsideTheScene) {
     s.objects.clear();
     s.lights[0].distance = 20;
     EXPECT_EQ(fit_lights(scene, s)[0].clipped_casters, 0);
-    s.lights[0].fit = LightFit::Manual;
-    s.lights[0].near = 19.4;
-    s.lights[0].far = 21;
+    set_all(s, {"light.fit=manual", "light.near=19.4", "light.far=21"});
     light = fit_lights(scene, s)[0];
     EXPECT_EQ(light.views[0].curve.near, 19.4);
     EXPECT_EQ(light.views[0].curve.far, 21);
@@ -338,12 +331,9 @@ TEST(LightFit, RangeEndsTheMap) {
                                            {LightType::Spot, LightProjection::Automatic},
                                            {LightType::Spot, LightProjection::Orthographic}})
         for (const double range : {0.001, 5.0, 12.0, 25.0, 1e4}) {
-            Settings s = one_light(type);
+            Settings s = settings_with(one_light(type), {"light.elevation=90", "light.cone=150", "light.distance=10"});
             LightSettings& l = s.lights[0];
             l.projection = projection;
-            l.elevation = 90;
-            l.cone = 150;
-            l.distance = 10;
             l.target_y = -scene.bounds.centre().y;
             const FittedLight endless = fit_lights(scene, s)[0];
             l.range = range;
@@ -378,14 +368,10 @@ TEST(LightFit, RangeEndsTheMap) {
 
 TEST(LightFit, ManualFitUsesItsNumbers) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
-    Settings s = one_light(LightType::Directional);
+    Settings s =
+        settings_with(one_light(LightType::Directional), {"light.fit=manual", "light.distance=12", "light.extent=3",
+                                                          "light.near=2", "light.far=30", "light.target_x=1"});
     LightSettings& l = s.lights[0];
-    l.fit = LightFit::Manual;
-    l.distance = 12;
-    l.extent = 3;
-    l.near = 2;
-    l.far = 30;
-    l.target_x = 1;
     FittedLight light = fit_lights(scene, s)[0];
     EXPECT_EQ(light.views[0].half_width, 3);
     EXPECT_EQ(light.views[0].curve.near, 2);
