@@ -8,6 +8,7 @@
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -165,13 +166,8 @@ TEST(HardCase4, SixteenBitsOfDistanceAreFinerFarAway) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = hard_settings();
     s.bias = no_bias();
-    LightSettings& light = s.lights[0];
-    light.type = LightType::Spot;
-    light.fit = LightFit::Manual;
-    light.elevation = 60;
-    light.distance = 20;
-    light.near = 0.03;
-    light.far = 30;
+    set_all(s, {"light.type=spot", "light.fit=manual", "light.elevation=60", "light.distance=20", "light.near=0.03",
+                "light.far=30"});
     const auto acne = [&](MapFormat format, double texels) {
         s.map.format = format;
         s.bias.unit = BiasUnit::Texels;
@@ -219,13 +215,9 @@ TEST(HardCase5, PolygonOffsetActsAsMeasured) {
         Settings s = hard_settings();
         s.bias = no_bias();
         s.map.format = format;
+        set_all(s, {"light.elevation=90", "light.fit=manual", "light.distance=6", "light.near=1e-9", "light.far=10",
+                    "light.extent=6"});
         LightSettings& light = s.lights[0];
-        light.elevation = 90;
-        light.fit = LightFit::Manual;
-        light.distance = 6;
-        light.near = 1e-9;
-        light.far = 10;
-        light.extent = 6;
         const Shot flat = draw_shot(scene, s, 64, 48);
         const double step = depth_quantum(format, 0.6);
         s.bias.raster_units = format == MapFormat::D16 ? 100 : 1000;

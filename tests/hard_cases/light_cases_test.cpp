@@ -111,9 +111,7 @@ TEST(HardCase7, ALightInsideABoxKeepsItsNearPlanePositive) {
             expect_fault(7, shot.light().clipped_casters);
         }
     // From outside nothing is clipped, so the count is meaningful.
-    Settings s = hard_settings();
-    s.lights[0].type = LightType::Spot;
-    s.lights[0].distance = 20;
+    Settings s = settings_with(hard_settings(), {"light.type=spot", "light.distance=20"});
     EXPECT_EQ(draw_shot(scene, s).light().clipped_casters, 0);
 }
 

@@ -115,8 +115,7 @@ TEST(HardCase29, PointsOutsideTheMapAreLit) {
             settings_with(hard_settings(), {"camera.elevation=70", "camera.distance=14", "map.resolution=128"});
         set_setting(s, "filter.kernel", filter);
         // A map of 4 x 4 m in the middle of 10 x 10 m of floor: the bar's shadow crosses its border.
-        s.lights[0].fit = LightFit::Manual;
-        s.lights[0].extent = 2;
+        set_all(s, {"light.fit=manual", "light.extent=2"});
         const auto wrong_outside = [&](const Shot& shot) {
             const RayReference rays(scene);
             int wrong = 0, outside = 0;

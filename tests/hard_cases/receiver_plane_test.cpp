@@ -148,14 +148,10 @@ TEST(ReceiverPlane, LightsAStripAtAWallOfTheClosedFormsWidth) {
             s.lights[0].azimuth = 23;
             s.lights[0].elevation = 35;  // from +z
             if (type == LightType::Spot) {
-                s.lights[0].distance = 16;
-                s.lights[0].cone = 60;
+                set_all(s, {"light.distance=16", "light.cone=60"});
             }
-            s.camera.azimuth = 180;
-            s.camera.elevation = 65;
-            s.camera.distance = 9;
-            s.camera.target_x = s.camera.target_y = 0;
-            s.camera.target_z = -0.5;
+            set_all(s, {"camera.azimuth=180", "camera.elevation=65", "camera.distance=9", "camera.target_x=0",
+                        "camera.target_y=0", "camera.target_z=-0.5"});
             const Shot shot = draw_shot(scene, s, 480, 360);
             double lit = 0, expected = 0;
             int columns = 0;
@@ -204,8 +200,7 @@ TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
             SCOPED_TRACE(testing::Message() << row.key << ", light " << int(type));
             Settings s = texel_settings(row.key, 512, 0);
             s.lights[0].type = type;
-            s.lights[0].distance = 9;
-            s.lights[0].cone = 80;
+            set_all(s, {"light.distance=9", "light.cone=80"});
             choose(s, "receiver-plane");
             const Shot plane = draw_shot(scene, s, 320, 240);
             choose(s, "constant");

@@ -4,8 +4,10 @@
 
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/placements.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -20,14 +22,10 @@ struct Solids {
 
 Scene solid_scene() {
     const Solids s;
-    Scene scene;
-    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(2 * s.floor, 2 * s.floor), grey));
     const glm::dvec3 middle = 0.5 * (s.box_lo + s.box_hi);
-    add_object(scene, "box", -1, add_mesh(scene, "box", make_box(s.box_hi - s.box_lo), grey),
-               moved(middle.x, middle.y, middle.z));
-    add_object(scene, "ball", -1, add_mesh(scene, "ball", make_sphere(s.ball, 192, 96), grey),
-               moved(s.ball_at.x, s.ball_at.y, s.ball_at.z));
+    Scene scene = grey_scene({{"floor", make_plane(2 * s.floor, 2 * s.floor)},
+                              {"box", make_box(s.box_hi - s.box_lo), moved(middle.x, middle.y, middle.z)},
+                              {"ball", make_sphere(s.ball, 192, 96), moved(s.ball_at.x, s.ball_at.y, s.ball_at.z)}});
     add_camera(scene, {-2.5, 7, 6.5}, {-0.5, 0.5, 0}, 45);
     finalise(scene);
     return scene;
@@ -137,8 +135,7 @@ TEST_P(HardCase36Everywhere, TheReferenceEqualsTheClosedForm) {
         Settings s;
         s.map.resolution = 64;
         s.lights[0].type = type;
-        s.lights[0].azimuth = 30;
-        s.lights[0].elevation = 40;
+        set_all(s, {"light.azimuth=30", "light.elevation=40"});
         if (type == LightType::Point) s.lights[0].distance = 6;
         ASSERT_TRUE(place_settings(s, placement) || placement.scale == 4);
         ReferenceCache cache;
@@ -223,8 +220,7 @@ TEST(HardCase10Baked, DistantVerticesAreComparedAsRounded) {
             Settings s;
             s.map.resolution = 256;
             s.lights[0].type = type;
-            s.lights[0].azimuth = 30;
-            s.lights[0].elevation = 40;
+            set_all(s, {"light.azimuth=30", "light.elevation=40"});
             const Shot a = draw_shot(baked, s), b = draw_shot(placed, s);
             EXPECT_GT(shadow_share(a), 0.02);
             EXPECT_LE(differing_share(a, b), 5e-4) << int(type);

@@ -6,6 +6,7 @@
 #include "renderer/settings/param.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 #include "tests/support/stability.h"
 
 namespace si::test {
@@ -142,8 +143,7 @@ TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
     Settings s = hard_settings();
     s.map.resolution = 4096;
     s.bias = no_bias();
-    s.bias.constant = 1e-3;
-    set_setting(s, "filter.kernel", "hard");
+    set_all(s, {"bias.constant=1e-3", "filter.kernel=hard"});
     const ReferenceErrors e = compare_with_reference(draw_shot(two, s), two, 1);
     EXPECT_EQ(e.false_light, 0);
     EXPECT_EQ(e.false_shadow, 0);

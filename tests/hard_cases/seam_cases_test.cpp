@@ -55,16 +55,12 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
                 SCOPED_TRACE(testing::Message() << kernel << " " << lamp.x << " " << at.x);
                 Scene scene = hard_lamp();
                 test::move_scene(scene, at);
-                Settings s = settings_with(test::texel_settings(kernel, 256, 0),
-                                           {"bias.unit=metres", "bias.constant=0.25", "bias.normal=3"});
-                LightSettings& light = s.lights[0];
-                light.type = LightType::Point;
-                light.size = 0.02;
-                light.distance = 1e-3;  // at its target
-                const glm::dvec3 from = at + lamp - scene.bounds.centre();
-                set_target(light, from);
-                s.camera.distance = 11;
-                s.camera.elevation = 65;
+                Settings s =
+                    settings_with(test::texel_settings(kernel, 256, 0),
+                                  {"bias.unit=metres", "bias.constant=0.25", "bias.normal=3", "light.type=point",
+                                   "light.size=0.02", "camera.distance=11", "camera.elevation=65"});
+                s.lights[0].distance = 1e-3;  // at its target
+                set_target(s.lights[0], at + lamp - scene.bounds.centre());
                 test::move_camera(s, at);
                 const Seams seams = count(scene, s);
                 EXPECT_GT(seams.near, 500u);

@@ -75,8 +75,7 @@ TEST(HardCase11, EveryScaleLooksTheSame) {
     // A bias in metres does depend on the scale: the comparison can fail.
     Settings s = hard_settings();
     s.bias = no_bias();
-    s.bias.unit = BiasUnit::Metres;
-    s.bias.constant = 0.05;
+    set_all(s, {"bias.unit=metres", "bias.constant=0.05"});
     const Shot one = draw_shot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
     const Shot other = draw_shot(placed_scene(scaled(1e-2, 1e-2, 1e-2)), seen_from(s, {0, 0.005, 0}, 1e-2));
     expect_fault(11, differing_share(one, other));
@@ -89,9 +88,7 @@ TEST(HardCase14, NormalsArePerpendicularToStretchedFaces) {
     const glm::dmat4 turn = turned(30) * turned(25, {1, 0, 0});
     add_object(scene, "box", root, add_mesh(scene, "box", make_box({1, 1, 1}), -1), turn);
     finalise(scene);
-    Settings s = hard_settings();
-    s.camera.target_y = 0;
-    s.camera.distance = 6;
+    Settings s = settings_with(hard_settings(), {"camera.target_y=0", "camera.distance=6"});
     for (std::size_t i = 0; i < overlays().size(); ++i)
         if (overlays()[i].key == "normals") s.view.overlay = int(i) + 1;
     FrameRequest request;

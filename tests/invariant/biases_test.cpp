@@ -13,6 +13,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/sets.h"
 
 namespace si::test {
 namespace {
@@ -31,8 +32,7 @@ struct BiasCase {
 Settings unbiased(const Bias& row) {
     Settings s = hard_settings();
     s.bias = no_bias();
-    s.bias.unit = BiasUnit::Texels;
-    s.bias.plane_clamp = 0;
+    set_all(s, {"bias.unit=texels", "bias.plane_clamp=0"});
     if (row.stage == BiasStage::Compare) set_setting(s, "bias.kind", row.key);
     return s;
 }

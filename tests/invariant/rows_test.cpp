@@ -169,9 +169,7 @@ std::vector<Case> cases_of_one_map() {
 TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     Scene scene = make_scene(make_plane(6, 6));
     move_scene(scene, c.place.at);
-    Settings s = settings_of(c, 256);
-    s.lights[0].elevation = 20;
-    s.lights[0].cone = 40;
+    Settings s = settings_with(settings_of(c, 256), {"light.elevation=20", "light.cone=40"});
     give_bias(s, fitted(scene, s), std::tan(glm::radians(c.light == LightType::Spot ? 84.0 : 70.0)));
     int lit = 0;
     double least = 1;
@@ -369,8 +367,7 @@ TEST(Vsm, OfTwoPlanesEqualsTheLitShare) {
         Settings s = overhead("vsm");
         s.bias.constant = 0.01;
         s.filter.blur = blur;
-        s.filter.bleed = 0;
-        s.filter.min_variance = 0;
+        set_all(s, {"filter.bleed=0", "filter.min_variance=0"});
         int partly = 0;
         double worst = 0;
         for (const EdgePixel& p : pixels_at_edge(draw_shot(scene, s, 320, 240), scene)) {
@@ -437,9 +434,7 @@ TEST_P(PenumbraKernels, PenumbraWidthsFollowSimilarTriangles) {
                                  {LightType::Spot, 0.3, 2 * 0.3 / (height_m - 1)},
                                  {LightType::Point, 0.3, 2 * 0.3 / (height_m - 1)}};
     for (const SizedLight& light : lights) {
-        Settings s = overhead(GetParam());
-        s.map.resolution = 1024;
-        s.bias.constant = 1;
+        Settings s = settings_with(overhead(GetParam()), {"map.resolution=1024", "bias.constant=1"});
         s.lights[0].type = light.type;
         s.lights[0].size = light.size;
         s.lights[0].distance = light.type == LightType::Directional ? 0 : place_m;

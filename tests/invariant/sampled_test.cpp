@@ -109,9 +109,7 @@ TEST(SampledKernels, ARadiusInMetresHoldsUnderEveryLight) {
             SCOPED_TRACE(std::to_string(int(type)) + " " + std::to_string(resolution));
             Settings s = soft_settings("vogel", type);
             s.map.resolution = resolution;
-            s.filter.taps = 256;
-            set_setting(s, "filter.radius_unit", "metres");
-            s.filter.radius = 0.08;
+            set_all(s, {"filter.taps=256", "filter.radius_unit=metres", "filter.radius=0.08"});
             const Shot shot = draw_shot(scene, s, 240, 120);
             std::map<int, std::pair<double, int>> stripes;
             const double stripe_m = 0.006;
@@ -137,9 +135,8 @@ TEST(SampledKernels, ARadiusInMetresHoldsUnderEveryLight) {
 TEST(SampledKernels, ReportWhereTheirTableEnds) {
     const Scene scene = covered_floor_and_a_brick();
     const auto notes = [&](std::string_view kernel, const char* disk) {
-        Settings s = soft_settings(kernel, LightType::Directional);
-        s.map.resolution = 64;
-        s.filter.taps = 100;
+        Settings s =
+            settings_with(soft_settings(kernel, LightType::Directional), {"map.resolution=64", "filter.taps=100"});
         set_setting(s, "filter.disk", disk);
         std::string all;
         for (const std::string& note : hard_renderer().render(scene, s, {.width = 8, .height = 8}).notes) all += note;

@@ -12,6 +12,7 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -55,12 +56,10 @@ protected:
     }
     /// Makes a floor of 12 m, and a cover of 3 x 3 m in the half where x is below 0.
     Scene scene(bool covered) const {
-        Scene scene;
-        const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-        add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
-        const Mesh cover = make_plane(2 * kCoverHalf, 2 * kCoverHalf);
+        std::vector<GreyPart> parts{{"floor", make_plane(12, 12)}};
         if (covered)
-            add_object(scene, "cover", -1, add_mesh(scene, "cover", cover, grey), moved(-kCoverHalf, kCoverY, 0));
+            parts.push_back({"cover", make_plane(2 * kCoverHalf, 2 * kCoverHalf), moved(-kCoverHalf, kCoverY, 0)});
+        Scene scene = grey_scene(std::move(parts));
         move_scene(scene, c.place.at);
         return scene;
     }

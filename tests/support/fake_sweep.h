@@ -81,6 +81,12 @@ struct FakeSweep {
         }
         return journal.state();
     }
+    /// Runs the whole sweep without times, with a meter of its own. @returns the meter with what it measured
+    FakeMeter measure() const {
+        FakeMeter meter;
+        run(meter, 10'000, {.on = false});
+        return meter;
+    }
     /// Reads the sweep's results from the journal.
     SweepResults measured() const { return sweep_results(read_journal(folder), plan); }
     /// Returns the sweep's results in the format of results.json.

@@ -100,12 +100,9 @@ const std::vector<GoldenTable>& tables() {
 
 GoldenPicture picture_of(const GoldenTable& table, const std::string& row, const Sets& sets) {
     GoldenPicture out{table.name, row, table.key, still_life(), texel_settings("hard", 96, 1.5)};
-    out.settings.camera.distance = 6.5;
-    out.settings.camera.target_y = 0.6;
-    out.settings.view.overlay_opacity = 1;
-    out.settings.shading.sky = SkyLook::Plain;
-    out.settings.shading.curve = ToneCurve::Plain;
     const auto set = [&](const Sets& of) { set_all(out.settings, of); };
+    set({"camera.distance=6.5", "camera.target_y=0.6", "view.overlay_opacity=1", "shading.sky=plain",
+         "shading.curve=plain"});
     set(table.sets);
     if (const auto found = table.rows.find(row); found != table.rows.end()) set(found->second);
     set(sets);

@@ -264,8 +264,7 @@ TEST(Cascades, ReadTheCameraOnlyUnderCascadedFits) {
     s.lights[0].projection = LightProjection::Automatic;
     s.lights[0].type = LightType::Spot;
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    s.lights[0].type = LightType::Directional;
-    s.lights[0].cascades = 1;
+    set_all(s, {"light.type=directional", "light.cascades=1"});
     EXPECT_FALSE(fit_reads_camera(s, 0));
     // A camera that looks away from the scene still gets maps.
     Cascaded away({{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval});

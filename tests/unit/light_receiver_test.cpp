@@ -4,6 +4,7 @@
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/fits/light_fit.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -15,17 +16,10 @@ struct Lit {
     SurfacePoint point;
     explicit Lit(LightType type, bool reversed, double aside = 2) {
         settings.map.reversed_z = reversed;
-        LightSettings& l = settings.lights[0];
-        l.type = type;
-        l.azimuth = 0;
-        l.elevation = 90;
-        l.distance = 10;
-        l.cone = 60;
-        l.fit = LightFit::Manual;
-        l.near = 0.05;
-        l.far = 12;
-        settings.bias = {};
-        settings.bias.constant = settings.bias.slope = settings.bias.normal = 0;
+        settings.lights[0].type = type;
+        set_all(settings,
+                {"light.azimuth=0", "light.elevation=90", "light.distance=10", "light.cone=60", "light.fit=manual",
+                 "light.near=0.05", "light.far=12", "bias.constant=0", "bias.slope=0", "bias.normal=0"});
         light = fit_lights(make_scene(make_plane(20, 20)), settings)[0];
         point.position_ws = {aside, 0, 0.5 * aside};
     }

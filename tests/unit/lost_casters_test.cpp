@@ -7,6 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/view/fits/light_fit.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -76,9 +77,7 @@ TEST(LostCasters, MirroringAndUnevenScaleChangeNothing) {
 }
 
 TEST(LostCasters, SpotLightsUseTheirPosition) {
-    Settings s = with_cull(Cull::Back);
-    s.lights[0].type = LightType::Spot;
-    s.lights[0].elevation = 60;
+    Settings s = settings_with(with_cull(Cull::Back), {"light.type=spot", "light.elevation=60"});
     EXPECT_TRUE(lost_casters_of(floor_and_box(), s).empty());
     s.lights[0].elevation = -60;  // below the floor
     const auto list = lost_casters_of(floor_and_box(), s);

@@ -98,9 +98,7 @@ TEST(MapLimits, TexelLargerThanTheSceneIsReported) {
 }
 
 TEST(MapLimits, FlatSceneHasNoDepthLimit) {
-    Settings s;
-    s.lights[0].elevation = 90;
-    s.lights[0].azimuth = 0;
+    Settings s = settings_with({}, {"light.elevation=90", "light.azimuth=0"});
     const FittedLight light = fit_lights(test::box_scene({{{0, 3, 0}, {5, 3, 5}}}), s)[0];
     EXPECT_FALSE(light.limits.one_depth_step);
 }

@@ -107,8 +107,7 @@ TEST(Sweep, TruncatedLineIsIgnored) {
 
 TEST(Sweep, BadLineLosesOnlyItsCase) {
     const FakeSweep f(fresh_test_folder());
-    FakeMeter meter;
-    f.run(meter, 10'000, {.on = false});
+    f.measure();
     const std::string text = file_bytes(f.folder / kJournalFile);
     std::vector<std::string> lines;
     for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
@@ -150,8 +149,7 @@ TEST(Sweep, BadLineLosesOnlyItsCase) {
 
 TEST(Sweep, ImpossibleNumbersAreMeasuredAgain) {
     const FakeSweep f(fresh_test_folder());
-    FakeMeter meter;
-    f.run(meter, 10'000, {.on = false});
+    f.measure();
     const std::string text = file_bytes(f.folder / kJournalFile);
     const std::size_t at = text.find("{\"facts\":3"), end = text.find('\n', at);
     ASSERT_NE(at, text.npos);
@@ -167,8 +165,7 @@ TEST(Sweep, ImpossibleNumbersAreMeasuredAgain) {
         line["error"]["mae"] = value;
         line["error"]["pixels"]["counted"] = 100;
         EXPECT_EQ(with(line).notes.size(), 1u) << value;
-        FakeMeter again;
-        f.run(again, 10'000, {.on = false});
+        const FakeMeter again = f.measure();
         EXPECT_EQ(again.measured.size(), 1u) << value;
     }
     auto line = good_line;
@@ -184,8 +181,7 @@ TEST(Sweep, ImpossibleNumbersAreMeasuredAgain) {
 
 TEST(Sweep, JournalMayBeDamagedAtItsStart) {
     const FakeSweep f(fresh_test_folder());
-    FakeMeter meter;
-    f.run(meter, 10'000, {.on = false});
+    f.measure();
     const std::string text = file_bytes(f.folder / kJournalFile);
     const auto write = [&](const std::string& changed) {
         std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
@@ -245,12 +241,10 @@ TEST(Sweep, ReducedMapIsListedAtItsActualSize) {
 
 TEST(Sweep, MissingPicturesAreDrawnAgain) {
     const FakeSweep f(fresh_test_folder());
-    FakeMeter meter;
-    f.run(meter, 10'000, {.on = false});
+    f.measure();
     const OrderedJson before = f.results();
     fs::remove_all(f.folder / "pictures");
-    FakeMeter again;
-    f.run(again, 10'000, {.on = false});
+    const FakeMeter again = f.measure();
     EXPECT_EQ(again.measured.size(), 8u);
     EXPECT_FALSE(lacks_pictures(f.folder, 7));
     EXPECT_EQ(f.results()["rows"], before["rows"]);
@@ -275,8 +269,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
     }
     // A foreign file next to a sweep.
     const FakeSweep f(root / "ours");
-    FakeMeter meter;
-    f.run(meter, 10'000, {.on = false});
+    f.measure();
     for (const char* name : {"pictures/2026-holiday.jpg", "pictures/007.jpg", "notes.txt", "pictures/0001-mine.png"})
         std::ofstream(f.folder / name) << "mine";
     remove_sweep_files(f.folder);
@@ -289,8 +282,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
     fs::create_directories(killed.folder);
     std::ofstream(killed.folder / kJournalFile) << "{\"format\":\"shadow-insp";
     EXPECT_NO_THROW(require_sweep_folder(killed.folder));
-    FakeMeter first;
-    killed.run(first, 10'000, {.on = false});
+    const FakeMeter first = killed.measure();
     EXPECT_EQ(first.measured.size(), 8u);
 }
 
@@ -400,14 +392,12 @@ TEST(Sweep, ErrorsOfAnotherDefinitionAreNotMixed) {
 TEST(Merge, ShardsMergeIntoTheWholeSweep) {
     const fs::path folder = fresh_test_folder();
     FakeSweep whole(folder / "whole");
-    FakeMeter meter;
-    whole.run(meter, 10'000, {.on = false});
+    FakeMeter meter = whole.measure();
     std::vector<std::pair<std::string, SweepState>> parts;
     for (int i = 1; i <= 3; ++i) {
         FakeSweep shard(folder / std::to_string(i));
         shard.spec.shard = {i, 3};
-        FakeMeter m;
-        shard.run(m, 10'000, {.on = false});
+        const FakeMeter m = shard.measure();
         EXPECT_EQ(m.measured.size(), i == 3 ? 2u : 3u);
         parts.emplace_back(std::to_string(i), read_journal(shard.folder));
     }
@@ -431,8 +421,8 @@ TEST(Merge, ContradictingPartsAreNamed) {
     std::vector<std::pair<std::string, SweepState>> parts;
     for (const char* name : {"one", "two", "three"}) {
         FakeSweep part(root / name);
-        FakeMeter meter;
-        parts.emplace_back(name, part.run(meter, 10'000, {.on = false}));
+        part.measure();
+        parts.emplace_back(name, read_journal(part.folder));
     }
     EXPECT_TRUE(merge_sweeps(parts).notes.empty()) << "the same work done thrice";
     parts[1].second.cases.at(4).error.metrics.mae = 7;
@@ -454,8 +444,7 @@ TEST(Merge, MergedSweepIsTimedByContinuation) {
     for (int i = 1; i <= 2; ++i) {
         FakeSweep shard(folder / std::to_string(i));
         shard.spec.shard = {i, 2};
-        FakeMeter m;
-        shard.run(m, 10'000, {.on = false});
+        shard.measure();
         parts.emplace_back("", read_journal(shard.folder));
     }
     FakeSweep whole(folder / "whole");

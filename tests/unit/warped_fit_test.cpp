@@ -32,12 +32,9 @@ Settings warped(const glm::dvec3& target) {
 /// Makes a camera 2 m above the ground that looks along -z, and a light from above whose rays have that angle to its
 /// view.
 Settings level_view(double angle_deg) {
-    Settings s = warped({0, 2, 20});
-    s.camera.azimuth = s.camera.elevation = 0;
-    s.camera.distance = 10;
-    s.camera.near = 0.5;
-    s.bias.normal = 0;  // otherwise the map holds its offset, too
-    s.lights[0].azimuth = 0;
+    // An offset along normals would widen the map.
+    Settings s = settings_with(warped({0, 2, 20}), {"camera.azimuth=0", "camera.elevation=0", "camera.distance=10",
+                                                    "camera.near=0.5", "bias.normal=0", "light.azimuth=0"});
     s.lights[0].elevation = angle_deg;
     return s;
 }
@@ -248,9 +245,7 @@ TEST(WarpedFit, WarpFadesForLightAlongTheView) {
 
 TEST(WarpedFit, ReportsUnwarpedViews) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
-    Settings s = level_view(60);
-    s.camera.orthographic = true;
-    s.camera.height = 10;
+    Settings s = settings_with(level_view(60), {"camera.orthographic=true", "camera.height=10"});
     const FittedLight flat = fitted(scene, s).light;
     EXPECT_EQ(flat.views[0].curve.warp->rise, 0);
     ASSERT_FALSE(flat.notes.empty());
