@@ -122,7 +122,7 @@ Json metric_rows() {
 Json overlay_rows() {
     return technique_rows<Overlay>(overlays(), [](const Overlay& o) -> Json {
         return {{"file", o.file()}, {"unit", o.unit}, {"scalar", o.scalar},
-                {"min", o.min},   {"max", o.max},   {"diverging", o.diverging}};
+                {"min", o.min},     {"max", o.max},   {"diverging", o.diverging}};
     });
 }
 
