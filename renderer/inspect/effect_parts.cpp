@@ -237,7 +237,7 @@ void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
 }
 
 void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
-    if (f.filter().samples != Samples::Moments) return;
+    if (f.filter().samples() != Samples::Moments) return;
     const bool summed = f.filter().moments.summed, mips = keeps_mips(f.settings);
     const int blur = f.settings.filter.blur, samples = f.settings.map.samples;
     const bool of_blurred_depths = samples > 1 && f.settings.map.blur_texels > 0;
