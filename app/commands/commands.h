@@ -72,7 +72,8 @@ struct PlanOptions : CommandOptions {
     int rounds = 15;       ///< rounds of alternating frames per measurement
     bool waste = false;    ///< list work that changes no pixel when it is left out
 };
-/// Runs the command `plan`: prints which passes and effects a frame draws, which it skips, and why.
+/// Runs the command `plan`: prints which passes and smaller pieces of work (Effect) a frame draws, which it skips, and
+/// why.
 void run_plan(const PlanOptions& options);
 
 /// Options of the command `precision`.

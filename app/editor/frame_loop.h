@@ -35,7 +35,8 @@ public:
         if (warm_up_shaders) warmup_ = std::make_unique<ShaderWarmup>();
     }
 
-    /// Draws the scene if anything has changed, and updates the facts that shown panels need. Errors become remarks.
+    /// Draws the scene if anything has changed, and updates the data (FrameFacts) that shown panels need. Returns what
+    /// has changed, with lines for the log; an error becomes such a line.
     /// @param comparison settings that state.compare names; null: not known
     FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                      const ComparisonFacts* comparison);

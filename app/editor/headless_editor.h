@@ -35,7 +35,8 @@ public:
     /// Draws frames until nothing changes any more: the scene is loaded, layout and pictures are final, and all
     /// requested measurements have ended.
     void settle();
-    /// Adds all samples per pixel to the scene picture, if view.smooth is on, and draws the editor once more.
+    /// Completes the anti-aliasing of the scene picture (view.smooth), which the editor adds sample by sample over
+    /// several frames, and draws the editor once more. Does nothing else if view.smooth is off.
     void add_all_samples();
     /// Returns the editor's last frame as an image, top row first.
     ByteImage picture() const;

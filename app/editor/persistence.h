@@ -39,7 +39,8 @@ public:
     const Autosave::Lost* lost() const { return autosave_.lost(); }
     /// Deletes the session that a crash has left.
     void forget_lost() { autosave_.forget_lost(); }
-    /// Writes the workspace at the end. @param unsaved no preset holds the settings: the next start offers them
+    /// Writes the workspace at the editor's end, and ends autosave: with `unsaved` the autosave file is kept, for the
+    /// next start to offer; otherwise it is deleted. @param unsaved true: the settings differ from every saved preset
     void end(const EditorState& state, bool unsaved);
 
 private:

@@ -29,7 +29,8 @@ public:
 
 private:
     struct Texture;
-    /// Drops the facts while no pictures are compared. The second renderer keeps its maps.
+    /// Drops the facts shown for the comparison, and the difference image. The second renderer stays, with its cached
+    /// maps.
     void hide();
     /// Draws the other picture with the second renderer, if its settings, scene or size have changed.
     void draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,

@@ -36,8 +36,8 @@ public:
     bool would_be_lost() const;
 
 private:
-    /// Registers an opened preset as the file that saving writes. Returns the note that the editor shows for the
-    /// preset.
+    /// Registers an opened preset: a preset file becomes the file that saving writes and enters the recent files; a
+    /// built-in preset does neither. Returns the preset's title and description for the editor to show.
     GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
 
     EditorState& state_;

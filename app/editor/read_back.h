@@ -25,7 +25,8 @@ public:
     /// renderer may then no longer hold the last frame (Renderer::has_images_of()). @throws Error
     bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
                        const EditorRequests& requests);
-    /// Drops all numbers read back. Call when there is no frame.
+    /// Drops the numbers read back from the last frame (probe, loupe, map, overlay). The frozen camera's texel usage
+    /// stays. Call when the renderer has drawn no frame, as without a scene.
     void clear();
     /// Returns true if update() has the diagnosis of the probed pixel.
     bool has_news() const { return diagnosis_.ready(); }

@@ -14,7 +14,8 @@
 
 namespace si {
 
-/// Scene to load, with the settings to apply once it is loaded. Without plan and settings, the user's changes are kept.
+/// Scene to load, with what to apply once it is loaded: the settings of a session plan (preset and --set), or exactly
+/// given settings. With neither, the settings that the user changed are kept.
 struct Arrival {
     std::string scene_name;
     int file_scene = -1;

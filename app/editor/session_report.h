@@ -32,7 +32,8 @@ public:
     void write_when_due(double now_s, const Log& log);
     /// Stops writing, after a failure.
     void stop_writing() { path_.clear(); }
-    /// Writes the session report to its file. @throws Error
+    /// Writes the session report to the file given to the constructor; does nothing without one. @param log the
+    /// editor's log, whose errors go into the report @throws Error
     void write(const Log& log);
 
 private:

@@ -85,7 +85,8 @@ private:
     Earlier earlier(const EditorState& state) const;
     /// Lists the settings that differ from those of the shown sweep and are not varied by it.
     void compare_settings(const EditorState& state);
-    /// Removes sweep folders made by this run in which no case was finished. Folders in use stay until the next call.
+    /// Removes the folders that this run made for sweeps and in which no case was finished. A folder that cannot be
+    /// removed yet, such as one whose sweep still holds its lock, is tried again at the next call.
     void drop_empty();
 
     std::filesystem::path parent_;

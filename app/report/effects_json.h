@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Converts the effects of a frame to JSON, one object each. @param saved measured times; null: each saved_ms is null
+/// Converts the pieces of rendering work of a frame (Effect) to JSON, one object each. @param saved measured times;
+/// null: each saved_ms is null
 nlohmann::ordered_json effects_json(std::span<const Effect> effects, const SavedTimes* saved);
 /// Converts the table of optimisations to JSON. @param saved measured times; null: none
 nlohmann::ordered_json optimisations_json(const SavedTimes* saved);

@@ -15,7 +15,7 @@ namespace si {
 std::shared_ptr<const NumericHealth> search_numbers(Renderer& renderer, const Scene& scene, const Settings& settings,
                                                     FrameRequest request, const Workers& workers = {});
 
-/// Converts the findings of a search to JSON.
+/// Converts the findings of the search for invalid numbers (NaN, infinite, out of range) to JSON.
 nlohmann::ordered_json health_json(const NumericHealth& health);
 
 /// Checks that all numbers are sound. @throws Error naming each finding and its place

@@ -24,8 +24,8 @@ ByteImage shrunk(const ByteImage& image, int width);
 /// shading from `other`; camera, time and views from `shown`.
 Settings settings_with_shadows_of(const Settings& shown, const Settings& other);
 
-/// Composes an image of `a` left of a vertical line and `b` right of the line. Both have one size. @param at place of
-/// the line, 0..1 of the width
+/// Composes an image of `a` left of a vertical white line, two pixels wide, and `b` right of the line. Both have one
+/// size. @param at the place of the line, 0..1 of the width
 ByteImage swipe_image(const ByteImage& a, const ByteImage& b, double at);
 /// Composes two images side by side with a gap.
 ByteImage side_by_side_image(const ByteImage& a, const ByteImage& b);

@@ -18,7 +18,8 @@ struct View {
     int overlay = 0;      ///< value of view.overlay, 0 for none
 };
 
-/// Lists all views that `render --view` can draw. An overlay with the key of a view is not listed twice.
+/// Lists all views that `render --view` can draw. An overlay whose key (view.overlay) equals the key of another view is
+/// listed once.
 std::vector<View> views();
 /// Finds a view of `render --view` by key. @throws UsageError naming the nearest key
 View find_view(const std::string& key);

@@ -40,7 +40,7 @@ public:
     /// Ends autosave. @param unsaved true: keeps scene and settings, so that the next start offers them, as after a
     /// crash; false: removes the autosave file
     void end(const std::string& scene, const Settings& settings, bool unsaved);
-    /// Returns the errors since the last call, one line each.
+    /// Returns the errors of autosave and of reading lost sessions since the last call, one line each, and clears them.
     std::vector<std::string> take_remarks();
 
 private:

@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Metric of a claim, and the preset, settings and objects that it is measured with.
+/// Side of a preset's claim (PresetClaim): the metric to measure, with the preset, settings and objects it is measured
+/// with.
 struct ClaimSubject {
     std::string metric;                  ///< name, or names whose values are added: "false_light + false_shadow"
     std::string preset;                  ///< key of a built-in preset; empty: the claim's own

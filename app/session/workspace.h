@@ -60,7 +60,8 @@ public:
 
     /// Returns the workspace as last read or written by this process.
     const WorkspaceData& data() const { return data_; }
-    /// Edits the workspace in memory and in its file, on top of changes that other editors wrote. Never throws.
+    /// Edits the workspace in memory and in its file, on top of changes that other editors wrote. Never throws: errors
+    /// go to take_remarks(). @param edit the change to make; may be called twice, on different data
     void change(const std::function<void(WorkspaceData&)>& edit);
     /// Returns the errors of reading and writing the workspace since the last call, one line each.
     std::vector<std::string> take_remarks();

@@ -11,8 +11,9 @@ namespace si {
 /// Largest total size of embedded pictures. Cases on the Pareto front come first.
 inline constexpr std::size_t kMaxPictureBytes = std::size_t{24} << 20;
 
-/// Makes the HTML report of a sweep. @param results JSON of results_json() @param folder folder of the sweep with its
-/// pictures; missing pictures are left out
+/// Returns the self-contained HTML page of a sweep. Pictures are embedded, those of the Pareto front first, up to
+/// `max_picture_bytes` in all; missing ones are left out. @param results the JSON of results_json() @param folder the
+/// folder of the sweep, with its pictures
 std::string report_html(const nlohmann::ordered_json& results, const std::filesystem::path& folder,
                         std::size_t max_picture_bytes = kMaxPictureBytes);
 

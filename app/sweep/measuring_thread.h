@@ -34,8 +34,8 @@ public:
         int width = 0, height = 0;
         CostCase cost = kDefaultCost;  ///< kind of frames to time
     };
-    /// Starts a sweep and cancels the present one. @param scene scene of the first case, copied @param as scene
-    /// settings (index, animation, time, placement) that the scene is posed with
+    /// Starts a sweep and cancels the present one. @param scene the scene of the first case, copied @param as the scene
+    /// settings (index, animation, time, placement) of that pose
     void start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene, const SceneSettings& as);
     /// Stops the running sweep. Finished cases stay in its journal.
     void cancel_sweep();
@@ -83,14 +83,15 @@ private:
         std::chrono::steady_clock::time_point due;
     };
     struct Bench;
-    /// Loop of the thread: measures pictures and steps of the sweep until `end`. @param kept time that the OpenGL
-    /// context stays in memory after the last measurement
+    /// Loop of the thread: measures pictures and steps of the sweep until `end`. @param kept the time for which the
+    /// OpenGL context stays in memory after the last measurement
     void run(const std::stop_token& end, std::chrono::milliseconds kept);
     /// Starts the waiting sweep.
     void begin_sweep(Bench& bench);
     /// Measures the next step of the running sweep.
     void step_sweep(Bench& bench);
-    /// Measures error, cost and time of the waiting picture.
+    /// Measures a requested picture (start_measurement()) and publishes the numbers in the thread's status: first error
+    /// and cost, then the frame time. A failure is published as text.
     void measure_picture(Bench& bench, const PictureWanted& wanted);
     /// Applies a change to the status and wakes the threads that wait for it.
     template <typename Change>

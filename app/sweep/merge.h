@@ -17,7 +17,8 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
 /// Returns the journal lines of `more` that `known` lacks. Both are states of one sweep.
 std::vector<nlohmann::ordered_json> missing_lines(const SweepState& known, const SweepState& more);
 
-/// Returns the numbers of the plan's cases without a result.
+/// Returns the numbers of the plan's cases without a result, to be measured still. A failed case counts as one with a
+/// result.
 std::vector<std::size_t> missing_cases(const SweepState& state, const SweepPlan& plan);
 
 }  // namespace si

@@ -17,7 +17,7 @@ inline constexpr const char* kBasePreset = "base.json";
 /// with one clock and one kind of frames.
 struct RankedRounds {
     std::vector<std::pair<std::string, int>> rounds;  ///< run and round
-    /// Returns true if a turn (the timed frames of one case in one round) belongs to one of these rounds.
+    /// Returns true if the timed frames of one sweep case in one round (Turn) belong to one of these rounds.
     bool contains(const Turn& turn) const;
 };
 /// Selects the rounds of timed frames that rank the cases of a sweep: those of the kind of frames timed last, on the

@@ -87,7 +87,7 @@ struct SweepState {
     /// Applies one line of a sweep's journal to this state, completely or not at all. @throws OtherMeaning, and
     /// std::exception for an unknown line
     void apply(const nlohmann::ordered_json& line);
-    /// Finds a run by its id; null: unknown.
+    /// Finds the run of the sweep (a process that measured cases) with this id; null: unknown.
     const RunInfo* run(const std::string& id) const;
 
 private:
