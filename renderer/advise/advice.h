@@ -68,13 +68,16 @@ struct TriedAdvice {
     std::string why_not;  ///< reason why the claim fails; empty: confirmed
     /// Returns the error that the change adds; negative: the error falls.
     double added_error() const { return after.error - before.error; }
-    /// Returns the added error up to which the error counts as unchanged.
+    /// Returns the largest added_error() at which the advised change still counts as leaving the error unchanged: a
+    /// share of the error before the change (kSameErrorShare), at least kSameError and a tenth of the reference's
+    /// noise.
     double tolerance() const;
     /// Returns the bytes of maps and look-ups that the change adds; negative: saves.
     long long more_bytes() const { return (long long)after.work.bytes_touched - (long long)before.work.bytes_touched; }
 };
 
-/// Added error that counts as none: as a share of the error before, and absolute.
+/// Largest error added by an advised change that counts as none: as a share of the error before the change, and
+/// absolute.
 inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
 
 /// Measures proposed setting changes and ranks them. First come changes that save time without error, then those that

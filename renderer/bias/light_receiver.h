@@ -27,7 +27,8 @@ enum class MapPlace {
     OutsideCasterRegion,  ///< outside the caster region: the light's fit has found that nothing can cast a shadow there
 };
 
-/// Returns the place as the probe prints it; "no map" for a light without one.
+/// Returns the name of a surface point's place relative to a light's map, as the probe prints it: "inside", "beyond
+/// far"; "no map" for nullopt, a light without a map.
 std::string_view place_name(std::optional<MapPlace> place);
 
 /// A surface point projected into a light's shadow map, with its texel size, depth curve, bias and compared depth.
@@ -55,8 +56,8 @@ struct LightReceiver {
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };
 
-/// Projects a surface point into a light's shadow map, with the normal offset. The depth bias of bias.kind stays 0:
-/// bias_breakdown() adds it.
+/// Projects a surface point into a light's shadow map, with the normal offset. Leaves `bias_depth` and `bias_m` at 0:
+/// bias_breakdown() computes the depth bias of bias.kind.
 /// @param geometric_normal,bias_normal unit, world; the second is the one that bias.normal_source selects
 /// @param resolution of the map, texels a side
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,

@@ -1,4 +1,4 @@
-// Number faults of a frame, such as NaN or negative variances: kinds, counts and places.
+// Invalid numbers found in a frame, such as NaN or negative variances: kinds, counts and places.
 #pragma once
 
 #include <cstddef>

@@ -71,7 +71,8 @@ public:
     const std::vector<PlacedImage>& images(const ResultRef& result) const;
     /// Returns one image of a result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& target(const ResultRef& result, std::size_t image = 0) const;
-    /// Returns the combined key of the passes added so far that write a result, aids excepted.
+    /// Returns the combined cache key of all passes added so far that write `result`, except passes that only save work
+    /// (Pass::only_saves_work).
     std::uint64_t key_of(const ResultRef& result) const;
     /// Returns true when a result's images already hold what the passes added so far would write.
     bool is_current(const ResultRef& result) const;

@@ -158,7 +158,7 @@ struct FrameState {
     bool fits_grey_range() const;
     /// Returns the key of the surfaces that the camera sees, at the picture's size.
     Key surfaces_key() const;
-    /// Returns `from` plus the settings that a kind of pass reads itself (Param::read_by).
+    /// Returns the key `from` with the settings added to its hash that this kind of pass reads itself (Param::read_by).
     Key with_settings(Key from, ReadBy pass) const;
     /// Returns the key of visible surfaces, lights and look-ups, without the contents of sampled textures.
     Key lighting_key() const;

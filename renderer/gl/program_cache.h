@@ -47,7 +47,7 @@ public:
     void end_frame(std::size_t most = 0);
 
 private:
-    /// A program in the cache and the last frame that used it.
+    /// Linked shader program in the cache, and the last frame that used it.
     struct Kept {
         Program program;
         std::uint64_t used = 0;  ///< last frame that used the program

@@ -18,7 +18,7 @@ struct UvSource {
     void apply(std::vector<glm::vec2>& uv) const;
 };
 
-/// Texture coordinates that the two textures of a material read.
+/// Texture coordinate sets of a glTF material's base colour texture and normal texture.
 struct MaterialUv {
     UvSource base_colour, normal;
 };

@@ -98,7 +98,7 @@ struct Section {
     double occluder_m = 0;               ///< distance to the occluder, metres along the light's ray
     bool occluder_in_map = true;         ///< false: removed by culling or the near plane
 
-    /// Finds the step of a texel of the cut by its index; null: not in the cut.
+    /// Finds the step of the texel with an index along the cut; null: the texel is not in the cut.
     const Step* find_step(int texel) const;
     /// Returns the step of the texel that the look-up falls into; null: the map has none there.
     const Step* lookup_step() const { return find_step(lookup_texel); }

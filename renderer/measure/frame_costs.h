@@ -25,7 +25,8 @@ struct CostRow {
 };
 /// Returns the table of cost cases.
 std::span<const CostRow> cost_cases();
-/// Returns the table row of a cost case: frames in which every pass is forced, the camera moves or the light moves.
+/// Returns the table row of a cost case: frames that draw every pass again, in which the camera moves, or in which the
+/// light moves.
 const CostRow& cost_row(CostCase cost);
 /// Returns the keys of all cost cases for messages and help: "forced, camera, light".
 std::string cost_keys();
@@ -35,9 +36,9 @@ CostCase parse_cost(std::string_view key);
 /// Turn of camera or light from one timed frame to the next, degrees.
 inline constexpr double kCostStepDegrees = 0.5;
 
-/// Returns the settings of timed frames under a cost case: a short motion there and back, to be repeated. The camera
-/// turns about its target, or the light of view.light sinks (rises when below the horizon). A camera that looks through
-/// the light stays in place.
+/// Returns the settings of the frames that are timed for a cost case, one entry a frame, to be repeated in a loop.
+/// Forced: the given settings alone. Camera: the camera turns about its target and back. Light: the light of view.light
+/// sinks and comes back (rises first if it is below the horizon); a camera that looks through the light stays in place.
 /// @param aspect width / height of the picture
 std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost);
 

@@ -63,9 +63,10 @@ class CachedFrames {
 public:
     /// Prepares the frames. @param optimisation Static only for a scene that is_animated()
     CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation optimisation);
-    /// Draws the next frame. Each step of the motion is drawn twice, so that frames with and without the optimisation
-    /// alternate.
-    /// @param forced optimisations that are switched off; frames with and without any have separate renderers
+    /// Draws the next frame, and advances the motion at every second call. Call it alternately with and without the
+    /// optimisation in `forced`, so that each step is drawn both ways.
+    /// @param forced the optimisations to switch off, so that all their work is drawn; frames with and without any have
+    /// separate renderers
     FrameResult draw(OptimisationSet forced);
 
 private:

@@ -87,7 +87,8 @@ public:
     double pause_s() const { return pause_s_; }
     /// Returns the number of counted frames.
     int frames() const { return int(samples_.total_ms.size()); }
-    /// Returns true when the median of the frame time has settled.
+    /// Returns true when the confidence interval of the median frame time is below Limits::spread, and at least
+    /// Limits::least frames and Limits::bursts bursts are taken. Use done() to end a timing.
     bool settled() const;
     /// Returns true when no further frame is needed: settled, or at the limit of frames.
     bool done() const { return settled() || frames() >= limits_.most; }

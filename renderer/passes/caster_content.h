@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// Returns the content keys of all casters in the frame's scene. Keys are computed once for each arrangement; keys of
-/// meshes and textures are shared by all poses.
+/// Returns the content keys of all casters in the frame's scene. They are cached until an object moves or changes; keys
+/// of meshes and textures stay cached then too.
 const CasterContent& caster_content(const FrameState& f);
 
 }  // namespace si

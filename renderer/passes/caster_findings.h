@@ -21,22 +21,22 @@ struct MeshSides {
     double least_height = 0;      ///< smallest height of its triangles that have an area, metres
 };
 
-/// Keys of the depths that casters draw into a map.
+/// Cache keys of the depths that casters draw into a map. Equal keys mean equal depths, so a cached map stays valid.
 struct CasterContent {
-    std::uint64_t key = 0;  ///< of the scene's arrangement
-    /// Key by instance in the order of SceneGpu, of all that its depths depend on but the settings that all share
-    /// (ReadBy::Maps); 0: the instance never casts.
+    std::uint64_t key = 0;  ///< cache key of the scene (Scene::id) and of the settings of its casters
+    /// Content key of each instance, in the order of SceneGpu: all that its depths depend on, except the settings
+    /// shared by all instances (ReadBy::Maps). 0: the instance never casts.
     std::vector<std::uint64_t> of;
 };
 
-/// Keys of a rigid mesh, drawn opaque and with its mask; 0: not computed yet.
+/// Content keys of a rigid mesh: drawn opaque, and drawn with its alpha mask; 0: not computed yet.
 struct RigidMeshKeys {
     std::uint64_t opaque = 0, masked = 0;
 };
 
 /// Keys of casters and textures that were computed before.
 struct CasterContentCache {
-    /// Key of one texture.
+    /// Texture with the cached hash of its pixels, which enters the content keys of alpha-masked casters.
     struct OfTexture {
         TextureIdentity texture;
         std::uint64_t content = 0;  ///< 0: not computed yet

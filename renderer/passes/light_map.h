@@ -20,7 +20,8 @@ public:
     };
 
     void declare(FrameState& f) override;
-    /// Binds the buffers by which shaders find a surface point in the atlas.
+    /// Binds the storage buffers from which shaders compute the light map atlas coordinates of a surface point. Also
+    /// updates the offset of the camera-relative origin.
     void bind_buffers(const FrameState& f) const;
 
 private:

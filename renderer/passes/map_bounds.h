@@ -19,7 +19,8 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Computes the depth bounds of all map layers. Called when the plan runs the pass.
+    /// Computes the smallest and largest depth within the kernel's reach of each block of texels, in all map layers.
+    /// Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(const FrameState& f, PassInfo& info);
 

@@ -11,7 +11,7 @@ namespace si {
 
 /// Boxes and content keys of casters for drawing pages, by instance in the order of SceneGpu.
 struct PagedCasters {
-    std::uint64_t key = 0;                ///< key of the scene's arrangement
+    std::uint64_t key = 0;                ///< CasterContent::key from which this was made
     std::vector<std::uint64_t> content;   ///< content key of each instance's depths; 0: never casts
     std::vector<std::size_t> indices;     ///< index count of each instance's mesh
     std::vector<Box> corners;             ///< corners of each instance's box, world

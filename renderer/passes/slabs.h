@@ -14,7 +14,8 @@ class PagePasses;
 /// Draws texels of the shown light's map as quads over a pane's picture. Member of PanePasses.
 class TexelSlabs {
 public:
-    /// Targets of TexelSlabs, kept between frames: pictures with quads, and the quads' instance data.
+    /// Images and buffers that TexelSlabs keeps between frames: for each pane the picture with map texels drawn over it
+    /// as quads; the instance data of the quads, and the stored depths they were made from.
     struct Targets {
         std::array<gl::Target, kMaxPanes> pictures;
         gl::VertexArray vao;

@@ -27,9 +27,9 @@ struct TexelSlab {
     std::array<glm::dvec3, 4> corners;  ///< world; (u, v) = (0,0), (1,0), (0,1), (1,1) of the texel
 };
 
-/// Returns the distance along the light's axis, metres, at which a fragment compares equal to a texel under
-/// bias.constant: the z with depth(z) - b(z) = stored (+ b under reversed depth). With z0 the stored distance and c the
-/// constant, by its unit:
+/// Returns the distance along the light's axis, metres, at which a fragment compares equal to a map texel under
+/// bias.constant, for the texel quads in the scene (view.slabs): the z with depth(z) - b(z) = stored (+ b under
+/// reversed depth). With z0 the stored distance and c the constant, by its unit:
 ///   depth:  distance(stored + c)
 ///   metres: z0 + c,              perspective z0/2 (1 + sqrt(1 + 4 c / z0)), as b(z) = c |d depth / d z|
 ///   texels: z0 + c texel(z0),    perspective likewise z0 (1 + c texel(1 m) / 1 m), as a texel grows with z

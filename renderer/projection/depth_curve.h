@@ -40,7 +40,7 @@ struct DepthCurve {
     /// Returns the distance in metres along the axis at a depth-buffer value; the inverse of depth().
     double distance(double d) const;
     /// Returns the depth-buffer value at a fraction of the depth range; for reversed depth the fraction counts from
-    /// `far`. Values outside (0,1) are returned unchanged.
+    /// `far`. A `share` outside (0,1) is returned unchanged.
     double depth_at_fraction(double share) const;
     /// Returns the slope of the depth-buffer value at distance z along the axis: |d depth / d z|, per metre.
     double slope(double z) const;

@@ -49,7 +49,8 @@ private:
 
     /// Finds a light map in memory by its content, and gives the map the `key` of this process. Null: not in memory.
     std::shared_ptr<const LightMap> find(std::uint64_t content, std::uint64_t key);
-    /// Returns the layout for a task; computes it unless the last one fits.
+    /// Returns the light map's layout for the task's geometry and size, cached from the last call where both are the
+    /// same. Thread-safe.
     std::shared_ptr<const LightMapLayout> layout_of(const LightMapTask& task, const Workers& workers);
     /// Stores a light map in memory and removes the least recently used ones above the limit.
     std::shared_ptr<const LightMap> keep(std::uint64_t content, LightMap map);

@@ -20,7 +20,8 @@ struct PrecisionSpread {
     glm::ivec2 worst_at{-1};  ///< pixel with the largest error, from the top left
 };
 
-/// Rounding errors of a picture's map look-ups: per pixel and as distributions.
+/// Rounding errors of a picture's map look-ups in single precision: an image by pixel, and distributions over all
+/// pixels.
 struct Precision {
     FloatImage error;        ///< two channels: texels, steps of a 32-bit depth; NaN: no look-up
     std::size_t pixels = 0;  ///< number of pixels with a look-up

@@ -11,8 +11,9 @@
 
 namespace si {
 
-/// Run lengths of the hard reference (lit or in shadow) around each pixel, in metres across the light, along the two
-/// axes of the light's map. Infinite where no change is found within kRunReach pixels, or before the surface ends.
+/// Widths of the lit or shadowed stretches around each pixel, in metres perpendicular to the light's rays, along the
+/// two axes of the light's map. Lit and in shadow are those of the reference for a light without size. Infinite where
+/// the reference does not change within kRunReach pixels, or up to the end of the surface.
 struct ShadowRuns {
     /// Smallest texel that is too wide for the pixel: wider than the pixel's own run, or spanning from it across a
     /// narrower neighbouring run (a thin bar's shadow next to a lit pixel).

@@ -27,7 +27,8 @@ public:
     /// @throws Error when memory runs out, or a shader does not compile in release builds
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
-    /// Callback that receives the number faults of a frame and its settings.
+    /// Callback that receives the invalid numbers found in a frame (NaN, infinite, out of range), and the frame's
+    /// settings.
     using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
     /// Sets a callback that receives the number faults of every drawn frame, timed frames excepted. Each such frame is
     /// searched as Outputs::health does.
@@ -55,7 +56,8 @@ public:
     /// Reads back the depth image behind the map viewer's picture: stored depths in [0, 1], top row first.
     /// @throws Error as read_shadow_map() does
     FloatImage read_map_view_depth(const FrameResult& frame);
-    /// Returns the number faults of a frame with Outputs::health; null while the GPU has not finished the search.
+    /// Returns the invalid numbers (NaN, infinite, out of range) found in a frame with Outputs::health; null while the
+    /// GPU has not finished the search.
     /// @param wait waits for the GPU
     /// @throws Error when the frame has no such output or was overwritten
     std::shared_ptr<const NumericHealth> numeric_health(const FrameResult& frame, bool wait = true);

@@ -26,7 +26,8 @@ struct RendererImpl {
     };
     std::optional<Repaired> repaired;
 
-    /// Limit of the map resolution after the driver ran out of memory, for one value of map.resolution.
+    /// Reduced map resolution after the driver ran out of memory. Applies while map.resolution keeps the value it had
+    /// then.
     struct MapLimit {
         int requested = 0, max = 0;  ///< map.resolution of the settings; largest resolution tried
         std::string why;

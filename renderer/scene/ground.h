@@ -10,8 +10,9 @@ namespace si {
 bool has_level_surface(const Scene& scene);
 
 /// Adds a ground disc under the scene in its present pose, wide enough for shadows of a light 45 degrees up. It
-/// receives shadows, casts none, is no part of Scene::bounds, and is the last entry of each list of the scene. Does
-/// nothing when the scene has a ground or a floor (Scene::has_floor, tested once) or is empty.
+/// receives shadows, casts none, and is no part of Scene::bounds. Its mesh, material, node and object are the last in
+/// their lists, so that remove_ground() can drop them. Adds nothing when the scene has a ground or a floor or is empty.
+/// Sets Scene::has_floor when the scene has a floor.
 void add_ground(Scene& scene);
 
 /// Removes the ground disc that add_ground() added, if any.

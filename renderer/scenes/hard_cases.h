@@ -37,17 +37,19 @@ std::span<const HardCase> hard_cases();
 
 inline constexpr std::string_view kHardPrefix = "hard/", kFixedSuffix = "-fixed";
 
-/// A hard case with or without its fix, as it is opened by name ("hard/grazing-fixed").
+/// Difficult case (docs/hard-cases.md) with or without its fix, as it is opened by name ("hard/grazing-fixed").
 struct HardCaseView {
     const HardCase* row = nullptr;
     bool fixed = false;
     /// Returns the name of scene and preset: "hard/grazing" or "hard/grazing-fixed".
     std::string name() const;
-    /// Returns a description of the hard case for people: what is shown, and the row's sentences.
+    /// Returns a description of the hard case for people: which of both views is shown, and the sentences of its row in
+    /// the table of hard cases.
     std::string about() const;
     /// Returns the settings of the hard case, applied to the defaults. Cameras are the scene's own.
     Settings settings() const;
-    /// Makes the scene of the hard case, with these settings as its suggestions.
+    /// Makes the scene of this difficult case (docs/hard-cases.md), with the settings of its broken or its fixed view
+    /// as the scene's suggestions.
     Scene scene() const;
 };
 

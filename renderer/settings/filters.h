@@ -59,7 +59,8 @@ struct Noise {
     double tolerance = 0.15;
 };
 
-/// Row of the table of shadow filter kernels. The row's file defines `float filter_visibility(Receiver r)`.
+/// Row of the table of shadow filter kernels. The GLSL file that a row names defines `float filter_visibility(Receiver
+/// r)`.
 struct Filter {
     std::string_view key, label, help;
     std::string_view paper;          ///< source
@@ -117,8 +118,8 @@ struct PrefilterBytes {
 };
 /// Returns the memory for prepared data (moments, mip levels, tables) of the chosen kernel, in bytes per texel.
 PrefilterBytes prefilter_bytes(const Settings& settings);
-/// Returns the bytes per texel of a map together with its blurred depth and moments. Depth counts 4 bytes in any
-/// format.
+/// Returns the bytes per texel of a map with the data kept beside it: 4 for depth in any format, 4 more for the blurred
+/// depth (map.blur_texels), and those of the prefiltered moments. Temporary images do not count.
 double stored_texel_bytes(const Settings& settings);
 
 /// Returns the moment that the map viewer shows, counted from 1. Returns 0 for depth, or if view.map_channel names no

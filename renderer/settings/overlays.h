@@ -21,8 +21,8 @@ enum class OverlayDraw {
 /// Topic under which lists show an overlay.
 enum class OverlayGroup { Wrong, Bias, Resolution, Depth, Debug };
 
-/// Row of the table of overlays: a quantity of the shadow test drawn over the scene. The row's file defines
-/// `vec4 overlay(Receiver r)`; a scalar is in x, NaN if undefined.
+/// Row of the table of overlays: a quantity of the shadow test drawn over the scene. The GLSL file that a row names
+/// defines `vec4 overlay(Receiver r)`; a scalar is in x, NaN if undefined.
 struct Overlay {
     std::string_view key, label, unit, help;
     OverlayGroup group = OverlayGroup::Debug;

@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Data that the frame prepares for a visibility source.
+/// Data that the frame prepares for a visibility source (light.source: shadow map, shadow volumes, traced rays, blobs,
+/// light map).
 struct SourceNeeds {
     bool map = false;                 ///< shadow maps
     bool stencil = false;             ///< stencil buffer of its own

@@ -19,8 +19,8 @@ constexpr double flat_tolerance(double radius) {
 /// tolerance is flat_tolerance(), or the rounding of single-precision coordinates up to 1/10,000 of the radius.
 std::optional<HalfSpace> mesh_plane(const Mesh& mesh);
 
-/// Returns true when no front face of a mesh can lie in the shadow of the mesh: every triangle has all vertices behind
-/// it. Meshes too large for the test return false.
+/// Returns true when no front face of a mesh can lie in the shadow of the mesh: no vertex lies in front of the plane of
+/// any triangle. Meshes too large for the test return false.
 bool is_convex(const Mesh& mesh);
 
 /// Returns a plane after an affine transform to world space; empty if the transform collapses the plane.

@@ -75,8 +75,8 @@ ViewExtent extent_inside_view(const SceneShape& shape, std::size_t box, const Li
 std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_t box,
                                              std::span<const HalfSpace> planes);
 
-/// Widens the extent of a model by the extent of its shadows on the ground. Along the axis always; across the axis only
-/// where the shadows stick out by more than kMinGroundWidening.
+/// Widens a model's extent in a light's view to contain its shadows on the ground: in depth (z) always, in width and
+/// height (x, y) only where the shadows stick out by more than kMinGroundWidening.
 void widen_for_ground_shadow(ViewExtent& model, const ViewExtent& ground);
 /// Least widening across the view as a share of the model's width; smaller differences are rounding.
 constexpr double kMinGroundWidening = 1e-6;

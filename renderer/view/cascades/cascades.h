@@ -61,8 +61,9 @@ std::optional<DepthSpan> visible_depths(const Camera& camera, const std::vector<
                                         const std::vector<bool>& wanted);
 
 /// Returns camera depths that contain the visible part of a sphere for every viewing direction, so that stabilised
-/// cascades keep their size as the camera turns. The depths change in octaves of the distance to the sphere. For an
-/// orthographic camera they change with the depth of the centre, in steps of the radius.
+/// cascades keep their size as the camera turns. The depths change only where the distance from eye to centre passes
+/// the radius times a power of two. For an orthographic camera they change with the depth of the centre, in steps of
+/// the radius.
 /// @param centre,radius world, metres
 DepthSpan rotation_stable_depths(const Camera& camera, const glm::dvec3& centre, double radius);
 

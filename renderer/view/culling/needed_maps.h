@@ -52,7 +52,8 @@ struct VisibleBodies {
 VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
                                   const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
 
-/// Footprint of a picture's look-ups in a shadow map: kernel reach, offsets and wrapping.
+/// Extent of a picture's look-ups in a shadow map, from which needed_maps() finds the map cells to draw: kernel reach,
+/// normal offset, and treatment of look-ups outside the map (MapWrap).
 struct LookupArea {
     int resolution = 1;       ///< texels a side of the map
     double reach_texels = 0;  ///< largest distance in texels between look-up and texels read, without the normal offset
@@ -63,7 +64,8 @@ struct LookupArea {
     bool only_lit_points = false;      ///< visibility counts only where light arrives
 };
 
-/// Parts of one light's maps that are read.
+/// Parts of the maps of one light that look-ups read: one set of map cells (MapCells) for each view, which is a cascade
+/// or a cube face.
 struct NeededMaps {
     std::vector<MapCells> views;  ///< cells by view of the light
     std::string unneeded_reason;  ///< reason for all cells being empty; empty text: some cells are set

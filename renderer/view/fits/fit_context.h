@@ -49,9 +49,10 @@ void add_note(PlacedLight& light, std::string text);
 /// along them.
 double eye_advance_m(double near, double far);
 
-/// Returns the half extent of a map after adding a margin in texels at each side. The half extent is at least a
-/// thousand float steps of `scale`.
-/// @param half half extent without margin, metres or tangent
+/// Returns the half extent of a map after adding a margin in texels at each side. The half extent before the margin
+/// counts as at least 2^-13 of `scale`, a thousand steps of single precision.
+/// @param half the half extent without margin: metres, or in perspective the tangent of half the angle
+/// @param scale the size of the scene in the same unit, such as its radius
 /// @param margin texels
 double half_extent_with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
 
@@ -64,8 +65,8 @@ void add_finished_view(FittedLight& light, LightView view, const FitContext& c, 
 /// normal offset.
 double face_margin_texels(const Settings& settings);
 
-/// Fits the six cube faces of a point light or a wide cone. All share one depth range, so a stored depth means the same
-/// distance in each.
+/// Computes the map views of the six cube faces of a point light or a wide cone. All share one depth range, so a stored
+/// depth means the same distance in each.
 void fit_faces(FittedLight& light, const FitContext& c);
 
 /// Fits the single shadow map of a directional light or a spot light.

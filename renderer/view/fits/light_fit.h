@@ -17,7 +17,7 @@ struct Camera;
 bool adds_no_light(const FittedLight& light, const Settings& settings);
 
 /// Returns true when every look-up in a light's shadow maps would return 1 (lit): the maps hold no caster, and no
-/// setting darkens points outside of them. Shaders then skip the look-ups.
+/// setting darkens points outside the maps. Shaders then skip the look-ups.
 bool is_always_lit(const FittedLight& light, const Settings& settings);
 
 /// Places the lights of the settings in the scene, without maps. Spot and point intensities fall with the square of the

@@ -30,7 +30,7 @@ struct VolumeMesh {
         std::array<std::uint32_t, 3> edges{};    ///< edge from each corner to the next
         std::uint32_t part = 0;                  ///< index into `parts`
     };
-    /// Part of a shadow volume's mesh: triangles connected by edges.
+    /// Connected component of a shadow volume's mesh: triangles joined by common edges.
     struct Part {
         bool closed = false;      ///< every edge joins two triangles in opposite directions
         bool inside_out = false;  ///< closed, with normals that point inwards
