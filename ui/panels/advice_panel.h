@@ -15,7 +15,7 @@ struct Settings;
 struct AdviceReport;
 struct AutopilotResult;
 
-/// State of the panel Advice: bounds of the autopilot.
+/// State of the panel Advice: largest error and longest frame time that the autopilot may reach.
 struct AdvicePanel {
     CostCase cost = kDefaultCost;  ///< kind of frames that are timed
     bool bound_error = true;

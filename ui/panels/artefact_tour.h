@@ -56,7 +56,8 @@ void toggle_tour_cause(EditorState& state, Artefact cause);
 void next_artefact(EditorState& state, const EditorFrame& frame);
 /// Continues next_artefact() once the clusters are known. Call once a frame. Returns true while the tour waits.
 bool follow_artefact_tour(EditorState& state, const EditorFrame& frame);
-/// Formats the position in the tour of wrong pixels: "2 of 7: 153 pixels"; empty: no cluster is shown.
+/// Formats the position in the tour of wrong pixels: "acne, 2 of 7: 153 pixels". Returns "looking for it" while the
+/// clusters are not known, and an empty text when no cluster is shown.
 std::string artefact_tour_text(const EditorState& state);
 
 }  // namespace si

@@ -15,7 +15,7 @@ struct PresetEntry {
     std::string about;  ///< sentence on what to look at
 };
 
-/// Session that a crash has left, as the editor offers it.
+/// Session that a crash has left, as the panel shows it when it offers to restore the session.
 struct LostFacts {
     std::string scene;
     std::string when;  ///< age in words: "3 minutes ago"

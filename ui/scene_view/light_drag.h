@@ -8,11 +8,13 @@
 
 namespace si {
 
-/// Returns the pose that a drag of a light's handle starts from. Values that the fit chose become settings as far as
-/// the handle needs them:
-/// - extent, near, far, and a directional light's place and target set light.fit to manual;
-/// - place, direction, cone and target of other lights keep the distance, and the map is fitted again;
-/// - a range, and a directional light's direction, change nothing else.
+/// Returns the pose from which a drag of a light's handle starts. Values that the light's fit has chosen become
+/// settings, as far as the handle needs them:
+/// - Extent, near or far of any light, place or target of a directional light: all fitted values become settings, and
+///   light.fit becomes manual.
+/// - Place, direction, cone or target of another light: the fitted distance becomes light.distance, and the map is
+///   fitted again.
+/// - Range of any light, direction of a directional light: no fitted value becomes a setting.
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
 /// Returns the light's settings with `handle` dragged to `to` (pixels); nothing if the handle cannot appear there.

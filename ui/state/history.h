@@ -57,7 +57,8 @@ public:
     const Place& place() const { return steps_[at_].place; }
     /// Settings of the step that is shown.
     const Settings& settings() const { return steps_[at_].settings; }
-    /// Takes back the last undo or redo, after its scene could not be loaded.
+    /// Returns to the step shown before the last undo(), redo() or go_to(). Call when the scene of the new step could
+    /// not be loaded.
     void cancel_move();
 
 private:

@@ -74,7 +74,8 @@ bool steer_swipe(EditorState& state, const PictureView& view);
 /// @param lo, size of the picture, pixels of the screen
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
-/// Pins the present settings as A, to compare later settings with; removes the pin if they are pinned already.
+/// Pins the present settings as A, to compare later settings with. Starts a comparison with A when no comparison is
+/// shown. Removes the pin if the present settings are pinned already. Does nothing during the flicker comparison.
 void pin_settings(EditorState& state);
 /// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
 void begin_flicker(EditorState& state);

@@ -11,7 +11,8 @@ namespace si {
 struct EditorFrame;
 struct EditorState;
 
-/// Sets all bias to 0.
+/// Sets the bias amounts to 0: constant, slope, normal offset and polygon offset. bias.kind stays, so a kind that
+/// computes its own bias still adds it.
 void remove_bias(Settings& settings);
 /// Changes the shown light to the next type; does nothing without a light.
 void next_light_type(Settings& settings);

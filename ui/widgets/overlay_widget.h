@@ -16,10 +16,11 @@ bool overlay_widget(Settings& settings, std::string_view key, float width);
 struct HeldKeys {
     bool shift = false, alt = false, ctrl = false;
 };
-/// Returns the overlay that a digit key with modifiers shows, as its row in the overlay table + 1; 0: none, or several
-/// modifiers are held. @param digit 1 to 9
+/// Returns the number of the overlay that a digit on the keyboard shows, with the modifier keys held: 1 for the first
+/// row of the overlay table. Returns 0 for no overlay, or if several modifiers are held. @param digit the digit, 1 to 9
 int overlay_of_digit(int digit, const HeldKeys& held);
-/// Returns the key that shows an overlay: "4", "Shift+4"; "0" for none. @param number row in the overlay table + 1
+/// Returns the shortcut on the keyboard that shows an overlay: "4", "Shift+4"; "0" for none. @param number the
+/// overlay's number: 1 for the first row of the overlay table
 std::string overlay_key(int number);
 
 /// Returns the key of the setting that holds a pane's overlay. @param pane index from 0

@@ -9,8 +9,8 @@
 
 namespace si::theme {
 
-/// Colours of a theme without those of widget states. Every text is readable on its background
-/// (tests/ui/theme_test.cpp).
+/// Base colours of a theme. Colours of hovered or pressed widgets are not among them. Every text is readable on its
+/// background (tests/ui/theme_test.cpp).
 struct Colours {
     ImU32 text, muted, faint;
     ImU32 panel, popup, title, well;  ///< grounds; well: behind pictures and inputs

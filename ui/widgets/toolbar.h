@@ -10,7 +10,8 @@ namespace si {
 /// Toolbar: a row of widgets that never wraps. Widgets without room move into a menu at its end.
 class Toolbar {
 public:
-    /// Starts a row in the free part of the line. @param id of the menu @param free_right pixels at its right end
+    /// Starts a row of widgets in the rest of the current line. @param id the ImGui id of the menu @param free_right
+    /// the width to leave free at the right end of the line, pixels
     explicit Toolbar(const char* id, float free_right = 0);
     /// Sets the gap before the next widget, pixels.
     void space(float width) { space_ = width; }
@@ -30,7 +31,8 @@ private:
         float width;
         std::function<void(float)> draw;
     };
-    /// Returns true if a widget of `width` pixels still fits into the row.
+    /// Moves the cursor behind the last widget, and returns true if a widget of `width` pixels fits there. Returns
+    /// false once a widget waits for the menu.
     bool fits(float width);
 
     const char* id_;
