@@ -28,7 +28,7 @@ struct AdviceFacts {
 };
 
 /// Collects the facts for advice rules: draws a frame and traces its reference. Call on the renderer's thread.
-/// @param measured settings from measured_settings() @param width, height of the picture in pixels
+/// @param measured the settings from measured_settings() @param width, height of the picture in pixels
 /// @throws Cancelled, Error
 AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings& measured, int width, int height,
                          ReferenceCache& cache, const Workers& workers);

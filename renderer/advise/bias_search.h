@@ -51,9 +51,9 @@ public:
         std::optional<BiasFamily> only;  ///< family to search; none: all
         bool quick = false;              ///< accepts the bias by theory where no acne is left
     };
-    /// Begins a search with default options. @param start settings whose bias is replaced; measured first
+    /// Begins a search with default options. @param start the settings whose bias is replaced; measured first
     explicit BiasSearch(const Settings& start) : BiasSearch(start, Options()) {}
-    /// Begins a search. @param start settings whose bias is replaced; measured first
+    /// Begins a search. @param start the settings whose bias is replaced; measured first
     BiasSearch(const Settings& start, const Options& options);
 
     /// Returns true when no further trial is needed.
@@ -88,7 +88,7 @@ private:
     BiasSettings bias_at_factor(double factor) const;
     /// Begins the bisection of a family by its index in families_.
     void start_family(std::size_t index);
-    /// Narrows the range of factors after a trial. @param clear the trial had no acne
+    /// Narrows the range of factors after a trial. @param clear true: the trial had no acne
     void narrow(bool clear);
 
     Settings start_;

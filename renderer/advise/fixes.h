@@ -45,7 +45,7 @@ BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family);
 /// their own sizes. Empty: none.
 std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings);
 /// Lists the settings that differ between two sets, as keys and values for set_setting().
-/// @param with settings whose values are returned
+/// @param with the settings whose values are returned
 std::vector<std::pair<std::string, std::string>> setting_changes(const Settings& base, const Settings& with);
 
 /// Converts the fix suggested by a pixel diagnosis to a candidate for measuring.

@@ -42,7 +42,7 @@ struct TuneCandidate {
 /// action() requests, until Action::None.
 class Tuner {
 public:
-    /// Begins a search. @param start settings whose bias, kernel and resolution are replaced
+    /// Begins a search. @param start the settings whose bias, kernel and resolution are replaced
     Tuner(const Settings& start, const TuneGoals& goals);
 
     /// Measurement that the tuner needs next.
@@ -83,7 +83,7 @@ private:
 
     /// Begins the next candidate: present kernel and resolution.
     void open_candidate();
-    /// Ends the present candidate. @param try_finer goes on with twice the resolution, else with the next kernel
+    /// Ends the present candidate. @param try_finer true: goes on with twice the resolution, else with the next kernel
     void close_candidate(bool try_finer);
     /// Takes the bias that was found, rates the candidate against the limits, and then requests its time or closes it.
     void finish_measured_run();

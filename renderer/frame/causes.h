@@ -109,7 +109,7 @@ inline constexpr double kRightVisibility = 1e-3;
 
 /// Collects the settings that decide which causes of a light's shadow errors are possible.
 /// @param map_resolution texels along a side
-/// @param mask_levels alpha masks of casters have mip levels
+/// @param mask_levels true: alpha masks of casters have mip levels
 CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

@@ -27,7 +27,7 @@ struct PaneGrid {
 };
 
 /// Computes the layout of view.panes in a picture of `width` x `height` pixels. Each pane is at least one pixel large.
-/// @param gap pixels between two panes
+/// @param gap the pixels between two panes
 PaneGrid pane_grid(Panes panes, int width, int height, int gap = 0);
 
 }  // namespace si

@@ -36,8 +36,8 @@ struct Pass {
 
 /// Decides which passes run, walking back from the `wanted` results. A pass is live when its result is wanted or read
 /// by a live pass. Dead and unneeded passes are skipped; passes with an unchanged key are cached; others are drawn.
-/// @param force draws cached passes too
-/// @param draw_unneeded draws live passes even where the scene does not need them
+/// @param force true: draws cached passes too
+/// @param draw_unneeded true: draws live passes even where the scene does not need them
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
                                   bool draw_unneeded);
 

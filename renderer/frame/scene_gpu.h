@@ -40,7 +40,7 @@ struct Batch {
 class SceneGpu {
 public:
     /// Uploads a scene.
-    /// @param anisotropy textures get anisotropic filtering
+    /// @param anisotropy true: textures get anisotropic filtering
     /// @param before the previous scene, of which equal textures and watertightness checks are reused; the remainder is
     /// freed first
     explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
@@ -55,7 +55,7 @@ public:
     /// Returns the batches of all objects, as lights draw them.
     const std::vector<Batch>& batches() const { return batches_; }
     /// Sets the instances that the camera draws, and their order. Used for frustum culling and front-to-back order.
-    /// @param instances numbers of arranged instances
+    /// @param instances the indices of the instances, in the order of instance_objects()
     void set_camera_instances(std::span<const std::uint32_t> instances);
     /// Returns the batches that the camera draws, see set_camera_instances().
     const std::vector<Batch>& seen_batches() const { return seen_batches_; }
@@ -101,7 +101,7 @@ private:
         GLint base_vertex = 0;
         std::vector<std::uint32_t> copies;  ///< repeated vertices after the mesh's own: see face_normals.h
         /// Returns the mesh vertex that vertex `i` of the range is or repeats.
-        /// @param own vertices of the mesh
+        /// @param own the vertices of the mesh
         std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
     };
     std::vector<MeshRange> ranges_;
@@ -122,7 +122,7 @@ private:
     /// Returns true when the uploaded textures are those of a scene.
     bool has_textures_of(const Scene& scene) const;
     /// Checks which meshes are watertight.
-    /// @param before previous scene, whose results are reused for equal meshes; may be null
+    /// @param before the previous scene, whose results are reused for equal meshes; may be null
     void find_watertight_meshes(const Scene& scene, SceneGpu* before);
     /// Uploads the vertices and indices of all meshes.
     void upload_geometry(const Scene& scene);

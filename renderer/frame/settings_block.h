@@ -16,7 +16,7 @@ namespace si {
 std::vector<gl::Define> settings_defines(const Settings& s);
 /// Returns GLSL text that declares the settings for shaders, independent of their values. It has a define per choice
 /// ("map_wrap_range" 3) and a member of a std140 block per other setting.
-/// @param as_image numbers are texels of a buffer image in place of block members
+/// @param as_image true: the numbers are texels of a buffer image in place of block members
 std::string settings_block_text(bool as_image);
 /// Returns the contents of the settings block or image for these settings; a multiple of 16 bytes.
 std::vector<std::byte> settings_block_bytes(const Settings& s);

@@ -183,7 +183,7 @@ struct FrameState {
     /// @param[out] info draw and triangle counts
     void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;
     /// Returns the shader program for one batch, with the defines for its material.
-    /// @param alpha_only leaves out textures other than the alpha mask
+    /// @param alpha_only true: leaves out textures other than the alpha mask
     GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
                          const Batch& batch, bool alpha_only) const;
     /// Draws one batch. Call SceneGpu::bind_vertices() before.

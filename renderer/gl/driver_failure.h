@@ -42,7 +42,7 @@ FaultInjection& fault_injection();
 bool is_injected_failure(DriverFailure kind, std::string_view what);
 
 /// Allocates a buffer and copies `size` bytes into it (glNamedBufferData).
-/// @param bytes null: contents stay undefined @throws OutOfMemory, ContextLost
+/// @param bytes the bytes to store; null: contents stay undefined @throws OutOfMemory, ContextLost
 void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
 /// Replaces a buffer's contents by an array; an empty array gives room for one element, as OpenGL has no empty buffers.
 /// @throws OutOfMemory
@@ -59,7 +59,7 @@ Buffer make_buffer(std::string_view label, const std::vector<T>& data) {
     return buffer;
 }
 /// Allocates immutable storage for a buffer and copies `size` bytes into it (glNamedBufferStorage).
-/// @param bytes null: contents stay undefined @throws OutOfMemory, ContextLost
+/// @param bytes the bytes to store; null: contents stay undefined @throws OutOfMemory, ContextLost
 void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags);
 /// Discards pending OpenGL errors, so that check_memory_errors() sees only those of later calls.
 void clear_gl_errors();

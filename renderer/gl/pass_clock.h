@@ -28,7 +28,7 @@ public:
     /// Stops timing the render pass begun last. Returns its slot for milliseconds().
     std::size_t end();
     /// Returns the time of a pass in milliseconds. Waits for the GPU when queries are used.
-    /// @param slot from end()
+    /// @param slot the slot that end() returned
     double milliseconds(std::size_t slot);
     /// Frees all slots for the next frame.
     void reset() { used_ = 0; }

@@ -32,7 +32,7 @@ struct Target {
 
     /// Allocates the render target's texture unless it has this format and size already. Returns true when it was
     /// allocated again: its contents are then undefined.
-    /// @param w,h texels @param layer_count 0: a plain 2-D texture
+    /// @param w,h texels @param layer_count the number of layers; 0: a plain 2-D texture
     /// @throws OutOfMemory naming the size
     bool ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count = 0,
                 const TargetExtent& more = {});

@@ -30,7 +30,7 @@ private:
     /// Returns the scene's mesh index of a glTF primitive, or -1 when there is nothing to draw. Equal primitives share
     /// one.
     int share(const tinygltf::Primitive& primitive, const Place& place, const std::string& name);
-    /// Reads the vertex attributes of a glTF primitive into `mesh`. @param pick vertices to read; empty: all
+    /// Reads the vertex attributes of a glTF primitive into `mesh`. @param pick the vertices to read; empty: all
     void read_attributes(const tinygltf::Primitive& primitive, const Place& place, std::span<const std::uint32_t> pick,
                          Mesh& mesh);
     /// Reads the texture coordinates that a texture of the primitive's material uses, with its transform applied.

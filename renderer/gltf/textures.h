@@ -54,7 +54,8 @@ private:
     /// Finds the encoded bytes of a glTF image. Returns an error text, empty on success.
     /// @param storage owns the bytes when they come from a file or data URI
     std::string fetch(int image, std::span<const std::uint8_t>& bytes, Bytes& storage);
-    /// Removes textures that could not be decoded from the scene and its materials. @param failed by texture
+    /// Removes textures that could not be decoded from the scene and its materials. @param failed flags by texture:
+    /// true where it failed
     void remove_failed(const std::vector<char>& failed);
 
     Context& context_;

@@ -13,12 +13,12 @@ namespace si {
 /// Lists all effects of a drawn frame in the order of its passes, each pass before its parts. Every pass belongs to at
 /// least one effect.
 /// @param settings settings of the frame, sanitised or not
-/// @param forced FrameRequest::forced of the frame
+/// @param forced the optimisations that are switched off, FrameRequest::forced of the frame
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
                                   OptimisationSet forced = {});
 
 /// Makes the effect "posing": the CPU moves nodes, skins and morph targets of the scene before a frame.
-/// @param again the scene was posed since the frame before
+/// @param again true: the scene was posed since the frame before
 Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again);
 
 /// Counts the effects that share the optimisation of one effect. The measured time of an optimisation belongs to all of

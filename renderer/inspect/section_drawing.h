@@ -97,12 +97,12 @@ struct SectionDrawing {
 SectionDrawing draw_section(const Section& section, const SectionPage& page);
 
 /// Makes the colour swatch of a legend entry.
-/// @param left middle of the swatch's left side, pixels @param em height of the entry's text, pixels
+/// @param left the middle of the swatch's left side, pixels @param em height of the entry's text, pixels
 Mark legend_swatch(const LegendRow& row, const glm::dvec2& left, double em);
 
 /// Finds the legend entry for a place in a drawing, such as the mouse pointer: that of the nearest line or dot within
 /// `reach`, else of the topmost area. Null: no mark with a legend entry is there.
-/// @param at pixels @param reach pixels
+/// @param at the position, pixels @param reach pixels
 const LegendRow* legend_row_at(const SectionDrawing& drawing, const glm::dvec2& at, double reach);
 
 }  // namespace si

@@ -16,7 +16,7 @@ struct ArtefactCluster {
 };
 
 /// Finds the clusters of pixels that are wrong for one cause, largest first; equal ones in reading order.
-/// @param classified one per pixel, top row first @param width pixels per row
+/// @param classified the class of each pixel, top row first @param width pixels per row
 /// @param max_clusters limit of the returned clusters
 std::vector<ArtefactCluster> artefact_clusters(const std::vector<ClassifiedPixel>& classified, int width,
                                                Artefact cause, std::size_t max_clusters);

@@ -59,7 +59,7 @@ struct FrontierAdvice {
     double saved_cost = 0;               ///< cost of `cheaper` below the present
 };
 /// Finds the points of the frontier that improve on the present settings.
-/// @param on_frontier frontier(dots)
+/// @param on_frontier flags by dot: true on the frontier, as frontier(dots) returns
 FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier);
 
 /// Fits log(error) over log(x) by least squares and returns the slope, over pairs in which both are positive and

@@ -23,7 +23,7 @@ struct Classification {
 class TimedFrames {
 public:
     /// Prepares the frames and traces the rays that light sources need.
-    /// @param scene must outlive the object @param measured settings from measured_settings()
+    /// @param scene must outlive the object @param measured the settings from measured_settings()
     /// @throws Error, Cancelled
     TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request, CostCase cost,
                 ReferenceCache& references, const Workers& workers);

@@ -38,8 +38,8 @@ struct SavedTimes {
 };
 
 /// Times optimisations by frames with and without each one, drawn alternately by a callback.
-/// @param rounds pairs of frames per optimisation
-/// @param draw_ms draws a frame with the given optimisations switched off and returns its milliseconds
+/// @param rounds the number of pairs of frames per optimisation
+/// @param draw_ms a function that draws a frame with the given optimisations switched off and returns its milliseconds
 /// @param report receives the share done, 0..1
 std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> optimisations, int rounds,
                                                       const std::function<double(OptimisationSet)>& draw_ms,
@@ -61,7 +61,7 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
 /// Optimisation::StaticCasterCache the animation plays, else the camera turns.
 class CachedFrames {
 public:
-    /// Prepares the frames. @param optimisation Static only for a scene that is_animated()
+    /// Prepares the frames. @param optimisation the optimisation to time; Static only for a scene that is_animated()
     CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation optimisation);
     /// Draws the next frame, and advances the motion at every second call. Call it alternately with and without the
     /// optimisation in `forced`, so that each step is drawn both ways.

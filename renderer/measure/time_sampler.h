@@ -116,7 +116,7 @@ struct BurstClock {
 
 /// Times frames in bursts until the median has settled or the limit of frames is reached. Exceptions from `draw` end
 /// the timing and pass through.
-/// @param draw draws one frame with timed passes
+/// @param draw a function that draws one frame with timed passes
 TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::function<FrameResult()>& draw,
                              const BurstClock& clock = BurstClock::steady());
 
@@ -130,8 +130,8 @@ struct WorkCost {
     std::uint64_t draws = 0, triangles = 0;  ///< sums over all passes that ran
 };
 
-/// Computes the machine-independent work of a frame. @param frame drawn with FrameRequest::force, so that every pass
-/// counts
+/// Computes the machine-independent work of a frame. @param frame a frame drawn with FrameRequest::force, so that every
+/// pass counts
 WorkCost work_cost(const Settings& settings, const FrameResult& frame);
 
 }  // namespace si

@@ -22,7 +22,7 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 
 /// Adds the shader defines for the kernel's taps to the frame: unrolled with constant positions, or in loops that
 /// look-ups can leave early.
-/// @param asks_bounds look-ups test the maps' depth bounds before they fetch taps
+/// @param asks_bounds true: look-ups test the maps' depth bounds before they fetch taps
 void define_kernel_taps(FrameState& f, bool asks_bounds);
 
 /// Returns the radius in map cells around a block of texels within which a kernel centred in the block may read, under

@@ -20,7 +20,7 @@ struct StaticCandidate {
 };
 
 /// Merges casters of equal content and sorts them by content. Casters with content 0 are left out.
-/// @param contents,triangles content key and triangle count by caster
+/// @param contents,triangles the content key and triangle count by caster
 std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> contents,
                                               std::span<const std::uint64_t> triangles);
 
@@ -48,7 +48,7 @@ public:
     };
 
     /// Decides which casters of a light this frame draws, and stores them for the next decision.
-    /// @param of_views key of all inputs of the light's maps except casters
+    /// @param of_views the key of all inputs of the light's maps except casters
     /// @param[out] reason clause that explains why all casters are drawn; unchanged if the views are new
     Draws choose(std::uint64_t of_views, std::vector<StaticCandidate> casters, std::string_view& reason);
 
@@ -71,7 +71,7 @@ private:
 
     /// Decides whether to fill the cache again with the casters that did not move. Called when cached casters have
     /// moved, or static ones were redrawn long enough. Returns which casters to draw.
-    /// @param rested casters equal in the last two frames @param[out] reason why no cache is made
+    /// @param rested the casters equal in the last two frames @param[out] reason why no cache is made
     Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);
 };
 

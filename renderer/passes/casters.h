@@ -51,7 +51,7 @@ bool can_cast(const Scene& scene, const Settings& settings, const Object& object
 bool is_drawn_into_maps(const FrameState& f, const Batch& batch);
 
 /// Clears the bound framebuffer to the far depth, within the scissor rectangle if enabled.
-/// @param framebuffer the bound one
+/// @param framebuffer the bound framebuffer
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
 
 /// Counts of casters that a map skipped or drew in a cheaper way.
@@ -64,11 +64,11 @@ struct SkippedCasters {
 
 /// Draws casters into the bound framebuffer and viewport, for a view given by its matrix. Used for pages of virtual
 /// maps.
-/// @param seen parts to draw of each instance; empty: every caster as a whole
+/// @param seen the parts to draw of each instance; empty: every caster as a whole
 /// @param[out] info draw counts
 SkippedCasters draw_casters(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, PassInfo& info);
 /// Draws the casters inside one of a light's views into the framebuffer of a whole map.
-/// @param unfiltered without polygon offset, with masks at their finest mip level
+/// @param unfiltered true: draws without polygon offset, with masks at their finest mip level
 /// @param[out] info draw counts
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
                             const LightView& view, PassInfo& info, const CasterChoice& choice = {});

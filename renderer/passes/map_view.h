@@ -23,7 +23,7 @@ public:
 
 private:
     /// Draws the map viewer's picture. Called when the plan runs the pass.
-    /// @param camera shows the camera's depth in place of a map
+    /// @param camera true: shows the camera's depth in place of a map
     /// @param layer layer of the shadow maps
     void run(FrameState& f, bool camera, int layer, PassInfo& info);
 

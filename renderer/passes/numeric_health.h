@@ -50,7 +50,7 @@ public:
     explicit NumericHealthPass(const PagePasses& pages) : pages_(pages) {}
     void declare(FrameState& f) override;
     /// Returns the findings of the last search; null while the GPU has not finished it.
-    /// @param wait waits for the GPU
+    /// @param wait true: waits for the GPU
     std::shared_ptr<const NumericHealth> read_result(bool wait);
 
 private:

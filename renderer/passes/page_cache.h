@@ -60,7 +60,7 @@ public:
     /// are replaced by the coarser pages that contain them. The coarsest level is always kept.
     /// @param wanted a byte for each page, laid out as PageChoice::table; 0: not wanted
     /// @param table_side rows and columns of a layer's table
-    /// @param most capacity in pages
+    /// @param most the capacity in pages
     /// @param key_of hash of everything that a page's contents depend on; pages with equal keys are shared
     PageChoice choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
                             int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);

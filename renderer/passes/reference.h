@@ -16,7 +16,7 @@ std::vector<gl::Define> reference_defines(const FrameState& f);
 std::string missing_reference_reason(const FrameState& f);
 /// Draws the results of all shadow-test trials of every pixel into eight colour attachments, see CauseEvidence.
 /// @param light light index
-/// @param reference_known a reference of this light is uploaded
+/// @param reference_known true: a reference of this light is uploaded
 /// @param[out] info draw counts
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info);
 

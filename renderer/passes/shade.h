@@ -25,7 +25,7 @@ private:
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
     /// Adds the accumulation of jittered pictures to the plan.
-    /// @param of key of the picture to average
+    /// @param of the key of the picture to average
     void declare_smooth(FrameState& f, std::uint64_t of);
 
     gl::Target picture_;

@@ -41,7 +41,7 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
 /// Returns the quads of a rectangle of map texels, at their stored depth or at the depth that compares equal with bias.
 /// Texels that hold the far plane have no quad.
 /// @param depths one channel, the region's stored depths, bottom row first
-/// @param which kind of quads, view.slabs
+/// @param which the kind of quads, view.slabs
 std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, int resolution,
                                    const TexelRegion& region, const std::vector<float>& depths, Slabs which);
 

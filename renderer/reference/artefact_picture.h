@@ -22,7 +22,7 @@ struct ArtefactStyle {
 std::span<const ArtefactStyle> artefact_styles();
 
 /// Draws the shadow errors of a frame: the picture in grey, with wrong pixels in the colour of their cause.
-/// @param classified one per pixel of the reference, top row first
+/// @param classified the class of each pixel of the reference, top row first
 /// @param step pixels of the picture per pixel of the reference (ReferenceOptions::step)
 ByteImage artefact_picture(const ByteImage& picture, const std::vector<ClassifiedPixel>& classified, int step = 1);
 

@@ -49,7 +49,7 @@ std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const 
                             int light);
 
 /// Collects the input for baking the light map of one light. Call on the renderer's thread.
-/// @param frame of this scene and these settings @throws Error when the frame needs no light map of that light
+/// @param frame a frame of this scene and these settings @throws Error when the frame needs no light map of that light
 LightMapTask light_map_task(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
 
 /// Returns the cache key of a light map's content (placed triangles, alpha masks, light, settings). It is the same in

@@ -57,7 +57,7 @@ struct LightMapLayout {
 /// Computes a light map's layout for a scene. Grows charts from triangle to neighbour, within
 /// LightMapLayout::kMaxTiltDegrees of the first triangle's normal. Packs them on shelves by height, at the highest
 /// density at which all fit. A chart whose projection overlaps itself is split into flat ones.
-/// @param side of the atlas, texels
+/// @param side the side of the atlas, texels
 /// @throws Error naming the least light_map.resolution when the charts do not fit at any density; Cancelled
 LightMapLayout light_map_layout(const ReferenceGeometry& geometry, int side, const Workers& workers = {});
 

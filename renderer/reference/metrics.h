@@ -38,14 +38,14 @@ struct ClassifiedPixel {
 };
 
 /// Compares a counted pixel's visibility with the reference. Returns ClassifiedPixel::Bits without kAnyAcne and kSeam.
-/// @param visibility visibility in the picture, not NaN @param outside the map does not cover the surface
+/// @param visibility visibility in the picture, not NaN @param outside true: the map does not cover the surface
 std::uint32_t compared_bits(float visibility, const ReferencePixel& reference, bool outside);
 
 /// Returns one pixel of a ray-traced reference, for classification. @param i index, top row first
 ReferencePixel true_pixel(const Reference& reference, std::size_t i);
 
 /// Decodes classified pixels from the image FrameResult::classified.
-/// @param classified two channels, sampled at the reference's pixels
+/// @param classified the image of classes: two channels, sampled at the reference's pixels
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified);
 
 /// Returns for each pixel whether its right (bit 0) and lower (bit 1) neighbour show the same surface: a contour
@@ -119,7 +119,7 @@ struct PixelSums {
 ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference);
 
 /// Computes error metrics from classified pixels and their reference.
-/// @param classified one per pixel of the reference
+/// @param classified the class of each pixel of the reference
 /// @param joins same_surface_bits(), or empty: all neighbours show the same surface
 /// @throws Error when sizes differ
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,

@@ -38,7 +38,7 @@ FloatImage subsample(const FloatImage& image, int step);
 
 /// Collects the input for tracing the reference of a drawn frame. Shares the triangles of the scene, or of
 /// ray_scenes().
-/// @param frame drawn in a picture of `width` x `height` pixels
+/// @param frame a frame drawn in a picture of `width` x `height` pixels
 /// @param ids triangles of all pixels: FrameResult::surface_ids read back
 /// @param light index of light.*. @throws Error when there is no such light
 ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,

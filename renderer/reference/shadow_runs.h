@@ -28,7 +28,7 @@ inline constexpr int kRunReach = 64;
 /// Measures shadow runs from pixel to pixel on the surface that the camera sees, also where something occludes part of
 /// it. Traces no rays. A part of a picture gives the same numbers as the whole where the part extends kRunReach around
 /// a pixel.
-/// @param raster pixels of the picture that the reference samples
+/// @param raster the pixels of the picture that the reference samples
 /// @param query query that the reference answers; without views everything is infinite
 /// @throws Cancelled
 ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,

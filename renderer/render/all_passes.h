@@ -49,7 +49,7 @@ struct AllPasses {
     NumericHealthPass numeric_health{pages};
 
     /// Returns all passes in the order of declaration: each after those whose results it reads.
-    /// @param paged virtual maps find their pages by the visible surfaces, whose pass then comes first
+    /// @param paged true: virtual maps find their pages by the visible surfaces, whose pass then comes first
     std::vector<FramePass*> in_order(bool paged) {
         std::vector<FramePass*> out;
         if (paged) out.push_back(&seen_surfaces);

@@ -32,7 +32,7 @@ public:
     using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
     /// Sets a callback that receives the number faults of every drawn frame, timed frames excepted. Each such frame is
     /// searched as Outputs::health does.
-    /// @param watch called for faultless frames too; empty: stops watching
+    /// @param watch the function to call, for faultless frames too; empty: stops watching
     void set_number_watcher(NumberWatcher watch);
 
     /// Returns a key of the shader programs that render() would use. Frames of equal keys need no further compilation.
@@ -58,7 +58,7 @@ public:
     FloatImage read_map_view_depth(const FrameResult& frame);
     /// Returns the invalid numbers (NaN, infinite, out of range) found in a frame with Outputs::health; null while the
     /// GPU has not finished the search.
-    /// @param wait waits for the GPU
+    /// @param wait true: waits for the GPU
     /// @throws Error when the frame has no such output or was overwritten
     std::shared_ptr<const NumericHealth> numeric_health(const FrameResult& frame, bool wait = true);
     /// Evaluates the shadow test at one pixel of a frame in detail: inputs, taps, bias and result. Draws the maps that

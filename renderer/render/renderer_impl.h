@@ -40,7 +40,7 @@ struct RendererImpl {
     /// @throws Error when the context lacks OpenGL 4.5
     RendererImpl();
     /// Halves the map resolution after the driver ran out of memory. Returns true when drawing again may succeed.
-    /// @param why message of the failure
+    /// @param why the message of the failure
     bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);
     /// Derives all facts of a frame: repaired settings, camera, fitted lights, needs of its outputs. Draws nothing
     /// except the visible depths, where a fit of light.depth_bounds needs them.

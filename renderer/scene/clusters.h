@@ -19,7 +19,8 @@ struct Cluster {
 enum class VisibleSide { Either, Front, Back };
 
 /// Returns the side that all triangles of a cluster turn to a viewer or light, by the normal cone.
-/// @param from in the mesh's space: its position with w of 1, or the direction towards it with w of 0, of any length
+/// @param from the light in the mesh's space: its position with w of 1, or the direction towards it with w of 0, of any
+/// length
 VisibleSide visible_side(const Cluster& cluster, const glm::dvec4& from);
 
 /// Splits a mesh into clusters of neighbouring triangles: one for small meshes, at most some thousand for large ones.

@@ -15,7 +15,7 @@ glm::dmat4 placement_of(const SceneSettings& settings);
 
 /// Adapts settings to another placement of the scene so that they show the same view. Moves the manual camera and
 /// scales lengths in metres (lights, biases, radii) with the scene, within their ranges. settings.scene itself stays.
-/// @param from, to scene settings with the placement before and after
+/// @param from, to the scene settings with the placement before and after
 void carry_settings(Settings& settings, const SceneSettings& from, const SceneSettings& to);
 
 /// Returns the origin of the positions that shaders compute with, by map.origin: `nearby` or the world's origin.

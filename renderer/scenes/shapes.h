@@ -33,7 +33,7 @@ struct OutlinePoint {
 };
 /// Makes a surface of revolution about the y axis. It is closed when the outline starts and ends on the axis, or ends
 /// on its first point.
-/// @param outline from top to bottom; a crease lists its point twice, with both normals
+/// @param outline the outline from top to bottom; a crease lists its point twice, with both normals
 Mesh make_revolution(std::string name, const std::vector<OutlinePoint>& outline, int segments);
 
 /// Makes a closed sphere around the origin. @param radius metres

@@ -106,7 +106,7 @@ bool is_bilinear(const Filter& row, const Settings& settings);
 /// Returns the chosen kernel's label for display, with its size if the size is a setting: "PCF 5×5".
 std::string kernel_label(const Settings& settings);
 /// Returns the number of disk points that a kernel samples, for cost estimates; disk_points() returns the points.
-/// @param places requested number, which the size of the table limits
+/// @param places the requested number of points, which the size of the table limits
 int disk_point_count(const Filter& row, const Settings& settings, int places);
 /// Returns the `places` points in the unit disk that a kernel samples, from the Poisson table or the spiral.
 std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, int places);

@@ -325,7 +325,8 @@ struct ObjectSettings {
 };
 
 /// Returns the face culling that applies to an object.
-/// @param own choice of the object @param of_all choice for all casters (caster.cull), used if the object inherits
+/// @param own the choice of the object @param of_all the choice for all casters (caster.cull), used if the object
+/// inherits
 constexpr Cull cull_in_force(ObjectCull own, Cull of_all) {
     switch (own) {
         case ObjectCull::None:

@@ -27,7 +27,7 @@ public:
     CameraSlice(const Camera& camera, double from_m, double to_m);
     /// Returns world-space points whose convex hull is the part of a world-space box inside this slice of the view
     /// frustum; none if the box is outside.
-    /// @param within optional second body in the order of Box; only the part inside it counts
+    /// @param within an optional second body in the order of Box; only the part inside it counts
     std::vector<glm::dvec3> visible_points(const Box& box, const Box* within = nullptr) const;
     /// Returns world-space points whose convex hull is the part of one box of a shape inside this slice of the view
     /// frustum. For a ground, only its shadowed part counts.

@@ -49,7 +49,7 @@ glm::dvec3 page_origin(const SceneShape& shape);
 inline constexpr int kBlockPages = 8;
 
 /// Returns the view of the block of pages that contains a page of a level's grid.
-/// @param of_level view of the level
+/// @param of_level the view of the level
 /// @param grid_page page counted from the world's origin
 /// @param[out] page place of the page within its block, 0 to kBlockPages - 1
 LightView block_view(const LightView& of_level, const ClipLevel& level, int page_texels, const glm::i64vec2& grid_page,

@@ -30,7 +30,8 @@ class BoxCuller {
 public:
     /// Makes the test from a view's matrix.
     /// @param clip_from_relative clip space from positions relative to `origin` (world)
-    /// @param clamps_near casters before the near plane are drawn on it (pancaking), so near and far planes do not cull
+    /// @param clamps_near true: casters before the near plane are drawn on it (pancaking), so near and far planes do
+    /// not cull
     /// @param resolution texels a side of the map
     BoxCuller(const glm::dmat4& clip_from_relative, const glm::dvec3& origin, const DepthConvention& convention,
               bool clamps_near, int resolution);

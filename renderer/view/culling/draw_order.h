@@ -32,7 +32,7 @@ struct SortedBox {
 /// Returns the indices of the visible boxes, by group and then front to back. Of two touching boxes the one with the
 /// smaller index stays first, so that the winner between coplanar surfaces does not depend on the camera. Above 512
 /// boxes distances are quantised, so that runs of equal batches stay together.
-/// @param touching touching_boxes() of all boxes, visible or not
+/// @param touching the pairs of touching boxes, touching_boxes() of all boxes, visible or not
 std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, std::span<const BoxPair> touching);
 
 }  // namespace si

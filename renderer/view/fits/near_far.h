@@ -7,7 +7,7 @@
 namespace si {
 
 /// Sets near and far planes of a parallel view whose width is set.
-/// @param found depth range along the axis that the fit needs, metres
+/// @param found the depth range along the axis that the fit needs, metres
 /// @param receivers depth range of the receivers; null: all receivers between the map's sides
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers = nullptr);
 

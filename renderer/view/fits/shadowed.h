@@ -13,7 +13,7 @@ namespace si {
 /// Returns the extent of the part of a box that a light can reach; x and y as in MapRegion, z in metres. Empty if the
 /// light reaches no part.
 /// @param box index into SceneShape::boxes
-/// @param seen slice of the camera; only the part inside it counts
+/// @param seen a slice of the camera's frustum; only the part inside it counts
 ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen = nullptr);
 
 /// Returns a region that contains every place where a caster shadows a receiver facing the light; empty without any
