@@ -14,9 +14,9 @@ namespace si {
 /// second gives its depth in metres, as stored, and as a share between the planes.
 /// @param texel y up, of a depth image of `size` texels
 /// @param values the stored depths, row 0 at the top; null or of another size: not read back yet
-/// @param shown kind of image: for moments the text gives the moment, or in the linear view the depth with that moment;
-/// at a mip level `values` have that level's size
-/// @param usage texels that pixels read; null: not known @param frozen the readers are the frozen camera's pixels
+/// @param shown the kind of image: for moments the text gives the moment, or in the linear view the depth with that
+/// moment; at a mip level `values` have that level's size
+/// @param usage texels that pixels read; null: not known @param frozen true: the readers are the frozen camera's pixels
 std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 size, const FloatImage* values,
                                                   const DepthCurve& curve, const TexelUsage* usage, bool frozen,
                                                   const ShownMap& shown = {}, bool linear = false);

@@ -47,7 +47,7 @@ struct AdviceRequests {
 };
 
 /// Draws the panel Advice: measured changes that the scene can do with, and the autopilot.
-/// @param ready there is a scene to measure
+/// @param ready true: there is a scene to measure
 void draw_advice_panel(AdvicePanel& panel, Settings& settings, bool ready, const AdvicePanelFacts& facts,
                        AdviceRequests& requests);
 

@@ -16,8 +16,8 @@ struct FrontierPlotResult {
     bool present_hovered = false;
 };
 
-/// Draws the frontier plot without names of its axes. Returns its mouse input. @param bytes costs are bytes
-/// @param chosen number of the case that gets a ring @param size pixels, from the cursor
+/// Draws the frontier plot without names of its axes. Returns its mouse input. @param bytes true: costs are bytes
+/// @param chosen the number of the case that gets a ring @param size pixels, from the cursor
 FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size);
 
 }  // namespace si

@@ -37,7 +37,8 @@ struct HealthRequests {
 };
 
 /// Draws the panel Numbers: faulty values of the frame, and the process's memory.
-/// @param settings changed by a click that shows another map @param marked texel that the map viewer outlines
+/// @param settings the settings, changed by a click that shows another map @param marked the texel that the map viewer
+/// outlines
 /// @param result last frame; null: none
 void draw_health(Settings& settings, const std::optional<MarkedTexel>& marked, const FrameResult* result,
                  const HealthFacts& facts, HealthRequests& requests);

@@ -18,7 +18,8 @@ namespace si {
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
 /// Returns the light's settings with `handle` dragged to `to` (pixels); nothing if the handle cannot appear there.
-/// @param start pose at the press @param step step of lengths, metres (angles then step by 5 degrees); 0: no steps
+/// @param start the pose at the press of the button @param step step of lengths, metres (angles then step by 5
+/// degrees); 0: no steps
 std::optional<LightSettings> drag_light(const LightPose& start, LightHandle handle, const PictureView& view,
                                         const glm::dvec2& to, double step = 0);
 

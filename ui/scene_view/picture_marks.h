@@ -24,7 +24,7 @@ void draw_hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origi
 /// Draws the enlarged pixels around state.loupe_pixel in a corner, with colour and visibility of the middle one.
 void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
 
-/// Draws text on a dark background, readable over any picture. @param at upper left corner, pixels of the screen
+/// Draws text on a dark background, readable over any picture. @param at the upper left corner, pixels of the screen
 void draw_text_on_picture(ImVec2 at, const std::string& text, ImU32 colour = theme::kOnPicture);
 
 }  // namespace si

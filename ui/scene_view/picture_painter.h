@@ -21,17 +21,18 @@ public:
     /// Returns `units` of scale 1 in pixels of the screen.
     float px(double units) const { return float(units * view_.ui_scale); }
 
-    /// Draws a world line with a dark edge, visible on any picture. @param from, to world @param width pixels at scale
-    /// 1
+    /// Draws a world line with a dark edge, visible on any picture. @param from, to the ends, world @param width pixels
+    /// at scale 1
     void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.4) const;
-    /// Draws a world line without an edge, for many or faint lines. @param from, to world
+    /// Draws a world line without an edge, for many or faint lines. @param from, to the ends, world
     void thin_line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour) const;
-    /// Draws a dashed world line. @param from, to world @param width pixels at scale 1
+    /// Draws a dashed world line. @param from, to the ends, world @param width pixels at scale 1
     void dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.2) const;
-    /// Draws a filled circle over the picture. @param at centre, pixels of the screen @param radius pixels at scale 1
+    /// Draws a filled circle over the picture. @param at the centre, pixels of the screen @param radius pixels at scale
+    /// 1
     void dot(const glm::dvec2& at, double radius, ImU32 colour) const;
 
-    /// Draws text on a dark background, moved into the picture if it would leave it. @param at upper left corner,
+    /// Draws text on a dark background, moved into the picture if it would leave it. @param at the upper left corner,
     /// pixels of the screen
     void caption(const glm::dvec2& at, const std::string& text, ImU32 colour) const;
 

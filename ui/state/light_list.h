@@ -19,8 +19,8 @@ void delete_light(Settings& settings, int light);
 bool is_solo(const Settings& settings, int light);
 /// Switches all lights except `light` (an index) off; switches all on if the others are off already.
 void solo_light(Settings& settings, int light);
-/// Moves a light within the list of lights and shows it. @param light index @param places places to move by; negative:
-/// towards the beginning; clamped to the list
+/// Moves a light within the list of lights and shows it. @param light index @param places the number of places to move
+/// by; negative: towards the beginning; clamped to the list
 void move_light(Settings& settings, int light, int places);
 
 }  // namespace si

@@ -42,7 +42,7 @@ std::span<const PresetEntry> open_preset_sequence(const EditorState& state, cons
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
 /// Draws the colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner. Overlays
-/// with one colour for each view of a light list these colours. @param left, bottom corner, pixels of the screen
+/// with one colour for each view of a light list these colours. @param left, bottom the corner, pixels of the screen
 /// @param room size of the picture, pixels @param light null: none
 void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room);
 
@@ -71,7 +71,7 @@ ComparisonView chosen_comparison(const EditorState& state);
 /// line has taken the press.
 bool steer_swipe(EditorState& state, const PictureView& view);
 /// Draws the compared picture (right of the swipe's line, side by side or as a difference) and the names of both sides.
-/// @param lo, size of the picture, pixels of the screen
+/// @param lo, size the lower corner and size of the picture, pixels of the screen
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
 /// Pins the present settings as A, to compare later settings with. Starts a comparison with A when no comparison is
@@ -83,7 +83,7 @@ void begin_flicker(EditorState& state);
 void end_flicker(EditorState& state);
 
 /// Draws the progress of a loading scene, with a button that cancels the loading, at the top of a picture.
-/// @param left, top, width place, pixels of the screen
+/// @param left, top, width the place, pixels of the screen
 void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width);
 
 /// Returns true while a text field has the keyboard, in this frame or from the next one on.

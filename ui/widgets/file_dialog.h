@@ -43,8 +43,8 @@ struct DesktopFileDialog {
     std::string name;  ///< name that is proposed for saving
 };
 
-/// Opens the editor's file dialog in the folder of `path`, with the file's name when saving. @param about sentence to
-/// save in the preset
+/// Opens the editor's file dialog in the folder of `path`, with the file's name when saving. @param about the sentence
+/// to save in the preset
 void open_file_dialog(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
                       const std::string& about = {});
 /// Returns the path with the extension of a preset (.json) added if it is missing.

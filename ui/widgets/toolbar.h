@@ -17,7 +17,7 @@ public:
     void space(float width) { space_ = width; }
     /// Adds a widget to the toolbar. From the first widget without room on, all go into the menu at the end.
     /// @param label text before it; empty: none @param width pixels
-    /// @param draw draws the widget in a given width; 0: in its own
+    /// @param draw a function that draws the widget in a given width; 0: in its own
     void item(const char* label, float width, std::function<void(float)> draw);
     /// Draws a title in the toolbar, if it has room.
     void title(const char* text);
