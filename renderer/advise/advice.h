@@ -93,14 +93,15 @@ enum class Severity { Error, Warning, Hint };
 /// Returns the name of a severity in JSON and text: "error", "warning" or "hint".
 std::string_view severity_key(Severity severity);
 
-/// Problem found in a frame, such as a remark of the renderer or wrong pixels of one cause, with a fix if known.
+/// Problem found in a frame, such as a warning of the renderer or wrong pixels of one cause, with a fix if known.
 struct Finding {
     Severity severity = Severity::Hint;
-    std::string text;                                           ///< a sentence
-    std::string fix;                                            ///< fix in words; empty: unknown
-    std::vector<std::pair<std::string, std::string>> settings;  ///< fix as keys and values
+    std::string text;  ///< a sentence
+    std::string fix;   ///< fix in words; empty: unknown
+    std::vector<std::pair<std::string, std::string>>
+        settings;  ///< changes of settings that fix the problem: setting keys and new values
 };
-/// Lists the problems of a frame, the worst first: remarks of the renderer, limits of the maps, wrong pixels by cause.
+/// Lists the problems of a frame, the worst first: warnings of the renderer, limits of the maps, wrong pixels by cause.
 /// Each cause comes with the fix that cures most of its pixels, among fixes that cure more pixels than they break.
 /// Draws nothing.
 std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fixes);
@@ -108,8 +109,9 @@ std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fix
 /// Options of a search for advice.
 struct AdviceOptions {
     const Metric* error = &metrics().front();  ///< metric to compare; not Better::Neither
-    CostCase cost = kDefaultCost;              ///< case under which frames are timed
-    bool fixes = true;                         ///< draws and measures fixes for the findings
+    CostCase cost =
+        kDefaultCost;   ///< kind of frames that are timed: every pass drawn again, a moving camera, or a moving light
+    bool fixes = true;  ///< draws and measures fixes for the findings
 };
 
 /// Result of a search for advice.

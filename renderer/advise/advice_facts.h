@@ -1,12 +1,12 @@
-// Facts of a scene, its frame and its reference from which advice rules propose setting changes.
+// Measurements of a scene, its frame and its reference, from which advice rules propose setting changes.
 #pragma once
 
 #include "renderer/advise/fixes.h"
 
 namespace si {
 
-/// Facts of a frame for advice rules, for view.light and its counted pixels unless stated otherwise. Unknown numbers
-/// are NaN.
+/// Measurements of a frame that the conditions of advice rules read, for view.light and its counted pixels unless
+/// stated otherwise. Unknown numbers are NaN.
 struct AdviceFacts {
     ErrorMetrics error;
     BiasNeeds needs;  ///< without pixels when the light has no map
@@ -20,14 +20,15 @@ struct AdviceFacts {
     double read_share = 1;                 ///< share of texels that kernels fetch, for lights with a single map
     std::uint64_t paged_texels = 0;        ///< texels of virtual maps that are read; 0: maps are whole
     std::vector<double> shadowed;          ///< share of each light's counted pixels in shadow
-    std::vector<std::string> notes;        ///< remarks of the renderer
+    std::vector<std::string> notes;        ///< warnings of the renderer (FrameResult::notes)
     /// Returns the frame's data of view.light; null: no such light.
     const FittedLight* fitted() const {
         return std::size_t(light) < lights.size() ? &lights[std::size_t(light)] : nullptr;
     }
 };
 
-/// Collects the facts for advice rules: draws a frame and traces its reference. Call on the renderer's thread.
+/// Takes the measurements that advice rules read: draws a frame and traces its reference. Call on the renderer's
+/// thread.
 /// @param measured the settings from measured_settings() @param width, height of the picture in pixels
 /// @throws Cancelled, Error
 AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings& measured, int width, int height,

@@ -16,13 +16,14 @@ namespace si {
 struct AutopilotGoals {
     std::optional<double> max_error, max_ms;   ///< limits; at least one
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
-    CostCase cost = kDefaultCost;              ///< case under which max_ms is timed
-    double max_seconds = 100;                  ///< duration of the search
-    std::size_t max_combinations = 160;        ///< limit of an exhaustive search; above, axes are searched in pairs
+    CostCase cost = kDefaultCost;        ///< kind of frames that are timed for max_ms: every pass drawn again, a moving
+                                         ///< camera, or a moving light
+    double max_seconds = 100;            ///< duration of the search
+    std::size_t max_combinations = 160;  ///< limit of an exhaustive search; above, axes are searched in pairs
 };
 
-/// Chooses the settings that the autopilot varies, with their values, from facts of the frame. The first value of each
-/// axis is empty and keeps the present setting.
+/// Chooses the settings that the autopilot varies, with their values, from measurements of the frame. The first value
+/// of each axis is empty and keeps the present setting.
 std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
 
 /// Functions that measure settings for the autopilot: an advice meter with frame times and a clock.
@@ -40,7 +41,7 @@ struct AutopilotCase {
     bool holds = false;           ///< within the limits, as far as timed
 };
 
-/// Setting that the autopilot changed, with error and time of the best case if the setting were kept.
+/// Setting that the autopilot changed, with error and time of its best result if this setting kept its old value.
 struct DroppedEffect {
     std::string key, before, now;  ///< setting with its old and new value
     double error = 0;              ///< error with the old value
@@ -50,10 +51,10 @@ struct DroppedEffect {
 /// Result of an autopilot search.
 struct AutopilotResult {
     bool goals_met = false;
-    AutopilotCase best;  ///< best case within the limits, or the nearest to them
+    AutopilotCase best;  ///< best measured settings within the limits, or those nearest to the limits
     MeasuredSettings before;
     double before_ms = 0;                ///< frame time of the present settings
-    std::vector<AutopilotCase> cases;    ///< measured cases
+    std::vector<AutopilotCase> cases;    ///< all measured combinations of settings
     std::vector<DroppedEffect> dropped;  ///< settings that changed, as far as time allowed to measure them
     std::size_t combinations = 0;        ///< number of combinations of the axes
     std::vector<std::string> untried;    ///< sentences about parts of the search that were left out

@@ -23,7 +23,7 @@ struct FixCandidate {
     std::string label = {};  ///< name for people; empty: `name`
 };
 
-/// Facts of a measured frame from which fixes are proposed.
+/// Measurements of a frame from which fixes are proposed.
 struct FixFacts {
     BiasNeeds needs;
     std::vector<FittedLight> lights;
@@ -36,7 +36,7 @@ struct FixFacts {
     /// Least bias of each row of the bias table that no bias family uses.
     std::vector<std::pair<const Bias*, BiasSettings>> least_of_rows;
 };
-/// Collects the facts from which fixes are proposed. @param settings settings of the measured frame
+/// Collects the measurements of a frame from which fixes are proposed. @param settings settings of the measured frame
 FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
 
 /// Returns the least bias of a family for a frame by theory, rounded up by 0.1 % and to three digits.
@@ -70,13 +70,14 @@ std::string map_bytes_text(long long bytes);
 
 /// Setting change with the measured numbers of pixels that it cures and breaks.
 struct MeasuredFix {
-    std::string name;                                           ///< name in files
-    std::vector<std::pair<std::string, std::string>> settings;  ///< changed keys and values, for set_setting()
-    std::string untried;                                        ///< reason why nothing was measured; empty: measured
-    std::size_t cured = 0;                                      ///< number of wrong pixels that become right
-    std::size_t broken = 0;                                     ///< number of right pixels that become wrong
-    std::array<std::size_t, kArtefacts> cured_of{};             ///< cured pixels by cause
-    std::optional<bool> pixel_right;                            ///< FixOptions::pixel becomes right
+    std::string name;  ///< name in files
+    std::vector<std::pair<std::string, std::string>>
+        settings;                                    ///< changed settings: keys and new values for set_setting()
+    std::string untried;                             ///< reason why nothing was measured; empty: measured
+    std::size_t cured = 0;                           ///< number of wrong pixels that become right
+    std::size_t broken = 0;                          ///< number of right pixels that become wrong
+    std::array<std::size_t, kArtefacts> cured_of{};  ///< cured pixels by cause
+    std::optional<bool> pixel_right;                 ///< FixOptions::pixel becomes right
     std::optional<CostChange> ms;  ///< change of the time of passes that the fix affects; none: not timed
     long long map_bytes = 0;       ///< change of the maps' memory, bytes
     std::string label = {};        ///< name for people; empty: `name`

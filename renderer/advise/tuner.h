@@ -22,7 +22,8 @@ struct TuneGoals {
     std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
     int max_resolution = 8192;                 ///< largest map.resolution to try
-    CostCase cost = kDefaultCost;              ///< case under which max_ms is timed
+    CostCase cost = kDefaultCost;  ///< kind of frames that are timed for max_ms: every pass drawn again, a moving
+                                   ///< camera, or a moving light
     /// Returns true when there is a limit of error or time.
     bool any() const { return max_error || max_ms; }
 };

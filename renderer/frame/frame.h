@@ -188,7 +188,7 @@ struct FrameResult {
     std::vector<FittedLight> lights;
     std::optional<DepthSpan> seen_m;  ///< measured depth range of visible surfaces, where a fit needs it
     std::vector<PassInfo> passes;
-    std::vector<std::string> notes;  ///< repairs of settings and other one-line remarks
+    std::vector<std::string> notes;  ///< repairs of settings and other warnings for the user, one line each
     std::vector<Pane> panes;  ///< panes of view.panes, row by row from the top left; panes of one overlay share images
     Image colour;             ///< the first pane's picture
     /// RGBA8: mean of FrameRequest::smoothed shadings by a jittered camera. Panes without an overlay show it. Empty:

@@ -1,4 +1,4 @@
-// State that all passes of one frame share: facts derived from scene and settings, and resources of the context.
+// State that all passes of one frame share: values derived from scene and settings, and resources of the context.
 #pragma once
 
 #include <array>
@@ -71,7 +71,8 @@ struct Resources {
     std::uint64_t last_drawing = 0;
 };
 
-/// State of one frame during planning and drawing: inputs, derived facts, plan and resources.
+/// State of one frame during planning and drawing: inputs, values derived from them (camera, fitted lights, keys), plan
+/// and resources.
 struct FrameState {
     const Scene& scene;
     Settings settings;  ///< sanitised and within the driver's limits

@@ -11,13 +11,14 @@
 
 namespace si {
 
-/// Case for which frames are timed: every pass forced, the camera moves, or the light moves. Ordered as cost_cases().
+/// Kind of frames that are timed. Forced: every pass is drawn again. Camera, Light: the camera or the light moves, and
+/// unchanged passes are cached. Ordered as cost_cases().
 enum class CostCase { Forced, Camera, Light };
 
-/// Case for which frames are timed by default.
+/// Kind of frames that are timed by default.
 inline constexpr CostCase kDefaultCost = CostCase::Camera;
 
-/// Row of the table of cost cases: key, label and help of one case for which frames are timed.
+/// Row of the table of cost cases: key, label and help of one kind of timed frames.
 struct CostRow {
     std::string_view key, label;
     std::string_view when;  ///< "while the camera moves", after "ms a frame"

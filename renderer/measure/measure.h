@@ -16,10 +16,11 @@ struct Classification {
     std::optional<PageFacts> pages;  ///< pages of virtual maps, all drawn again
     ByteImage picture;               ///< the frame
     ByteImage artefacts;             ///< the frame in grey with wrong pixels in colour
-    std::vector<std::string> notes;  ///< remarks of the renderer, such as repaired settings
+    std::vector<std::string> notes;  ///< warnings of the renderer, such as repaired settings
 };
 
-/// Sequence of frames of one setting, drawn to be timed under a cost case.
+/// Sequence of frames under the same settings, drawn to be timed with everything drawn again, a moving camera, or a
+/// moving light (CostCase).
 class TimedFrames {
 public:
     /// Prepares the frames and traces the rays that light sources need.

@@ -53,7 +53,7 @@ struct TimeMeasurement {
     bool settled = false;              ///< the confidence interval is below the limit, over several bursts
     double seconds = 0;                ///< time from the first frame to the last; 0: unknown
     std::string clock;                 ///< name of the clock
-    CostCase cost = CostCase::Forced;  ///< case under which the frames were drawn
+    CostCase cost = CostCase::Forced;  ///< kind of frames that were timed
 };
 
 /// Limit of Spread::relative() of the total below which a time has settled.

@@ -16,11 +16,11 @@ struct OptimisationRow {
     std::string_view help;   ///< one paragraph: work skipped, condition, and proof of safety
 };
 
-/// Returns all rows of the table, in the order of Optimisation.
+/// Returns all rows of the table of optimisations, in the order of Optimisation.
 std::span<const OptimisationRow> optimisation_rows();
 /// Returns the table row of an optimisation.
 const OptimisationRow& row_of(Optimisation optimisation);
-/// Returns the optimisation with a key.
+/// Returns the optimisation whose table row has this key.
 /// @throws Error naming the known keys if the key is unknown
 Optimisation parse_optimisation(std::string_view key);
 

@@ -1,4 +1,4 @@
-// Cached facts about the scene that optimisations share between frames.
+// Cache of the scene's mesh boxes and visible objects, which optimisations share between frames.
 #pragma once
 
 #include <array>

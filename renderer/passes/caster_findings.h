@@ -1,4 +1,4 @@
-// Facts about casters that passes compute once and keep between frames.
+// Properties of casters (flat sides, content keys) that passes compute once and keep between frames.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct RigidMeshKeys {
     std::uint64_t opaque = 0, masked = 0;
 };
 
-/// Keys of casters and textures that were computed before.
+/// Content keys of casters and textures that earlier frames computed.
 struct CasterContentCache {
     /// Texture with the cached hash of its pixels, which enters the content keys of alpha-masked casters.
     struct OfTexture {

@@ -9,7 +9,7 @@ namespace si {
 /// Averages the stored depths of the shadow maps themselves (map.blur_texels), to demonstrate why that fails.
 class DepthBlurPass : public FramePass {
 public:
-    /// Targets of DepthBlurPass, kept between frames: images of the blur.
+    /// Images that DepthBlurPass draws and keeps between frames: the blurred depths, and depths blurred along x alone.
     struct Targets {
         gl::Target maps, rows;  ///< blurred maps, a layer for each view; one layer blurred along x
     };

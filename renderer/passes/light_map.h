@@ -12,7 +12,7 @@ namespace si {
 /// each triangle to its chart.
 class LightMapPass : public FramePass {
 public:
-    /// Targets of LightMapPass, kept between frames: GPU copy of the baked light maps.
+    /// Image and buffers that LightMapPass keeps between frames: the GPU copy of the baked light maps.
     struct Targets {
         gl::Target atlas;  ///< R8, a layer for each light with a light map
         gl::Sampler bilinear;

@@ -10,7 +10,7 @@ namespace si {
 /// lies on one side of both fetch no taps (Optimisation::EarlyOut).
 class MapBoundsPass : public FramePass {
 public:
-    /// Targets of MapBoundsPass, kept between frames: images of the depth bounds.
+    /// Images that MapBoundsPass draws and keeps between frames: smallest and largest depths of blocks of map texels.
     struct Targets {
         gl::Target bounds;  ///< RGBA32F, a layer for each view
         gl::Target cells;   ///< bounds of single cells, before widening by the kernel's reach; one view

@@ -10,7 +10,8 @@ namespace si {
 /// (Result::MapChannel), the drawn depth range (Result::DepthRange) and the picture (Result::MapView).
 class MapViewPasses : public FramePass {
 public:
-    /// Targets of MapViewPasses, kept between frames: images of the map viewer, and the range of the drawn depths.
+    /// Images that MapViewPasses draws and keeps between frames for the map viewer, and the range of the depths in the
+    /// shown map.
     struct Targets {
         gl::Target picture, range, channel;
         glm::vec2 drawn{0, 1};  ///< smallest and largest drawn depth

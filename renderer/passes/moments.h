@@ -15,7 +15,8 @@ std::vector<ResultRef> kernel_inputs(const FrameState& f);
 /// read these moments in place of depths.
 class MomentsPass : public FramePass {
 public:
-    /// Targets of MomentsPass, kept between frames: images of the moments and of their intermediate steps.
+    /// Images that MomentsPass draws and keeps between frames: the moments of moment kernels (VSM, ESM, EVSM, MSM), and
+    /// intermediate steps.
     struct Targets {
         gl::Target moments;   ///< a layer for each view
         gl::Target steps[2];  ///< intermediate layer between two draws

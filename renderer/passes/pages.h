@@ -35,7 +35,8 @@ struct MapLayer {
 /// that draw whole maps.
 class PagePasses : public FramePass {
 public:
-    /// Targets of PagePasses, kept between frames: images, cache and page choice of virtual maps.
+    /// Images that PagePasses draws and keeps between frames for virtual maps, with the page cache and the choice of
+    /// pages.
     struct Targets {
         gl::Target wanted;            ///< R8UI, a texel for each page, a layer for each view
         gl::Target nothing;           ///< unused image of the picture's size, as OpenGL needs an attachment

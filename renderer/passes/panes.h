@@ -14,7 +14,8 @@ class PanePasses : public FramePass {
 public:
     using ShownPane = FrameState::ShownPane;
 
-    /// Targets of PanePasses, kept between frames: images of one pane, and the colour scale fitted to its values.
+    /// Images that PanePasses draws and keeps between frames for one pane, and the colour scale fitted to the values of
+    /// its overlay.
     struct Targets {
         gl::Target values, composed;
         ValueRange fitted;

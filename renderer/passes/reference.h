@@ -24,7 +24,8 @@ void draw_evidence(const FrameState& f, int light, bool reference_known, PassInf
 /// metrics.
 class ReferencePasses : public FramePass {
 public:
-    /// Targets of ReferencePasses, kept between frames: images of reference, comparison, causes and metrics.
+    /// Images that ReferencePasses draws and keeps between frames: the uploaded reference, the comparison with it,
+    /// causes of errors, and metrics.
     struct Targets {
         gl::Target reference, more_reference;  ///< uploaded values of the reference
         gl::Target classified;                 ///< RG32F, see classification() in lib/truth.glsl

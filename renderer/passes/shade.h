@@ -10,7 +10,8 @@ namespace si {
 /// the view is static, also accumulates the mean of jittered pictures (Result::Smooth).
 class ShadePasses : public FramePass {
 public:
-    /// Targets of ShadePasses, kept between frames: images for the accumulated mean of jittered pictures.
+    /// Images that ShadePasses draws and keeps between frames for view.smooth: the accumulated mean of jittered
+    /// pictures.
     struct SmoothTargets {
         gl::Target one, depth;  ///< picture and depth of one jittered shading
         gl::Target sum, mean;

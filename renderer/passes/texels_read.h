@@ -9,7 +9,7 @@ namespace si {
 /// Marks exactly the texels of the shown map that the kernels of all pixels fetch.
 class TexelsReadPass : public FramePass {
 public:
-    /// Targets of TexelsReadPass, kept between frames: images of the marks.
+    /// Images that TexelsReadPass draws and keeps between frames: marks of the map texels that the picture reads.
     struct Targets {
         gl::Target marks;    ///< R32F, the map's resolution: 1 where a kernel fetches the texel
         gl::Target nothing;  ///< unused image of the picture's size, as OpenGL needs an attachment

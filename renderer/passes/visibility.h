@@ -12,7 +12,7 @@ class ShadowVolumePasses;
 /// Draws the visibility of each light into a layer, by the light's source, with contact shadows.
 class VisibilityPass : public FramePass {
 public:
-    /// Targets of VisibilityPass, kept between frames: visibility image of all lights.
+    /// Image that VisibilityPass draws and keeps between frames: the visibility of all lights, one layer each.
     struct Targets {
         gl::Target visibility;  ///< R32F, a layer for each light
         gl::Texture view;       ///< 2-D texture view of one layer

@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// State of a Renderer: driver facts, GPU resources, passes and memory limits.
+/// State of a Renderer: properties of the driver, GPU resources, passes and memory limits.
 struct RendererImpl {
     DriverInfo driver;
     gl::MessageLog messages;
@@ -42,10 +42,10 @@ struct RendererImpl {
     /// Halves the map resolution after the driver ran out of memory. Returns true when drawing again may succeed.
     /// @param why the message of the failure
     bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);
-    /// Derives all facts of a frame: repaired settings, camera, fitted lights, needs of its outputs. Draws nothing
-    /// except the visible depths, where a fit of light.depth_bounds needs them.
+    /// Derives all values that a frame's passes read: repaired settings, camera, fitted lights, needs of its outputs.
+    /// Draws nothing except the visible depths, where a fit of light.depth_bounds needs them.
     FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Derives all facts of a frame as prepare_frame() does, from the visible depths measured so far.
+    /// Derives the values of a frame as prepare_frame() does, from the visible depths measured so far.
     FrameState derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Draws one frame as Renderer::render() does, without the number watcher.
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);

@@ -13,25 +13,25 @@ namespace si {
 
 // Rows of the settings table by topic; params() joins them.
 
-/// Returns the rows of shadow map settings: map.*.
+/// Returns the rows of the settings table for shadow maps: map.*.
 std::span<const Param> map_rows();
-/// Returns the rows of caster, bias and filter settings: caster.*, bias.*, filter.*.
+/// Returns the rows of the settings table for casters, biases and filters: caster.*, bias.*, filter.*.
 std::span<const Param> bias_rows();
-/// Returns the rows of light settings: light.count and light.*.
+/// Returns the rows of the settings table for lights: light.count and light.*.
 std::span<const Param> light_rows();
 /// Returns the rows of shadows that no map holds: volumes.*, contact.*, blob.*, light_map.*.
 std::span<const Param> source_rows();
 /// Returns the rows of shading settings: shading.*.
 std::span<const Param> shading_rows();
-/// Returns the rows of camera settings: camera.*.
+/// Returns the rows of the settings table for the camera: camera.*.
 std::span<const Param> camera_rows();
-/// Returns the rows of scene settings: scene.*.
+/// Returns the rows of the settings table for the scene: scene.*.
 std::span<const Param> scene_rows();
-/// Returns the rows of map viewer, pane and overlay settings: view.*.
+/// Returns the rows of the settings table for map viewer, panes and overlays: view.*.
 std::span<const Param> view_rows();
-/// Returns the rows of settings of the ray-traced reference: truth.*.
+/// Returns the rows of the settings table for the ray-traced reference: truth.*.
 std::span<const Param> reference_rows();
-/// Returns the rows of object settings: object.*.
+/// Returns the rows of the settings table for single objects: object.*.
 std::span<const Param> object_rows();
 
 namespace rows {
