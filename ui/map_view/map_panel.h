@@ -33,7 +33,7 @@ struct MapPlots {
     DepthHistogram histogram;  ///< histogram of the values that view.map shows
 };
 
-/// Facts of the map viewer. Null: not read back.
+/// Data that the map viewer shows, read back from the last frame. Null: not read back.
 struct MapPanelFacts {
     const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
     const MapPlots* map_facts = nullptr;

@@ -31,7 +31,7 @@ struct AdviceRequest {
     std::optional<double> max_ms;     ///< longest time of a frame
 };
 
-/// Facts of the panel Advice: progress and last results.
+/// Data that the panel Advice shows: progress and last results of advice and autopilot.
 struct AdvicePanelFacts {
     std::optional<SearchProgress> advising;      ///< under way
     const AdviceReport* advice = nullptr;        ///< last result for this scene, if of advice

@@ -15,13 +15,14 @@ struct FrameTimes;
 struct Effect;
 struct SavedTimes;
 
-/// State of the panel Effects. Optimisations that are switched off (forced) are no setting, since no picture changes.
+/// State of the panel Effects, with the optimisations that the user has switched off. They are no settings, since no
+/// picture changes.
 struct EffectsPanel {
     OptimisationSet forced;    ///< optimisations that are switched off
     bool only_needed = false;  ///< lists only what is drawn or cached
 };
 
-/// Facts of the panel Effects: effects of the frame, and the times that optimisations save.
+/// Data that the panel Effects shows: pieces of the frame's rendering work, and the times that optimisations save.
 struct EffectsFacts {
     std::span<const Effect> effects;                        ///< empty unless requested
     const SavedTimes* saved = nullptr;                      ///< last measured times; null: none, or of another scene

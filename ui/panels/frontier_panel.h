@@ -47,11 +47,11 @@ struct FrontierView {
     FrontierAdvice advice;       ///< better cases than the present settings, as indices of marks
 };
 
-/// Facts of the panel Frontier: results and progress of the sweep, and the present settings' numbers.
+/// Data that the panel Frontier shows: results and progress of the sweep, and the present settings' numbers.
 struct SweepFacts {
     std::vector<MeasuredColumn> columns;
     std::vector<MeasuredCase> cases;  ///< finished and failed
-    std::size_t total = 0;            ///< cases of the sweep; 0: there is no sweep
+    std::size_t total = 0;            ///< number of cases of the sweep; 0: there is no sweep
     std::size_t failed = 0;
     std::string about;      ///< "stage, 640 x 360 pixels, hard reference; llvmpipe"
     bool software = false;  ///< a CPU rasteriser took the times
@@ -59,7 +59,7 @@ struct SweepFacts {
     std::vector<std::string>
         other_settings;  ///< "Slope bias: 0.5 -> 1 texels": differ from the sweep's, and not varied
     bool running = false;
-    bool timing = false;                  ///< the round of timings is under way
+    bool timing = false;                  ///< the sweep is timing its cases, after errors and costs
     double progress = 0;                  ///< progress of the whole sweep, 0..1
     double seconds_left = 0;              ///< seconds left of the whole sweep; 0: not known yet
     std::string current;                  ///< "round 2 of at most 10: filter.kernel=pcf3"

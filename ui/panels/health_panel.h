@@ -12,7 +12,7 @@ namespace si {
 struct FrameResult;
 struct Settings;
 
-/// Facts of the panel Numbers.
+/// Data that the panel Numbers shows: invalid numbers found in the frame, and memory of the process.
 struct HealthFacts {
     const NumericHealth* health = nullptr;  ///< faulty numbers of the shown frame; null: not searched yet
     const MemoryReport* memory = nullptr;   ///< memory of the process; null: not sampled yet

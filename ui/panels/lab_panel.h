@@ -24,7 +24,7 @@ struct ShimmerShown {
     Shimmer shimmer;
 };
 
-/// Facts of the panel Lab: progress and last results of its measurements.
+/// Data that the panel Lab shows: progress and last results of its measurements.
 struct LabFacts {
     std::optional<SearchProgress> comparing_pipelines;  ///< none: not under way
     std::optional<SearchProgress> measuring_shimmer;    ///< none: not under way

@@ -27,7 +27,7 @@ struct Replacement {
     std::optional<std::string> about;  ///< sentence to save in the preset
 };
 
-/// Facts about presets and files.
+/// Data that menus and panels show about presets, recent files and the lost session.
 struct PresetsFacts {
     std::span<const PresetEntry> presets, hard_cases;            ///< two sequences, each in its order
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first

@@ -16,14 +16,14 @@ struct PixelDiagnosis;
 /// Cross-sections of the probed pixel, one for each of its lights.
 using Sections = std::shared_ptr<const std::vector<Section>>;
 
-/// Facts of the panel Probe about the probed pixel: shadow test, diagnoses and cross-sections.
+/// Data that the panel Probe shows about the probed pixel: shadow test, diagnoses and cross-sections.
 struct ProbeFacts {
     const Probe* probe = nullptr;  ///< shadow test of state.probe_pixel; null: not known
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::span<const PixelDiagnosis> diagnoses;  ///< one a light of the probe, once the reference is there
     Sections sections;                          ///< null: the panel is hidden
     bool tracing_probe = false;                 ///< the diagnoses will follow
-    bool verdict_follows = false;               ///< these facts belong to an earlier picture; the next is being drawn
+    bool verdict_follows = false;  ///< the data belongs to an earlier picture; the next picture is being drawn
 };
 
 /// Drawings of the cross-sections, kept until the pixel or their size changes.

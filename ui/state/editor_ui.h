@@ -110,8 +110,8 @@ struct DrawingFacts {
     double progress = 0;  ///< 0..1
 };
 
-/// Facts that panels show: the last frame, the scene and background work. Pointers may be null: the editor then draws
-/// without these facts.
+/// Data that panels show: the last frame, the scene and background work. Pointers may be null: the editor then draws
+/// without this data.
 struct EditorFrame : ProbeFacts,
                      TunePanelFacts,
                      MapPanelFacts,
@@ -141,7 +141,8 @@ struct EditorFrame : ProbeFacts,
     const ArtefactSpots* artefacts = nullptr;  ///< clusters of the last fulfilled request
 };
 
-/// Requests of the panels to the application in one frame. Members want_...: facts that a shown panel needs.
+/// Requests of the panels to the application in one frame. Members want_...: data that a shown panel needs from the
+/// next frame.
 struct EditorRequests : MapRequests,
                         ReferenceRequests,
                         PresetRequests,

@@ -1,4 +1,4 @@
-// Changes of settings that have a key of their own.
+// Changes of settings that have a keyboard shortcut of their own.
 #pragma once
 
 #include <optional>
