@@ -109,9 +109,8 @@ std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fix
 /// Options of a search for advice.
 struct AdviceOptions {
     const Metric* error = &metrics().front();  ///< metric to compare; not Better::Neither
-    CostCase cost =
-        kDefaultCost;   ///< kind of frames that are timed: every pass drawn again, a moving camera, or a moving light
-    bool fixes = true;  ///< draws and measures fixes for the findings
+    CostCase cost = kDefaultCost;              ///< kind of frames that are timed
+    bool fixes = true;                         ///< draws and measures fixes for the findings
 };
 
 /// Result of a search for advice.

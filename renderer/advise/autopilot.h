@@ -12,14 +12,13 @@
 
 namespace si {
 
-/// Goals and limits of an autopilot search.
+/// Goals of an autopilot search: limits on error or frame time, and the metric of the error.
 struct AutopilotGoals {
     std::optional<double> max_error, max_ms;   ///< limits; at least one
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
-    CostCase cost = kDefaultCost;        ///< kind of frames that are timed for max_ms: every pass drawn again, a moving
-                                         ///< camera, or a moving light
-    double max_seconds = 100;            ///< duration of the search
-    std::size_t max_combinations = 160;  ///< limit of an exhaustive search; above, axes are searched in pairs
+    CostCase cost = kDefaultCost;              ///< kind of frames that are timed for max_ms
+    double max_seconds = 100;                  ///< duration of the search
+    std::size_t max_combinations = 160;        ///< limit of an exhaustive search; above, axes are searched in pairs
 };
 
 /// Chooses the settings that the autopilot varies, with their values, from measurements of the frame. The first value

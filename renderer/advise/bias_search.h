@@ -88,7 +88,8 @@ private:
     BiasSettings bias_at_factor(double factor) const;
     /// Begins the bisection of a family by its index in families_.
     void start_family(std::size_t index);
-    /// Narrows the range of factors after a trial. @param clear true: the trial had no acne
+    /// Narrows the range of bias factors that the bisection still searches, after a trial. @param clear true: the trial
+    /// had no acne
     void narrow(bool clear);
 
     Settings start_;

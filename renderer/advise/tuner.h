@@ -22,8 +22,7 @@ struct TuneGoals {
     std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
     int max_resolution = 8192;                 ///< largest map.resolution to try
-    CostCase cost = kDefaultCost;  ///< kind of frames that are timed for max_ms: every pass drawn again, a moving
-                                   ///< camera, or a moving light
+    CostCase cost = kDefaultCost;              ///< kind of frames that are timed for max_ms
     /// Returns true when there is a limit of error or time.
     bool any() const { return max_error || max_ms; }
 };
@@ -43,7 +42,8 @@ struct TuneCandidate {
 /// action() requests, until Action::None.
 class Tuner {
 public:
-    /// Begins a search. @param start the settings whose bias, kernel and resolution are replaced
+    /// Begins a search for the least bias, and with limits for kernel and resolution. @param start the settings whose
+    /// bias, kernel and resolution are replaced
     Tuner(const Settings& start, const TuneGoals& goals);
 
     /// Measurement that the tuner needs next.
@@ -84,7 +84,8 @@ private:
 
     /// Begins the next candidate: present kernel and resolution.
     void open_candidate();
-    /// Ends the present candidate. @param try_finer true: goes on with twice the resolution, else with the next kernel
+    /// Ends the trial of the present kernel and resolution, and begins the next one. @param try_finer true: goes on
+    /// with twice the resolution, else with the next kernel
     void close_candidate(bool try_finer);
     /// Takes the bias that was found, rates the candidate against the limits, and then requests its time or closes it.
     void finish_measured_run();

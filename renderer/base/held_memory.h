@@ -15,7 +15,8 @@ namespace si {
 class TrackedMemory {
 public:
     TrackedMemory() = default;
-    /// Counts `bytes` under `holder`. @param holder a plural that the memory report prints: "shadow maps"
+    /// Counts `bytes` in the memory report under `holder`, until this object is destroyed. @param holder a plural that
+    /// the memory report prints: "shadow maps"
     TrackedMemory(std::string_view holder, std::uint64_t bytes);
     ~TrackedMemory() { drop(); }
     TrackedMemory(const TrackedMemory& other);

@@ -131,7 +131,7 @@ struct Image {
     int width = 0, height = 0;
 };
 
-/// One picture of the split view.
+/// One of the pictures side by side (view.panes), with the images drawn for it.
 struct Pane {
     Image picture;    ///< RGBA8, sRGB-encoded, bottom row first; the shaded picture when nothing is drawn over it
     Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay

@@ -44,7 +44,8 @@ struct NumberFinding {
     std::string unit;  ///< "texel", "pixel", "number"
 };
 
-/// Result of the search for invalid numbers in a frame.
+/// Result of the search for invalid numbers in a frame's maps, pictures and matrices; findings are empty if all are
+/// sound.
 struct NumericHealth {
     std::vector<NumberFinding> findings;
     std::size_t images = 0;     ///< searched layers and mip levels

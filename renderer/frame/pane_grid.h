@@ -17,7 +17,7 @@ struct PaneGrid {
     int count() const { return columns * rows; }
     /// Returns the upper left pixel of a pane in the whole picture.
     glm::ivec2 corner(int pane) const { return {pane % columns * (width + gap), pane / columns * (height + gap)}; }
-    /// Pixel of one pane.
+    /// Index of a pane, and a pixel counted within that pane.
     struct Place {
         int pane;
         glm::ivec2 pixel;  ///< position within the pane

@@ -76,7 +76,7 @@ public:
     std::uint64_t key_of(const ResultRef& result) const;
     /// Returns true when a result's images already hold what the passes added so far would write.
     bool is_current(const ResultRef& result) const;
-    /// Frees what release_later() registered.
+    /// Calls the functions that release_later() registered, which free memory.
     void run_releases() const {
         for (const auto& give_up : releases_) give_up();
     }

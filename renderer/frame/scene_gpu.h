@@ -39,7 +39,7 @@ struct Batch {
 /// Geometry, textures and instance batches of one scene on the GPU.
 class SceneGpu {
 public:
-    /// Uploads a scene.
+    /// Uploads a scene's meshes and textures to the GPU.
     /// @param anisotropy true: textures get anisotropic filtering
     /// @param before the previous scene, of which equal textures and watertightness checks are reused; the remainder is
     /// freed first

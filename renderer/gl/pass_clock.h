@@ -30,7 +30,7 @@ public:
     /// Returns the time of a pass in milliseconds. Waits for the GPU when queries are used.
     /// @param slot the slot that end() returned
     double milliseconds(std::size_t slot);
-    /// Frees all slots for the next frame.
+    /// Makes all measured slots reusable. Call before the first pass of a frame.
     void reset() { used_ = 0; }
 
 private:

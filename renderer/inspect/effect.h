@@ -25,8 +25,7 @@ struct Effect {
     std::string name;  ///< "map of light 0, cascade 2"
     EffectState state = EffectState::NotNeeded;
     std::string reason;                        ///< one or more sentences, each with its full stop
-    std::optional<Optimisation> optimisation;  ///< optimisation that skips the effect or a part of it; with the
-                                               ///< optimisation switched off, the effect is drawn
+    std::optional<Optimisation> optimisation;  ///< optimisation that skips the effect or a part of it
     std::string pass;                          ///< PassInfo::name of the pass that draws it; empty: none
     bool part = false;                         ///< one of several effects in the pass, so the pass's time is shared
     bool operator==(const Effect&) const = default;

@@ -34,7 +34,7 @@ public:
     void warm_up();
 
 private:
-    /// Settings and request of one timed frame.
+    /// Settings and request to draw one timed frame with.
     struct Frame {
         Settings settings;
         FrameRequest request;

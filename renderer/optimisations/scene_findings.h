@@ -23,7 +23,7 @@ struct MeshBoxes {
 struct CameraMapReads {
     std::uint64_t key = 0;  ///< key of camera and scene
     std::optional<VisibleBodies> bodies;
-    /// Cells read of one light's maps.
+    /// Cells of one light's maps that look-ups read, with the key they were found for.
     struct LightReads {
         std::uint64_t key = 0;
         NeededMaps needed;

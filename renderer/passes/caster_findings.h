@@ -15,7 +15,7 @@ namespace si {
 struct MeshSide {
     glm::dvec3 normal, corner;
 };
-/// Sides of one mesh.
+/// Flat sides of one mesh, by which casters edge-on to the light are recognised.
 struct MeshSides {
     std::vector<MeshSide> sides;  ///< empty: there are too many, all of them small
     double least_height = 0;      ///< smallest height of its triangles that have an area, metres

@@ -53,7 +53,7 @@ private:
         std::uint32_t mesh = 0;
         std::array<std::size_t, 4> first{};  ///< first index: caps, reversed caps, sides, end
     };
-    /// Volumes of one light, with the keys of their cached states.
+    /// Shadow volumes of one light, with cache keys of the triangles computed, uploaded and drawn.
     struct Light {
         bool used = false;
         bool before = false;  ///< z-pass: counts faces in front of the surface
@@ -98,7 +98,7 @@ private:
     gl::Framebuffer counting_, marking_;
 };
 
-/// Draws stencil shadow volumes of each light with that source.
+/// Draws stencil shadow volumes of each light whose light.source is shadow volumes.
 class ShadowVolumePasses : public FramePass {
 public:
     void declare(FrameState& f) override;

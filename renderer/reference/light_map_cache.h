@@ -36,7 +36,7 @@ public:
     Counts counts() const;
 
 private:
-    /// A light map in memory and its content key.
+    /// Baked light map in memory, with the content key that finds it.
     struct Known {
         std::uint64_t content = 0;
         std::shared_ptr<const LightMap> map;
@@ -59,7 +59,7 @@ private:
     std::uint64_t layout_geometry_ = 0;             ///< ReferenceGeometry::key of the layout
 };
 
-/// Returns the light map cache of the process.
+/// Returns the light map cache that all renderers of the process share.
 LightMapCache& light_maps();
 
 }  // namespace si

@@ -59,7 +59,7 @@ public:
     /// Traces the reference of a task, or returns it from the cache.
     /// @throws Cancelled, Error; parts that were complete by then stay in the cache
     TracedReference trace(const ReferenceTask& task, const Workers& workers = {});
-    /// Empties the cache.
+    /// Drops all cached references, receivers and hierarchies.
     void clear() { *this = {}; }
     /// Returns the receivers of the last trace; null: none.
     const std::shared_ptr<const Receivers>& receivers() const { return receivers_; }
@@ -69,7 +69,7 @@ private:
     std::shared_ptr<const ReferenceScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;
-    /// A cached reference and its key.
+    /// Cached reference of one light, with the cache key of its task.
     struct Known {
         std::uint64_t key = 0;
         std::shared_ptr<const Reference> reference;

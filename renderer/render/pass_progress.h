@@ -11,7 +11,7 @@ namespace si {
 /// Progress of one frame: current pass and number of finished ones. The drawing thread writes it, any thread reads it.
 class PassProgress {
 public:
-    /// Snapshot of the progress.
+    /// Snapshot of the progress of one frame, in passes.
     struct State {
         std::string pass;              ///< pass begun last; empty: none yet
         std::size_t done = 0, of = 0;  ///< finished passes; all passes

@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    /// Identity of a mesh with its cached value.
+    /// Cached value of one mesh, with the identity by which a changed mesh is recognised.
     struct Known {
         MeshIdentity mesh;
         T known{};

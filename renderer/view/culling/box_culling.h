@@ -48,7 +48,7 @@ private:
     double texel_;  ///< width of a texel in normalised device coordinates
     /// Planes with values of 0 or more on their inner side: left, right, bottom, top, near, far, and w.
     std::array<glm::dvec4, 7> planes_;
-    /// Range of a plane's value over a box.
+    /// Smallest and largest value of a frustum plane's equation over a box.
     struct Span {
         double min, max;
         double slack;  ///< float rounding of the value
