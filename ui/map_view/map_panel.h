@@ -18,7 +18,7 @@ struct MapWindow {
     glm::vec2 centre{0.5f};  ///< map coordinates in the middle of the viewer, v up
 };
 
-/// State of the map viewer.
+/// State of the map viewer: pan and zoom, marked texels, and the path to save to.
 struct MapPanel {
     MapWindow window;
     bool exact_texels = false;                 ///< marks the texels that kernels fetch
@@ -43,7 +43,7 @@ struct MapPanelFacts {
     std::optional<double> exact_utilisation;      ///< share of texels that kernels fetch (FrameResult::texels_read)
 };
 
-/// Requests of the map viewer.
+/// Requests of the map viewer to the application: data to read back, and a file to write.
 struct MapRequests {
     std::optional<std::string> save_map;  ///< write the map into this file
     bool want_map = false;                ///< the map is shown

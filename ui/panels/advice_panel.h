@@ -40,7 +40,7 @@ struct AdvicePanelFacts {
     bool advice_current = false;  ///< the result belongs to the present settings
 };
 
-/// Requests of the panel Advice.
+/// Requests of the panel Advice to the application: start or cancel a search.
 struct AdviceRequests {
     std::optional<AdviceRequest> find_advice;
     bool cancel_advice = false;

@@ -35,7 +35,7 @@ struct PresetsFacts {
     std::optional<LostFacts> lost;
 };
 
-/// Requests about presets and scenes.
+/// Requests to the application: scenes and presets to load, save or restore.
 struct PresetRequests {
     std::optional<std::string> load_scene;   ///< built-in key or path
     std::optional<std::string> load_preset;  ///< built-in key or path

@@ -28,7 +28,7 @@ struct ProbeFacts {
 
 /// Drawings of the cross-sections, kept until the pixel or their size changes.
 struct SectionViews {
-    /// Drawing of one light's section for one size.
+    /// Drawing of the cross-section of one light's shadow test, for one size on the screen.
     struct View {
         std::size_t light = 0;
         double width = 0, height = 0, em = 0;
@@ -39,7 +39,7 @@ struct SectionViews {
     int drawn = 0;  ///< number of drawings made so far
 };
 
-/// State of the panel Probe.
+/// State of the panel Probe: its drawings, and a fix that waits for the pixel's verdict.
 struct ProbePanel {
     SectionViews section_views;
     bool fix_waits = false;  ///< the fix was requested before its verdict was known

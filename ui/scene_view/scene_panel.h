@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// State of the scene picture's panel.
+/// State of the scene picture's panel: marks and pixel under the mouse, gestures under way.
 struct ScenePanel {
     glm::ivec2 wanted_size{0};                ///< pixels of the picture that was requested last
     std::optional<PictureView> view;          ///< placement of the picture in the last frame; none: it was not drawn

@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// GPU times of one frame.
+/// GPU times of one frame, for the plot of frame times.
 struct TimedFrame {
     double at_s = 0;         ///< time at which it was shown first, seconds
     double ms = 0;           ///< sum of all passes that ran

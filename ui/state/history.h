@@ -43,7 +43,7 @@ public:
     void commit(const Settings& settings);
     /// Returns the name of each step of undo: the settings that it has changed. The first is the beginning.
     std::vector<std::string> names() const;
-    /// Index of the step that is shown.
+    /// Returns the index of the step that is shown.
     std::size_t index() const { return at_; }
     /// Goes to a step of the history, clamped to the existing ones. Returns the step's settings.
     const Settings& go_to(std::size_t step);
@@ -53,9 +53,9 @@ public:
     const Settings& undo();
     /// Goes one step forward in the history. Returns that step's settings; the present ones at the end.
     const Settings& redo();
-    /// Scene and preset of the step that is shown.
+    /// Returns the scene and preset of the step that is shown.
     const Place& place() const { return steps_[at_].place; }
-    /// Settings of the step that is shown.
+    /// Returns the settings of the step that is shown.
     const Settings& settings() const { return steps_[at_].settings; }
     /// Returns to the step shown before the last undo(), redo() or go_to(). Call when the scene of the new step could
     /// not be loaded.

@@ -26,7 +26,7 @@ public:
     const std::vector<LogLine>& lines() const { return lines_; }
     /// Returns the number of errors that were added since mark_seen().
     int unseen_errors() const { return unseen_; }
-    /// Marks all messages as seen.
+    /// Marks all messages as seen by the user, so that unseen_errors() counts from 0.
     void mark_seen() { unseen_ = 0; }
 
 private:

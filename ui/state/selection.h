@@ -42,7 +42,7 @@ void toggle_object(EditorState& state, const std::string& path);
 
 /// Makes these objects the only casters (object.PATH.cast).
 void cast_alone(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
-/// Makes all objects casters again.
+/// Makes all objects casters again: resets object.PATH.cast.
 void cast_all(Settings& settings);
 /// Hides these objects (object.PATH.shown).
 void hide(Settings& settings, const std::set<std::string>& paths);

@@ -62,9 +62,9 @@ inline constexpr ImU32 kAxes[3] = {IM_COL32(222, 110, 98, 255), IM_COL32(126, 18
                                    IM_COL32(104, 152, 224, 255)};  ///< x, y, z
 
 // Marks in the scene picture and the map: one hue a thing, the same in both (tests/ui/theme_test.cpp keeps them apart).
-inline constexpr ImU32 kLight = IM_COL32(236, 186, 96, 255);     ///< frusta and handles
-inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);      ///< lit parts
-inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);  ///< shadowed parts
+inline constexpr ImU32 kLight = IM_COL32(236, 186, 96, 255);     ///< frusta and handles of lights
+inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);      ///< lit rays and kernel taps
+inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);  ///< shadowed rays and kernel taps
 inline constexpr ImU32 kOffset = IM_COL32(240, 120, 170, 255);   ///< the normal offset
 inline constexpr ImU32 kLinked = IM_COL32(88, 218, 224, 255);    ///< under the mouse in the other picture
 inline constexpr ImU32 kProbed = IM_COL32(170, 226, 90, 255);    ///< the probed pixel and its texels
