@@ -45,8 +45,8 @@ public:
 
     /// Outcome of a background job that has ended: a value, an exception, or cancelled.
     struct Outcome {
-        std::optional<T> value;      ///< none: it failed or was cancelled
-        std::exception_ptr problem;  ///< why it failed
+        std::optional<T> value;      ///< result of the work; none: the work failed or was cancelled
+        std::exception_ptr problem;  ///< exception that the work threw
         bool cancelled = false;
     };
 

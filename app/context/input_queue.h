@@ -86,7 +86,7 @@ private:
     MouseQueue mouse_;
     std::deque<Event> waiting_;
     Strokes strokes_;
-    std::bitset<kKeys> held_, shown_;  ///< after the last step; during it
+    std::bitset<kKeys> held_, shown_;  ///< keys that are held after the last step; keys shown as held during that step
     bool typing_ = false;
 };
 

@@ -20,7 +20,7 @@ struct EditorOptions {
     bool headless = false;               ///< draw through EGL and write `screenshot`; needs no display
     std::filesystem::path screenshot;
     int width = 1600, height = 900;  ///< size of the window, or of the screenshot in pixels
-    bool size_given = false;         ///< the window has this size, not that of the last session
+    bool size_given = false;         ///< true: `width` and `height` give the window's size; false: the last session's
     double scale = 0;  ///< scale of text and widgets; 0: from the monitor, or from the screenshot's height
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
     std::string tab;                 ///< tab in front at the start; empty: effects

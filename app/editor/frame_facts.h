@@ -21,7 +21,7 @@ struct ReadBackFacts {
     std::shared_ptr<const LoupeFacts> loupe;
     std::vector<PixelDiagnosis> diagnoses;  ///< diagnoses of the probed pixel, one a light
     Sections sections;                      ///< cross-sections of the probed pixel, while the panel Probe is shown
-    bool tracing_probe = false;             ///< its diagnoses will follow
+    bool tracing_probe = false;             ///< diagnoses of the probed pixel are being traced
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;
     std::optional<MapPlots> map_facts;
     std::shared_ptr<const TexelUsage> usage, frozen_usage;
@@ -38,7 +38,7 @@ struct FrameFacts {
     std::optional<ReferenceFacts> reference;
     std::optional<PictureComparisonFacts> picture_comparison;
     std::vector<Effect> effects;                  ///< empty unless requested
-    std::shared_ptr<const NumericHealth> health;  ///< null: not requested, or not there yet
+    std::shared_ptr<const NumericHealth> health;  ///< null: not requested, or the search is not finished
     ArtefactSpots artefacts;                      ///< clusters of the last fulfilled request
     std::string shader_log;
     std::string problem;        ///< why there is no picture; empty: nothing is wrong

@@ -23,7 +23,7 @@ public:
     /// @param comparison settings that state.compare names; null: not known @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
-    /// Drops the other picture and the difference image. Call when there is no frame.
+    /// Drops the other picture, the difference image and the second renderer. Call when no frame is shown.
     void clear();
     const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 

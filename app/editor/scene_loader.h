@@ -20,7 +20,7 @@ struct Arrival {
     std::string scene_name;
     int file_scene = -1;
     std::optional<SessionPlan> plan = {};
-    std::optional<Settings> settings = {};  ///< exactly these, with nothing of the scene's own
+    std::optional<Settings> settings = {};  ///< exact settings; the scene's suggested settings are not added
     GuideNote guide = {};
     std::string remark = {};
     bool step = false;  ///< a step of undo or redo

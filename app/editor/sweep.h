@@ -78,7 +78,7 @@ private:
     void note_finished(const Finished& finished);
     /// Earlier measurement of the same picture, which the present settings' measurement is compared with.
     struct Earlier {
-        const Finished* is = nullptr;  ///< null: nothing of the same picture was measured before
+        const Finished* is = nullptr;  ///< measurement; null: the same picture was not measured before
         bool pinned = false;
     };
     /// Returns the measurement to compare with: of the pinned settings, else of those measured last.

@@ -25,7 +25,7 @@ public:
     /// Session of an editor that crashed. Its lock keeps other running editors from offering it too.
     struct Lost {
         Preset preset;
-        double age_s = 0;  ///< seconds since its last write
+        double age_s = 0;  ///< seconds since the session's file was written last
         std::filesystem::path file;
         LockFile lock;
     };

@@ -14,7 +14,7 @@ struct PresetDifference {
     std::string group;  ///< heading: "Bias", "Light 2", "Object Root/Box", "Scene"
     std::string key;    ///< "bias.constant"; "scene" for the scene that the presets are made for
     std::string text;   ///< "bias.constant: 0.1 → 0 texels (Constant)"
-    std::string note;   ///< why the setting has no effect in either preset; empty: it has
+    std::string note;   ///< reason why the setting has no effect in either preset; empty: it has an effect
 };
 
 /// Lists the differences from preset a to preset b: the scene first, then settings in table order. Titles and

@@ -62,7 +62,7 @@ struct RunInfo {
     std::string renderer, version, clock;
     bool software = false;             ///< the driver draws on the CPU
     double load = 0;                   ///< load of the machine at the start, running processes per core
-    CostCase cost = CostCase::Forced;  ///< kind of frames it timed
+    CostCase cost = CostCase::Forced;  ///< kind of frames that the process timed
     /// Returns true if the times of both runs are comparable.
     bool comparable_with(const RunInfo& other) const;
 };
