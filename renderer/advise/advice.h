@@ -21,7 +21,7 @@ enum class Claim {
 struct AdviceIdea {
     std::string_view rule;  ///< AdviceRule::key
     Claim claim = Claim::Same;
-    std::string sentence;  ///< reason with its numbers
+    std::string sentence;  ///< reason for the change, with its numbers
     Settings settings;     ///< settings with the change
     int light = 0;         ///< light for which the error is measured, index of light.*
 };

@@ -19,7 +19,7 @@ namespace si {
 struct FixCandidate {
     std::string name;        ///< "least bias, constant alone"
     Settings settings;       ///< settings with the change
-    std::string untried;     ///< reason not to draw it; empty: none
+    std::string untried;     ///< reason why the fix is not drawn and measured; empty: it is
     std::string label = {};  ///< name for people; empty: `name`
 };
 

@@ -46,7 +46,7 @@ struct LightReceiver {
     double own_m = 0;         ///< metres from the light along the view's axis
     double axis_per_ray = 1;  ///< cosine between the ray to the light and the view's axis, at least 1e-6
     double bias_depth = 0;    ///< bias by bias.kind, depth-buffer units; above 0 shifts towards the light
-    double bias_m = 0;        ///< the same in metres along the axis
+    double bias_m = 0;        ///< `bias_depth` in metres along the view's axis
     double normal_offset_m = 0;
     glm::dvec3 tap{0};    ///< uvd after the normal offset, before the depth bias
     double tap_m = 1;     ///< metres from the light along the view's axis at `tap`; above 0 for a perspective light

@@ -107,7 +107,7 @@ struct PartInfo {
     std::uint64_t draws = 0, triangles = 0;
     std::uint64_t left_out = 0;      ///< count of skipped things, in `unit`
     std::string_view unit;           ///< "casters", "triangles", "taps"
-    std::optional<Optimisation> by;  ///< optimisation that skipped them; nullopt: none did
+    std::optional<Optimisation> by;  ///< optimisation that skipped the things; nullopt: none did
 };
 
 /// Report on one pass of a frame: state, reason, time and draw counts.
@@ -143,13 +143,13 @@ struct Pane {
 /// Ray-traced reference that a frame needs, and whether FrameRequest brought it.
 struct ReferenceNeed {
     std::uint64_t key = 0;  ///< reference_key() of this frame; 0: not needed, or there is no light
-    bool met = false;       ///< true: FrameRequest::reference has this key
+    bool met = false;       ///< true: FrameRequest::reference has the needed key
 };
 
 /// Light map that a light needs, and whether FrameRequest brought it.
 struct LightMapNeed {
     std::uint64_t key = 0;        ///< light_map_key() of this frame; 0: the light's source is another
-    bool met = false;             ///< FrameRequest::light_maps held it
+    bool met = false;             ///< true: FrameRequest::light_maps held the map with the needed key
     int resolution = 0;           ///< required texels along a side
     std::uint64_t bytes = 0;      ///< size of the light map in use
     double texels_per_metre = 0;  ///< texel density of the light map in use
@@ -218,7 +218,7 @@ struct FrameResult {
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
     Image map_view;                          ///< RGBA8: the depth image of view.map_source as view.map shows it
     ShownMap shown_map;                      ///< which depth image that is
-    glm::ivec2 map_view_size{0};             ///< size of that depth image; its picture may be smaller
+    glm::ivec2 map_view_size{0};             ///< size of the map viewer's depth image; the picture of it may be smaller
     DepthCurve map_view_curve;               ///< mapping from distance to its stored depths
     float map_black = 0, map_white = 1;      ///< the grey range in use, as view.map_black and view.map_white count it
     std::string clock;                       ///< clock that measured gpu_ms

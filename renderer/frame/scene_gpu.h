@@ -24,7 +24,7 @@ struct Batch {
     GLuint first_instance = 0;
     GLsizei instances = 0;
     GLuint texture = 0;         ///< base colour texture; 0: none
-    GLuint finest_texture = 0;  ///< view of its finest mip level alone
+    GLuint finest_texture = 0;  ///< texture view of the base colour texture's finest mip level
     GLuint normal_texture = 0;  ///< 0: none
     bool tangents = false;      ///< mesh has tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;

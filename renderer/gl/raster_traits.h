@@ -19,8 +19,8 @@ struct PolygonOffset {
     bool measured = false;
     /// r = unit_depth + unit_steps x the format's step at the depth; one of the two is 0.
     double unit_depth = 0, unit_steps = 1;
-    bool slope_is_length = false;  ///< m is the length of the depth's slope, else its larger component
-    double slope_gain = 1;         ///< m over that
+    bool slope_is_length = false;  ///< m is the length of the slope; else its larger component
+    double slope_gain = 1;         ///< m over that length or component
 
     /// Returns the depth shift of units = 1 at a depth where the format's step is `quantum`.
     double unit(double quantum) const { return unit_depth + unit_steps * quantum; }

@@ -26,9 +26,9 @@ struct KernelTap {
     glm::ivec2 texel{0};  ///< x to the right, y up, before map.wrap
     double weight = 0;    ///< share of the kernel's result
     double stored = 0;    ///< depth in the map, 0..1
-    double stored_m = 0;  ///< the same in metres along the light's axis
+    double stored_m = 0;  ///< stored depth in metres along the light's axis
     double plane = 0;     ///< depth of the receiver's plane at the texel's centre
-    double compared = 0;  ///< depth after bias, the other side of the comparison
+    double compared = 0;  ///< depth of the surface point after bias, which is compared with the stored depth
     bool lit = false;     ///< the comparison's result
     Meets meets = Meets::Nothing;
 };

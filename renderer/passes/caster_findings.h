@@ -17,7 +17,7 @@ struct MeshSide {
 };
 /// Flat sides of one mesh, by which casters edge-on to the light are recognised.
 struct MeshSides {
-    std::vector<MeshSide> sides;  ///< empty: there are too many, all of them small
+    std::vector<MeshSide> sides;  ///< empty: the mesh has too many sides, all of them small
     double least_height = 0;      ///< smallest height of its triangles that have an area, metres
 };
 
