@@ -1,6 +1,6 @@
-// Draws the editor's frames on the calling thread, or on one with an OpenGL context of its own. The editor waits for
-// that thread only briefly: the last picture stays, with its numbers, until the next one is there. A driver that
-// compiles shaders at the first draw does not block the window.
+// Draws the editor's frames on the calling thread, or on a drawing thread with an OpenGL context of its own. The editor
+// waits for the drawing thread only briefly: the last picture stays, with its numbers, until the next picture is
+// finished. A driver that compiles shaders at the first draw does not block the window.
 #pragma once
 
 #include <epoxy/gl.h>

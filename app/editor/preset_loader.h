@@ -1,4 +1,5 @@
-// Presets of one editor: built-in ones, files it has opened or saved, and the one that settings are compared with.
+// Presets of one editor: built-in presets, files that the editor has opened or saved, and the preset that settings are
+// compared with.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// The scene of one editor: the one that is read, the one that is shown and its time, and the settings it starts with.
+// Scenes of one editor: the scene that is being read, the shown scene with its time, and the settings that the shown
+// scene began with.
 #pragma once
 
 #include <exception>

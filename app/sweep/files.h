@@ -23,8 +23,8 @@ void make_picture_folder(const std::filesystem::path& folder);
 /// Copies pictures of a sweep's cases that the target folder lacks. @param from, to folders of sweeps @throws Error
 void copy_pictures(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Removes a sweep's own files from its folder, and no others. @throws Error while another process writes there, or
-/// when the folder holds no sweep (require_sweep_folder())
+/// Removes the files that a sweep wrote into its folder, and no other files. @throws Error while another process writes
+/// there, or when the folder holds no sweep (require_sweep_folder())
 void remove_sweep_files(const std::filesystem::path& folder);
 
 /// Checks that a sweep may write into the folder. @throws Error when the folder holds files that a sweep would replace
