@@ -129,8 +129,8 @@ struct AdviceReport {
 AdviceMeter renderer_advice_meter(Renderer& renderer, const Scene& scene, int width, int height,
                                   const AdviceOptions& options, ReferenceCache& cache, const Workers& workers);
 
-/// Searches for advice: collects facts of the frame, lets the rules propose setting changes, measures and ranks them,
-/// and lists problems with fixes. Call on the renderer's thread.
+/// Searches for advice: takes measurements of the frame, lets the rules propose setting changes, measures and ranks
+/// them, and lists problems with fixes. Call on the renderer's thread.
 /// @param width, height of the picture in pixels
 /// @param report receives the share done, 0..1, and the present step
 /// @throws Cancelled; Error when there is no light to compare

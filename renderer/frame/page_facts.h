@@ -17,7 +17,8 @@ struct PageFacts {
     int held = 0, pool = 0;       ///< pages stored in the pool; capacity of the pool
     std::vector<int> by_level;    ///< wanted pages by level of the light with the most levels, finest first
     double smallest_texel_m = 0;  ///< texel size of the finest level in use, metres; perspective: at the far plane
-    /// Texels of unpaged maps of the same texel size, one a light, over the square that the look-ups cover.
+    /// Number of texels that maps without pages would need: one map a light, with the pages' texel size, over the
+    /// square that the look-ups cover.
     double fixed_map_texels = 0;
     /// Returns the texels of all pages in use.
     std::uint64_t read_texels() const { return texels(drawn + kept); }

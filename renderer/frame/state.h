@@ -108,7 +108,8 @@ struct FrameState {
     Key geometry_key, camera_key, lights_key;  ///< keys of the inputs that results depend on
     std::vector<std::string> notes;
 
-    /// One pane of the split view. Panes that show the same share a slot: the number of the first such pane.
+    /// One of the pictures side by side (view.panes). Panes with the same overlay share images: their slot is the
+    /// number of the first of them.
     struct ShownPane {
         int overlay = 0;  ///< as view.overlay
         int slot = 0;

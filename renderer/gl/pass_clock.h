@@ -1,5 +1,5 @@
-// Timing of passes. On a GPU, timer queries are exact; a CPU rasteriser defers work past them, so wall time up to
-// glFinish() is used there. A calibration once per context chooses between the two.
+// Timing of passes. On a GPU, timer queries are exact; a CPU rasteriser defers work past the queries, so wall time up
+// to glFinish() is used there. A calibration once per context chooses between the two.
 #pragma once
 
 #include <array>

@@ -42,8 +42,8 @@ private:
     void overlay_sparse(int accessor, const Place& place, int width, float* out);
     /// Returns the indices of the elements that a sparse glTF accessor overwrites.
     std::vector<std::uint32_t> sparse_positions(int accessor, const Place& place);
-    /// Adds to the count of decoded bytes, and fails above the limit for one file. @throws Error above a limit, so that
-    /// a small file that refers to the same data a million times is refused
+    /// Adds to the count of decoded bytes, for the limit on a file's decoded size. @throws Error above the limit, so
+    /// that a small file that refers to the same data a million times is refused
     void spend(int accessor, std::size_t bytes, const Place& place);
     /// Throws Error when the elements of a glTF accessor do not have `width` components.
     void expect_width(int accessor, int width, const Place& place) const;

@@ -16,7 +16,7 @@ struct GltfOptions {
     int scene = -1;  ///< index of the scene in the file; -1: the file's default
 };
 
-/// Loads a scene from a .gltf or .glb file. @throws Error naming file, position in it and fix.
+/// Loads a scene from a .gltf or .glb file. @throws Error naming the file, the position in the file, and a fix.
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
 
 /// Saves a scene as one self-contained file, atomically: .gltf (JSON with embedded buffers) or .glb, by extension.

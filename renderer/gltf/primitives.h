@@ -28,7 +28,7 @@ private:
     /// draw.
     int build(const tinygltf::Primitive& primitive, const Place& place, const std::string& name);
     /// Returns the scene's mesh index of a glTF primitive, or -1 when there is nothing to draw. Equal primitives share
-    /// one.
+    /// one mesh.
     int share(const tinygltf::Primitive& primitive, const Place& place, const std::string& name);
     /// Reads the vertex attributes of a glTF primitive into `mesh`. @param pick the vertices to read; empty: all
     void read_attributes(const tinygltf::Primitive& primitive, const Place& place, std::span<const std::uint32_t> pick,

@@ -100,7 +100,7 @@ struct Section {
 
     /// Finds the step of the texel with an index along the cut; null: the texel is not in the cut.
     const Step* find_step(int texel) const;
-    /// Returns the step of the texel that the look-up falls into; null: the map has none there.
+    /// Returns the step of the texel that the look-up falls into; null: the map has no texel there.
     const Step* lookup_step() const { return find_step(lookup_texel); }
     int lookup_texel = 0;  ///< index along the cut
 };

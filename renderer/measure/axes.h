@@ -45,8 +45,8 @@ inline constexpr std::size_t kMaxSweepCases = 100'000;
 /// than kMaxSweepCases
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);
 
-/// Returns settings in which every setting without effect has its default value. Settings that draw the same picture
-/// for that reason become equal.
+/// Returns settings in which every setting without effect has its default value. Settings that differ only in settings
+/// without effect, and so draw the same picture, become equal.
 Settings without_ineffective_settings(Settings settings);
 
 /// Returns settings without display aids (view.*: overlays, panes, map viewer), which cost time but are no part of the

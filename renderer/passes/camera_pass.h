@@ -6,7 +6,7 @@
 namespace si {
 
 /// Draws the scene from the camera into images of the picture's size, with a depth test against the shared camera
-/// depth. The first such pass of a frame draws that depth.
+/// depth. The first CameraPass of a frame draws the camera depth too.
 class CameraPass {
 public:
     /// Resizes the images where needed, without keeping their contents, and binds them for drawing.

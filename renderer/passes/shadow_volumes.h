@@ -12,7 +12,8 @@
 
 namespace si {
 
-/// Stencil shadow volumes of all lights with that source: builds the volumes and counts them at each pixel.
+/// Stencil shadow volumes of all lights whose light.source is shadow volumes: builds the volumes and counts them at
+/// each pixel.
 ///
 /// The stencil counts how many volumes contain the visible surface, from volume faces behind it: back faces add one,
 /// front faces subtract one (z-fail). The camera may therefore stand inside a volume. Carmack, 2000; Everitt and

@@ -90,7 +90,8 @@ struct Metric {
     Better better = Better::Less;
     std::string_view part_of = {};  ///< key of the metric of which this is a summand
     std::string_view part = {};     ///< label below that metric
-    /// Wrong pixels, selected by `causes`, that a metric counts: false shadow, false light, or both.
+    /// Kind of wrong pixels, among those with a cause in `causes`, that a metric counts: false shadow, false light, or
+    /// both.
     enum class Counts { Otherwise, Dark, Bright, Wrong };
     Counts counts = Counts::Otherwise;
     std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause

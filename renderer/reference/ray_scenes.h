@@ -1,5 +1,5 @@
 // Shared bounding volume hierarchies for ray tracing: references, probed pixels, searches and sweeps over the same
-// casters use one.
+// casters use one hierarchy.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace si {
 class RaySceneCache {
 public:
     /// Returns the ray-tracing hierarchy of a geometry; builds it on a miss. Waits when another thread is building the
-    /// same one. @throws Cancelled; Error as ReferenceScene does
+    /// same hierarchy. @throws Cancelled; Error as ReferenceScene does
     std::shared_ptr<const ReferenceScene> get(const std::shared_ptr<const ReferenceGeometry>& geometry,
                                               const Workers& workers = {});
     /// Returns the cached hierarchy with this ReferenceGeometry::key, or null. Never builds one.

@@ -30,8 +30,8 @@ public:
     /// Callback that receives the invalid numbers found in a frame (NaN, infinite, out of range), and the frame's
     /// settings.
     using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
-    /// Sets a callback that receives the number faults of every drawn frame, timed frames excepted. Each such frame is
-    /// searched as Outputs::health does.
+    /// Sets a callback that receives the invalid numbers (NaN, infinite, out of range) found in every drawn frame.
+    /// Every frame is then searched as Outputs::health does, except timed frames.
     /// @param watch the function to call, for faultless frames too; empty: stops watching
     void set_number_watcher(NumberWatcher watch);
 

@@ -15,8 +15,8 @@ namespace si {
 /// Indices of two boxes of a sequence, the smaller first.
 using BoxPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Returns the pairs of boxes that touch. Only such pairs can hold coplanar surfaces, whose draw order decides which
-/// one is seen.
+/// Returns the pairs of boxes that touch. Only touching boxes can hold coplanar surfaces, of which the draw order
+/// decides the visible one.
 /// @param room_m padding of the boxes in metres, for float rounding of surfaces
 /// @return empty optional when there are too many boxes or pairs to find in a few milliseconds
 std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxes, double room_m);

@@ -22,7 +22,8 @@
 
 namespace si {
 
-/// Triangles of a mesh with corners at the same place joined, as shadow volumes need them.
+/// Triangles of a mesh for shadow volumes: corners at the same position are joined, so that neighbouring triangles
+/// share edges.
 struct VolumeMesh {
     /// Triangle of a shadow volume's mesh, with its corners and edges.
     struct Triangle {
