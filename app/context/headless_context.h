@@ -19,7 +19,8 @@ public:
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-    /// Makes this OpenGL context current on the calling thread. @throws Error when EGL refuses
+    /// Makes this OpenGL context current on the calling thread, for all further OpenGL calls there. @throws Error when
+    /// EGL refuses
     void make_current();
     /// Returns a text about the EGL device or display in use: "EGL device 0 (/dev/dri/card0), no surface".
     std::string description() const;

@@ -80,7 +80,7 @@ private:
     bool can_join(const Run& run, const Event& event) const;
     /// Returns true if a key event may share one ImGui frame with the events of `run`.
     bool key_can_join(const Run& run, const Event& event) const;
-    /// Adds an input event to the present step.
+    /// Adds an input event to the present step, which becomes one ImGui frame.
     void add_to_step(Run& run, const Event& event);
 
     MouseQueue mouse_;

@@ -48,7 +48,7 @@ public:
     bool empty() const { return waiting_.empty(); }
 
 private:
-    /// Press or release of a button that waits in the queue.
+    /// Press or release of a mouse button that waits in the queue.
     struct Change {
         int button = 0, mods = 0;
         bool down = false, doubles = false;

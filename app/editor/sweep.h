@@ -30,8 +30,8 @@ public:
                const SweepRequest& request);
     /// Cancels the running sweep. Measured cases stay.
     void cancel();
-    /// Measures error and time of the present settings for the panel Frontier in the background, unless known. Cancels
-    /// a measurement of other settings.
+    /// Measures error and time of the present settings for the panel Frontier in the background, unless they were
+    /// measured already. Cancels a measurement of other settings.
     void measure_present(const Scene& scene, const std::string& scene_name, const Settings& settings,
                          const SweepPanel& panel);
     /// Stops measuring the present settings. Call when no panel shows them.

@@ -20,8 +20,8 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
     /// Shows the progress of a sweep on the line.
     void show(const SweepProgress& progress, const SweepTiming& timing);
-    /// Shows a text on the line. @param last true: prints the text always; false: skips the text if the last print was
-    /// very recent
+    /// Shows a text on the progress line, in place of the one before. @param last true: prints the text always; false:
+    /// skips the text if the last print was very recent
     void show(std::string text, bool last);
 
 private:
