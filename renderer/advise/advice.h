@@ -106,14 +106,14 @@ struct Finding {
 /// Draws nothing.
 std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fixes);
 
-/// Options of a search for advice.
+/// Options of a search for advice: metric of the error, kind of timed frames, and whether fixes are measured.
 struct AdviceOptions {
     const Metric* error = &metrics().front();  ///< metric to compare; not Better::Neither
     CostCase cost = kDefaultCost;              ///< kind of frames that are timed
     bool fixes = true;                         ///< draws and measures fixes for the findings
 };
 
-/// Result of a search for advice.
+/// Result of a search for advice: measured setting changes, ranked, and problems found in the frame.
 struct AdviceReport {
     AdviceFacts facts;
     std::vector<TriedAdvice> holds;  ///< changes with a confirmed claim, the best first

@@ -84,7 +84,7 @@ public:
 private:
     /// Stage of the search: start settings, a family, done.
     enum class Step { Before, Family, Done };
-    /// Returns the bias of the present family at a multiple of the bias by theory.
+    /// Returns bias settings of the family that is searched now, `factor` times the least bias by theory.
     BiasSettings bias_at_factor(double factor) const;
     /// Begins the bisection of a family by its index in families_.
     void start_family(std::size_t index);

@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// Returns "large" where large allocations of this program get large pages, else "small".
+/// Returns "large" where large allocations of this program get large memory pages from the system, else "small".
 std::string_view memory_pages();
 
 }  // namespace si

@@ -5,8 +5,8 @@ namespace si {
 
 struct FrameState;
 
-/// One drawing pass of the frame, or a few that share targets. Targets are members: they outlast a frame and keep their
-/// addresses, on which Pass::cached and Plan rely.
+/// One drawing pass of the frame, or a few passes that share targets. The targets are members: they outlast a frame and
+/// keep their addresses, on which Pass::cached and Plan rely.
 class FramePass {
 public:
     FramePass() = default;

@@ -41,7 +41,7 @@ struct Pass {
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
                                   bool draw_unneeded);
 
-/// Image of a result, with the texture unit by which shaders read it.
+/// Image that holds a result of the plan, with the texture unit at which shaders read it.
 struct PlacedImage {
     const gl::Target* target;
     int unit = -1;                         ///< texture unit; below 0: no shader samples the image

@@ -32,7 +32,8 @@ public:
     std::vector<float> scalars(int accessor, const Place& place);
     /// Reads a glTF accessor of 4 x 4 matrices. @param place position in the JSON, for errors
     std::vector<glm::mat4> matrices(int accessor, const Place& place);
-    /// Reads a glTF accessor of unsigned integers below `limit`. @throws Error naming the first that is not.
+    /// Reads a glTF accessor of unsigned integers below `limit`. @throws Error naming the first number that is not
+    /// below.
     std::vector<std::uint32_t> indices(int accessor, const Place& place, std::size_t limit);
 
 private:

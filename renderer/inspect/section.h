@@ -44,7 +44,7 @@ struct Section {
         bool in_map = true;
         KernelTap::Meets meets = KernelTap::Meets::Nothing;
     };
-    /// Bias term in a cross-section: one part of the path from the look-up to the compared depth.
+    /// Bias term in a cross-section: one segment of the drawn line from the depth at the look-up to the compared depth.
     struct Term {
         std::string name;
         DepthShift amount;

@@ -21,7 +21,7 @@ struct SweepAxis {
 /// @throws UsageError naming key, value and the allowed form
 SweepAxis parse_axis(std::string_view text);
 
-/// Case of a sweep: one combination of the axes' values.
+/// Case of a sweep: one combination of the axes' values, and the settings that follow.
 struct SweepCase {
     std::vector<std::pair<std::string, std::string>> values;  ///< key and value per axis, in the axes' order
     Settings settings;

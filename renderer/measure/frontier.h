@@ -34,7 +34,7 @@ double half_interval(const std::vector<double>& values);
 /// @param bursts index of the first sample of each burst; empty: one burst
 Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts = {});
 
-/// Measured case as a point of cost and error, with the noise of both. Smaller is better.
+/// Measured case as a point of the frontier plot: cost and error, with the noise of both. Smaller is better.
 struct Dot {
     double cost = 0, error = 0;
     double cost_noise = 0, error_noise = 0;  ///< differences up to the noise do not count

@@ -58,7 +58,7 @@ public:
 
     /// Draws a frame, traces its reference unless cached, and compares both. @throws Error, Cancelled
     Classification classify(const Scene& scene, const Settings& settings);
-    /// Times a fixed number of frames, after untimed ones to warm up. @throws Error
+    /// Draws and times a fixed number of frames, after untimed frames that warm up caches. @throws Error
     TimeSamples time(const Scene& scene, const Settings& settings, int frames, CostCase cost);
     /// Times frames until the median has settled or the limit of frames is reached. @throws Error, Cancelled
     TimeMeasurement time(const Scene& scene, const Settings& settings, CostCase cost,

@@ -28,7 +28,7 @@ struct PoolTiles {
     std::vector<SearchedPages> layers;
 };
 
-/// Searches the frame's maps and visibility for NaN, infinity and other number faults.
+/// Searches the frame's maps and visibility for NaN, infinity and other invalid numbers.
 class NumericHealthPass : public FramePass {
 public:
     /// Deleter of fences.

@@ -21,7 +21,8 @@ public:
                                               const Workers& workers = {});
     /// Returns the cached hierarchy with this ReferenceGeometry::key, or null. Never builds one.
     std::shared_ptr<const ReferenceScene> find(std::uint64_t key) const;
-    /// Returns the geometry of a cached hierarchy for the scene, or else a new one from the scene's triangles.
+    /// Returns the geometry (placed triangles) of a cached hierarchy for the scene; without one, makes it from the
+    /// scene's triangles.
     std::shared_ptr<const ReferenceGeometry> geometry(const Scene& scene, const Settings& settings) const;
     /// Returns the number of ray-tracing hierarchies in memory.
     std::size_t size() const;

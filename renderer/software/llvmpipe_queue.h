@@ -10,7 +10,7 @@ namespace si::gl {
 void limit_pending_draws();
 
 /// Marks the calling thread as drawing in the background of another thread that must not wait long, such as a window's.
-/// From then on throttle_background_drawing() waits. False ends that.
+/// From then on throttle_background_drawing() waits on this thread. False ends the throttling.
 void set_background_drawing(bool on = true);
 
 /// Waits until the previous picture of a background thread is done; does nothing on other threads. Call after each

@@ -17,8 +17,8 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
 /// @param range_m depth range without the margin
 double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_m);
 
-/// Returns by how many metres the far plane moves back for kernels that read around the end of a shadow on a ground
-/// under a model; 0 without such a ground.
+/// Returns the distance in metres by which the far plane moves back on a ground under a model, since kernels read
+/// around the end of a shadow there. Returns 0 without a ground.
 /// @param texel_m width of a texel across the rays
 double ground_kernel_depth_m(const LightView& view, const FitContext& c, double texel_m);
 
