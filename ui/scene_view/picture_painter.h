@@ -37,7 +37,8 @@ public:
     void caption(const glm::dvec2& at, const std::string& text, ImU32 colour) const;
 
 private:
-    /// Returns the part of a world segment inside the picture, pixels of the screen.
+    /// Clips a world-space line segment to the picture. Returns the ends of its visible part in pixels of the screen;
+    /// nothing if no part is visible.
     std::optional<std::pair<glm::dvec2, glm::dvec2>> visible(const glm::dvec3& from, const glm::dvec3& to) const;
 
     const PictureView& view_;

@@ -35,7 +35,7 @@ std::vector<std::string> mesh_nodes_below(const Scene& scene, int node);
 std::set<std::string> selected_objects(const EditorState& state);
 /// Returns true if the object is selected.
 bool is_selected(const EditorState& state, const std::string& path);
-/// Selects exactly these objects.
+/// Makes these objects the whole selection; others are no longer selected.
 void select_objects(EditorState& state, std::span<const std::string> paths);
 /// Adds an object to the selection, or removes it if it is selected.
 void toggle_object(EditorState& state, const std::string& path);

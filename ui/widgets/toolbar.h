@@ -19,7 +19,7 @@ public:
     /// @param label text before it; empty: none @param width pixels
     /// @param draw a function that draws the widget in a given width; 0: in its own
     void item(const char* label, float width, std::function<void(float)> draw);
-    /// Draws a title in the toolbar, if it has room.
+    /// Draws a title as the toolbar's next widget, if it fits; leaves it out otherwise.
     void title(const char* text);
     /// Ends the toolbar: draws the button of the menu, if some widgets had no room.
     void end();
