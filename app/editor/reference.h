@@ -68,11 +68,11 @@ private:
     ReferenceCache cache_;                                           ///< used by the job while it runs
     std::vector<std::shared_ptr<const ReferencePicture>> pictures_;  ///< by light; null: not needed
     std::vector<std::shared_ptr<const LightMap>> light_maps_;        ///< by light; null: not needed
-    std::set<std::uint64_t> given_up_;                               ///< keys of failed and cancelled jobs
+    std::set<std::uint64_t> given_up_;                               ///< cache keys of failed and cancelled jobs
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     const char* doing_ = "";
-    std::uint64_t doing_key_ = 0;  ///< key of the job's picture
+    std::uint64_t doing_key_ = 0;  ///< cache key of the job's picture
     Job<Found> job_;               ///< last: joined first
 };
 

@@ -15,7 +15,7 @@ Settings base_settings(const Scene& scene);
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings);
 
 /// Formats the command that renders a scene with these settings, with --set for everything that differs from
-/// base_settings(). @param scene_name built-in key or path
+/// base_settings(). @param scene_name the key of a built-in scene, or a path
 std::string command_line(const std::string& scene_name, const Scene& scene, const Settings& settings, int width,
                          int height);
 

@@ -16,7 +16,7 @@ struct Preset {
     std::string title;  ///< a few words; may be empty, like all texts here
     std::string topic;  ///< heading in lists, such as "Bias"
     std::string about;  ///< description: a sentence on what to look at
-    std::string scene;  ///< built-in key or path the preset was made for
+    std::string scene;  ///< scene that the preset was made for: built-in key or path
     Settings settings;
     std::vector<PresetClaim> claims = {};  ///< statements of the description, as comparisons of metrics
 };
