@@ -166,7 +166,7 @@ struct FrameContents {
         Result of;
         const gl::Target* image;     ///< first image of the result; owned by the renderer
         const std::uint64_t* place;  ///< address of the image's current key; owned by the renderer
-        std::uint64_t key, drawn;    ///< key after the frame, and the number of its drawing
+        std::uint64_t key, drawn;    ///< cache key after the frame, and the number of its drawing
     };
     std::uint64_t renderer = 0;  ///< number of the renderer; 0: no frame was drawn
     std::vector<Part> parts;

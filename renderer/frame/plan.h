@@ -26,7 +26,7 @@ struct Pass {
     /// True: the pass only saves its readers work, and their results stay equal without it. Its key is not part of
     /// theirs. It runs only where one of them runs.
     bool only_saves_work = false;
-    std::uint64_t* cached = nullptr;  ///< key of the target's contents; the address must outlast the frame
+    std::uint64_t* cached = nullptr;  ///< cache key of the target's contents; the address must outlast the frame
     /// True: the target has the key `cached` but too few texels. The pass then runs and adds the missing ones; texels
     /// read before stay equal.
     bool is_incomplete = false;

@@ -105,7 +105,7 @@ struct FrameState {
     std::vector<glm::vec2> disk_texels;        ///< disk sample positions that shaders read from an image
     bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
     std::vector<gl::Define> defines;           ///< defines from settings and kernel
-    Key geometry_key, camera_key, lights_key;  ///< keys of the inputs that results depend on
+    Key geometry_key, camera_key, lights_key;  ///< cache keys of scene, camera and lights
     std::vector<std::string> notes;
 
     /// One of the pictures side by side (view.panes). Panes with the same overlay share images: their slot is the
@@ -126,11 +126,11 @@ struct FrameState {
     std::vector<LightMapNeed> light_maps;  ///< by light, see FrameResult::light_maps
     /// Baked light map by light. Null: the light's source is not a light map, or it is not baked yet.
     std::vector<const LightMap*> light_map_of_light;
-    std::uint64_t reference_content = 0;  ///< key of the reference's values in use
+    std::uint64_t reference_content = 0;  ///< cache key of the reference's values in use
     Plan plan;                            ///< see plan_frame()
     /// Drawn cells of each map layer; look-ups read nothing outside them. Valid once the map passes are planned.
     std::vector<MapCells> drawn_cells_by_layer;
-    Key maps_extent;                    ///< key of drawn_cells_by_layer; valid once the map passes are planned
+    Key maps_extent;                    ///< cache key of drawn_cells_by_layer; valid once the map passes are planned
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; valid once the map passes are planned
     bool camera_depth_renewed = false;  ///< camera depth was redrawn in this frame, for FrameRequest::force
 

@@ -18,7 +18,7 @@ double round_up_3_digits(double v);
 
 /// Setting change that makes one pixel right, computed from the plane of its surface.
 struct SuggestedFix {
-    std::vector<std::pair<std::string, std::string>> settings;  ///< keys and values for set_setting()
+    std::vector<std::pair<std::string, std::string>> settings;  ///< setting keys and values for set_setting()
     std::string text;                                           ///< "set bias.slope to 1.8 texels"
     double equivalent_bias_texels = 0;  ///< equivalent depth bias of the pixel with the fix; 0: unknown, or no bias fix
 };

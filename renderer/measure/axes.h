@@ -23,7 +23,7 @@ SweepAxis parse_axis(std::string_view text);
 
 /// Case of a sweep: one combination of the axes' values, and the settings that follow.
 struct SweepCase {
-    std::vector<std::pair<std::string, std::string>> values;  ///< key and value per axis, in the axes' order
+    std::vector<std::pair<std::string, std::string>> values;  ///< setting key and value per axis, in the axes' order
     Settings settings;
     std::string id;  ///< "key=value key=value": unique within a sweep
 };

@@ -21,7 +21,7 @@ struct MeshBoxes {
 
 /// Cache of the objects that the camera sees and of the map cells that it reads, by light.
 struct CameraMapReads {
-    std::uint64_t key = 0;  ///< key of camera and scene
+    std::uint64_t key = 0;  ///< cache key of camera and scene
     std::optional<VisibleBodies> bodies;
     /// Cells of one light's maps that look-ups read, with the key they were found for.
     struct LightReads {

@@ -62,7 +62,7 @@ public:
     std::vector<StaticView> views;  ///< state by view; none is cached after static casters were chosen again
 
 private:
-    std::uint64_t views_ = 0;                      ///< key of the last frame's views
+    std::uint64_t views_ = 0;                      ///< cache key of the last frame's views
     std::vector<StaticCandidate> last_;            ///< casters of the frame before
     std::vector<StaticCandidate> static_casters_;  ///< casters in the cached map; empty without one
     /// Sum of triangles drawn since the last refill although static now. The cache is refilled once the sum exceeds the

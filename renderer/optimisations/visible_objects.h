@@ -22,8 +22,8 @@ public:
     std::size_t skipped_count() const { return skipped_; }
 
 private:
-    std::uint64_t of_ = 0;                          ///< key of the instances in `boxes_`
-    std::uint64_t of_seen_ = 0;                     ///< key of instances and camera
+    std::uint64_t of_ = 0;                          ///< cache key of the instances in `boxes_`
+    std::uint64_t of_seen_ = 0;                     ///< cache key of instances and camera
     std::vector<SkewBox> boxes_;                    ///< by instance
     std::optional<std::vector<BoxPair>> touching_;  ///< touching_boxes() of `boxes_`
     std::size_t skipped_ = 0;

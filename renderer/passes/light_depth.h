@@ -16,8 +16,8 @@ class PagePasses;
 /// Cached static-caster map of one light: its casters and the keys of its contents.
 struct StaticMapState {
     StaticCasters casters;
-    std::uint64_t geometry = 0;  ///< key of the geometry drawn last
-    std::uint64_t views = 0;     ///< key of the light's views, without its casters
+    std::uint64_t geometry = 0;  ///< cache key of the geometry drawn last
+    std::uint64_t views = 0;     ///< cache key of the light's views, without its casters
 };
 
 /// Shadow map textures of all lights, with the keys of their contents.

@@ -19,7 +19,7 @@ public:
     struct Targets {
         gl::Target values, composed;
         ValueRange fitted;
-        std::uint64_t fitted_key = 0;  ///< key of the values behind `fitted`
+        std::uint64_t fitted_key = 0;  ///< cache key of the values behind `fitted`
     };
 
     explicit PanePasses(const PagePasses& pages) : slabs_(pages) {}

@@ -30,7 +30,7 @@ public:
         gl::Target reference, more_reference;  ///< uploaded values of the reference
         gl::Target classified;                 ///< RG32F, see classification() in lib/truth.glsl
         gl::Target marks;                      ///< depths MARK_* of wrong pixels, for early depth tests
-        std::uint64_t causes_key = 0;          ///< key of `classified` with causes filled in
+        std::uint64_t causes_key = 0;          ///< cache key of `classified` with causes filled in
         gl::Target error_tiles;                ///< RGBA32F, see error_tiles.frag.glsl
         std::array<gl::Target, kEvidenceImages> evidence;
         std::shared_ptr<const LiveError> error;  ///< metrics from the error tiles

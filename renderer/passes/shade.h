@@ -15,7 +15,7 @@ public:
     struct SmoothTargets {
         gl::Target one, depth;  ///< picture and depth of one jittered shading
         gl::Target sum, mean;
-        std::uint64_t of = 0;  ///< key of the pictures in the sum
+        std::uint64_t of = 0;  ///< cache key of the pictures in the sum
         int count = 0;
     };
 

@@ -64,8 +64,8 @@ private:
         std::vector<std::uint32_t> indices;
         std::size_t index_count = 0, open_triangles = 0;
         gl::Buffer buffer;
-        std::uint64_t uploaded = 0;  ///< key of the triangles in `buffer`
-        std::uint64_t drawn = 0;     ///< key of the light's layer
+        std::uint64_t uploaded = 0;  ///< cache key of the triangles in `buffer`
+        std::uint64_t drawn = 0;     ///< cache key of the light's layer
     };
 
     /// Drops the edge lists of all meshes when the frame has another scene.

@@ -174,7 +174,7 @@ struct SceneLight {
 /// Scene to draw: meshes, materials, textures, placed objects, cameras and lights, with derived bounds and an id for
 /// cache keys. Fill the lists, then call finalise().
 struct Scene {
-    std::string name;                      ///< built-in key, or the file's path
+    std::string name;                      ///< key of the built-in scene, or the file's path
     std::string about;                     ///< description in a sentence
     std::vector<std::string> file_scenes;  ///< names (or "") of all scenes in the scene's file
     int file_scene = 0;                    ///< index of this scene among them

@@ -42,7 +42,7 @@ struct Bias {
     std::string_view paper;  ///< source
     std::string_view file;   ///< GLSL file below shaders/
     BiasStage stage = BiasStage::Compare;
-    std::span<const std::string_view> settings = {};  ///< keys that only rows listing them read
+    std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
     bool per_texel = false;          ///< each texel has its own compared depth; bilinear samplers have one for 4
     bool gives_needed_bias = false;  ///< the row computes the plane's needed bias by itself, whatever the numbers are
     bool by_derivatives = false;     ///< the plane comes from screen derivatives of the position

@@ -72,7 +72,7 @@ struct Filter {
     bool searches_blockers = false;  ///< first searches casters; without one it returns lit and compares nothing
     bool reads_light_size = false;
     bool uses_disk_table = false;  ///< samples the kDiskTable points of the Poisson disk, unless filter.disk is spiral
-    std::span<const std::string_view> settings = {};  ///< keys that only rows listing them read
+    std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
     /// Returns the kernel's reach.
     /// @param widest_texels radius of its widest area under the light: the penumbra for rows that read the light's
     /// size, else a filter.radius in metres; infinite if no light is known

@@ -153,7 +153,7 @@ int default_filter();
 
 /// Settings of the bias: bias.*.
 struct BiasSettings {
-    int kind = default_bias();  ///< row of the bias table
+    int kind = default_bias();  ///< index of a row of the bias table
     BiasUnit unit = BiasUnit::Texels;
     // A normal offset of three texels prevents acne on a plane at any angle under the default kernel:
     // h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias/theory.h). The constant covers quantisation.
@@ -170,7 +170,7 @@ struct BiasSettings {
 
 /// Settings of the filter kernel: filter.*.
 struct FilterSettings {
-    int kernel = default_filter();  ///< row of the filter table
+    int kernel = default_filter();  ///< index of a row of the kernel table
     FilterMethod method = FilterMethod::Automatic;
     // The members below belong to single kernels: see Filter::settings.
     int size = 3;
@@ -216,15 +216,15 @@ struct LightSettings {
     double red = 1, green = 1, blue = 1;
     bool cast = true;
     double contact = 0;
-    int source = 0;                    ///< row of the source table
-    LightFit fit = LightFit::Casters;  ///< row of the fit table
+    int source = 0;                    ///< index of a row of the table of visibility sources
+    LightFit fit = LightFit::Casters;  ///< row of the table of fits
     bool snap = true;
     LightProjection projection = LightProjection::Automatic;
     NearFar near_far = NearFar::Fitted;
     double near = 0, far = 0, stretch = 1, extent = 0;
     int cascades = 1;
     DepthBounds depth_bounds = DepthBounds::Boxes;
-    Split split = Split::Practical;  ///< row of the split table
+    Split split = Split::Practical;  ///< row of the table of cascade splits
     double split_lambda = 0.5;
     double split_1 = 0.07, split_2 = 0.2, split_3 = 0.45, split_4 = 0.6, split_5 = 0.7, split_6 = 0.8, split_7 = 0.9;
     double cascade_blend = 0.1;

@@ -31,7 +31,7 @@ struct Source {
     /// GLSL file below shaders/ with `float source_visibility(Surface s, int light)`. Empty: nothing is drawn; the
     /// result of traced rays is copied, and without rays all is lit.
     std::string_view file;
-    std::span<const std::string_view> settings = {};  ///< keys that only this source reads
+    std::span<const std::string_view> settings = {};  ///< setting keys that only this source reads
     /// Reason why the source's visibility is only an approximation; empty if it converges to the exact one.
     std::string_view approximation = {};
 };

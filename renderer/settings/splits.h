@@ -15,7 +15,7 @@ namespace si {
 struct SplitRow {
     std::string_view key, label, help;
     std::string_view paper;                           ///< source; empty: common knowledge
-    std::span<const std::string_view> settings = {};  ///< keys that only rows listing them read
+    std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
 };
 
 /// Returns the table of cascade splits, in the order of the enumeration Split.
