@@ -36,7 +36,7 @@ struct AdvicePanelFacts {
     std::optional<SearchProgress> advising;      ///< under way
     const AdviceReport* advice = nullptr;        ///< last result for this scene, if of advice
     const AutopilotResult* autopilot = nullptr;  ///< last result for this scene, if of the autopilot
-    std::span<const std::pair<std::string, std::string>> autopilot_changes;  ///< key and value
+    std::span<const std::pair<std::string, std::string>> autopilot_changes;  ///< setting keys and values
     bool advice_current = false;  ///< the result belongs to the present settings
 };
 

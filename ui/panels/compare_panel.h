@@ -18,14 +18,14 @@ enum class CompareKind { Scene, Defaults, Preset, Pinned };
 /// Choice of the settings that the panel Compare compares with.
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;
-    std::string preset;  ///< built-in key or path, if kind is Preset
+    std::string preset;  ///< key of a built-in preset or path, if kind is Preset
     bool operator==(const CompareWith&) const = default;
 };
 
 /// Settings pinned as A, which later settings are compared with.
 struct PinnedSettings {
     Settings settings;
-    std::string scene;  ///< built-in key or path of the scene that they were shown with
+    std::string scene;  ///< scene that the settings were pinned with: built-in key or path
     bool operator==(const PinnedSettings&) const = default;
 };
 

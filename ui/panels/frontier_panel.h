@@ -26,7 +26,7 @@ struct MeasuredColumn {
 struct MeasuredCase {
     int number = -1;                                            ///< number in the sweep; -1: the present settings
     std::string name;                                           ///< "1024 · PCF 3×3"
-    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of the varied settings
+    std::vector<std::pair<std::string, std::string>> settings;  ///< varied settings: key and value
     std::vector<std::string> setting_texts;                     ///< "Kernel: PCF 3×3", one a setting
     std::vector<double> values;                                 ///< one a column; NaN: not known
     std::string failed;  ///< reason why there are no values; empty: it did not fail

@@ -37,8 +37,8 @@ struct PresetsFacts {
 
 /// Requests to the application: scenes and presets to load, save or restore.
 struct PresetRequests {
-    std::optional<std::string> load_scene;   ///< built-in key or path
-    std::optional<std::string> load_preset;  ///< built-in key or path
+    std::optional<std::string> load_scene;   ///< key of a built-in scene, or path of a file
+    std::optional<std::string> load_preset;  ///< key of a built-in preset, or path of a file
     std::optional<std::string> save_preset;  ///< path
     std::optional<std::string> open_file;    ///< path of a scene or a preset, by its extension
     std::optional<std::string> save_about;   ///< sentence to save in the preset

@@ -70,7 +70,7 @@ struct PictureState {
 struct EditorState : PictureState {
     History history;
     Log log;
-    std::string scene_name;  ///< built-in key or path of the scene that is shown
+    std::string scene_name;  ///< shown scene: key of a built-in scene, or path of a file
     FilesState files;
     bool between_steps = false;  ///< undo or redo waits for the scene of its step
     ObjectSelection selection;

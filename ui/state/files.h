@@ -15,7 +15,7 @@ struct FilesState {
     std::string scene_input;                  ///< path of a scene while it is being typed
     std::string preset_path = "preset.json";  ///< file that saving writes
     GuideNote guide;                          ///< sentence of the preset that was opened last
-    std::string hidden_guide;                 ///< key of the note that the user has hidden; empty: none
+    std::string hidden_guide;                 ///< preset key of the note that the user has hidden; empty: none
     FileDialog dialog;
     std::optional<Replacement> replace;  ///< file that is replaced once the user agrees
 };

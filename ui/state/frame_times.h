@@ -22,7 +22,7 @@ struct TimedFrame {
 struct FrameTimes {
     static constexpr double kKept_s = 30;  ///< age up to which frames are kept
 
-    std::string scene;                      ///< key or path; another scene drops all times
+    std::string scene;                      ///< built-in scene key or path; another scene drops all times
     std::map<std::string, double> pass_ms;  ///< last time of each pass, by its name
     std::deque<TimedFrame> frames;          ///< frames of the last kKept_s, newest last; at least the newest
     bool newest_is_shown = false;           ///< the newest is the frame that is shown
