@@ -14,7 +14,7 @@
 namespace si {
 
 /// Runs `work(workers, report)` and returns its result. report(share, text) updates the progress line and lets Ctrl+C
-/// stop the work. @param lost clause for the message after Ctrl+C: "nothing was written"
+/// stop the work. @param lost a clause for the message after Ctrl+C: "nothing was written"
 template <class Work>
 auto interruptible(const std::string& lost, const Work& work) {
     InterruptGuard interrupt;

@@ -16,7 +16,8 @@ namespace si {
 /// Window with an OpenGL 4.5 core debug context and vsync, current on the constructing thread. Only one may exist.
 class WindowContext {
 public:
-    /// Opens the window. @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area
+    /// Opens the window. @param width, height the size of the window in screen coordinates at scale 1; shrunk to fit
+    /// the monitor's work area
     /// @throws Error when there is no display or no OpenGL 4.5.
     WindowContext(const std::string& title, int width, int height, bool maximised = false);
     ~WindowContext();

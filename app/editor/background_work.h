@@ -53,8 +53,8 @@ public:
     BackgroundWork(EditorState& state, const std::filesystem::path& state_folder)
         : state_(state), sweep_(state_folder) {}
 
-    /// Moves results of finished background searches into the settings and the log. Returns true if a search has
-    /// ended. @param scene shown scene; null: none
+    /// Moves results of finished background searches into the settings and the log. Returns true if a search has ended.
+    /// @param scene the shown scene; null: none
     bool poll(const Scene* scene);
     /// Starts and cancels background measurements that panels request. Errors go to the log. Returns true if there was
     /// a request. @param shown last drawn frame

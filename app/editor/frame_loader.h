@@ -45,7 +45,7 @@ public:
     /// editor has to be drawn again.
     bool poll();
     /// Starts to draw a frame if anything has changed and no frame is under way. Returns true if the editor has to be
-    /// drawn again. @param scene must not change while under_way() @param comparison settings that state.compare
+    /// drawn again. @param scene must not change while under_way() @param comparison the settings that state.compare
     /// names; null: not known
     bool update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison);
     /// Waits until the drawing thread draws no frame.

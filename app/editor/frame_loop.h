@@ -37,7 +37,7 @@ public:
 
     /// Draws the scene if anything has changed, and updates the data (FrameFacts) that shown panels need. Returns what
     /// has changed, with lines for the log; an error becomes such a line.
-    /// @param comparison settings that state.compare names; null: not known
+    /// @param comparison the settings that state.compare names; null: not known
     FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                      const ComparisonFacts* comparison);
     /// Drops the drawn frame and its facts. Call when there is no scene.

@@ -9,7 +9,7 @@ namespace si {
 /// Handler of requests that open, save and compare presets, or restore the session that a crash has left.
 class PresetRequestHandler {
 public:
-    /// @param state, memory, scenes parts of one editor; outlive this object
+    /// @param state, memory, scenes the parts of one editor; outlive this object
     PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
         : state_(state), persistence_(memory), scenes_(scenes) {}
 

@@ -18,7 +18,8 @@ namespace si {
 /// from the renderer's thread.
 class EditorReference {
 public:
-    /// Returns the last ray-traced reference of a light, for FrameRequest::truth; null: none. @param light index
+    /// Returns the last ray-traced reference of a light, for FrameRequest::truth; null: none. @param light the index of
+    /// the light
     std::shared_ptr<const ReferencePicture> picture(int light) const;
     /// References by light, for FrameRequest::traced.
     const std::vector<std::shared_ptr<const ReferencePicture>>& pictures() const { return pictures_; }
@@ -39,7 +40,7 @@ public:
     /// Returns state, progress and times of the reference of the shown light.
     ReferenceFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }
-    /// Returns true if update() has news, or the progress has changed.
+    /// Returns true if the next update() will find a finished result, or the progress has changed.
     bool moved() const { return job_.moved(); }
     /// Waits for the job.
     void wait() const { job_.wait(); }

@@ -13,7 +13,8 @@ namespace si {
 ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels);
 
 /// Writes a picture into `folder` as SCENE-PART-NUMBER.png, with the first number that no file has. Returns its path.
-/// @param scene built-in key or path @param svg the same drawing as SVG, for a file of the same name; empty: none
+/// @param scene the key of a built-in scene, or a path @param svg the same drawing as SVG, for a file of the same name;
+/// empty: none
 /// @throws Error
 std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const std::string& scene,
                                       const std::filesystem::path& folder, const std::string& svg = {});

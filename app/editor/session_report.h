@@ -11,8 +11,8 @@
 
 namespace si {
 
-/// Report of an editor's session as a JSON file (`edit --report`): collects driver messages, unsound numbers, errors
-/// and memory, and writes the file at intervals.
+/// Report of an editor's session as a JSON file (`edit --report`): collects driver messages, invalid numbers (NaN,
+/// infinite, out of range), errors and memory, and writes the file at intervals.
 class SessionReport {
 public:
     /// Begins a session report. @param path file of the report; empty: none is written
@@ -20,7 +20,7 @@ public:
 
     /// Adds a message of the OpenGL driver to the report.
     void note_driver(const std::string& message);
-    /// Keeps the first description of faulty numbers.
+    /// Keeps the description of the first invalid number; ignores later ones.
     void note_unsound(std::string_view what) {
         if (unsound_.empty()) unsound_ = what;
     }

@@ -99,7 +99,7 @@ private:
     std::optional<CaseNumbers> present_;
     std::vector<Finished> finished_;  ///< the last ones, the present one at the end
     SweepFacts facts_;
-    std::uint64_t seen_ = 0;        ///< version of the thread's news
+    std::uint64_t seen_ = 0;        ///< version of the measuring thread's status as last seen
     std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen
     bool opened_ = false;           ///< the shown sweep was read from a folder
     std::string seen_cost_, seen_error_;
@@ -108,7 +108,7 @@ private:
     std::optional<PinnedSettings> seen_pinned_;
     Settings compared_;  ///< settings last compared with the sweep's
     std::string compared_scene_;
-    bool fresh_ = true;  ///< news came after facts_ were made
+    bool fresh_ = true;  ///< results have arrived since facts_ was made
     std::unique_ptr<MeasuringThread> thread_;
 };
 

@@ -15,8 +15,8 @@ nlohmann::ordered_json change_json(const CostChange& ms);
 /// Converts a table of fixes to JSON: one object a row, in the table's order.
 nlohmann::ordered_json fixes_json(const FixTable& table);
 
-/// Prints a table of measured fixes to stdout. Fixes that were not tried are left out. @param rows largest number of
-/// rows
+/// Prints a table of measured fixes to stdout. Fixes that were not tried are left out. @param rows the largest number
+/// of rows
 void print_fixes(const FixTable& table, std::size_t rows);
 
 }  // namespace si

@@ -21,8 +21,8 @@ struct MapReport {
     DepthHistogram raw, linear;  ///< over the range of depths that was drawn
 };
 
-/// Draws a frame and measures the map of the light `view.light`; nothing if it has none. @param request size of the
-/// picture
+/// Draws a frame and measures the map of the light `view.light`; nothing if it has none. @param request the request
+/// with the size of the picture
 std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request);
 
 /// Converts the statistics of a map to JSON.

@@ -13,7 +13,7 @@ class CaseSessions {
 public:
     using Values = std::vector<std::pair<std::string, std::string>>;  ///< SweepCase::values
 
-    /// Makes the sessions of a sweep's cases. @param plan scene and settings that all cases share
+    /// Makes the sessions of a sweep's cases. @param plan the plan with scene and settings that all cases share
     explicit CaseSessions(SessionPlan plan) : plan_(std::move(plan)) {}
 
     /// Adds a scene that is loaded already, so that prepare() need not read its file. @param as scene settings that the
