@@ -10,11 +10,11 @@
 namespace si {
 
 /// Draws the histogram of the shown map's depths. The mouse drags the ends of the grey scale (or the thresholds of the
-/// band view) in it. @param size pixels, from the cursor
+/// band view) in it. @param size the size in pixels, counted from the cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 
 /// Draws the curve of stored depth over distance from the light, with the band thresholds. @param marked_m the distance
-/// to mark, metres @param size pixels, from the cursor
+/// to mark, metres @param size the size in pixels, counted from the cursor
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m, ImVec2 size);
 
 /// Returns the distance along the view axis, metres, at which stored depth reaches `share` of its range, counted from

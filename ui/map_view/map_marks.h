@@ -37,7 +37,7 @@ void draw_texel_values(const MapRect& rect, const FloatImage& values, ImVec2 cli
 /// Returns true if texels are large enough on the screen for draw_texel_values().
 bool fits_texel_values(const MapRect& rect);
 
-/// Draws line segments over the map viewer's image. @param lines ends in map coordinates, 0..1
+/// Draws line segments over the map viewer's image. @param lines the ends in map coordinates, 0..1
 void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
 
 }  // namespace si

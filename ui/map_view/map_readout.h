@@ -12,7 +12,7 @@ namespace si {
 
 /// Formats the map viewer's text about one texel. The first line names the texel and the pixels that read it. The
 /// second gives its depth in metres, as stored, and as a share between the planes.
-/// @param texel y up, of a depth image of `size` texels
+/// @param texel the texel, y up, of a depth image of `size` texels
 /// @param values the stored depths, row 0 at the top; null or of another size: not read back yet
 /// @param shown the kind of image: for moments the text gives the moment, or in the linear view the depth with that
 /// moment; at a mip level `values` have that level's size

@@ -44,7 +44,7 @@ std::string shown_label(const CompareWith& with, std::span<const PresetEntry> pr
 
 /// Draws the panel Compare: the settings that differ from those of `other`.
 /// @param compare the choice, changed by the combo @param pinned true: the pinned settings are offered as a choice
-/// @param scene_name shown scene
+/// @param scene_name the name of the shown scene
 /// @param other settings that `compare` names; null or of another choice: not loaded yet
 void draw_compare(CompareWith& compare, Settings& settings, const std::optional<PinnedSettings>& pinned,
                   const std::string& scene_name, const ComparisonFacts* other, const PresetsFacts& presets,

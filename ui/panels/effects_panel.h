@@ -38,7 +38,8 @@ struct EffectsRequests {
 };
 
 /// Draws the panel Effects: a row for each effect with state, reason and cost, then the frame's sum.
-/// @param times times of the last frames @param result last frame; null: none @param driver null: not known
+/// @param times times of the last frames @param result the last frame; null: none @param driver the driver; null: not
+/// known
 void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,
                   const EffectsFacts& facts, EffectsRequests& requests);
 

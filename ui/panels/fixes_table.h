@@ -37,7 +37,7 @@ void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::opti
                        bool wrong);
 /// Draws the table of fixes found for the pixel or picture, if any. @param settings the settings, changed by a click on
 /// a row
-/// @param pixel pixel that the fixes make right; none: the picture
+/// @param pixel the pixel that the fixes make right; none: the whole picture
 void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& requests,
                       std::optional<glm::ivec2> pixel);
 

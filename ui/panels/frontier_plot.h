@@ -17,7 +17,7 @@ struct FrontierPlotResult {
 };
 
 /// Draws the frontier plot without names of its axes. Returns its mouse input. @param bytes true: costs are bytes
-/// @param chosen the number of the case that gets a ring @param size pixels, from the cursor
+/// @param chosen the number of the case that gets a ring @param size the size in pixels, counted from the cursor
 FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size);
 
 }  // namespace si

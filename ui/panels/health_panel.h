@@ -39,7 +39,7 @@ struct HealthRequests {
 /// Draws the panel Numbers: faulty values of the frame, and the process's memory.
 /// @param settings the settings, changed by a click that shows another map @param marked the texel that the map viewer
 /// outlines
-/// @param result last frame; null: none
+/// @param result the last frame; null: none
 void draw_health(Settings& settings, const std::optional<MarkedTexel>& marked, const FrameResult* result,
                  const HealthFacts& facts, HealthRequests& requests);
 

@@ -44,7 +44,7 @@ struct LabRequests {
 };
 
 /// Draws the panel Lab: placement of the scene, error of single precision, shimmer of shadow edges.
-/// @param scene null: none is loaded @param result last frame; null: none
+/// @param scene null: none is loaded @param result the last frame; null: none
 void draw_lab(LabPanel& panel, Settings& settings, const Scene* scene, const FrameResult* result, const LabFacts& facts,
               LabRequests& requests);
 

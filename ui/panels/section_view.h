@@ -10,7 +10,7 @@
 namespace si {
 
 /// Draws the cross-section of one light's shadow test into the panel, with tooltips on its marks. Does nothing without
-/// a section. @param light index @param size pixels, from the cursor
+/// a section. @param light the index of the light @param size the size in pixels, counted from the cursor
 void draw_section_view(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size);
 
 /// Drawing of a cross-section for a picture of its own. Coordinates are pixels from the upper left corner.

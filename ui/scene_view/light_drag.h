@@ -46,7 +46,7 @@ struct HandleDrag {
 /// radius (metres).
 double snap_step(double scene_radius);
 
-/// Formats the numbers that a light's handle changes, with units. @param pose present pose of the light
+/// Formats the numbers that a light's handle changes, with units. @param pose the present pose of the light
 std::string handle_numbers(const LightPose& pose, LightHandle handle);
 
 }  // namespace si

@@ -57,7 +57,7 @@ struct LightPose {
     bool ranged() const { return type != LightType::Directional && settings.range > 0; }
 };
 
-/// Returns the pose of a light for its handles. @param face index of the light's shown view
+/// Returns the pose of a light for its handles. @param face the index of the light's shown view
 LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, int face);
 
 /// Returns all handles that the light has, visible in the picture or not.

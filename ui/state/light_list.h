@@ -13,14 +13,14 @@ void add_light(Settings& settings);
 /// Inserts a copy of a light after it, without its name, and shows it. Does nothing without that light or at
 /// kMaxLights.
 void copy_light(Settings& settings, int light);
-/// Deletes a light from the settings; does nothing if there is no such light. @param light index
+/// Deletes a light from the settings; does nothing if there is no such light. @param light the index of the light
 void delete_light(Settings& settings, int light);
 /// Returns true if `light` (an index) is the only light that is on.
 bool is_solo(const Settings& settings, int light);
 /// Switches all lights except `light` (an index) off; switches all on if the others are off already.
 void solo_light(Settings& settings, int light);
-/// Moves a light within the list of lights and shows it. @param light index @param places the number of places to move
-/// by; negative: towards the beginning; clamped to the list
+/// Moves a light within the list of lights and shows it. @param light the index of the light @param places the number
+/// of places to move by; negative: towards the beginning; clamped to the list
 void move_light(Settings& settings, int light, int places);
 
 }  // namespace si

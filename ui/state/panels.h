@@ -43,7 +43,7 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
 
 /// Draws the colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner. Overlays
 /// with one colour for each view of a light list these colours. @param left, bottom the corner, pixels of the screen
-/// @param room size of the picture, pixels @param light null: none
+/// @param room the size of the picture, pixels @param light the light; null: none
 void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room);
 
 /// Draws sliders for opacity and scale of a pane's overlay, below its legend.

@@ -20,7 +20,7 @@ void stop_playing(EditorState& state);
 void undo(EditorState& state);
 /// Redoes the next step of the history, as undo() undoes the last.
 void redo(EditorState& state);
-/// Goes to any step of the history, as undo() goes to the one before. @param step index
+/// Goes to any step of the history, as undo() goes to the one before. @param step the index of the step
 void go_to_step(EditorState& state, std::size_t step);
 
 /// Advances scene.time by `seconds` while the animation plays. Call once a frame, before the panels are drawn.

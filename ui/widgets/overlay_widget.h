@@ -23,7 +23,7 @@ int overlay_of_digit(int digit, const HeldKeys& held);
 /// overlay's number: 1 for the first row of the overlay table
 std::string overlay_key(int number);
 
-/// Returns the key of the setting that holds a pane's overlay. @param pane index from 0
+/// Returns the key of the setting that holds a pane's overlay. @param pane the index of the pane, from 0
 std::string_view overlay_setting(int pane);
 
 }  // namespace si

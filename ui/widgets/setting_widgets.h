@@ -48,8 +48,8 @@ bool setting_changed(const Settings& settings, const SettingRef& ref);
 /// Places the next widget on the same line if `width` pixels fit there, else on the next line.
 void same_line_if_fits(float width);
 
-/// Draws a button that opens a popup below itself; ImGui::BeginPopup(popup) has to follow. @param width of the popup,
-/// pixels
+/// Draws a button that opens a popup below itself; ImGui::BeginPopup(popup) has to follow. @param width the width of
+/// the popup, pixels
 void menu_button(const char* label, const char* popup, const char* hint, float width);
 
 }  // namespace si
