@@ -233,6 +233,7 @@ struct FrameResult {
 struct FloatImage {
     int width = 0, height = 0, channels = 1;
     std::vector<float> data;
+    /// Returns one channel of one pixel; row 0 is the top.
     float at(int x, int y, int c = 0) const { return data[(std::size_t(y) * width + x) * channels + c]; }
 };
 /// Object and triangle number of each pixel, top row first. x: 1 + index in Scene::objects, 0 for nothing. y: triangle

@@ -44,6 +44,7 @@ public:
     /// @param before the previous scene, of which equal textures and watertightness checks are reused; the remainder is
     /// freed first
     explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
+    /// Returns Scene::id of the uploaded scene.
     std::uint64_t scene_id() const { return scene_id_; }
     /// Switches to another scene without an upload. Returns false when meshes or textures differ, and a new SceneGpu is
     /// needed; only nodes and objects may differ.
