@@ -16,9 +16,13 @@ namespace si {
 struct MapRect {
     ImVec2 lo{0, 0}, size{1, 1};
     glm::ivec2 texels{1};
+    /// Returns the map coordinates of a position on the screen.
     glm::dvec2 uv(ImVec2 p) const { return {(p.x - lo.x) / size.x, 1 - (p.y - lo.y) / size.y}; }
+    /// Returns the position on the screen of map coordinates.
     ImVec2 screen(const glm::dvec2& uv) const { return {lo.x + float(uv.x) * size.x, lo.y + float(1 - uv.y) * size.y}; }
+    /// Returns the width of a texel on the screen, pixels.
     float texel_pixels() const { return size.x / float(texels.x); }
+    /// Returns true if the depth image has this texel.
     bool holds(glm::ivec2 texel) const {
         return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;
     }

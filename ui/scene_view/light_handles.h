@@ -52,8 +52,11 @@ struct LightPose {
     glm::dvec3 to_light{0, 1, 0};     ///< world; unit vector from the target
     double distance = 1;              ///< m, from target to position
     bool has_map = true;              ///< the light has near, far and extent
+    /// Returns true if the light has cascades.
     bool cascaded() const { return !cascades.empty(); }
+    /// Returns true if the light's map is in parallel projection.
     bool orthographic() const { return !view.curve.perspective; }
+    /// Returns true if the light is a spot or point light with a limited range.
     bool ranged() const { return type != LightType::Directional && settings.range > 0; }
 };
 

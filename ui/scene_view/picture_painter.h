@@ -16,7 +16,9 @@ public:
     /// @param view, list outlive the painter
     PicturePainter(const PictureView& view, ImDrawList& list) : view_(view), list_(list) {}
 
+    /// Returns the placement of the picture that is painted over.
     const PictureView& view() const { return view_; }
+    /// Returns the ImGui draw list that receives the drawing.
     ImDrawList& list() const { return list_; }
     /// Returns `units` of scale 1 in pixels of the screen.
     float px(double units) const { return float(units * view_.ui_scale); }

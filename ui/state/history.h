@@ -47,7 +47,9 @@ public:
     std::size_t index() const { return at_; }
     /// Goes to a step of the history, clamped to the existing ones. Returns the step's settings.
     const Settings& go_to(std::size_t step);
+    /// Returns true if there is a step before the shown one.
     bool can_undo() const { return at_ > 0; }
+    /// Returns true if there is a step after the shown one.
     bool can_redo() const { return at_ + 1 < steps_.size(); }
     /// Goes one step back in the history. Returns that step's settings; the present ones at the beginning.
     const Settings& undo();

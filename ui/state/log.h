@@ -23,6 +23,7 @@ public:
     void add(LogKind kind, std::string_view text);
     /// Removes all messages from the log.
     void clear();
+    /// Returns the messages of the log, oldest first.
     const std::vector<LogLine>& lines() const { return lines_; }
     /// Returns the number of errors that were added since mark_seen().
     int unseen_errors() const { return unseen_; }
