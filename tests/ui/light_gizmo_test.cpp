@@ -131,7 +131,7 @@ TEST(LightGizmo, ArrowToALightOutsideThePictureBringsItIn) {
     const auto arrow = pointer_place(g.pose(), g.view());
     ASSERT_TRUE(arrow) << "the light is in the picture";
     const LightSettings before = g.light;
-    g.ui.click(*arrow);
+    g.ui.click(glm::vec2(*arrow));
     EXPECT_FALSE(pointer_place(g.pose(), g.view())) << "still outside";
     EXPECT_EQ(g.light, before);
     EXPECT_FALSE(g.ui.state.probe_pixel) << "the click probed as well";
@@ -184,7 +184,7 @@ TEST(LightGizmo, MarkSelectsAnotherLight) {
     const auto mark = g.view().point(g.pose(2).position);
     ASSERT_TRUE(mark && g.view().contains(*mark));
     const CameraSettings camera = g.settings.camera;
-    g.ui.click(*mark);
+    g.ui.click(glm::vec2(*mark));
     EXPECT_EQ(g.settings.view.light, 2);
     EXPECT_FALSE(g.ui.state.probe_pixel) << "the click probed as well";
     g.ui.drag(*mark, glm::vec2(*mark) + glm::vec2(20, 5));
