@@ -204,7 +204,7 @@ std::string settings_help();
 struct SweepOptions : CommandOptions {
     std::vector<std::string> vary;  ///< "KEY=V1,V2,..." or "KEY=from:to:step"
     std::string shard;              ///< "I/N"; empty: all cases
-    SweepTiming timing;             ///< its kind of frames is CommandOptions::cost
+    SweepTiming timing;             ///< timing.cost is not read: CommandOptions::cost is the kind of timed frames
     bool fresh = false, retry = false;
 };
 /// Runs the command `sweep`: measures error, cost and time of every combination of settings, and writes a report.

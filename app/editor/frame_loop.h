@@ -99,7 +99,9 @@ private:
     std::uint64_t drawn_scene_ = 0;
     std::shared_ptr<const Rig> drawn_rig_;
     bool drawn_ = false, shaders_changed_ = false;
-    FrameFacts facts_;  ///< without those that the members below have
+    /// Facts of the last frame. facts() adds driver, readings, reference and comparison, and drops the result while
+    /// nothing is drawn.
+    FrameFacts facts_;
     FrameNews news_;
     bool pinned_ = false;
     int smoothed_ = 0;  ///< samples per pixel that the smooth picture of the last frame has

@@ -36,7 +36,7 @@ public:
     /// requested measurements have ended.
     void settle();
     /// Completes the anti-aliasing of the scene picture (view.smooth), which the editor adds sample by sample over
-    /// several frames, and draws the editor once more. Does nothing else if view.smooth is off.
+    /// several frames, and draws the editor once more. With view.smooth off the picture stays as it is.
     void add_all_samples();
     /// Returns the editor's last frame as an image, top row first.
     ByteImage picture() const;

@@ -18,8 +18,8 @@ namespace si {
 /// from the renderer's thread.
 class EditorReference {
 public:
-    /// Returns the last ray-traced reference of a light, for FrameRequest::truth; null: none. @param light the index of
-    /// the light
+    /// Returns the last ray-traced reference of a light, for FrameRequest::reference; null: none. @param light the
+    /// index of the light
     std::shared_ptr<const ReferencePicture> picture(int light) const;
     /// References by light, for FrameRequest::traced.
     const std::vector<std::shared_ptr<const ReferencePicture>>& pictures() const { return pictures_; }

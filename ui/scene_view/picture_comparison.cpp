@@ -177,7 +177,7 @@ void pin_settings(EditorState& state) {
         return;
     }
     state.pinned = PinnedSettings{state.settings, state.scene_name};
-    if (state.comparison.view == ComparisonView::Off) {  // starts a comparison
+    if (state.comparison.view == ComparisonView::Off) {  // the next comparison is with A
         state.compare = {CompareKind::Pinned, {}};
         state.comparison.reference = false;
     }

@@ -308,6 +308,9 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     theme::set_light(state.layout.light_theme);
     const SettingFacts setting_facts{frame.driver, frame.scene, frame.result};
     use_setting_facts(&setting_facts);
+    const struct FactsEnd {
+        ~FactsEnd() { use_setting_facts(nullptr); }
+    } facts_end;  // the facts end with this function, also when a panel throws
     if (frame.result && frame.scene) keep_times(state.times, *frame.result, frame.scene->name, ImGui::GetTime());
     advance_animation(state, frame, double(ImGui::GetIO().DeltaTime));
     // In slow frames, a click in this frame may focus a text field that the typed letters belong to.
@@ -366,7 +369,6 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     requests.redraw |= state.playback.playing || turning_wheel || state.viewport.flight.moving;
     requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                        io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
-    use_setting_facts(nullptr);
     return requests;
 }
 

@@ -71,11 +71,13 @@ ComparisonView chosen_comparison(const EditorState& state);
 /// line has taken the press.
 bool steer_swipe(EditorState& state, const PictureView& view);
 /// Draws the compared picture (right of the swipe's line, side by side or as a difference) and the names of both sides.
-/// @param lo, size the lower corner and size of the picture, pixels of the screen
+/// @param lo the upper left corner of the picture, pixels of the screen
+/// @param size the size of the picture, pixels
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
-/// Pins the present settings as A, to compare later settings with. Starts a comparison with A when no comparison is
-/// shown. Removes the pin if the present settings are pinned already. Does nothing during the flicker comparison.
+/// Pins the present settings as A, to compare later settings with. While no pictures are compared, A becomes the side
+/// that the next comparison shows. Removes the pin if the present settings are pinned already. Does nothing during the
+/// flicker comparison.
 void pin_settings(EditorState& state);
 /// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
 void begin_flicker(EditorState& state);

@@ -61,6 +61,7 @@ constexpr Chord with_any(Chord chord) {
     chord.ctrl = Modifier::Any;
     return chord;
 }
+
 void move_probe(const CommandContext& c) {
     if (!c.state.probe_pixel || !c.frame.result) return;
     const int step = ImGui::GetIO().KeyShift ? kFastArrowPixels : 1;

@@ -102,7 +102,7 @@ inline void wrapped_tooltip(const std::string& text) {
     ImGui::EndTooltip();
 }
 
-/// Draws text in one line, in a colour.
+/// Draws text in a colour. The text's own line breaks and the wrap position in force break its lines.
 inline void coloured_text(std::string_view text, ImU32 colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
