@@ -36,8 +36,8 @@ struct BiasBreakdown {
 
     // Equivalent depth bias of each setting, in depth-buffer units: the distance that it puts between the compared
     // depth and the receiver's plane.
-    double constant = 0,
-           slope = 0;         ///< only the larger of both acts; the other is 0
+    double constant = 0;      ///< 0 where the slope bias is larger
+    double slope = 0;         ///< 0 where the constant bias is larger
     double bias_of_kind = 0;  ///< offset that bias.kind adds with constant and slope 0 (Bias::gives_needed_bias)
     /// Normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on to the light.
     double normal = 0;

@@ -73,6 +73,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         }
         if (!live) {
             info.reason = pass.idle_reason;
+            if (pass.only_saves_work) info.by.reset();  // nothing that it could save is drawn
             continue;
         }
         needed.insert(pass.reads.begin(), pass.reads.end());
@@ -83,6 +84,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         } else if (pass.only_saves_work &&
                    std::ranges::none_of(pass.writes, [&](const ResultRef& w) { return read_now.contains(w); })) {
             info.reason = "no pass that it speeds up is drawn";
+            info.by.reset();
         } else {
             info.state = PassState::Drawn;
             read_now.insert(pass.reads.begin(), pass.reads.end());

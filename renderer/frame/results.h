@@ -8,13 +8,13 @@ namespace si {
 
 /// Kind of image or buffer that one pass writes and others read.
 enum class Result {
-    VisibleDepths,        ///< measured depth range of visible surfaces
+    VisibleDepths,        ///< depth range of visible surfaces, measured before the plan
     PagesWanted,          ///< pages of virtual maps that look-ups read
-    Pages,                ///< page pool with its page table
+    Pages,                ///< identifies the pass that draws pages; its images are those of DrawnMaps
     DrawnMaps,            ///< shadow maps as drawn, or the page pool with its page table
     ShadowMaps,           ///< maps to compare, show and read back: as drawn, or with blurred depths
     Moments,              ///< averaged functions of the maps' depths (VSM, ESM, MSM)
-    MapBounds,            ///< nearest and farthest depth of each block of map texels
+    MapBounds,            ///< two planes that bound the depths of each block of map texels
     CameraDepth,          ///< depth of visible surfaces
     SurfaceIds,           ///< triangle number of each pixel
     Blobs,                ///< visibility by blob shadows

@@ -311,22 +311,24 @@ void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
                           .centre_ws = glm::dvec3(o.world * glm::dvec4(mesh.bounds.centre(), 1))};
         entries.push_back({i, blend ? 0 : sizes[std::size_t(o.mesh)], o.mesh, alone});
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.rank() < b.rank(); });
+    std::vector<const Entry*> sorted;
+    for (const Entry& e : entries) sorted.push_back(&e);
+    std::ranges::sort(sorted, {}, [](const Entry* e) { return e->rank(); });
     order_.clear();
     batch_of_.clear();
     batches_.clear();
     const Entry* previous = nullptr;
-    for (const Entry& e : entries) {
+    for (const Entry* e : sorted) {
         // Blended instances are drawn one by one, back to front.
-        if (previous && !e.alone.blend && previous->batch() == e.batch()) {
+        if (previous && !e->alone.blend && previous->batch() == e->batch()) {
             ++batches_.back().instances;
         } else {
-            batches_.push_back(e.alone);
+            batches_.push_back(e->alone);
             batches_.back().first_instance = GLuint(order_.size());
         }
-        order_.push_back(e.object);
+        order_.push_back(e->object);
         batch_of_.push_back(std::uint32_t(batches_.size() - 1));
-        previous = &e;
+        previous = e;
     }
 }
 

@@ -88,7 +88,8 @@ void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const st
     const std::string closed = sizeless.empty() ? "" : fmt::format("{}: no penumbra opens", fmt::join(sizeless, ", "));
     const std::string but = opens && !closed.empty() ? fmt::format(". {} there", closed) : "";
     const Search search = search_of(f.filter());
-    const bool forced = search == Search::Places && f.forced.contains(Optimisation::BlockerSearch);
+    const bool forced =
+        (search == Search::Places || search == Search::Rays) && f.forced.contains(Optimisation::BlockerSearch);
     const std::string way = fmt::format("kernel {} {}", f.kernel(), kSearchTexts[std::size_t(index_of(search))]);
     if (search == Search::None)
         add("blocker search", false, way);
@@ -96,7 +97,7 @@ void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const st
         add("blocker search", opens || forced || search == Search::Rays,
             opens    ? way + but
             : forced ? "forced: it is done anyway"
-                     : closed);
+                     : closed + (search == Search::Rays ? ", and all rays of a pixel are equal" : ""));
     if (!f.filter().reads_light_size)
         add("light's size", false, fmt::format("kernel {} treats each light as a point or a direction", f.kernel()));
     else
@@ -222,15 +223,15 @@ void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     long maps = 0;
     for (const FittedLight& light : f.frame.lights) maps += light.casts ? long(light.views.size()) : 0;
     const std::tuple<const char*, EffectState, long, const char*> kinds[] = {
-        {"pages drawn", EffectState::Drawn, p.drawn, "are drawn for this frame"},
-        {"pages kept", EffectState::Cached, p.kept, "were drawn before, and nothing in them changed"},
+        {"pages drawn", EffectState::Drawn, p.drawn, "drawn for this frame"},
+        {"pages kept", EffectState::Cached, p.kept, "drawn before, with nothing in them changed"},
         {"pages that no pass reads", EffectState::NotNeeded, maps * side * side - p.wanted,
-         "are within no visible pixel's kernel"}};
+         "within no visible pixel's kernel"}};
     for (const auto& [name, state, count, what] : kinds)
         if (count > 0)
             out.push_back({.name = name,
                            .state = state,
-                           .reason = fmt::format("{} pages {}.", count, what),
+                           .reason = fmt::format("{} page{} {}.", count, count == 1 ? "" : "s", what),
                            .pass = pass.name,
                            .part = true});
     out.push_back(alpha_test_part(f, pass, "alpha test in pages"));

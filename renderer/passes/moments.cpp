@@ -133,9 +133,10 @@ private:
 
     /// Sums the last draw's output along an axis; the last axis writes into the layer.
     void sum(int axis) {
+        const GLuint id = f_.use_fullscreen("passes/sums.frag.glsl", {{"BLUR_COLUMNS", std::to_string(axis)}});
         for (int run = 1; run == 1 || run < f_.map_resolution; run *= 8) {
             const gl::Framebuffer into = begin(axis == 1 && run * 8 >= f_.map_resolution);
-            const GLuint id = f_.use_fullscreen("passes/sums.frag.glsl", {{"BLUR_COLUMNS", std::to_string(axis)}});
+            glUseProgram(id);
             glUniform1i(glGetUniformLocation(id, "run"), run);
             FrameState::draw_fullscreen(info_);
         }

@@ -124,7 +124,7 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
 
 Pass PanePasses::slabs_pass(FrameState& f, const ShownPane& pane) {
     Pass pass = slabs_.make_pass(f, pane);
-    pass.name = slot_name("texel slabs", pane);
+    pass.name = slot_name("stored-depth quads", pane);
     pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded, Result::CameraDepth,
                   Result::ShadowMaps};
     pass.writes = {{Result::Slabs, pane.slot}};
@@ -142,7 +142,9 @@ ValueRange PanePasses::range_of(const FrameState& f, const ShownPane& pane) {
     const ValueRange declared{float(row.min), float(row.max)};
     if (v.overlay_range != OverlayRange::Fitted || !row.scalar || t.values.key == 0) return declared;
     if (t.fitted_key != t.values.key) {
-        const FloatImage values = read_floats({t.values.texture.id(), t.values.width, t.values.height}, 4);
+        const int texels = t.values.width * t.values.height;
+        const FloatImage values{t.values.width, t.values.height, 4,
+                                gl::read_texture<float>(t.values.texture.id(), texels * 4, GL_RGBA, GL_FLOAT)};
         t.fitted = fitted_range(values, row.diverging).value_or(declared);
         t.fitted_key = t.values.key;
     }

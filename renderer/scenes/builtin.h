@@ -22,8 +22,8 @@ std::span<const BuiltinScene> builtin_scenes();
 bool is_builtin_scene(std::string_view name);
 
 /// Loads a scene: a built-in scene by key, a hard case by name, or a .gltf/.glb file by path.
-/// @param options the options for files; built-in scenes ignore them and report no
-/// progress @throws Error naming file, place and fix.
+/// @param options the options for files; built-in scenes ignore them and report no progress
+/// @throws Error naming file, place and fix
 Scene load_scene(std::string_view name_or_path, const GltfOptions& options = {});
 
 }  // namespace si

@@ -129,6 +129,7 @@ std::optional<SettingRef> find_setting(std::string_view key);
 /// Returns the canonical dotted key of a setting. Keys of light 0 have no number: "light.azimuth".
 std::string setting_key(const SettingRef& ref);
 /// Returns the key of a setting of one light, such as "light.2.size". @param light index of light.*
+/// @param setting the name of a setting of lights, such as "size"
 std::string light_setting_key(std::size_t light, std::string_view setting);
 /// Returns the setting key nearest to an unknown `key` by edit distance, for "did you mean"; empty if none is near.
 std::string nearest_key(std::string_view key);

@@ -149,7 +149,6 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {.key = "map.virtual",
      .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.map.paged; },
      .label = "Virtual map",
-
      .cost = Cost::Target,
      .idle = paging_idle_reason,
      .help = "Draws only those pages of each map that visible surfaces read, and caches them until a caster or the "

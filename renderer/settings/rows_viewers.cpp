@@ -99,7 +99,7 @@ const LightSettings& shown_light(const Settings& s) {
 
 std::string_view face_idle(const Settings& s, int) {
     const LightSettings& shown = shown_light(s);
-    // 1.5 rad is half the widest cone that light_place.cpp draws into one map.
+    // 1.5 rad is half the widest cone that the fits draw into one map.
     const bool faces =
         shown.type == LightType::Point || (shown.type == LightType::Spot && shown.cone > 2 * 1.5 * 57.29577951308232);
     const bool cascades = shown.type == LightType::Directional && shown.cascades > 1 && shown.fit != LightFit::Manual &&

@@ -91,14 +91,12 @@ TEST(HostilePresets, EscapesArePrintedNotObeyed) {
     std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":2,"title":"\u001b[31mred",)"
                                      << R"("topic":"\u009b2J","about":"a\u202eb","scene":"\u0007",)"
                                      << R"("settings":{"object.\u001b]0;x.cast":false}})";
-    std::string all;
+    EXPECT_NE(run_program("preset show e.json", folder).out.find("\\x1b[31mred"), std::string::npos);
     for (const char* words : {"preset show e.json", "preset diff e.json acne", "preset check e.json"}) {
         const ProcessResult r = run_program(words, folder);
-        all += r.out + r.err;
         for (const char* control : {"\x1b", "\x07", "\xc2\x9b", "\u202e"})
             EXPECT_EQ((r.out + r.err).find(control), std::string::npos) << words << ": " << r.out << r.err;
     }
-    EXPECT_NE(all.find("\\x1b[31mred"), std::string::npos) << all;
 }
 
 TEST(HostilePresets, DeepJsonIsRefusedQuickly) {

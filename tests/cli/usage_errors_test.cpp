@@ -149,7 +149,7 @@ const Mistake kMistakes[] = {
     {"plan_no_rounds", "plan boxes --measure --rounds 0", 2, ""},
     {"plan_scene", "plan no-such-scene", 2, ""},
     {"scene_missing", "scene nothing.glb", 1, ""},
-    {"sheet_extension", "contact-sheet folder.png -o s.jpg", 2, ""},
+    {"sheet_extension", "contact-sheet folder.png -o s.jpg", 2, ".png"},
     {"sheet_missing", "contact-sheet nowhere -o s.png", 1, ""},
     {"theme", "edit boxes --headless --screenshot t.png --theme pink", 2, ""},
     {"case_scene", "scene hard/grazig", 2, "did you mean hard/grazing"},

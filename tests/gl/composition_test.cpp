@@ -19,7 +19,7 @@ TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf9", 128, 6);
         s.lights[0].type = type;
-        set_all(s, {"light.distance=9", "light.cone=90"});
+        if (type != LightType::Directional) set_all(s, {"light.distance=9", "light.cone=90"});
         s.shading = {.ambient = 0.1, .diffuse = 0.7, .specular = 0};
         s.shading.composition = Composition::DimLit;
         s.shading.dim = 0.3;
@@ -64,7 +64,7 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf3", 1024, 3);
         s.lights[0].type = type;
-        set_all(s, {"light.distance=9", "light.cone=90"});
+        if (type != LightType::Directional) set_all(s, {"light.distance=9", "light.cone=90"});
         const auto worst = [&](double distance_m) {
             s.camera.distance = distance_m;
             s.camera.fov = 2 * std::atan(4 / distance_m) * 180 / 3.14159265;

@@ -72,9 +72,11 @@ TEST_F(EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence) {
         for (const Sets& sets : varied()) {
             const std::vector<Effect> all = effects(scene, sets, request);
             for (const PassInfo& pass : last.passes) {
-                const EffectState own = state_of_effect(all, pass.name);
-                EXPECT_EQ(own == EffectState::Drawn, pass.state == PassState::Drawn) << pass.name;
-                EXPECT_EQ(own == EffectState::Cached, pass.state == PassState::Cached) << pass.name;
+                const Effect own = effect_named(all, pass.name);
+                EXPECT_EQ(own.pass, pass.name);
+                EXPECT_FALSE(own.part) << pass.name;
+                EXPECT_EQ(own.state == EffectState::Drawn, pass.state == PassState::Drawn) << pass.name;
+                EXPECT_EQ(own.state == EffectState::Cached, pass.state == PassState::Cached) << pass.name;
             }
             for (const Effect& e : all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
             for (std::size_t i = 0; i < all.size(); ++i)
@@ -126,7 +128,7 @@ TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
          "No pixel requests a page",
          {{"map.virtual", "true"}}},
         {"overlay values", {}, "overlay", {{"view.overlay", "visibility"}}},
-        {"texel slabs", {}, "view.slabs", {{"view.slabs", "both"}}},
+        {"stored-depth quads", {}, "view.slabs", {{"view.slabs", "both"}}},
         {"visibility", {}, "shading", {{"shading.separate_visibility", "true"}}},
     };
     const Scene scene = load_scene("boxes");

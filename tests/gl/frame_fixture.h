@@ -80,12 +80,12 @@ inline std::size_t different_pixels(const ByteImage& a, const ByteImage& b, int 
     return count;
 }
 
-/// Counts the values of two images of equal size that differ by more than `tolerance`.
+/// Counts the values of two images of equal size that differ by more than `tolerance`. NaN differs from all values.
 inline std::size_t differing_values(const FloatImage& a, const FloatImage& b, float tolerance = 0) {
     EXPECT_EQ(a.data.size(), b.data.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < std::min(a.data.size(), b.data.size()); ++i)
-        count += std::abs(a.data[i] - b.data[i]) > tolerance;
+        count += !(a.data[i] == b.data[i] || std::abs(a.data[i] - b.data[i]) <= tolerance);
     return count;
 }
 

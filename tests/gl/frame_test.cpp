@@ -245,12 +245,12 @@ TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
         << "drawn once for two panes";
     EXPECT_EQ(ran(), Names{});
     set_setting(s, "view.slabs", "both");
-    EXPECT_EQ(ran(), (Names{"texel slabs", "texel slabs (none)", "texel slabs (n-dot-l)"}));
+    EXPECT_EQ(ran(), (Names{"stored-depth quads", "stored-depth quads (none)", "stored-depth quads (n-dot-l)"}));
     EXPECT_TRUE(reused.contains("camera depth")) << "the shading pass left it";
     renderer.probe(scene, s, request, 100, 100);
     EXPECT_EQ(ran(), Names{}) << "a probe leaves the picture's depth alone";
     set_setting(s, "view.slabs_texels", "8");
-    EXPECT_EQ(ran(), (Names{"texel slabs", "texel slabs (none)", "texel slabs (n-dot-l)"}));
+    EXPECT_EQ(ran(), (Names{"stored-depth quads", "stored-depth quads (none)", "stored-depth quads (n-dot-l)"}));
     request.outputs.map_coordinates = true;
     EXPECT_EQ(ran(), Names{"map coordinates"});
     set_setting(s, "view.map_source", "camera");

@@ -181,7 +181,7 @@ TEST_F(SlabsTest, AreDrawnInEveryPane) {
     for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(different_pixels(without[i], with[i], 20), 500u) << i;
     set_setting(s, "light.cast", "false");
     const FrameResult dark = renderer.render(scene, s, small_request());
-    EXPECT_EQ(dark.pass("texel slabs")->reason, "view.light has no shadow map");
+    EXPECT_EQ(dark.pass("stored-depth quads")->reason, "view.light has no shadow map");
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ Settings over(const Plane& plane, LightType type, double theta_deg) {
     light.azimuth = plane.azimuth;
     light.elevation = 90 - theta_deg;
     light.target_x = light.target_y = light.target_z = 0;
-    light.distance = 2 * plane.size;
+    if (type != LightType::Directional) light.distance = 2 * plane.size;
     light.cone = 50;
     return s;
 }

@@ -32,6 +32,7 @@ std::vector<Combination> full_product(const std::vector<std::size_t>& sizes);
 /// combination, otherwise a pairwise table. A test that uses it has the trait Product.
 template <typename... Values>
 std::vector<std::tuple<Values...>> combinations(const std::vector<Values>&... factors) {
+    static_assert(sizeof...(Values) >= 2);  // one factor has no pairs
     const std::vector<std::size_t> sizes = {factors.size()...};
     const auto row_values = [&]<std::size_t... factor>(const Combination& row, std::index_sequence<factor...>) {
         return std::tuple<Values...>{factors[row[factor]]...};

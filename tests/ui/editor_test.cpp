@@ -161,8 +161,11 @@ TEST(Editor, UnreadableFileIsALineInTheLog) {
     state.settings.bias.constant = 7;
     const std::string other(builtin_scenes().front().key);
     ASSERT_NE(other, "boxes");
+    const std::size_t lines = state.log.lines().size();
     editor.model().open(other);
     editor.settle();
+    for (std::size_t i = lines; i < state.log.lines().size(); ++i)
+        EXPECT_EQ(state.log.lines()[i].kind, LogKind::Info) << state.log.lines()[i].text;
     Settings expected = base_settings(load_scene(other));
     expected.bias.constant = 7;
     EXPECT_EQ(state.settings, expected);

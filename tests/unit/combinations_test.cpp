@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 
 namespace si::test {
 namespace {
@@ -34,6 +35,15 @@ TEST(Combinations, FullProductsHoldEveryCombinationOnce) {
     EXPECT_EQ(std::set<Combination>(rows.begin(), rows.end()).size(), 6u);
     EXPECT_EQ(rows.front(), (Combination{0, 0}));
     EXPECT_EQ(rows.back(), (Combination{1, 2}));
+}
+
+TEST(Combinations, HoldTheValuesOfTheFactors) {
+    const std::vector<int> numbers = {1, 2, 3};
+    const std::vector<std::string> words = {"a", "b"};
+    std::set<std::tuple<int, std::string>> rows;
+    for (const auto& row : combinations(numbers, words)) rows.insert(row);
+    EXPECT_EQ(rows.size(), 6u);
+    EXPECT_TRUE(rows.contains({3, "b"}));
 }
 
 }  // namespace

@@ -78,8 +78,7 @@ void fit_one_view(FittedLight& light, const FitContext& c);
 /// @param view view with its axes set; the third one points to the light
 /// @param points receiver points, world; at least one
 /// @param on_ground the receiver points on a ground under a model, world; they widen the map only where they lie
-/// outside of
-///     it
+/// outside of it
 /// @param margin texels at each side
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
                 std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin);

@@ -35,8 +35,9 @@ struct FitInput {
 /// Rectangle across a light's view: metres, or tangents in perspective. Empty by default.
 using MapRegion = Bounds2;
 
-/// Function that finds the region of the light's view that a map has to cover. It guarantees that no surface outside
-/// the region lies in shadow. An empty result gives no guarantee: the map then covers the whole scene.
+/// Function that finds the region of the light's view that a map has to cover. It guarantees that no surface that
+/// the light reaches lies in shadow outside the region; fits by the camera guarantee it for surfaces that the camera
+/// sees. An empty result gives no guarantee: the map then covers the whole scene.
 using FitFunction = std::optional<MapRegion> (*)(const FitInput&);
 
 /// Returns no region: the map covers the whole scene (light.fit scene).

@@ -66,7 +66,8 @@ struct FittedLight : PlacedLight {
     std::vector<LightView> views;   ///< all perspective or none; faces in the order +x -x +y -y +z -z; or cascades
     ViewChooser chooser;            ///< choice of the view in which a point is looked up
     std::vector<ClipLevel> levels;  ///< grid positions of clip levels; else empty
-    /// Guarantee of the fit: no surface outside the map lies in shadow. Shaders treat points outside the map as lit.
+    /// Guarantee of the fit: no surface that the light reaches lies in shadow outside the map. Shaders treat points
+    /// outside the map as lit.
     bool closed = false;
     int clipped_casters = 0;  ///< casters with a part in front of the near plane
     MapLimits limits;         ///< limits of the maps of a casting light

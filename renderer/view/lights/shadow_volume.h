@@ -67,8 +67,7 @@ struct VolumeTriangles {
 /// Adds the shadow volume of one object to lists of triangles.
 /// @param world world_from_mesh of the object
 /// @param ends_apart true: the far copies of corners lie apart, so dark caps are needed; false for parallel light
-/// extruded to
-///     infinity, where they coincide
+/// extruded to infinity, where they coincide
 void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool ends_apart,
                        VolumeTriangles& out);
 
