@@ -38,6 +38,7 @@ protected:
         editor_ = std::make_unique<test::TestEditor>(o);
         ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
         ImGui::GetIO().KeyMap[ImGuiKey_PageDown] = kPageDown;
+        editor_->settle();
     }
     EditorModel& model() { return editor_->model(); }
     EditorState& state() { return editor_->model().state; }
@@ -331,6 +332,7 @@ TEST_F(PresetEditing, CrashedSessionIsRestoredAndUndone) {
     EXPECT_FALSE(model().facts().lost) << "a clean end leaves nothing";
     expect_no_errors();
 
+    model().write_when_due();
     state().settings.bias.constant = 5;
     model().write_when_due();
     open(remembering());
