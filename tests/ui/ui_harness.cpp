@@ -246,8 +246,10 @@ std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::f
             windows.emplace_back(w, w->InnerClipRect);
     for (const auto& [w, rect] : windows) {
         const unsigned wanted = id(w->ID);
-        // Navigation knows no box of some widgets, such as rows of lists: the mouse then visits the whole window.
-        const ImRect known = box_of(w, wanted);
+        // Navigation knows no box of some widgets, such as rows of lists, and moving it to a popup closes the popup:
+        // the mouse then visits the whole window.
+        const bool is_popup = w->Flags & ImGuiWindowFlags_Popup;
+        const ImRect known = is_popup ? ImRect() : box_of(w, wanted);
         const ImRect box = known.GetArea() > 0 ? known : rect;
         for (float y = rect.Min.y + 3; y < std::min(rect.Max.y, box.Max.y); y += 7)
             for (float x = rect.Min.x + 5; x < std::min(rect.Max.x, box.Max.x); x += 16) {
