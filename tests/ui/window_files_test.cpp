@@ -75,7 +75,7 @@ TEST_F(WindowFiles, ModelIsOpenedByItsTypedPath) {
 
 TEST_F(WindowFiles, ModelIsOpenedByADoubleClickInTheDialog) {
     const fs::path only = folder_ / "models";
-    fs::create_directories(only);
+    for (const fs::path& listed : {only, folder_ / "cache", folder_ / "state"}) fs::create_directories(listed);
     fs::rename(model("clicked.gltf"), only / "clicked.gltf");
     ASSERT_NO_FATAL_FAILURE(start());
     keys("ctrl+o");
