@@ -64,10 +64,14 @@ Search search_of(const Filter& row) {
     return owns_setting(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
 }
 
+/// Returns true when Optimisation::BlockerSearch shortens a search for lights of size 0.
+bool can_be_shortened(Search search) {
+    return search == Search::Places || search == Search::Rays;
+}
+
 /// Returns true when Optimisation::BlockerSearch shortens the look-ups of a light.
 bool skips_blocker_search(const EffectFacts& f, const FittedLight& light) {
-    const Search search = search_of(f.filter());
-    return light.size <= 0 && (search == Search::Places || search == Search::Rays);
+    return light.size <= 0 && can_be_shortened(search_of(f.filter()));
 }
 
 /// Appends the effects of blocker search and light size. @param looked_up lights with map look-ups
@@ -88,8 +92,7 @@ void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const st
     const std::string closed = sizeless.empty() ? "" : fmt::format("{}: no penumbra opens", fmt::join(sizeless, ", "));
     const std::string but = opens && !closed.empty() ? fmt::format(". {} there", closed) : "";
     const Search search = search_of(f.filter());
-    const bool forced =
-        (search == Search::Places || search == Search::Rays) && f.forced.contains(Optimisation::BlockerSearch);
+    const bool forced = can_be_shortened(search) && f.forced.contains(Optimisation::BlockerSearch);
     const std::string way = fmt::format("kernel {} {}", f.kernel(), kSearchTexts[std::size_t(index_of(search))]);
     if (search == Search::None)
         add("blocker search", false, way);
@@ -134,7 +137,7 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
         const FittedLight& light = f.frame.lights[i];
         const Source& source = source_of(f.settings, int(i));
         const std::string name = fmt::format("look-ups of light {}", i);
-        const std::string told = fmt::format("{} is {}", light_setting_key(i, "source"), source.key);
+        const std::string chosen = fmt::format("{} is {}", light_setting_key(i, "source"), source.key);
         // Shading leaves a light without shadows out of its program. A visibility texture has it where it is forced.
         const auto skipped = [&](const std::string& reason, bool can_be_forced) {
             const bool drawn = can_be_forced && forced;
@@ -149,9 +152,9 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
         } else if (!light.shadowed) {
             skipped(light.reason + ": it casts no shadow", separate);
         } else if (source.file.empty() && !source.needs.reference) {
-            skipped(told, separate);
+            skipped(chosen, separate);
         } else if (!source.needs.map) {
-            out.push_back(part_of(pass, name, true, told));
+            out.push_back(part_of(pass, name, true, chosen));
         } else {
             const std::string unread = why_unread(f, pass, i);
             out.push_back(part_of(pass, name, unread.empty(), unread.empty() ? lookup_text(f, light) : unread));
