@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "renderer/base/error.h"
+#include "tests/support/text.h"
 
 namespace si::test {
 
@@ -25,10 +26,8 @@ std::string error_text(const Action& action) {
 
 /// Returns success if a text contains all parts; the failure shows the text.
 inline testing::AssertionResult mentions(std::string_view text, std::initializer_list<std::string_view> parts) {
-    for (const std::string_view part : parts)
-        if (text.find(part) == std::string_view::npos)
-            return testing::AssertionFailure() << "\"" << part << "\" is missing in \"" << text << "\"";
-    return testing::AssertionSuccess();
+    const std::string fault = lacking(text, parts);
+    return fault.empty() ? testing::AssertionSuccess() : testing::AssertionFailure() << fault;
 }
 
 /// Returns success if an action throws an error whose text contains all parts.

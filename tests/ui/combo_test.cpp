@@ -49,9 +49,7 @@ TEST(Combo, PressThatClosesOneOpensTheNext) {
     ui.frames(2);
     const int wanted = before == MapView::Raw ? 1 : 0;
     const auto label = find_setting("view.map")->param->choices()[std::size_t(wanted)].label;
-    const auto line = ui.find("##Combo", [&](unsigned window) {
-        return ImHashStr(std::string(label).c_str(), 0, ImHashData(&wanted, sizeof wanted, window));
-    });
+    const auto line = ui.find_choice(wanted, std::string(label));
     ASSERT_TRUE(line);
     ui.click(*line);
     EXPECT_EQ(ui.state.settings.view.map, MapView(wanted));

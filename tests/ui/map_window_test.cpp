@@ -134,13 +134,9 @@ TEST(MapWindow, LightIsSelectedByName) {
     m.ui.frames(3);
     m.ui.state.history.reset(s);
     m.ui.click(m.ui.find("editor/map", "view.light", "##value"));
-    const auto choice = [&](int value, const char* label) {
-        return m.ui.find(
-            "##Combo", [&](unsigned window) { return ImHashStr(label, 0, ImHashData(&value, sizeof value, window)); });
-    };
-    EXPECT_TRUE(choice(1, "Light 1"));
-    EXPECT_FALSE(choice(3, "Light 3"));
-    m.ui.click(choice(2, "Light 2 (Lamp)"));
+    EXPECT_TRUE(m.ui.find_choice(1, "Light 1"));
+    EXPECT_FALSE(m.ui.find_choice(3, "Light 3"));
+    m.ui.click(m.ui.find_choice(2, "Light 2 (Lamp)"));
     EXPECT_EQ(s.view.light, 2);
     EXPECT_EQ(m.ui.state.history.undo().view.light, 0);
     // A number above the last selects the last.

@@ -222,6 +222,11 @@ std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::s
     return found;
 }
 
+std::optional<glm::vec2> UiHarness::find_choice(int value, const std::string& label) {
+    return find("##Combo",
+                [&](ImGuiID seed) { return ImHashStr(label.c_str(), 0, ImHashData(&value, sizeof value, seed)); });
+}
+
 // Keyboard navigation keeps the box of the item that has the focus, also of a clipped one.
 ImRect UiHarness::box_of(ImGuiWindow* window, ImGuiID id) {
     ImGuiContext& g = *ImGui::GetCurrentContext();

@@ -100,6 +100,9 @@ public:
     /// Returns a position in pixels at which the mouse hovers a nested widget. `id` computes the widget's ID from the
     /// window's ID.
     std::optional<glm::vec2> find(const std::string& window, const std::function<unsigned(unsigned)>& id);
+    /// Returns a position in pixels at which the mouse hovers a choice in the open list of item_combo(). Returns
+    /// nothing for a choice that is not on the screen.
+    std::optional<glm::vec2> find_choice(int value, const std::string& label);
     /// Returns the ID of the hovered widget; 0 for none.
     unsigned hovered() const;
     /// Returns the width of the screen, pixels.
