@@ -25,7 +25,7 @@ default_stages=(
 )
 more_stages=(
   "window:the editor in windows of its own"
-  "products:full products of what the drawing tests take in pairs"
+  "products:full products of what tests take in part, and the slowest tests"
   "zink:drawing tests on zink over lavapipe"
   "asan:the build under AddressSanitizer and UndefinedBehaviorSanitizer; unit tests, each preset drawn"
 )

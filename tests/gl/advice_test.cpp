@@ -76,6 +76,7 @@ TEST_F(AdviceTest, ItsPredictionsHoldOnBuiltInScenes) {
     }
 }
 
+SI_TEST_IS(Slow, AdviceTest, FindsSettingsWithoutEffect);
 TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = settings_for(scene, {"filter.kernel=pcss", "light.size=0.01", "light.cascades=4"});
@@ -144,6 +145,7 @@ TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
 }
 
 /// Errors are real and the clock counts bytes. The result lies within a tenth of the optimum over all combinations.
+SI_TEST_IS(Slow, AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum);
 TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
     const std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf3", "pcf5"}},
                                          {"map.resolution", {"", "256", "512", "1024"}},

@@ -4,6 +4,7 @@
 #include "renderer/optimisations/optimisations.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/combinations.h"
 #include "tests/support/missing_reason.h"
 #include "tests/support/shared_models.h"
 #include "tests/support/traits.h"
@@ -72,10 +73,11 @@ TEST_F(CasterOptimisationsTest, KeepEveryTexelOfMovedMirroredAndShearedScenes) {
     expect_one_map(Scene{}, {}, "an empty scene");
 }
 
+SI_TEST_IS(Product, CasterOptimisationsTest, KeepEveryTexelOfRealModels);
 TEST_F(CasterOptimisationsTest, KeepEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
     if (models.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
-    for (const test::SharedModel& model : models) {
+    for (const test::SharedModel& model : test::portion(models, 4)) {
         std::optional<Scene> scene;
         try {
             scene = load_scene(model.file.string());

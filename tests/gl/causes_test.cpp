@@ -8,6 +8,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/sets.h"
 #include "tests/support/traits.h"
@@ -109,9 +110,10 @@ protected:
 };
 
 SI_TEST_IS(Repeated, CausesTest, CpuAndGpuAgree);
+SI_TEST_IS(Product, CausesTest, CpuAndGpuAgree);
 TEST_F(CausesTest, CpuAndGpuAgree) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
+    for (const char* kernel : test::portion<const char*>({"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}, 3)) {
         Settings s = test::texel_settings(kernel, 256, 0.4);
         EXPECT_GT(count(agree(box, s, kernel), Artefact::Acne), 100u);
         set_all(s, {"bias.constant=30", "bias.normal=4"});
@@ -171,7 +173,7 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
     s.caster.cull = Cull::Front;
     agree(box, s, "front culling", {.step = 2});
     const Scene teapot = load_scene("teapot");
-    for (const char* slope : {"1", "3", "10"})
+    for (const char* slope : test::portion<const char*>({"1", "3", "10"}, 3))
         EXPECT_GT(count(agree(teapot,
                               settings_for(teapot, {"light.fit=scene",
                                                     "bias.normal_source=shading",
@@ -183,7 +185,8 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
                         Artefact::EdgeAliasing),
                   20u);
     const Scene stage = load_scene("stage");
-    for (const char* extra : {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"})
+    for (const char* extra : test::portion<const char*>(
+             {"bias.constant=40", "caster.cull=front", "map.resolution=256", "bias.normal=30"}, 2))
         agree(stage, settings_for(stage, {extra}), extra);
 }
 

@@ -94,6 +94,7 @@ TEST_F(FixesTest, ASmallerNormalOffsetRemovesItsStrip) {
                  300);
 }
 
+SI_TEST_IS(Slow, FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling);
 TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
     const Scene stage = load_scene("stage");
     width = 320;

@@ -84,6 +84,7 @@ TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
 }
 
 /// The same holds for maps drawn in the background, by another context.
+SI_TEST_IS(Slow, MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers);
 TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "other drivers may keep memory";
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));

@@ -77,6 +77,7 @@ const std::vector<Sets>& cases() {
 
 SI_TESTS_ARE(DriverIndependent, OptimisationsTest);
 SI_TESTS_ARE(Repeated, OptimisationsTest);
+SI_TEST_IS(Slow, OptimisationsTest, ForcedOrNotDrawTheSameBytesOfRealModels);
 TEST_F(OptimisationsTest, ForcedOrNotDrawTheSameBytesInBuiltInScenes) {
     std::size_t next = 1;
     for (const BuiltinScene& row : builtin_scenes()) {

@@ -123,16 +123,19 @@ double changes_but_light_direction(const GuidedDrawing& g) {
     return double(changed_settings(s).size());
 }
 
+FrameResult shaded_frame(const GuidedDrawing& g) {
+    return hard_renderer().render(g.scene, g.settings, {.width = g.shot.width, .height = g.shot.height});
+}
+
 double colour_levels(const GuidedDrawing& g) {
+    const ByteImage picture = hard_renderer().read_colour(shaded_frame(g).colour);
     std::set<int> levels;
-    for (std::size_t i = 0; i < g.shot.colour.data.size(); i += 4) levels.insert(g.shot.colour.data[i]);
+    for (std::size_t i = 0; i < picture.data.size(); i += 4) levels.insert(picture.data[i]);
     return double(levels.size());
 }
 
 double red_marks(const GuidedDrawing& g) {
-    const FrameResult frame =
-        hard_renderer().render(g.scene, g.settings, {.width = g.shot.width, .height = g.shot.height});
-    const ByteImage marked = hard_renderer().read_colour(frame.panes.at(1).picture);
+    const ByteImage marked = hard_renderer().read_colour(shaded_frame(g).panes.at(1).picture);
     return share_of(marked, [](int r, int green, int) { return r > 150 && green < 90; }) * double(marked.data.size()) /
            4;
 }

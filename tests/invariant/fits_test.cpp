@@ -9,6 +9,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/sets.h"
 #include "tests/support/traits.h"
@@ -27,16 +28,21 @@ struct FitCase {
 std::vector<FitCase> fit_cases() {
     std::vector<FitCase> out;
     std::size_t turn = 0;
+    // By default a row meets one place, seen whole and in part, and in the full product all of them.
+    std::vector<std::pair<Place, bool>> ways;
+    for (const bool part : {false, true})
+        for (const Place& place : kPlaces) ways.emplace_back(place, part);
     for (const FitRow& row : fits())
         for (const LightType light : kLightTypes) {
             // Kernels with radii in metres or by depth meet varying texels and ranges over a warped map.
             const bool all = row.warps && light == LightType::Directional;
             const std::size_t first = turn++ * 5 % filters().size(), count = all ? filters().size() : 1;
-            for (std::size_t i = 0; i < count; ++i)
-                for (const Place& place : kPlaces)
-                    for (const bool part : {false, true})
-                        out.push_back({std::string(row.key), light,
-                                       std::string(filters()[(first + i) % filters().size()].key), place, part});
+            for (std::size_t i = 0; i < count; ++i) {
+                for (const auto& [place, part] : portion(ways, 3))
+                    out.push_back({std::string(row.key), light,
+                                   std::string(filters()[(first + i) % filters().size()].key), place, part});
+                std::rotate(ways.begin(), ways.begin() + 1, ways.end());
+            }
         }
     return out;
 }
@@ -74,6 +80,7 @@ Scene covered_in_part(const glm::dvec3& at) {
 }
 
 SI_TESTS_ARE(DriverIndependent, EachFit);
+SI_TESTS_ARE(Product, EachFit);
 // Away from edges visibility equals that of rays, for any part of the scene that the map leaves out; so all fits
 // agree.
 TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {

@@ -13,6 +13,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/combinations.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/traits.h"
 
@@ -117,6 +118,7 @@ TEST_P(EachSource, LightsALonePlane) {
 class EachSourceWithoutAMap : public EachSource {};
 
 SI_TESTS_ARE(DriverIndependent, EachSourceWithoutAMap);
+SI_TESTS_ARE(Product, EachSourceWithoutAMap);
 TEST_P(EachSourceWithoutAMap, IsIndependentOfKernelBiasAndFit) {
     const Scene half = scene(true);
     const FloatImage plain = draw_shot(half, settings(), 80, 60).visibility;
@@ -125,7 +127,8 @@ TEST_P(EachSourceWithoutAMap, IsIndependentOfKernelBiasAndFit) {
         set_setting(s, key, value);
         EXPECT_EQ(draw_shot(half, s, 80, 60).visibility.data, plain.data) << key << " " << value;
     };
-    for (const Filter& other : filters()) expect_same("filter.kernel", other.key);
+    for (const Filter& other : portion(std::vector<Filter>(filters().begin(), filters().end()), 4))
+        expect_same("filter.kernel", other.key);
     for (const Choice& other : bias_choices()) expect_same("bias.kind", other.key);
     for (const FitRow& other : fits()) expect_same("light.fit", other.key);
 }

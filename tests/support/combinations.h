@@ -44,4 +44,14 @@ std::vector<std::tuple<Values...>> combinations(const std::vector<Values>&... fa
     return out;
 }
 
+/// Returns every n-th element of a list, beginning with the first; with SI_FULL_PRODUCTS=1 the whole list. A test that
+/// uses it has the trait Product.
+template <typename Value>
+std::vector<Value> portion(const std::vector<Value>& list, std::size_t n) {
+    if (environment_number("SI_FULL_PRODUCTS", 0) != 0) return list;
+    std::vector<Value> out;
+    for (std::size_t i = 0; i < list.size(); i += n) out.push_back(list[i]);
+    return out;
+}
+
 }  // namespace si::test

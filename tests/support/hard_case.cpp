@@ -83,7 +83,7 @@ Shot draw_shot(const Scene& scene, const Settings& settings, int width, int heig
     FrameRequest request;
     request.width = width;
     request.height = height;
-    request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
+    request.outputs = {.colour = false, .shadow_map = true, .visibility = true, .overlay = true};
     Settings s = settings;
     s.view.overlay = overlay_row("non-finite");
     s.view.overlay_opacity = 0;
@@ -92,7 +92,6 @@ Shot draw_shot(const Scene& scene, const Settings& settings, int width, int heig
     if (shot.frame.visibility.texture) shot.visibility = renderer.read_float(shot.frame.visibility, 1);
     EXPECT_EQ(shot.visibility.data.size(), std::size_t(width) * std::size_t(height));
     EXPECT_TRUE(all_within(shot.visibility, kMaxVisibility, "visibility"));
-    shot.colour = renderer.read_colour(shot.frame.colour);
     const std::size_t light = std::size_t(std::max(s.view.light, 0));
     if (light < shot.frame.lights.size() && shot.frame.lights[light].casts)
         for (std::size_t face = 0; face < shot.frame.lights[light].views.size(); ++face) {

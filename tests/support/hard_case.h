@@ -16,11 +16,10 @@ namespace si::test {
 /// context.
 Renderer& hard_renderer();
 
-/// Read-back results of one drawn frame: visibility, colours and shadow maps of view.light.
+/// Read-back results of one drawn frame: visibility and shadow maps of view.light.
 struct Shot {
     FrameResult frame;
     FloatImage visibility;         ///< visibility of view.light, 0 to 1, without NaN (checked)
-    ByteImage colour;              ///< shaded picture
     std::vector<FloatImage> maps;  ///< depths of view.light, one map per face; empty for lights without shadow
     int width = 0;                 ///< pixels
     int height = 0;                ///< pixels

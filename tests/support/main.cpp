@@ -32,6 +32,7 @@ constexpr struct {
 } kTraits[] = {{"driver-independent", Trait::DriverIndependent},
                {"repeated", Trait::Repeated},
                {"product", Trait::Product},
+               {"slow", Trait::Slow},
                {"long", Trait::Long}};
 
 /// Returns googletest's patterns for a suite by itself and as an instance of a parameter.

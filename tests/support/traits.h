@@ -7,7 +7,8 @@ namespace si::test {
 enum class Trait {
     DriverIndependent,  ///< same result on every driver: left out of the run on a second driver
     Repeated,           ///< repetition of one computation or drawing: left out under the sanitizers
-    Product,            ///< loop over combinations(): once more over the full product with SI_FULL_PRODUCTS=1
+    Product,            ///< loop over combinations() or portion(): once more over everything with SI_FULL_PRODUCTS=1
+    Slow,               ///< duration above ten seconds, without a part that would do: left out of the quick run
     Long,               ///< duration of minutes: run by hand
 };
 
