@@ -19,17 +19,9 @@ inline SineCosine sine_cosine(double degrees) {
     int quarter = 0;
     const double rest = std::remquo(degrees, 90.0, &quarter) * kDegree;
     const double s = std::sin(rest), c = std::cos(rest);
+    const double turned[] = {s, c, -s, -c};
     // Adding 0 takes the sign off a zero, on which the basis about a direction would depend.
-    switch (quarter & 3) {
-        case 0:
-            return {s + 0.0, c + 0.0};
-        case 1:
-            return {c + 0.0, -s + 0.0};
-        case 2:
-            return {-s + 0.0, -c + 0.0};
-        default:
-            return {-c + 0.0, s + 0.0};
-    }
+    return {turned[quarter & 3] + 0.0, turned[(quarter + 1) & 3] + 0.0};
 }
 
 }  // namespace si

@@ -59,17 +59,9 @@ TrackedMemory::TrackedMemory(const TrackedMemory& other) {
 TrackedMemory::TrackedMemory(TrackedMemory&& other) noexcept
     : row_(std::exchange(other.row_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
 
-TrackedMemory& TrackedMemory::operator=(const TrackedMemory& other) {
-    if (this != &other) *this = TrackedMemory(other);
-    return *this;
-}
-
-TrackedMemory& TrackedMemory::operator=(TrackedMemory&& other) noexcept {
-    if (this != &other) {
-        drop();
-        row_ = std::exchange(other.row_, nullptr);
-        bytes_ = std::exchange(other.bytes_, 0);
-    }
+TrackedMemory& TrackedMemory::operator=(TrackedMemory other) noexcept {
+    std::swap(row_, other.row_);
+    std::swap(bytes_, other.bytes_);
     return *this;
 }
 

@@ -21,8 +21,7 @@ public:
     ~TrackedMemory() { drop(); }
     TrackedMemory(const TrackedMemory& other);
     TrackedMemory(TrackedMemory&& other) noexcept;
-    TrackedMemory& operator=(const TrackedMemory& other);
-    TrackedMemory& operator=(TrackedMemory&& other) noexcept;
+    TrackedMemory& operator=(TrackedMemory other) noexcept;
 
     /// Adds `bytes` (negative: subtracts) to this accounting entry. An entry without a holder ignores it.
     void add(std::int64_t bytes);

@@ -9,6 +9,14 @@
 
 namespace si {
 
+/// Hashes 64 bits by the finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
+constexpr std::uint64_t splitmix64(std::uint64_t z) {
+    z += 0x9e3779b97f4a7c15ull;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
+}
+
 /// Running 64-bit hash that serves as a cache key: add() all inputs of a result, then read value(). Never 0, which
 /// stands for "undefined contents".
 class Key {
@@ -53,13 +61,8 @@ public:
     std::uint64_t value() const { return hash_ ? hash_ : 1; }
 
 private:
-    /// Mixes 64 bits into the running hash by the finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
-    void mix(std::uint64_t bits) {
-        std::uint64_t z = (hash_ ^ bits) + 0x9e3779b97f4a7c15ull;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-        hash_ = z ^ (z >> 31);
-    }
+    /// Mixes 64 bits into the running hash.
+    void mix(std::uint64_t bits) { hash_ = splitmix64(hash_ ^ bits); }
     std::uint64_t hash_ = 0x243f6a8885a308d3ull;
 };
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <system_error>
 
+#include "renderer/base/lower_case.h"
 #include "renderer/base/percent_decoded.h"
 #include "renderer/gltf/file.h"
 
@@ -43,16 +44,12 @@ std::optional<Bytes> decode_base64(std::string_view text) {
     return out;
 }
 
+/// Returns true when a URI begins with a scheme (RFC 3986, section 3.1).
 bool has_scheme(std::string_view uri) {
-    const std::size_t colon = uri.find(':');
-    if (colon == std::string_view::npos || colon == 0) return false;
-    const auto is_scheme_char = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '+' || c == '-' ||
-               c == '.';
-    };
-    const char first = uri.front();
-    const bool letter = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
-    return letter && std::all_of(uri.begin(), uri.begin() + static_cast<std::ptrdiff_t>(colon), is_scheme_char);
+    constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
+    const std::string scheme = lower_ascii(uri.substr(0, uri.find(':')));
+    return !scheme.empty() && scheme.size() < uri.size() && kLetters.find(scheme[0]) != kLetters.npos &&
+           scheme.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789+-.") == scheme.npos;
 }
 
 bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder) {

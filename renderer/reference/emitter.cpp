@@ -6,19 +6,12 @@
 #include <numbers>
 
 #include "renderer/base/directions.h"
+#include "renderer/base/key.h"
 
 namespace si {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// Hashes 64 bits by the finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
-std::uint64_t scrambled(std::uint64_t z) {
-    z += 0x9e3779b97f4a7c15ull;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return z ^ (z >> 31);
-}
 
 /// Maps [-1,1]^2 to the unit disk, preserving areas.
 glm::dvec2 on_disk(double x, double y) {
@@ -37,7 +30,7 @@ Emitter emitter_of(const FittedLight& light, const LightSettings& settings) {
 }
 
 LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, int parts_per_axis, std::uint64_t pixel)
-    : emitter_(emitter), point_(point_ws), parts_(parts_per_axis), seed_(scrambled(pixel)) {
+    : emitter_(emitter), point_(point_ws), parts_(parts_per_axis), seed_(splitmix64(pixel)) {
     const glm::dvec3 towards = emitter.direction_from(point_ws, distance_);
     if (emitter.type == LightType::Spot) {
         axes_ = orthonormal_basis(emitter.to_light);
@@ -56,7 +49,7 @@ LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, i
 }
 
 LightRay LightSamples::ray(int x, int y) const {
-    const std::uint64_t bits = scrambled(seed_ + std::uint64_t(y) * 0x10001 + std::uint64_t(x));
+    const std::uint64_t bits = splitmix64(seed_ + std::uint64_t(y) * 0x10001 + std::uint64_t(x));
     const double jitter_x = double(bits >> 32) * 0x1p-32, jitter_y = double(bits & 0xffffffffu) * 0x1p-32;
     const glm::dvec2 disk = on_disk(2 * (x + jitter_x) / parts_ - 1, 2 * (y + jitter_y) / parts_ - 1);
     if (emitter_.type == LightType::Spot)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/base/finite.h"
+#include "renderer/base/index_of.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -18,17 +19,8 @@ bool is_length(const Settings& settings, const SettingRef& ref) {
 }  // namespace
 
 glm::dvec3 way_of(PlacedAlong along) {
-    switch (along) {
-        case PlacedAlong::X:
-            return {1, 0, 0};
-        case PlacedAlong::Y:
-            return {0, 1, 0};
-        case PlacedAlong::Z:
-            return {0, 0, 1};
-        case PlacedAlong::Aslant:
-            break;
-    }
-    return glm::normalize(glm::dvec3(2, 1, 5));
+    if (along == PlacedAlong::Aslant) return glm::normalize(glm::dvec3(2, 1, 5));
+    return glm::dmat3(1)[index_of(along) - index_of(PlacedAlong::X)];
 }
 
 glm::dmat4 placement_of(const SceneSettings& settings) {
