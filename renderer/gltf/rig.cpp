@@ -3,37 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace si::gltf {
 namespace {
 
 constexpr std::size_t kMostDeformedVertices = std::size_t{1} << 24;
-
-template <class T>
-void gather(std::vector<T>& values, const std::vector<std::uint32_t>& from) {
-    if (values.empty()) return;
-    std::vector<T> out;
-    out.reserve(from.size());
-    for (const std::uint32_t i : from) out.push_back(values[i]);
-    values = std::move(out);
-}
-
-/// Splits all vertices, so that each triangle has its own three and can have a flat normal; updates `pick` too.
-void unweld(Mesh& mesh, std::vector<std::uint32_t>& pick) {
-    const std::vector<std::uint32_t> from = mesh.indices;
-    gather(mesh.positions.edit(), from);
-    gather(mesh.uv.edit(), from);
-    gather(mesh.uv_normal.edit(), from);
-    gather(mesh.tangents.edit(), from);
-    gather(mesh.colours.edit(), from);
-    if (pick.empty())
-        pick = from;
-    else
-        gather(pick, from);
-    std::vector<std::uint32_t>& indices = mesh.indices.edit();
-    std::iota(indices.begin(), indices.end(), 0u);
-}
 
 class Builder {
 public:
@@ -128,7 +102,13 @@ private:
         std::vector<std::uint32_t> pick;
         auto made = primitives_.make(primitive, place, from.name, pick);
         if (!made) return out;
-        if (made->normals.empty()) unweld(*made, pick);
+        if (made->normals.empty()) {  // a flat normal needs three vertices of the triangle's own
+            std::vector<std::uint32_t> corners = made->indices;
+            if (!pick.empty())
+                for (std::uint32_t& corner : corners) corner = pick[corner];
+            pick = std::move(corners);
+            split_vertices(*made);
+        }
         auto source = std::make_shared<DeformSource>();
         source->positions = made->positions.all();
         source->normals = made->normals.all();

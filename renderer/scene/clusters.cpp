@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/base/directions.h"
+
 namespace si {
 namespace {
 
@@ -23,12 +25,6 @@ glm::ivec3 divided(const glm::dvec3& size, double cells) {
 
 /// Sine of the safety margin of facing tests, for float rounding of normals and positions in the driver.
 constexpr double kClear = 1e-2;
-
-glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 n = glm::cross(b - a, c - a);
-    const double length = glm::length(n);
-    return length > 0 ? n / length : glm::dvec3(0);
-}
 
 }  // namespace
 

@@ -3,17 +3,13 @@
 #include <array>
 #include <numeric>
 
+#include "renderer/base/directions.h"
+
 namespace si {
 namespace {
 
 /// Assumed size of the driver's vertex cache. A vertex outside it is shaded again, so that a copy costs nothing.
 constexpr std::uint32_t kRemembered = 64;
-
-glm::vec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 cross = glm::cross(b - a, c - a);
-    const double length = glm::length(cross);
-    return length > 0 ? glm::vec3(cross / length) : glm::vec3(0);
-}
 
 }  // namespace
 
@@ -29,7 +25,7 @@ FlatNormalMesh face_normals(std::span<const glm::vec3> positions, std::span<cons
     const auto remembered = [&](std::uint32_t v) { return shaded[v] != 0 && count - shaded[v] < kRemembered; };
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         const std::array<std::uint32_t, 3> corners{indices[i], indices[i + 1], indices[i + 2]};
-        const glm::vec3 n = normal_of(positions[corners[0]], positions[corners[1]], positions[corners[2]]);
+        const glm::vec3 n = unit_normal(positions[corners[0]], positions[corners[1]], positions[corners[2]]);
         // Preferred corner: one with this normal, else a free one, else one that would be shaded again anyway.
         std::size_t best = 0;
         int best_rank = -1;

@@ -29,11 +29,10 @@ public:
     /// Returns true when `mesh` shares all arrays with the remembered mesh and has an equal material. Never for a
     /// deformed mesh.
     bool is(const Scene& scene, const Mesh& mesh) const {
-        return rigid_ && !mesh.deformer && mesh_.positions.shares_storage_with(mesh.positions) &&
-               mesh_.normals.shares_storage_with(mesh.normals) && mesh_.uv.shares_storage_with(mesh.uv) &&
-               mesh_.uv_normal.shares_storage_with(mesh.uv_normal) &&
-               mesh_.tangents.shares_storage_with(mesh.tangents) && mesh_.colours.shares_storage_with(mesh.colours) &&
-               mesh_.indices.shares_storage_with(mesh.indices) && material_ == material_of(scene, mesh);
+        bool shared = rigid_ && !mesh.deformer && mesh_.indices.shares_storage_with(mesh.indices);
+        for_each_attribute(
+            [&](auto attribute) { shared = shared && (mesh_.*attribute).shares_storage_with(mesh.*attribute); });
+        return shared && material_ == material_of(scene, mesh);
     }
 
 private:

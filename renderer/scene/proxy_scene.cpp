@@ -22,13 +22,9 @@ int few_texels(int side) {
 }
 
 Texture few_texels_of(const Texture& from) {
-    Texture to{.name = from.name, .width = few_texels(from.width), .height = few_texels(from.height), .rgba = {}};
-    to.srgb = from.srgb;
-    to.wrap_s = from.wrap_s;
-    to.wrap_t = from.wrap_t;
-    to.nearest_mag = from.nearest_mag;
-    to.nearest_min = from.nearest_min;
-    to.mipmaps = from.mipmaps;
+    Texture to = from;
+    to.width = few_texels(from.width);
+    to.height = few_texels(from.height);
     if (from.rgba.empty()) return to;
     std::vector<std::uint8_t> rgba;
     for (int y = 0; y < to.height; ++y) {
@@ -37,12 +33,6 @@ Texture few_texels_of(const Texture& from) {
     }
     to.rgba = std::move(rgba);
     return to;
-}
-
-template <typename T>
-void keep_some(SharedArray<T>& of, const SharedArray<T>& from, const std::vector<std::uint32_t>& kept) {
-    if (from.empty()) return;
-    for (const std::uint32_t i : kept) of.push_back(from[i]);
 }
 
 /// Returns a mesh of the triangles with the outermost vertices along each axis.
@@ -60,16 +50,10 @@ Mesh outermost_triangles(const Mesh& from) {
     std::vector<std::uint32_t> kept;
     for (const std::size_t t : triangles)
         for (std::size_t corner = 0; corner < 3; ++corner) kept.push_back(from.indices[3 * t + corner]);
-    Mesh to;
-    to.name = from.name;
-    to.material = from.material;
-    keep_some(to.positions, from.positions, kept);
-    keep_some(to.normals, from.normals, kept);
-    keep_some(to.uv, from.uv, kept);
-    keep_some(to.uv_normal, from.uv_normal, kept);
-    keep_some(to.tangents, from.tangents, kept);
-    keep_some(to.colours, from.colours, kept);
-    for (std::uint32_t i = 0; i < kept.size(); ++i) to.indices.push_back(i);
+    Mesh to = from;
+    to.deformer = nullptr;
+    to.indices = std::move(kept);
+    split_vertices(to);
     return to;
 }
 

@@ -114,14 +114,6 @@ void place_nodes(std::vector<Node>& nodes) {
     }
 }
 
-template <class T>
-void unweld(SharedArray<T>& values, const SharedArray<std::uint32_t>& indices) {
-    if (values.empty()) return;
-    std::vector<T> out(indices.size());
-    for (std::size_t i = 0; i < indices.size(); ++i) out[i] = values[indices[i]];
-    values = std::move(out);
-}
-
 glm::dvec3 face_cross(const Mesh& m, std::size_t first) {
     const glm::dvec3 a(m.positions[m.indices[first]]);
     return glm::cross(glm::dvec3(m.positions[m.indices[first + 1]]) - a,
@@ -130,15 +122,9 @@ glm::dvec3 face_cross(const Mesh& m, std::size_t first) {
 
 /// Splits all vertices, so that each triangle has its own three with the face normal.
 void make_flat(Mesh& mesh) {
-    unweld(mesh.positions, mesh.indices);
-    unweld(mesh.uv, mesh.indices);
-    unweld(mesh.uv_normal, mesh.indices);
-    unweld(mesh.tangents, mesh.indices);
-    unweld(mesh.colours, mesh.indices);
-    std::vector<std::uint32_t>& indices = mesh.indices.edit();
-    std::iota(indices.begin(), indices.end(), 0u);
+    split_vertices(mesh);
     std::vector<glm::vec3> normals(mesh.positions.size());
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
+    for (std::size_t i = 0; i < normals.size(); i += 3) {
         const glm::vec3 n(glm::normalize(face_cross(mesh, i)));
         normals[i] = normals[i + 1] = normals[i + 2] = n;
     }
@@ -375,6 +361,18 @@ void drop_unplaced(std::vector<T>& things, std::string_view what, Scene& scene) 
 
 }  // namespace
 
+void split_vertices(Mesh& mesh) {
+    for_each_attribute([&]<typename T>(SharedArray<T> Mesh::*attribute) {
+        const SharedArray<T>& values = mesh.*attribute;
+        if (values.empty()) return;
+        std::vector<T> split(mesh.indices.size());
+        for (std::size_t i = 0; i < split.size(); ++i) split[i] = values[mesh.indices[i]];
+        mesh.*attribute = std::move(split);
+    });
+    std::vector<std::uint32_t>& indices = mesh.indices.edit();
+    std::iota(indices.begin(), indices.end(), 0u);
+}
+
 Box Bounds::corners(const glm::dmat4& m) const {
     Box box;
     for (std::size_t i = 0; i < box.size(); ++i)
@@ -410,12 +408,7 @@ namespace {
 constexpr std::string_view kHolder = "scenes";
 
 void track_arrays(Mesh& m) {
-    m.positions.track_memory(kHolder);
-    m.normals.track_memory(kHolder);
-    m.uv.track_memory(kHolder);
-    m.uv_normal.track_memory(kHolder);
-    m.tangents.track_memory(kHolder);
-    m.colours.track_memory(kHolder);
+    for_each_attribute([&](auto attribute) { (m.*attribute).track_memory(kHolder); });
     m.indices.track_memory(kHolder);
 }
 

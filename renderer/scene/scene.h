@@ -121,6 +121,21 @@ struct Mesh {
     std::shared_ptr<const Deformer> deformer;  ///< morph targets and skin; null: rigid
 };
 
+/// Calls `work` with the pointer to each member of Mesh that holds one attribute of all vertices, positions first.
+template <typename Work>
+void for_each_attribute(Work&& work) {
+    work(&Mesh::positions);
+    work(&Mesh::normals);
+    work(&Mesh::uv);
+    work(&Mesh::uv_normal);
+    work(&Mesh::tangents);
+    work(&Mesh::colours);
+}
+
+/// Splits the vertices of a mesh, so that each triangle has its own three. Vertex i is then the copy of the vertex that
+/// index i named.
+void split_vertices(Mesh& mesh);
+
 /// Node of the scene's transform hierarchy.
 struct Node {
     std::string name;

@@ -166,10 +166,7 @@ Mesh transformed(Mesh mesh, const glm::dmat4& m) {
 
 void append(Mesh& mesh, const Mesh& more) {
     const auto base = std::uint32_t(mesh.positions.size());
-    mesh.positions.append(more.positions);
-    mesh.normals.append(more.normals);
-    mesh.uv.append(more.uv);
-    mesh.colours.append(more.colours);
+    for_each_attribute([&](auto attribute) { (mesh.*attribute).append(more.*attribute); });
     for (std::uint32_t index : more.indices) mesh.indices.push_back(base + index);
 }
 
