@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/scenes/hard_scenes.h"
+#include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
@@ -53,7 +53,7 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
         for (const glm::dvec3& lamp : {glm::dvec3(0, 2, 0), glm::dvec3(0.3, 1.7, -0.4)})
             for (const char* kernel : {"pcf3", "pcf9", "poisson", "pcss", "vsm"}) {
                 SCOPED_TRACE(testing::Message() << kernel << " " << lamp.x << " " << at.x);
-                Scene scene = hard_lamp();
+                Scene scene = hard_cases()[30 - 1].make();
                 test::move_scene(scene, at);
                 Settings s =
                     settings_with(test::texel_settings(kernel, 256, 0),
@@ -72,7 +72,7 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
 
 // All texels of a look-up lie in its face: nothing outside the sides is ever read.
 TEST_F(HardCase30, NothingIsReadOutsideAFace) {
-    const Scene scene = hard_lamp();
+    const Scene scene = hard_cases()[30 - 1].make();
     for (const Sets& reach : {Sets{"filter.kernel=pcf9", "bias.normal=6"},
                               {"filter.kernel=pcss", "light.size=0.3"},
                               {"filter.kernel=pcf3", "map.blur_texels=5"}}) {
