@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace si {
 namespace {
@@ -109,25 +108,6 @@ FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, co
     if (advice.better) advice.extra_cost = dots[*advice.better].cost - present.cost;
     if (advice.cheaper) advice.saved_cost = present.cost - dots[*advice.cheaper].cost;
     return advice;
-}
-
-std::optional<double> log_slope(std::span<const double> x, std::span<const double> error) {
-    std::vector<double> u, v;
-    for (std::size_t i = 0; i < std::min(x.size(), error.size()); ++i)
-        if (x[i] > 0 && error[i] > 0 && std::isfinite(x[i]) && std::isfinite(error[i])) {
-            u.push_back(std::log(x[i]));
-            v.push_back(std::log(error[i]));
-        }
-    if (u.size() < 2) return {};
-    const double n = double(u.size());
-    const double mu = std::accumulate(u.begin(), u.end(), 0.0) / n, mv = std::accumulate(v.begin(), v.end(), 0.0) / n;
-    double uu = 0, uv = 0;
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        uu += (u[i] - mu) * (u[i] - mu);
-        uv += (u[i] - mu) * (v[i] - mv);
-    }
-    if (uu <= 0) return {};
-    return uv / uu;
 }
 
 }  // namespace si

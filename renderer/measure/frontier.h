@@ -62,9 +62,4 @@ struct FrontierAdvice {
 /// @param on_frontier flags by dot: true on the frontier, as frontier(dots) returns
 FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier);
 
-/// Fits log(error) over log(x) by least squares and returns the slope, over pairs in which both are positive and
-/// finite. Returns nothing for fewer than two distinct x. The boundary error of hard shadows has slope -1 over the
-/// resolution.
-std::optional<double> log_slope(std::span<const double> x, std::span<const double> error);
-
 }  // namespace si

@@ -61,12 +61,5 @@ TEST(Frontier, AdviceNamesTheNextBetterAndTheCheaper) {
     EXPECT_FALSE(best.better || best.cheaper);
 }
 
-TEST(Frontier, FindsTheSlopeOfAPowerLaw) {
-    const std::vector<double> x = {512, 1024, 2048}, y = {8, 4, 2};
-    EXPECT_NEAR(*log_slope(x, y), -1, 1e-12);
-    EXPECT_FALSE(log_slope(std::vector<double>{1, 1}, std::vector<double>{2, 3}));
-    EXPECT_FALSE(log_slope(std::vector<double>{1}, std::vector<double>{2}));
-}
-
 }  // namespace
 }  // namespace si
