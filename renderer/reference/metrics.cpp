@@ -340,17 +340,10 @@ double Metric::value(const ErrorMetrics& m) const {
 }
 
 double distance_from_best(Better better, double value) {
-    switch (better) {
-        case Better::Less:
-            return value;
-        case Better::NearZero:
-            return std::abs(value);
-        case Better::More:
-            return 1 - value;
-        case Better::Neither:
-            break;
-    }
-    return std::numeric_limits<double>::quiet_NaN();
+    return better == Better::Less       ? value
+           : better == Better::NearZero ? std::abs(value)
+           : better == Better::More     ? 1 - value
+                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::uint32_t compared_bits(float v, const ReferencePixel& reference, bool outside) {
