@@ -16,7 +16,6 @@ namespace si {
 namespace {
 
 constexpr const char* kAlpha[] = {"opaque", "mask", "blend"};
-constexpr const char* kLights[] = {"directional", "spot", "point"};
 
 /// Returns the index of a texture in the printed list.
 Json texture_number(int index) {
@@ -38,7 +37,7 @@ Json texture_json(const Texture& t) {
 }
 
 Json light_json(const SceneLight& l) {
-    Json json = {{"name", l.name}, {"type", kLights[std::size_t(l.type)]}};
+    Json json = {{"name", l.name}, {"type", kLightTypeKeys[std::size_t(l.type)]}};
     json["position"] = vector_json(glm::dvec3(l.world[3]));
     if (l.type != LightType::Point) json["shines_along"] = vector_json(-glm::normalize(glm::dvec3(l.world[2])));
     if (l.type == LightType::Spot) json["cone_deg"] = 2 * l.outer_cone_rad * 180 / std::numbers::pi;

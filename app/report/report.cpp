@@ -48,10 +48,9 @@ Json view_json(const LightView& view) {
 }
 
 Json light_json(const Session& session, const FrameResult& frame, std::size_t i) {
-    static constexpr const char* kTypes[] = {"directional", "spot", "point"};
     const FittedLight& light = frame.lights[i];
     Json json = {{"light", i},
-                 {"type", kTypes[std::size_t(light.type)]},
+                 {"type", kLightTypeKeys[std::size_t(light.type)]},
                  {"source", source_of(session.settings, int(i)).key},
                  {"casts", light.casts},
                  {"reason", light.reason},

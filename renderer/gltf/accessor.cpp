@@ -41,30 +41,32 @@ void convert(const Source& source, int width, std::size_t count, std::span<const
     }
 }
 
-void convert(int component_type, const Source& source, int width, std::size_t count,
-             std::span<const std::uint32_t> pick, float* out) {
+/// Calls `work` with a 0 of the type of a glTF componentType.
+template <class Work>
+auto with_component(int component_type, Work&& work) {
     switch (component_type) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:
-            return convert<std::int8_t>(source, width, count, pick, out);
+            return work(std::int8_t());
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return convert<std::uint8_t>(source, width, count, pick, out);
+            return work(std::uint8_t());
         case TINYGLTF_COMPONENT_TYPE_SHORT:
-            return convert<std::int16_t>(source, width, count, pick, out);
+            return work(std::int16_t());
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return convert<std::uint16_t>(source, width, count, pick, out);
+            return work(std::uint16_t());
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-            return convert<std::uint32_t>(source, width, count, pick, out);
+            return work(std::uint32_t());
         default:
-            break;
+            return work(float());
     }
+}
+
+void convert(int component_type, const Source& source, int width, std::size_t count,
+             std::span<const std::uint32_t> pick, float* out) {
     const auto bytes = std::size_t(width) * sizeof(float);
-    if (pick.empty() && source.stride == bytes) {
+    if (component_type == TINYGLTF_COMPONENT_TYPE_FLOAT && pick.empty() && source.stride == bytes)
         std::memcpy(out, source.data, count * bytes);
-        return;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        std::memcpy(out + i * std::size_t(width), source.data + (pick.empty() ? i : pick[i]) * source.stride, bytes);
-    }
+    else
+        with_component(component_type, [&]<class T>(T) { convert<T>(source, width, count, pick, out); });
 }
 
 /// Converts indices of any type to 32 bits and returns the largest. Works in blocks that stay in the CPU cache.
@@ -92,18 +94,7 @@ std::uint32_t widen(const Source& source, std::size_t count, std::uint32_t* out)
 
 /// Converts indices to 32 bits and returns the largest. @param component_type unsigned; validated by the callers
 std::uint32_t widen(int component_type, const Source& source, std::size_t count, std::uint32_t* out) {
-    switch (component_type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return widen<std::uint8_t>(source, count, out);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return widen<std::uint16_t>(source, count, out);
-        default:
-            return widen<std::uint32_t>(source, count, out);
-    }
-}
-
-std::size_t bytes_per_component(int component_type) {
-    return component_bytes(static_cast<std::uint64_t>(component_type));
+    return with_component(component_type, [&]<class T>(T) { return widen<T>(source, count, out); });
 }
 
 }  // namespace
@@ -148,7 +139,7 @@ std::vector<std::uint32_t> Accessors::sparse_positions(int accessor, const Place
     const auto bytes =
         buffers_.view(std::size_t(sparse.indices.bufferView)).subspan(std::size_t(sparse.indices.byteOffset));
     std::vector<std::uint32_t> out(count);
-    widen(sparse.indices.componentType, {bytes.data(), bytes_per_component(sparse.indices.componentType)}, count,
+    widen(sparse.indices.componentType, {bytes.data(), component_bytes(sparse.indices.componentType)}, count,
           out.data());
     for (std::size_t i = 0; i < count; ++i) {
         if (out[i] >= a.count || (i > 0 && out[i] <= out[i - 1])) {
@@ -166,7 +157,7 @@ void Accessors::overlay_sparse(int accessor, const Place& place, int width, floa
         buffers_.view(std::size_t(a.sparse.values.bufferView)).subspan(std::size_t(a.sparse.values.byteOffset));
     const std::size_t n = std::size_t(width);
     std::vector<float> values(positions.size() * n);
-    convert(a.componentType, {bytes.data(), n * bytes_per_component(a.componentType), a.normalized}, width,
+    convert(a.componentType, {bytes.data(), n * component_bytes(a.componentType), a.normalized}, width,
             positions.size(), {}, values.data());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         std::copy_n(values.data() + i * n, n, out + positions[i] * n);
@@ -189,8 +180,7 @@ void Accessors::read(int accessor, const Place& place, int width, std::span<cons
     } else {
         const auto bytes = buffers_.view(std::size_t(a.bufferView)).subspan(a.byteOffset);
         const std::size_t stride = model_.bufferViews[std::size_t(a.bufferView)].byteStride;
-        const Source source{bytes.data(), stride == 0 ? n * bytes_per_component(a.componentType) : stride,
-                            a.normalized};
+        const Source source{bytes.data(), stride == 0 ? n * component_bytes(a.componentType) : stride, a.normalized};
         convert(a.componentType, source, width, count, pick, out);
     }
     if (a.sparse.isSparse) overlay_sparse(accessor, place, width, out);
@@ -212,11 +202,12 @@ template std::vector<glm::vec2> Accessors::floats<2>(int, const Place&, std::spa
 template std::vector<glm::vec3> Accessors::floats<3>(int, const Place&, std::span<const std::uint32_t>);
 template std::vector<glm::vec4> Accessors::floats<4>(int, const Place&, std::span<const std::uint32_t>);
 
-std::vector<float> Accessors::scalars(int accessor, const Place& place) {
-    expect_width(accessor, 1, place);
-    spend(accessor, count(accessor) * sizeof(float), place);
-    std::vector<float> out(count(accessor));
-    read(accessor, place, 1, {}, out.data());
+std::vector<float> Accessors::numbers(int accessor, const Place& place, int width) {
+    expect_width(accessor, width, place);
+    const std::size_t size = count(accessor) * std::size_t(width);
+    spend(accessor, size * sizeof(float), place);
+    std::vector<float> out(size);
+    read(accessor, place, width, {}, out.data());
     return out;
 }
 
@@ -236,7 +227,7 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
     expect_width(accessor, 1, place);
     spend(accessor, a.count * sizeof(std::uint32_t), place);
     std::vector<std::uint32_t> out(a.count);
-    const std::size_t component = bytes_per_component(a.componentType);
+    const std::size_t component = component_bytes(a.componentType);
     if (a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
         a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {

@@ -28,8 +28,9 @@ public:
     template <int N>
     std::vector<glm::vec<N, float>> floats(int accessor, const Place& place, std::span<const std::uint32_t> pick = {});
 
-    /// Reads a glTF accessor of scalars. @param place position in the JSON, for errors
-    std::vector<float> scalars(int accessor, const Place& place);
+    /// Reads a glTF accessor as floats, `width` for each element. @param place position in the JSON, for errors
+    /// @throws Error when the element type has another width
+    std::vector<float> numbers(int accessor, const Place& place, int width);
     /// Reads a glTF accessor of 4 x 4 matrices. @param place position in the JSON, for errors
     std::vector<glm::mat4> matrices(int accessor, const Place& place);
     /// Reads a glTF accessor of unsigned integers below `limit`. @throws Error naming the first number that is not

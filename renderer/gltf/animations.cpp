@@ -9,22 +9,9 @@
 namespace si::gltf {
 namespace {
 
-std::optional<std::size_t> index_of(const Json& object, const char* key, std::size_t size) {
-    if (!object.is_object()) return std::nullopt;
-    const auto it = object.find(key);
-    if (it == object.end() || !it->is_number_unsigned() || it->get<std::uint64_t>() >= size) return std::nullopt;
-    return it->get<std::size_t>();
-}
-
-std::string string_of(const Json& object, const char* key) {
-    if (!object.is_object()) return "";
-    const auto it = object.find(key);
-    return it != object.end() && it->is_string() ? it->get<std::string>() : std::string();
-}
-
 const Json* array_of(const Json& object, const char* key) {
-    const auto it = object.find(key);
-    return it != object.end() && it->is_array() ? &*it : nullptr;
+    const Json* const value = member(&object, key);
+    return value && value->is_array() ? value : nullptr;
 }
 
 class Reader {
@@ -45,15 +32,15 @@ public:
 
 private:
     std::string read_channel(const Json& json, const Json& samplers, const Place& place, Animation& out) {
-        const auto sampler = index_of(json, "sampler", samplers.size());
+        const auto sampler = index_member(json, "sampler", samplers.size());
         if (!sampler) return "a channel has no valid sampler";
         const auto target = json.find("target");
         if (target == json.end() || !target->is_object()) return "a channel has no target";
         if (!target->contains("node")) return "";  // targets of extensions are ignored
-        const auto node = index_of(*target, "node", model_.nodes.size());
+        const auto node = index_member(*target, "node", model_.nodes.size());
         if (!node) return "a channel's node does not exist";
         AnimationChannel channel;
-        if (!set_property(string_of(*target, "path"), *node, channel)) return "";
+        if (!set_property(text_member(*target, "path"), *node, channel)) return "";
         const std::string broken = read_sampler(samplers[*sampler], place, channel);
         if (!broken.empty()) return broken;
         channel.node = scene_node_[*node];
@@ -66,27 +53,19 @@ private:
     }
 
     bool set_property(const std::string& path, std::size_t node, AnimationChannel& channel) const {
-        if (path == "translation")
-            channel.property = AnimatedProperty::Translation;
-        else if (path == "scale")
-            channel.property = AnimatedProperty::Scale;
-        else if (path == "rotation")
-            channel.property = AnimatedProperty::Rotation;
-        else if (path == "weights")
-            channel.property = AnimatedProperty::Weights;
-        else
-            return false;
-        channel.width = 3;
-        if (path == "rotation") channel.width = 4;
-        if (path == "weights") channel.width = target_count(model_, model_.nodes[node].mesh);
+        static constexpr std::string_view kPaths[] = {"translation", "rotation", "scale", "weights"};
+        const auto found = std::ranges::find(kPaths, path);
+        if (found == std::end(kPaths)) return false;
+        channel.property = AnimatedProperty(found - kPaths);
+        channel.width = path == "rotation" ? 4 : path == "weights" ? target_count(model_, model_.nodes[node].mesh) : 3;
         return true;
     }
 
     std::string read_sampler(const Json& json, const Place& place, AnimationChannel& channel) {
-        const auto input = index_of(json, "input", model_.accessors.size());
-        const auto output = index_of(json, "output", model_.accessors.size());
+        const auto input = index_member(json, "input", model_.accessors.size());
+        const auto output = index_member(json, "output", model_.accessors.size());
         if (!input || !output) return "a sampler has no valid input or output";
-        const std::string interpolation = string_of(json, "interpolation");
+        const std::string interpolation = text_member(json, "interpolation");
         if (interpolation == "STEP")
             channel.interpolation = Interpolation::Step;
         else if (interpolation == "CUBICSPLINE")
@@ -102,32 +81,16 @@ private:
         if (channel.width > 0 && accessors_.count(out) * std::size_t(element) != keys * parts * channel.width) {
             return "a sampler's output does not fit its input";
         }
-        channel.times_s = accessors_.scalars(in, place);
+        channel.times_s = accessors_.numbers(in, place, 1);
         const auto& t = channel.times_s;
         for (std::size_t i = 0; i < t.size(); ++i) {
             if (!std::isfinite(t[i]) || t[i] < 0 || (i > 0 && !(t[i] > t[i - 1])))
                 return "a sampler's times do not rise";
         }
-        channel.values = read_values(out, element, place);
+        channel.values = accessors_.numbers(out, place, element);
         const bool finite =
             std::all_of(channel.values.begin(), channel.values.end(), [](float v) { return std::abs(v) <= 1e18f; });
         return finite ? "" : "a sampler's values are not finite";
-    }
-
-    std::vector<float> read_values(int accessor, int width, const Place& place) {
-        if (width == 1) return accessors_.scalars(accessor, place);
-        std::vector<float> out;
-        const auto append = [&](const auto& vectors) {
-            out.reserve(vectors.size() * std::size_t(width));
-            for (const auto& v : vectors) {
-                for (int i = 0; i < width; ++i) out.push_back(v[i]);
-            }
-        };
-        if (width == 3)
-            append(accessors_.floats<3>(accessor, place));
-        else
-            append(accessors_.floats<4>(accessor, place));
-        return out;
     }
 
     const tinygltf::Model& model_;
@@ -146,7 +109,7 @@ std::vector<Animation> read_animations(Context& context, const Json& root, const
     for (std::size_t i = 0; i < all->size(); ++i) {
         const Place place("animations", i);
         Animation animation;
-        animation.name = printable(string_of((*all)[i], "name"));
+        animation.name = printable(text_member((*all)[i], "name"));
         if (animation.name.empty()) animation.name = fmt::format("animation {}", i);
         const std::string broken = reader.read((*all)[i], place, animation);
         if (!broken.empty()) {

@@ -33,7 +33,6 @@ Container split_container(Context& context, std::span<const std::uint8_t> file) 
         return out;
     }
 
-    out.is_glb = true;
     if (file.size() < 20) context.fail("the GLB header is cut", kExportAgain);
     const std::uint32_t version = u32_at(file, 4), total = u32_at(file, 8);
     if (version != 2) {

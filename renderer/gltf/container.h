@@ -14,7 +14,6 @@ struct Container {
     std::string_view json;
     std::span<const std::uint8_t> bin;
     bool has_bin = false;
-    bool is_glb = false;
 };
 
 /// Splits the bytes of a glTF file into JSON and binary chunk. Recognises GLB by its first bytes, not by the file's

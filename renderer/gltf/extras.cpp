@@ -15,10 +15,8 @@ constexpr std::size_t kMostSuggestions = 100000;  // three for each of 30,000 ob
 
 /// Returns this program's part of an object's extras, or null.
 const Json* own_extras(const Json& object) {
-    const auto extras = object.find("extras");
-    if (extras == object.end() || !extras->is_object()) return nullptr;
-    const auto own = extras->find(kExtrasKey);
-    return own != extras->end() && own->is_object() ? &*own : nullptr;
+    const Json* const own = member(member(&object, "extras"), kExtrasKey);
+    return own && own->is_object() ? own : nullptr;
 }
 
 }  // namespace
@@ -33,10 +31,9 @@ void read_scene_extras(Context& context, const Json& root, int scene_index, Scen
     if (std::size_t(scene_index) >= scenes->size()) return;
     const Json* own = own_extras((*scenes)[std::size_t(scene_index)]);
     if (!own) return;
-    if (const auto about = own->find("about"); about != own->end() && about->is_string())
-        scene.about = printable(about->get_ref<const std::string&>(), 500);
-    const auto suggested = own->find("suggested");
-    if (suggested == own->end()) return;
+    if (own->contains("about") && (*own)["about"].is_string()) scene.about = printable(text_member(*own, "about"), 500);
+    const Json* const suggested = member(own, "suggested");
+    if (!suggested) return;
     if (!suggested->is_object() || suggested->size() > kMostSuggestions) {
         context.warn("its suggested settings are no object of at most 100000 members; they are left out");
         return;

@@ -14,15 +14,6 @@ std::string shown(const Json& value) {
     return value.dump();
 }
 
-std::uint64_t checked_whole(const Context& context, const Json& value, const Place& place, std::uint64_t most) {
-    if (!value.is_number_unsigned()) {
-        context.fail(place, fmt::format("{} is not a whole number of at least 0", shown(value)));
-    }
-    const auto number = value.get<std::uint64_t>();
-    if (number > most) context.fail(place, fmt::format("{} is more than the greatest possible value {}", number, most));
-    return number;
-}
-
 }  // namespace
 
 std::size_t checked_index(const Context& context, const Json& value, const Place& place, std::size_t size) {
@@ -44,13 +35,13 @@ Fields::Fields(const Context& context, const Json& object, const Place& place)
 std::optional<std::uint64_t> Fields::whole(const char* key, std::uint64_t most) const {
     const auto it = object_.find(key);
     if (it == object_.end()) return std::nullopt;
-    return checked_whole(context_, *it, Place(place_, key), most);
-}
-
-std::uint64_t Fields::whole_required(const char* key, std::uint64_t most) const {
-    const auto value = whole(key, most);
-    if (!value) context_.fail(Place(place_, key), "is missing");
-    return *value;
+    const Place here(place_, key);
+    if (!it->is_number_unsigned()) {
+        context_.fail(here, fmt::format("{} is not a whole number of at least 0", shown(*it)));
+    }
+    const auto number = it->get<std::uint64_t>();
+    if (number > most) context_.fail(here, fmt::format("{} is more than the greatest possible value {}", number, most));
+    return number;
 }
 
 std::optional<std::size_t> Fields::index(const char* key, std::size_t size) const {
@@ -59,10 +50,8 @@ std::optional<std::size_t> Fields::index(const char* key, std::size_t size) cons
     return checked_index(context_, *it, Place(place_, key), size);
 }
 
-std::size_t Fields::index_required(const char* key, std::size_t size) const {
-    const auto value = index(key, size);
-    if (!value) context_.fail(Place(place_, key), "is missing");
-    return *value;
+void Fields::fail_missing(const char* key) const {
+    context_.fail(Place(place_, key), "is missing");
 }
 
 std::optional<std::string> Fields::string(const char* key) const {
@@ -104,7 +93,7 @@ std::vector<std::size_t> Fields::indices(const char* key, std::size_t size) cons
 
 const Json& Fields::object(const char* key) const {
     const auto it = object_.find(key);
-    if (it == object_.end()) context_.fail(Place(place_, key), "is missing");
+    if (it == object_.end()) fail_missing(key);
     if (!it->is_object()) context_.fail(Place(place_, key), fmt::format("{} where an object is expected", shown(*it)));
     return *it;
 }

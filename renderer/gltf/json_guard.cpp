@@ -49,37 +49,12 @@ std::string fix_for_error(const std::string& extension) {
     return "export the model without it";
 }
 
-void write_core(const Json& value, std::string& out, int depth) {
-    static constexpr std::string_view kSkippedAnywhere[] = {"extensions", "extras"};
-    static constexpr std::string_view kSkippedAtTop[] = {"buffers", "images", "cameras", "animations"};
-    const auto skipped = [&](const std::string& key) {
-        const auto in = [&](const auto& list) {
-            return std::find(std::begin(list), std::end(list), key) != std::end(list);
-        };
-        return in(kSkippedAnywhere) || (depth == 0 && in(kSkippedAtTop));
-    };
-    if (value.is_object()) {
-        out += '{';
-        bool first = true;
-        for (const auto& [key, member] : value.items()) {
-            if (skipped(key)) continue;
-            if (!first) out += ',';
-            first = false;
-            out += Json(key).dump();
-            out += ':';
-            write_core(member, out, depth + 1);
-        }
-        out += '}';
-    } else if (value.is_array()) {
-        out += '[';
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            if (i > 0) out += ',';
-            write_core(value[i], out, depth + 1);
-        }
-        out += ']';
-    } else {
-        out += value.dump();
-    }
+/// Removes extensions and extras from a JSON value and all values within.
+void drop_extensions(Json& value) {
+    if (!value.is_structured()) return;
+    if (value.is_object())
+        for (const char* key : {"extensions", "extras"}) value.erase(key);
+    for (Json& part : value) drop_extensions(part);
 }
 
 }  // namespace
@@ -140,10 +115,37 @@ void check_asset_and_extensions(Context& context, const Json& root) {
     }
 }
 
+const Json* member(const Json* object, const char* key) {
+    if (!object || !object->is_object()) return nullptr;
+    const auto it = object->find(key);
+    return it == object->end() ? nullptr : &*it;
+}
+
+const Json* extension_of(const Json& object, const char* name) {
+    return member(member(&object, "extensions"), name);
+}
+
+std::string text_member(const Json& object, const char* key) {
+    const Json* const value = member(&object, key);
+    return value && value->is_string() ? value->get<std::string>() : std::string();
+}
+
+std::optional<std::size_t> index_member(const Json& object, const char* key, std::size_t size) {
+    const Json* const value = member(&object, key);
+    if (!value || !value->is_number_unsigned() || value->get<std::uint64_t>() >= size) return std::nullopt;
+    return value->get<std::size_t>();
+}
+
+bool is_number_within(const Json& value, double least, double most) {
+    return value.is_number() && value.get<double>() >= least && value.get<double>() <= most;
+}
+
 std::string core_text(const Json& root) {
-    std::string out;
-    write_core(root, out, 0);
-    return out;
+    Json core = Json::object();
+    for (const auto& [key, value] : root.items())
+        if (key != "buffers" && key != "images" && key != "cameras" && key != "animations") core[key] = value;
+    drop_extensions(core);
+    return core.dump();
 }
 
 }  // namespace si::gltf

@@ -14,64 +14,41 @@ namespace {
 
 /// Returns `object[key]` when it is a number in [least, most], `otherwise` when it is absent, else nothing.
 std::optional<double> number(const Json& object, const char* key, double least, double most, double otherwise) {
-    const auto it = object.find(key);
-    if (it == object.end()) return otherwise;
-    if (!it->is_number()) return std::nullopt;
-    const double value = it->get<double>();
-    if (!(value >= least && value <= most)) return std::nullopt;
-    return value;
+    const Json* const value = member(&object, key);
+    if (!value) return otherwise;
+    return is_number_within(*value, least, most) ? std::optional(value->get<double>()) : std::nullopt;
 }
 
 std::string name_of(const Json& object) {
-    const auto it = object.find("name");
-    return it != object.end() && it->is_string() ? printable(it->get_ref<const std::string&>()) : std::string();
-}
-
-const Json* member(const Json& object, const char* key) {
-    if (!object.is_object()) return nullptr;
-    const auto it = object.find(key);
-    return it == object.end() ? nullptr : &*it;
+    return printable(text_member(object, "name"));
 }
 
 /// Returns the light definition that a node refers to; null without one, and with a warning for an invalid reference.
 const Json* referenced_light(Context& context, const Json& root, const Json& node, const Place& place) {
-    const Json* extensions = member(node, "extensions");
-    const Json* extension = extensions ? member(*extensions, "KHR_lights_punctual") : nullptr;
-    if (!extension) return nullptr;
-    const Json* index = member(*extension, "light");
-    const Json* all = member(root, "extensions");
-    all = all ? member(*all, "KHR_lights_punctual") : nullptr;
-    all = all ? member(*all, "lights") : nullptr;
-    if (!index || !index->is_number_unsigned() || !all || !all->is_array() ||
-        index->get<std::uint64_t>() >= all->size() || !(*all)[index->get<std::size_t>()].is_object()) {
-        context.warn(Place(place, "KHR_lights_punctual"), "refers to no light; ignored");
-        return nullptr;
-    }
-    return &(*all)[index->get<std::size_t>()];
+    const Json* reference = extension_of(node, "KHR_lights_punctual");
+    if (!reference) return nullptr;
+    const Json* all = member(extension_of(root, "KHR_lights_punctual"), "lights");
+    const auto index = index_member(*reference, "light", all && all->is_array() ? all->size() : 0);
+    if (index && (*all)[*index].is_object()) return &(*all)[*index];
+    context.warn(Place(place, "KHR_lights_punctual"), "refers to no light; ignored");
+    return nullptr;
 }
 
 bool read_type(const Json& json, SceneLight& light) {
-    const Json* type = member(json, "type");
-    if (!type || !type->is_string()) return false;
-    if (*type == "directional")
-        light.type = LightType::Directional;
-    else if (*type == "spot")
-        light.type = LightType::Spot;
-    else if (*type == "point")
-        light.type = LightType::Point;
-    else
-        return false;
+    const auto found = std::ranges::find(kLightTypeKeys, text_member(json, "type"));
+    if (found == std::end(kLightTypeKeys)) return false;
+    light.type = LightType(found - kLightTypeKeys);
     return true;
 }
 
 bool read_colour(const Json& json, SceneLight& light) {
-    const Json* colour = member(json, "color");
+    const Json* colour = member(&json, "color");
     if (!colour) return true;
     if (!colour->is_array() || colour->size() != 3) return false;
     glm::dvec3 out;
     for (int i = 0; i < 3; ++i) {
         const Json& value = (*colour)[std::size_t(i)];
-        if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= 1e9)) return false;
+        if (!is_number_within(value, 0, 1e9)) return false;
         out[i] = value.get<double>();
     }
     light.colour = out;
@@ -80,7 +57,7 @@ bool read_colour(const Json& json, SceneLight& light) {
 
 bool read_cone(const Json& json, SceneLight& light) {
     constexpr double kHalfPi = std::numbers::pi / 2, kDefaultOuter = std::numbers::pi / 4;
-    const Json* spot = member(json, "spot");
+    const Json* spot = member(&json, "spot");
     light.outer_cone_rad = kDefaultOuter;
     if (!spot) return true;
     const auto inner = number(*spot, "innerConeAngle", 0, kHalfPi, 0);
@@ -135,8 +112,8 @@ void place_camera(Context& context, const Json& root, const Json& node, const Pl
     if (camera.name.empty()) camera.name = name_of(node);
     camera.world = world;
     const auto ignore = [&](std::string_view why) { context.warn(place, fmt::format("{}; ignored", why)); };
-    const Json* perspective = member(json, "perspective");
-    const Json* orthographic = member(json, "orthographic");
+    const Json* perspective = member(&json, "perspective");
+    const Json* orthographic = member(&json, "orthographic");
     if (!(glm::length(glm::dvec3(world[2])) > 0) || !(glm::length(glm::dvec3(world[1])) > 0)) {
         return ignore(fmt::format("{} is scaled to 0, the camera has no direction", node_place.text()));
     }

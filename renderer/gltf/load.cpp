@@ -17,10 +17,7 @@ namespace {
 
 std::string about(const Json& root) {
     const auto& asset = root["asset"];
-    const auto text = [&](const char* key) {
-        const auto it = asset.find(key);
-        return it != asset.end() && it->is_string() ? printable(it->get_ref<const std::string&>(), 120) : std::string();
-    };
+    const auto text = [&](const char* key) { return printable(text_member(asset, key), 120); };
     std::string out = fmt::format("glTF {}", text("version"));
     if (const std::string generator = text("generator"); !generator.empty())
         out += fmt::format(", written by {}", generator);

@@ -30,23 +30,10 @@ bool read_pair(const Json& object, const char* key, glm::dvec2& out) {
     if (!it->is_array() || it->size() != 2) return false;
     for (int i = 0; i < 2; ++i) {
         const Json& value = (*it)[std::size_t(i)];
-        if (!value.is_number() || !(std::abs(value.get<double>()) <= 1e6)) return false;
+        if (!is_number_within(value, -1e6, 1e6)) return false;
         out[i] = value.get<double>();
     }
     return true;
-}
-
-const Json* extension(const Json& object, const char* name) {
-    const auto extensions = object.find("extensions");
-    if (extensions == object.end() || !extensions->is_object()) return nullptr;
-    const auto it = extensions->find(name);
-    return it == extensions->end() ? nullptr : &*it;
-}
-
-/// Returns the texture info at `owner[key]`; null when absent. check_look() has validated that it is an object.
-const Json* texture_info(const Json& owner, const char* key) {
-    const auto it = owner.find(key);
-    return it == owner.end() ? nullptr : &*it;
 }
 
 }  // namespace
@@ -66,21 +53,21 @@ Materials::Materials(Context& context, const Json& root, const tinygltf::Model& 
     scene_.materials.reserve(model.materials.size());
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         scene_.materials.push_back(material_of(model.materials[i]));
-        scene_.materials.back().unlit = extension(root["materials"][i], "KHR_materials_unlit") != nullptr;
+        scene_.materials.back().unlit = extension_of(root["materials"][i], "KHR_materials_unlit") != nullptr;
     }
 }
 
 UvSource Materials::uv_source(const Json& info, const Place& place) {
     UvSource out;
     out.set = info.value("texCoord", 0);
-    const Json* transform = extension(info, "KHR_texture_transform");
+    const Json* transform = extension_of(info, "KHR_texture_transform");
     if (!transform) return out;
     UvSource changed = out;
     bool good = transform->is_object() && read_pair(*transform, "offset", changed.offset) &&
                 read_pair(*transform, "scale", changed.scale);
     if (good && transform->contains("rotation")) {
         const Json& rotation = (*transform)["rotation"];
-        good = rotation.is_number() && std::abs(rotation.get<double>()) <= 1e6;
+        good = is_number_within(rotation, -1e6, 1e6);
         if (good) changed.rotation_rad = rotation.get<double>();
     }
     if (good && transform->contains("texCoord")) {
@@ -101,13 +88,11 @@ const MaterialUv& Materials::use(int i) {
     const Json& json = root_["materials"][at];
     const Place place("materials", i);
     Material& material = scene_.materials[at];
-    if (const auto pbr = json.find("pbrMetallicRoughness"); pbr != json.end()) {
-        if (const Json* info = texture_info(*pbr, "baseColorTexture")) {
-            material.base_colour_texture = textures_.use((*info)["index"].get<int>(), true);
-            if (material.base_colour_texture >= 0) uv.base_colour = uv_source(*info, Place(place, "baseColorTexture"));
-        }
+    if (const Json* info = member(member(&json, "pbrMetallicRoughness"), "baseColorTexture")) {
+        material.base_colour_texture = textures_.use((*info)["index"].get<int>(), true);
+        if (material.base_colour_texture >= 0) uv.base_colour = uv_source(*info, Place(place, "baseColorTexture"));
     }
-    if (const Json* info = texture_info(json, "normalTexture")) {
+    if (const Json* info = member(&json, "normalTexture")) {
         material.normal_texture = textures_.use((*info)["index"].get<int>(), false);
         if (material.normal_texture >= 0) uv.normal = uv_source(*info, Place(place, "normalTexture"));
     }

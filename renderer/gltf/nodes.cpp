@@ -159,11 +159,10 @@ PlacedNodes place_nodes(Context& context, const Json& root, const tinygltf::Mode
 
 std::optional<std::vector<glm::dmat4>> instance_transforms(Context& context, const Json& node, const Place& node_place,
                                                            Accessors& accessors, std::size_t accessor_count) {
-    const auto extensions = node.find("extensions");
-    if (extensions == node.end() || !extensions->is_object() || !extensions->contains("EXT_mesh_gpu_instancing"))
-        return std::nullopt;
+    const Json* const instancing = extension_of(node, "EXT_mesh_gpu_instancing");
+    if (!instancing) return std::nullopt;
     const Place place(node_place, "EXT_mesh_gpu_instancing");
-    const Fields extension(context, (*extensions)["EXT_mesh_gpu_instancing"], place);
+    const Fields extension(context, *instancing, place);
     const Place here(place, "attributes");
     const Fields attributes(context, extension.object("attributes"), here);
 

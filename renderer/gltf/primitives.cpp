@@ -63,7 +63,10 @@ int Primitives::share(const tinygltf::Primitive& primitive, const Place& place, 
         key.push_back(accessor);
     }
     if (const auto it = shared_.find(key); it != shared_.end()) return it->second;
-    return shared_[key] = build(primitive, place, name);
+    std::vector<std::uint32_t> pick;
+    std::optional<Mesh> mesh = make(primitive, place, name, pick);
+    if (mesh) scene_.meshes.push_back(std::move(*mesh));
+    return shared_[key] = mesh ? int(scene_.meshes.size()) - 1 : -1;
 }
 
 std::vector<std::uint32_t> Primitives::compact(std::vector<std::uint32_t>& indices, std::size_t vertex_count) {
@@ -80,14 +83,6 @@ std::vector<std::uint32_t> Primitives::compact(std::vector<std::uint32_t>& indic
     }
     for (const std::uint32_t index : used) scratch_[index] = kUnused;
     return used;
-}
-
-int Primitives::build(const tinygltf::Primitive& primitive, const Place& place, const std::string& name) {
-    std::vector<std::uint32_t> pick;
-    std::optional<Mesh> mesh = make(primitive, place, name, pick);
-    if (!mesh) return -1;
-    scene_.meshes.push_back(std::move(*mesh));
-    return int(scene_.meshes.size()) - 1;
 }
 
 std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const Place& place, const std::string& name,

@@ -24,9 +24,6 @@ public:
                              std::vector<std::uint32_t>& pick);
 
 private:
-    /// Converts a glTF primitive and adds it to the scene. Returns the mesh's index, or -1 when there is nothing to
-    /// draw.
-    int build(const tinygltf::Primitive& primitive, const Place& place, const std::string& name);
     /// Returns the scene's mesh index of a glTF primitive, or -1 when there is nothing to draw. Equal primitives share
     /// one mesh.
     int share(const tinygltf::Primitive& primitive, const Place& place, const std::string& name);

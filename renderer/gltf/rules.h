@@ -14,16 +14,14 @@ namespace si::gltf {
 class Fields {
 public:
     Fields(const Context& context, const Json& object, const Place& place);
-    /// Returns true when the object has a field `key`.
-    bool has(const char* key) const { return object_.contains(key); }
     /// Returns a JSON field as a whole number of 0..most; nothing when absent. @throws Error
     std::optional<std::uint64_t> whole(const char* key, std::uint64_t most) const;
     /// Returns a JSON field as a whole number of 0..most. @throws Error, also when absent
-    std::uint64_t whole_required(const char* key, std::uint64_t most) const;
+    std::uint64_t whole_required(const char* key, std::uint64_t most) const { return required(key, whole(key, most)); }
     /// Returns a JSON field as an index below `size`; nothing when absent. @throws Error
     std::optional<std::size_t> index(const char* key, std::size_t size) const;
     /// Returns a JSON field as an index below `size`. @throws Error, also when absent
-    std::size_t index_required(const char* key, std::size_t size) const;
+    std::size_t index_required(const char* key, std::size_t size) const { return required(key, index(key, size)); }
     /// Returns a JSON field as a string; nothing when absent. @throws Error
     std::optional<std::string> string(const char* key) const;
     /// Returns a JSON field as an array of `n` finite numbers; nothing when absent. @throws Error
@@ -36,6 +34,15 @@ public:
     const Place& place() const { return place_; }
 
 private:
+    /// Throws Error for a missing field.
+    [[noreturn]] void fail_missing(const char* key) const;
+    /// Returns the value of a field. @throws Error when it is missing
+    template <typename T>
+    T required(const char* key, const std::optional<T>& value) const {
+        if (!value) fail_missing(key);
+        return *value;
+    }
+
     const Context& context_;
     const Json& object_;
     const Place& place_;

@@ -123,19 +123,8 @@ void check_accessors(const Context& context, const Json& root, const std::vector
 }  // namespace
 
 std::size_t component_bytes(std::uint64_t component_type) {
-    switch (component_type) {
-        case 5120:
-        case 5121:
-            return 1;
-        case 5122:
-        case 5123:
-            return 2;
-        case 5125:
-        case 5126:
-            return 4;
-        default:
-            return 0;
-    }
+    static constexpr std::size_t kBytes[] = {1, 1, 2, 2, 0, 4, 4};  // from 5120 on; glTF has no signed 32-bit integers
+    return component_type >= 5120 && component_type < 5127 ? kBytes[component_type - 5120] : 0;
 }
 
 std::size_t element_bytes(std::string_view type, std::uint64_t component_type) {

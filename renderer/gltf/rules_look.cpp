@@ -22,10 +22,6 @@ bool is_object(const Json& value) {
     return value.is_object();
 }
 
-bool is_number_of(const Json& value, double least, double most) {
-    return value.is_number() && value.get<double>() >= least && value.get<double>() <= most;
-}
-
 void check_texture_info(Context& context, Json& owner, const Place& owner_place, const char* key, const Sizes& sizes) {
     erase_unless(context, owner, owner_place, key, is_object);
     const auto it = owner.find(key);
@@ -34,7 +30,7 @@ void check_texture_info(Context& context, Json& owner, const Place& owner_place,
     Fields(context, *it, place).index_required("index", sizes.textures);
     erase_unless(context, *it, place, "texCoord",
                  [](const Json& v) { return v.is_number_unsigned() && v.get<std::uint64_t>() < 64; });
-    erase_unless(context, *it, place, "scale", [](const Json& v) { return is_number_of(v, -1e6, 1e6); });
+    erase_unless(context, *it, place, "scale", [](const Json& v) { return is_number_within(v, -1e6, 1e6); });
     erase_unless(context, *it, place, "extensions", is_object);
 }
 
@@ -43,7 +39,7 @@ void check_material(Context& context, Json& material, const Place& place, const 
     erase_unless(context, material, place, "doubleSided", [](const Json& v) { return v.is_boolean(); });
     erase_unless(context, material, place, "alphaMode",
                  [](const Json& v) { return v == "OPAQUE" || v == "MASK" || v == "BLEND"; });
-    erase_unless(context, material, place, "alphaCutoff", [](const Json& v) { return is_number_of(v, 0, 1e6); });
+    erase_unless(context, material, place, "alphaCutoff", [](const Json& v) { return is_number_within(v, 0, 1e6); });
     check_texture_info(context, material, place, "normalTexture", sizes);
     for (const char* unused : {"occlusionTexture", "emissiveTexture"}) material.erase(unused);
     erase_unless(context, material, place, "pbrMetallicRoughness", is_object);
@@ -52,7 +48,7 @@ void check_material(Context& context, Json& material, const Place& place, const 
     const Place pbr_place(place, "pbrMetallicRoughness");
     erase_unless(context, *pbr, pbr_place, "baseColorFactor", [](const Json& v) {
         return v.is_array() && v.size() == 4 &&
-               std::all_of(v.begin(), v.end(), [](const Json& c) { return is_number_of(c, 0, 1e6); });
+               std::all_of(v.begin(), v.end(), [](const Json& c) { return is_number_within(c, 0, 1e6); });
     });
     check_texture_info(context, *pbr, pbr_place, "baseColorTexture", sizes);
     for (const char* unused : {"metallicRoughnessTexture", "metallicFactor", "roughnessFactor"}) pbr->erase(unused);

@@ -31,8 +31,8 @@ void apply_sampler(const tinygltf::Sampler& sampler, Texture& texture) {
 
 /// Returns the extension of a glTF texture whose image format is not read here; empty: none.
 std::string foreign_format(const Json& texture) {
-    const auto extensions = texture.find("extensions");
-    if (extensions == texture.end() || !extensions->is_object()) return "";
+    const Json* const extensions = member(&texture, "extensions");
+    if (!extensions || !extensions->is_object()) return "";
     for (const auto& [name, value] : extensions->items()) {
         if (value.is_object() && value.contains("source")) return name;
     }
@@ -67,9 +67,7 @@ int Textures::use(int texture, bool srgb) {
 
     Texture made;
     const Json& json = root_["images"][std::size_t(*image)];
-    if (const auto name = json.find("name"); name != json.end() && name->is_string()) {
-        made.name = printable(name->get_ref<const std::string&>());
-    }
+    made.name = printable(text_member(json, "name"));
     made.srgb = srgb;
     if (sampler >= 0) apply_sampler(model_.samplers[std::size_t(sampler)], made);
     index = int(scene_.textures.size());
@@ -97,13 +95,11 @@ std::string Textures::fetch(int image, std::span<const std::uint8_t>& bytes, Byt
         bytes = storage.span();
         return "";
     }
-    const auto view = json.find("bufferView");
-    const auto views = root_.find("bufferViews");
-    if (view == json.end()) return "has neither uri nor bufferView";
-    if (!view->is_number_unsigned() || views == root_.end() || view->get<std::uint64_t>() >= views->size()) {
-        return "its bufferView does not exist";
-    }
-    bytes = buffers_.view(view->get<std::size_t>());
+    if (!json.contains("bufferView")) return "has neither uri nor bufferView";
+    const Json* const views = member(&root_, "bufferViews");
+    const auto view = index_member(json, "bufferView", views ? views->size() : 0);
+    if (!view) return "its bufferView does not exist";
+    bytes = buffers_.view(*view);
     return "";
 }
 

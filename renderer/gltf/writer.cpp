@@ -50,7 +50,7 @@ private:
     void add_nodes();
     void add_cameras();
     void add_lights();
-    int add_root(Json node);
+    void add_root(Json node);
 
     const Scene& scene_;
     std::string bytes_;
@@ -62,16 +62,12 @@ private:
     std::map<std::string, bool> extensions_;
 };
 
-Json matrix_json(const glm::dmat4& m) {
-    return std::vector<double>(glm::value_ptr(m), glm::value_ptr(m) + 16);
-}
-
 /// Sets "matrix" unless it is the identity. A matrix that is not finite has no JSON form; finalise() dropped the
 /// objects below such a node.
 void set_matrix(Json& node, const glm::dmat4& m) {
-    bool finite = true;
-    for (int i = 0; i < 16; ++i) finite = finite && std::isfinite(glm::value_ptr(m)[i]);
-    if (finite && m != glm::dmat4(1.0)) node["matrix"] = matrix_json(m);
+    const std::vector<double> values(glm::value_ptr(m), glm::value_ptr(m) + 16);
+    const bool finite = std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+    if (finite && m != glm::dmat4(1.0)) node["matrix"] = values;
 }
 
 int Writer::add_view(const void* data, std::size_t size, int target) {
@@ -208,11 +204,9 @@ void Writer::add_materials() {
 }
 
 /// Adds a root node.
-int Writer::add_root(Json node) {
+void Writer::add_root(Json node) {
     root_["nodes"].push_back(std::move(node));
-    const int index = int(root_["nodes"].size()) - 1;
-    roots_.push_back(index);
-    return index;
+    roots_.push_back(int(root_["nodes"].size()) - 1);
 }
 
 void Writer::add_nodes() {
@@ -274,12 +268,11 @@ void Writer::add_cameras() {
 }
 
 void Writer::add_lights() {
-    constexpr const char* kTypes[] = {"directional", "spot", "point"};
     Json lights = Json::array();
     for (const SceneLight& l : scene_.lights) {
         Json light = Json::object();
         if (!l.name.empty()) light["name"] = l.name;
-        light["type"] = kTypes[std::size_t(l.type)];
+        light["type"] = kLightTypeKeys[std::size_t(l.type)];
         light["color"] = {l.colour.r, l.colour.g, l.colour.b};
         light["intensity"] = l.intensity;
         if (l.range > 0) light["range"] = l.range;

@@ -17,10 +17,6 @@
 namespace si {
 namespace {
 
-std::string_view type_name(LightType type) {
-    return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
-}
-
 /// Resizes the map textures where needed.
 /// @return true when their contents are lost
 bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) {
@@ -353,7 +349,7 @@ void LightDepthPasses::declare(FrameState& f) {
     }
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
-        Pass pass{.name = fmt::format("shadow map {} ({})", i, type_name(light.type)),
+        Pass pass{.name = fmt::format("shadow map {} ({})", i, kLightTypeKeys[std::size_t(light.type)]),
                   .category = PassCategory::Maps,
                   .light = int(i),
                   .writes = writes,

@@ -84,10 +84,9 @@ void suggest_lights(Scene& scene) {
             value = std::isfinite(value) ? std::clamp(value, -kMaxPlace, kMaxPlace) : 0;
             suggest(fmt::format("light.{}.{}", i, name), fmt::format("{}", value));  // the shortest text of this double
         };
-        static constexpr const char* kTypes[] = {"directional", "spot", "point"};
         // However long it is and whatever is in it, as a name that light.name takes.
         if (!light.name.empty()) suggest(fmt::format("light.{}.name", i), printable(light.name, kNameBytes));
-        suggest(fmt::format("light.{}.type", i), kTypes[std::size_t(light.type)]);
+        suggest(fmt::format("light.{}.type", i), std::string(kLightTypeKeys[std::size_t(light.type)]));
         const Stand stand = stand_of(light, scene);
         number("azimuth", azimuth(stand.direction));
         number("elevation", elevation(stand.direction));

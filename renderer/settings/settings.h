@@ -20,6 +20,8 @@ inline constexpr int kMaxClipLevels = 8;
 // view.overlay) is an int, the row's index, so that a new row needs no enumerator.
 /// Type of a light (light.type).
 enum class LightType { Directional, Spot, Point };
+/// Keys of the light types in settings and files, by LightType.
+inline constexpr std::string_view kLightTypeKeys[] = {"directional", "spot", "point"};
 /// Region of a light's shadow map (light.fit); rows of fits().
 enum class LightFit { Manual, Scene, Casters, View, Stabilised, Lispsm };
 /// Depth range of a light's shadow map (light.near_far).
