@@ -19,6 +19,17 @@ std::string texels(const DepthShift& a) {
     return texels_text(a.texels);
 }
 
+/// Sentences on pixels that are not compared, by PixelState.
+constexpr std::string_view kUncounted[] = {
+    "",
+    "nothing there",
+    "not compared: the surface faces away from the light, or edge-on to it, and is dark without a map",
+    "not compared: outside of the light's cone",
+    "not compared: this object receives no shadows",
+    "not compared: beyond the light's range",
+};
+static_assert(std::size(kUncounted) == kPixelStates);
+
 class PixelDiagnoser {
 public:
     PixelDiagnoser(const Probe& probe, const Probe::PerLight& p, const FragmentReference& reference,
@@ -46,8 +57,9 @@ private:
     PixelDiagnosis d_;
 
     const LightView& view() const { return p_.fitted.views[std::size_t(p_.face)]; }
-    bool sees_surface() const { return p_.casts && p_.place != MapPlace::Behind; }
     bool dark() const { return p_.visibility < 0.5; }
+    std::string_view is() const { return dark() ? "in shadow" : "lit"; }
+    std::string_view should_be() const { return reference_.lit ? "lit" : "in shadow"; }
     bool faint_acne() const { return reference_.cause.faint; }
 
     /// Returns the gap to the surface nearest the light, as a difference of depth.
@@ -73,12 +85,15 @@ private:
         d_.opening_resolution = std::exp2(std::ceil(std::log2(needed * (1 + 1e-9))));
     }
 
+    std::string too_large(double resolution) const {
+        return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", resolution,
+                           driver_.max_texture_size);
+    }
+
     std::string opening() const {
         if (d_.opening_resolution == kInfinite)
             return "no resolution opens the window, as steps of the depth format alone are larger than the gap";
-        if (d_.opening_resolution > driver_.max_texture_size)
-            return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", d_.opening_resolution,
-                               driver_.max_texture_size);
+        if (d_.opening_resolution > driver_.max_texture_size) return too_large(d_.opening_resolution);
         return fmt::format("{:.0f}² would open the window", d_.opening_resolution);
     }
     std::string no_bias_is_right() const {
@@ -87,37 +102,17 @@ private:
     }
 
     std::string sentence() const {
-        switch (reference_.state) {
-            case PixelState::Background:
-                return "nothing there";
-            case PixelState::NotReceiving:
-                return "not compared: this object receives no shadows";
-            case PixelState::FacesAway:
-                return "not compared: the surface faces away from the light, or edge-on to it, and is dark without a "
-                       "map";
-            case PixelState::OutsideCone:
-                return "not compared: outside of the light's cone";
-            case PixelState::BeyondRange:
-                return "not compared: beyond the light's range";
-            case PixelState::Counted:
-                break;
-        }
-        if (!p_.casts) {
-            const char* const is = dark() ? "in shadow" : "lit";
-            return d_.right ? fmt::format("right: {}, as in the reference; {}", is, p_.fitted.reason)
-                            : fmt::format("wrong: {}, should be {}; {}", is, reference_.lit ? "lit" : "in shadow",
-                                          p_.fitted.reason);
-        }
+        if (reference_.state != PixelState::Counted) return std::string(kUncounted[std::size_t(reference_.state)]);
+        if (!p_.casts)
+            return d_.right ? fmt::format("right: {}, as in the reference; {}", is(), p_.fitted.reason)
+                            : fmt::format("wrong: {}, should be {}; {}", is(), should_be(), p_.fitted.reason);
         if (p_.place == MapPlace::OutsideCasterRegion)
             return d_.right
                        ? "right: lit, as light.fit has found that nothing can cast a shadow there"
                        : "wrong: lit, should be in shadow, though light.fit has found that nothing can cast a shadow";
         if (reference_.evidence.place == CauseEvidence::kOutside)
-            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", place_name(p_.place),
-                               dark() ? "in shadow" : "lit",
-                               d_.right ? "as in the reference"
-                               : dark() ? "should be lit"
-                                        : "should be in shadow");
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}{}", place_name(p_.place), is(),
+                               d_.right ? "as in the reference" : "should be ", d_.right ? "" : should_be());
         if (d_.right) return right();
         std::string text = limits() + wrong();
         for (std::size_t a = 1; a < kArtefacts; ++a)
@@ -217,12 +212,11 @@ private:
                     return fmt::format(
                         "{}, should be {}: this sun is drawn in perspective (light.projection), as if its rays came "
                         "from one place, which moves its shadows",
-                        dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow");
+                        is(), should_be());
                 return fmt::format(
                     "edge aliasing: {}, should be {}; neither {} nor the nearest texel alone changes that: the "
                     "shadow's edge runs between this pixel and the texels that it reads",
-                    dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow",
-                    dark() ? "more bias" : "the least bias");
+                    is(), should_be(), dark() ? "more bias" : "the least bias");
             case Artefact::Penumbra:
                 return "penumbra: right for a light without size";
             case Artefact::Contact:
@@ -306,9 +300,7 @@ private:
     std::string sampling_text() const {
         const double n = sampling_resolution();
         if (!(n < 1e7)) return "no map has texels as narrow";
-        if (n > driver_.max_texture_size)
-            return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", n,
-                               driver_.max_texture_size);
+        if (n > driver_.max_texture_size) return too_large(n);
         return fmt::format("a map of {:.0f}² has texels as narrow", n);
     }
 
