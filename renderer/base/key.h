@@ -1,6 +1,7 @@
 // Cache keys: 64-bit hashes of everything that a result depends on.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -8,6 +9,12 @@
 #include <vector>
 
 namespace si {
+
+/// Returns a number that no earlier call in this process returned, above 0. Usable from any thread.
+inline std::uint64_t next_version() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
 
 /// Hashes 64 bits by the finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
 constexpr std::uint64_t splitmix64(std::uint64_t z) {

@@ -21,6 +21,5 @@ struct Releaser {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Releaser<rtcReleaseDevice>>;
 using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Releaser<rtcReleaseScene>>;
 using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, Releaser<rtcReleaseGeometry>>;
-using Buffer = std::unique_ptr<std::remove_pointer_t<RTCBuffer>, Releaser<rtcReleaseBuffer>>;
 
 }  // namespace si::embree

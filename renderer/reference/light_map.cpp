@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
+#include "renderer/base/directions.h"
 #include "renderer/reference/ray_scenes.h"
 
 namespace si {
@@ -62,10 +62,8 @@ class PlacedTriangle {
 public:
     PlacedTriangle(const LightMapLayout& layout, const LightMapChart& chart, const TriangleWs& corners,
                    std::uint8_t borders)
-        : corners_{corners.a, corners.b, corners.c} {
+        : corners_(corners), normal_(unit_normal(corners[0], corners[1], corners[2])) {
         for (std::size_t k = 0; k < 3; ++k) at_[k] = layout.atlas_position(chart, corners_[k]);
-        const glm::dvec3 cross = glm::cross(corners.b - corners.a, corners.c - corners.a);
-        normal_ = cross / glm::length(cross);
         std::array<double, 3> lengths;  // sides opposite to the corners, in the atlas
         for (std::size_t k = 0; k < 3; ++k) lengths[k] = glm::length(at_[(k + 2) % 3] - at_[(k + 1) % 3]);
         const glm::dvec2 e1 = at_[1] - at_[0], e2 = at_[2] - at_[0];
@@ -79,8 +77,8 @@ public:
             all_in_[int(k)] = share;
             borders_in_[int(k)] = border ? share : 0;
         }
-        for (const glm::dvec3* e : {&corners_[0], &corners_[1], &corners_[2]})
-            edge_m_ = std::max(edge_m_, float(glm::distance(*e, e == &corners_[2] ? corners_[0] : *(e + 1))));
+        for (std::size_t k = 0; k < 3; ++k)
+            edge_m_ = std::max(edge_m_, float(glm::distance(corners_[k], corners_[(k + 1) % 3])));
     }
 
     glm::dvec2 lo() const { return glm::min(at_[0], glm::min(at_[1], at_[2])); }
@@ -109,7 +107,7 @@ public:
     }
 
 private:
-    std::array<glm::dvec3, 3> corners_;
+    TriangleWs corners_;
     std::array<glm::dvec2, 3> at_;  ///< texels
     glm::dvec3 normal_;
     glm::dvec3 all_in_, borders_in_;  ///< least barycentric coordinates: inset from all sides, and from borders only
@@ -235,16 +233,11 @@ std::uint64_t light_map_content_key(const LightMapTask& task) {
     return key.value();
 }
 
-std::uint64_t next_light_map_version() {
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-}
-
 LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
                         const ReferenceScene& scene, const Workers& workers) {
     LightMap out;
     out.key = task.key;
-    out.version = next_light_map_version();
+    out.version = next_version();
     out.layout = std::move(layout);
     Baker(task, *out.layout, scene).bake(out, workers);
     out.held = TrackedMemory("light maps", array_bytes(out.texels));

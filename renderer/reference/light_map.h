@@ -31,7 +31,7 @@ struct LightMapTask {
 /// Baked visibility of one light on all surfaces of a scene: an atlas of 8-bit texels with its layout.
 struct LightMap {
     std::uint64_t key = 0;      ///< light_map_key() of the frames that may use it
-    std::uint64_t version = 0;  ///< unique per content, see next_light_map_version()
+    std::uint64_t version = 0;  ///< unique per content, by next_version()
     std::shared_ptr<const LightMapLayout> layout;
     /// round(255 * visibility), side x side, bottom row first: rounding errors are at most 1/510. Texels that no
     /// look-up reaches are 255.
@@ -55,9 +55,6 @@ LightMapTask light_map_task(const Scene& scene, const Settings& settings, const 
 /// Returns the cache key of a light map's content (placed triangles, alpha masks, light, settings). It is the same in
 /// every process, for files on disk.
 std::uint64_t light_map_content_key(const LightMapTask& task);
-
-/// Returns a new value for LightMap::version on each call.
-std::uint64_t next_light_map_version();
 
 /// Bakes a light map: traces every texel that a look-up may read, on the lit side of its surface. Texels outside their
 /// chart are traced at its nearest point, a quarter of a texel inside the border, so that none lies in the plane of an

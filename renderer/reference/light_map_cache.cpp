@@ -196,7 +196,7 @@ std::shared_ptr<const LightMap> LightMapCache::get(const LightMapTask& task, con
     if (!folder.empty())
         if (auto read = read_map(file_of(folder, content), content, *layout, remark)) {
             read->key = task.key;
-            read->version = next_light_map_version();
+            read->version = next_version();
             read->layout = layout;
             read->bake_ms = since_ms();
             const auto kept = keep(content, std::move(*read));

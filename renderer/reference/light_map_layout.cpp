@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/directions.h"
 #include "renderer/base/error.h"
 
 namespace si {
@@ -60,17 +61,6 @@ Neighbours neighbours_of(const ReferenceMesh& mesh) {
         i = end;
     }
     return out;
-}
-
-std::array<glm::dvec3, 3> corners(const TriangleWs& t) {
-    return {t.a, t.b, t.c};
-}
-
-/// Returns the unit normal by winding; 0 for a triangle without area.
-glm::dvec3 normal_of(const TriangleWs& t) {
-    const glm::dvec3 cross = glm::cross(t.b - t.a, t.c - t.a);
-    const double length = glm::length(cross);
-    return length > 0 && std::isfinite(length) ? cross / length : glm::dvec3(0);
 }
 
 class LayoutBuilder {
@@ -123,7 +113,10 @@ private:
             stop_if_asked();
             const auto [first, count] = out_.objects[object];
             normals.resize(count);
-            for (std::uint32_t t = 0; t < count; ++t) normals[t] = normal_of(geometry_.triangle(object, t));
+            for (std::uint32_t t = 0; t < count; ++t) {
+                const auto [a, b, c] = geometry_.triangle(object, t);
+                normals[t] = unit_normal(a, b, c);
+            }
             for (std::uint32_t t = 0; t < count; ++t)
                 if (out_.chart_of[first + t] == kNone && normals[t] != glm::dvec3(0)) grow(object, t, normals);
         }
@@ -162,7 +155,7 @@ private:
         std::vector<glm::dvec3> points;
         points.reserve(3 * std::size_t(chart.count));
         for (std::uint32_t i = 0; i < chart.count; ++i)
-            for (const glm::dvec3& p : corners(geometry_.triangle(chart.object, out_.triangles[chart.first + i])))
+            for (const glm::dvec3& p : geometry_.triangle(chart.object, out_.triangles[chart.first + i]))
                 points.push_back(p - out_.centre);
         double least = std::numeric_limits<double>::infinity();
         const std::size_t every = std::max<std::size_t>(points.size() / kTriedDirections, 1);
@@ -297,7 +290,7 @@ private:
         heights.assign(std::size_t(chart.rect.z) * std::size_t(chart.rect.w), std::numeric_limits<double>::quiet_NaN());
         const glm::dvec3 normal = glm::cross(chart.u, chart.v);
         for (std::uint32_t i = 0; i < chart.count; ++i) {
-            const auto p = corners(geometry_.triangle(chart.object, out_.triangles[chart.first + i]));
+            const TriangleWs p = geometry_.triangle(chart.object, out_.triangles[chart.first + i]);
             std::array<glm::dvec2, 3> at;
             std::array<double, 3> height;
             for (std::size_t k = 0; k < 3; ++k) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/directions.h"
+
 namespace si {
 namespace {
 
@@ -15,13 +17,13 @@ glm::dvec3 inside(const TriangleWs& t, double u, double v) {
     u = std::max(u, 0.0);
     v = std::max(v, 0.0);
     const double sum = u + v + w;
-    return (w * t.a + u * t.b + v * t.c) / sum;
+    return (w * t[0] + u * t[1] + v * t[2]) / sum;
 }
 
 /// Triangle with the values that all its pixels share.
 struct Prepared {
     std::uint32_t object = Receiver::kNothing, primitive = 0;
-    TriangleWs corners;
+    TriangleWs corners{};
     glm::dvec3 e1{0}, e2{0}, normal{0};
     float edge_m = 0;
 
@@ -36,11 +38,9 @@ struct Prepared {
         object = new_object;
         primitive = new_primitive;
         corners = geometry.triangle(object, primitive);
-        e1 = corners.b - corners.a;
-        e2 = corners.c - corners.a;
-        const glm::dvec3 cross = glm::cross(e1, e2);
-        const double length = glm::length(cross);
-        normal = length > 0 ? cross / length : glm::dvec3(0);
+        e1 = corners[1] - corners[0];
+        e2 = corners[2] - corners[0];
+        normal = unit_normal(corners[0], corners[1], corners[2]);
         edge_m = float(std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)}));
     }
 
@@ -52,7 +52,7 @@ struct Prepared {
         r.normal_ws = glm::dot(normal, dir) > 0 ? -normal : normal;
         if (normal == glm::dvec3(0)) r.normal_ws = -dir;
         // Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997.
-        const glm::dvec3 p = glm::cross(dir, e2), s = origin - corners.a, q = glm::cross(s, e1);
+        const glm::dvec3 p = glm::cross(dir, e2), s = origin - corners[0], q = glm::cross(s, e1);
         const double det = glm::dot(e1, p);
         r.position_ws = inside(corners, glm::dot(s, p) / det, glm::dot(dir, q) / det);
         return r;

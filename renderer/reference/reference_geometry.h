@@ -2,6 +2,7 @@
 // continue while the scene changes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -32,9 +33,7 @@ struct ReferenceObject {
 };
 
 /// Corners of a triangle in world space, in double precision: the object's transform is not rounded.
-struct TriangleWs {
-    glm::dvec3 a{0}, b{0}, c{0};
-};
+using TriangleWs = std::array<glm::dvec3, 3>;
 
 /// Unit frame: coordinates in which the scene is centred and about one unit long, scaled by a power of two.
 /// Single-precision rays keep their accuracy there at any scale and distance from the origin.

@@ -39,7 +39,7 @@ bool culled(const Candidate& c, const HitRules& rules) {
 bool hits_exactly(const Candidate& c, const ExactRay& ray, const RayHierarchy& scene) {
     if (c.caster->object == ray.object && c.primitive == ray.primitive) return false;
     const TriangleWs t = scene.geometry->triangle(c.caster->object, c.primitive);
-    const glm::dvec3 a = scene.to_unit(t.a), e1 = scene.to_unit(t.b) - a, e2 = scene.to_unit(t.c) - a;
+    const glm::dvec3 a = scene.to_unit(t[0]), e1 = scene.to_unit(t[1]) - a, e2 = scene.to_unit(t[2]) - a;
     const glm::dvec3 p = glm::cross(ray.direction, e2);
     const double det = glm::dot(e1, p);
     const double size = std::max(glm::dot(e1, e1), glm::dot(e2, e2));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -13,6 +12,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/float_bits.h"
+#include "renderer/base/key.h"
 
 namespace si {
 namespace {
@@ -21,11 +21,6 @@ namespace {
 constexpr double kFarthest_m = 1e18;
 /// Limit of a node's path, so that a chain of n nodes takes O(n) memory, not O(n^2).
 constexpr std::size_t kLongestPath = 400;
-
-std::uint64_t next_scene_id() {
-    static std::atomic<std::uint64_t> next{1};
-    return next.fetch_add(1);
-}
 
 bool finite(const glm::dmat4& m) {
     double sum = 0;
@@ -427,7 +422,7 @@ void finalise(Scene& scene) {
     for (Mesh& mesh : scene.meshes) track_arrays(mesh);
     scene.held = TrackedMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
     set_bounds_without_floor(scene);
-    scene.id = next_scene_id();
+    scene.id = next_version();
 }
 
 void refresh(Scene& scene) {
@@ -452,7 +447,7 @@ void refresh(Scene& scene) {
     for (Object& o : scene.objects) place_object(o);
     for (HiddenObject& h : scene.hidden) place_object(h.object);
     set_bounds_without_floor(scene);
-    scene.id = next_scene_id();
+    scene.id = next_version();
 }
 
 void hide_objects(Scene& scene, const std::set<std::string>& paths) {
@@ -473,7 +468,7 @@ void hide_objects(Scene& scene, const std::set<std::string>& paths) {
     }
     scene.objects = std::move(shown);
     scene.hidden = std::move(hidden);
-    scene.id = next_scene_id();
+    scene.id = next_version();
 }
 
 const ObjectSettings& object_settings(const Scene& scene, const Settings& settings, const Object& object) {

@@ -115,7 +115,7 @@ TEST_F(SurfaceIdsTest, MasksAgreeWithTheReferenceAtMipLevelZero) {
                 const std::size_t i = std::size_t(y) * 400 + std::size_t(x);
                 if (!behind.data[i].x) continue;
                 const TriangleWs t = geometry.triangle(0, behind.data[i].y);
-                const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, p = glm::cross(dir, e2), s = origin - t.a;
+                const glm::dvec3 e1 = t[1] - t[0], e2 = t[2] - t[0], p = glm::cross(dir, e2), s = origin - t[0];
                 const double det = glm::dot(e1, p);
                 const bool is_solid =
                     mask.is_solid(behind.data[i].y, glm::dot(s, p) / det, glm::dot(dir, glm::cross(s, e1)) / det);
@@ -156,7 +156,7 @@ std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, cons
             const glm::uvec2 id = ids.data[std::size_t(y * ids.width + x)];
             if (id.x == 0) continue;
             const TriangleWs t = geometry.triangle(id.x - 1, id.y);
-            const glm::dvec3 normal = glm::normalize(glm::cross(t.b - t.a, t.c - t.a));
+            const glm::dvec3 normal = glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]));
             if (std::abs(glm::dot(normal, c.axes[2])) < 1e-7) out.push_back({x, y});
         }
     return out;

@@ -7,9 +7,9 @@ namespace si::test {
 Receiver receiver_on(const ReferenceGeometry& geometry, std::uint32_t object, std::uint32_t primitive, double u,
                      double v, bool turned) {
     const TriangleWs t = geometry.triangle(object, primitive);
-    const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, normal = glm::normalize(glm::cross(e1, e2));
+    const glm::dvec3 e1 = t[1] - t[0], e2 = t[2] - t[0], normal = glm::normalize(glm::cross(e1, e2));
     Receiver r;
-    r.position_ws = t.a + u * e1 + v * e2;
+    r.position_ws = t[0] + u * e1 + v * e2;
     r.normal_ws = turned ? -normal : normal;
     r.edge_m = float(std::max(glm::length(e1), glm::length(e2)));
     r.object = object;

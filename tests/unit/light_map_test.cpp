@@ -69,7 +69,7 @@ void expect_sound(const ReferenceGeometry& geometry, const LightMapLayout& layou
             const LightMapChart& chart = layout.charts[c];
             EXPECT_EQ(chart.object, object);
             const TriangleWs corners = geometry.triangle(object, t);
-            for (const glm::dvec3& p : {corners.a, corners.b, corners.c}) {
+            for (const glm::dvec3& p : corners) {
                 const glm::dvec2 at = layout.atlas_position(chart, p);
                 EXPECT_GE(at.x, chart.rect.x + 1 - 1e-6);
                 EXPECT_GE(at.y, chart.rect.y + 1 - 1e-6);
@@ -116,7 +116,7 @@ TEST(LightMapLayout, SplitsOverlappingCharts) {
     for (const LightMapChart& chart : layout.charts) {
         const auto height = [&](std::uint32_t i) {
             const TriangleWs t = geometry->triangle(chart.object, layout.triangles[chart.first + i]);
-            return (t.a.y + t.b.y + t.c.y) / 3;
+            return (t[0].y + t[1].y + t[2].y) / 3;
         };
         for (std::uint32_t i = 1; i < chart.count; ++i) EXPECT_LT(std::abs(height(i) - height(0)), 0.3);
     }
