@@ -309,10 +309,6 @@ void add_bent(Bounds& to, const Bounds& before, const Bounds& at, const Bounds& 
     for (const Bounds* b : {&before, &at, &after}) to.add(Bounds{b->lo - below, b->hi + above});
 }
 
-bool same(const Bounds& a, const Bounds& b) {
-    return a.lo == b.lo && a.hi == b.hi;
-}
-
 /// Returns the same objects as all_objects(), for writing.
 std::vector<Object*> every_object(Scene& scene) {
     std::vector<Object*> all(scene.objects.size() + scene.hidden.size());
@@ -350,7 +346,7 @@ void measure_animation_bounds(Scene& scene, int animation) {
             const double time = keys[k] + share * (keys[k + 1] - keys[k]);
             std::vector<Bounds> now = pose_bounds.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
             for (std::size_t i = 0; i < all.size(); ++i) {
-                moved[i] = moved[i] || !same(now[i], first[i]);
+                moved[i] = moved[i] || now[i] != first[i];
                 all[i].add(now[i]);
                 if (step >= 2) add_bent(all[i], before[i], at[i], now[i]);
             }
@@ -366,7 +362,7 @@ void measure_animation_bounds(Scene& scene, int animation) {
         all[i].add(last[i]);
         scene.animation_bounds.add(all[i]);
         const bool deforms = scene.meshes[std::size_t(o.mesh)].deformer != nullptr;
-        if (moved[i] || deforms || !same(last[i], first[i])) o.animation_bounds = all[i];
+        if (moved[i] || deforms || last[i] != first[i]) o.animation_bounds = all[i];
     }
 }
 

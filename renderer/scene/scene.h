@@ -49,6 +49,7 @@ struct Bounds2 {
 struct Bounds {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
+    bool operator==(const Bounds&) const = default;
     /// Returns true when the box contains no point.
     bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
     /// Returns the centre of the box; the origin when empty.

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "renderer/scene/scene.h"
+
 namespace si {
 namespace {
 
@@ -107,12 +109,9 @@ Edges edges_of(const Welded& mesh) {
 
 /// Welds positions closer than a seam's tolerance, and drops triangles that become degenerate.
 void join_seams(Welded& mesh, std::vector<std::uint32_t> open) {
-    glm::dvec3 lo(1e300), hi(-1e300);
-    for (const glm::dvec3& p : mesh.places) {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    const double seam = kSeamToleranceShare * glm::length(hi - lo);
+    Bounds around;
+    for (const glm::dvec3& p : mesh.places) around.add(p);
+    const double seam = kSeamToleranceShare * glm::length(around.hi - around.lo);
     const auto& at = mesh.places;
     std::sort(open.begin(), open.end(),
               [&](std::uint32_t a, std::uint32_t b) { return std::pair(at[a].x, a) < std::pair(at[b].x, b); });
@@ -165,11 +164,12 @@ Corner3d corners_of(const Welded& mesh, std::size_t triangle) {
 
 /// Measures of one connected part of a mesh.
 struct BodyPart {
-    glm::dvec3 sum{0}, lo{1e300}, hi{-1e300};
+    glm::dvec3 sum{0};
+    Bounds box;
     double six_volumes = 0, triangles = 0;
     bool star = true;  ///< all triangles face away from the mean of the corners
     glm::dvec3 middle() const { return sum / (3 * triangles); }
-    double size() const { return glm::length(hi - lo); }
+    double size() const { return glm::length(box.hi - box.lo); }
 };
 
 std::vector<BodyPart> measure_parts(const Welded& mesh, const Parts& of) {
@@ -178,8 +178,7 @@ std::vector<BodyPart> measure_parts(const Welded& mesh, const Parts& of) {
         BodyPart& p = parts[of.of_triangle[i]];
         for (const glm::dvec3& c : corners_of(mesh, i)) {
             p.sum += c;
-            p.lo = glm::min(p.lo, c);
-            p.hi = glm::max(p.hi, c);
+            p.box.add(c);
         }
         p.triangles += 1;
     }
