@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <limits>
+#include <ranges>
 #include <vector>
 
 #include "renderer/base/error.h"
@@ -528,16 +529,15 @@ constexpr HardCase kCases[] = {
      "light.azimuth=30 light.elevation=40 light.source=traced", "", ""},
 };
 
-/// Calls `use` with key and value of each "KEY=VALUE" of a list.
+/// Calls `use` with key and value of each setting of a view. Settings that both views of a case share come first.
 template <class Use>
-void each_setting(std::string_view list, Use use) {
-    while (!list.empty()) {
-        const auto end = std::min(list.find(' '), list.size());
-        const std::string_view one = list.substr(0, end);
-        list.remove_prefix(std::min(end + 1, list.size()));
-        if (const auto equals = one.rfind('='); equals != std::string_view::npos)
-            use(one.substr(0, equals), one.substr(equals + 1));
-    }
+void each_setting(const HardCaseView& view, Use use) {
+    for (const std::string_view list : {view.row->view, view.fixed ? view.row->fixed : view.row->broken})
+        for (const auto part : list | std::views::split(' ')) {
+            const std::string_view one(part.begin(), part.end());
+            if (const auto equals = one.rfind('='); equals != std::string_view::npos)
+                use(one.substr(0, equals), one.substr(equals + 1));
+        }
 }
 
 }  // namespace
@@ -559,8 +559,7 @@ std::string HardCaseView::about() const {
 
 Settings HardCaseView::settings() const {
     Settings s;
-    for (const std::string_view list : {row->view, fixed ? row->fixed : row->broken})
-        each_setting(list, [&](std::string_view key, std::string_view value) { set_setting(s, key, value); });
+    each_setting(*this, [&](std::string_view key, std::string_view value) { set_setting(s, key, value); });
     return s;
 }
 
@@ -568,9 +567,8 @@ Scene HardCaseView::scene() const {
     Scene scene = row->make();
     scene.name = name();
     scene.about = about();
-    for (const std::string_view list : {row->view, fixed ? row->fixed : row->broken})
-        each_setting(list,
-                     [&](std::string_view key, std::string_view value) { scene.suggested.emplace_back(key, value); });
+    each_setting(*this,
+                 [&](std::string_view key, std::string_view value) { scene.suggested.emplace_back(key, value); });
     return scene;
 }
 
