@@ -216,10 +216,6 @@ private:
              .anchor = anchor,
              .text = std::move(text)});
     }
-    void box(double x0, double y0, double x1, double y1, Ink ink, double opacity) {
-        area({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, ink, opacity);
-    }
-
     // Marks in metres, in both viewports
     template <typename Draw>
     void in_viewports(Draw&& draw) {
@@ -579,7 +575,7 @@ private:
             const double x1 = std::min(near_.px(step.compared_to).x - 1, right_);
             if (x1 <= x0) continue;
             const Ink ink = step.lit ? Ink::Lit : step.meets == KernelTap::Meets::Own ? Ink::Self : Ink::Dark;
-            box(x0, y0, x1, y1, ink, 0.35 + 0.65 * step.weight / heaviest);
+            area({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, ink, 0.35 + 0.65 * step.weight / heaviest);
             line({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, Ink::Muted, 0.6);
         }
         words({right_ + 0.8 * em_, y1 - 0.02 * em_},

@@ -318,12 +318,6 @@ private:
 
 }  // namespace
 
-double LightMapLayout::used_share() const {
-    double texels = 0;
-    for (const LightMapChart& c : charts) texels += double(c.rect.z) * c.rect.w;
-    return side > 0 ? texels / (double(side) * side) : 0;
-}
-
 LightMapLayout light_map_layout(const ReferenceGeometry& geometry, int side, const Workers& workers) {
     return LayoutBuilder(geometry, side, workers).build();
 }

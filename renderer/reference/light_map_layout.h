@@ -50,8 +50,6 @@ struct LightMapLayout {
         const glm::dvec3 p = position_ws - centre;
         return glm::dvec2(glm::dot(chart.u, p), glm::dot(chart.v, p)) * texels_per_metre + chart.at;
     }
-    /// Returns the share of the light map's texels that charts use, gutters included.
-    double used_share() const;
 };
 
 /// Computes a light map's layout for a scene. Grows charts from triangle to neighbour, within

@@ -46,20 +46,8 @@ struct HitRules {
 
 /// Makes an Embree ray segment from `origin` to origin + length * direction. @param id index into HitRules::exact
 inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id) {
-    RTCRay ray;
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.tnear = 0;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.time = 0;
-    ray.tfar = length;
-    ray.mask = ~0u;
-    ray.id = id;
-    ray.flags = 0;
-    return ray;
+    // In Embree's order: origin, nearest t, direction, time, farthest t, mask, id, flags.
+    return {origin.x, origin.y, origin.z, 0, direction.x, direction.y, direction.z, 0, length, ~0u, id, 0};
 }
 
 /// Tests shadow rays for occlusion and marks occluded ones by a negative tfar.

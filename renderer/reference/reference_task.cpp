@@ -125,10 +125,8 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
             return std::make_shared<Reference>(
                 trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9)));
         });
-        known.runs = timed(out.runs_ms, [&] {
-            return std::make_shared<ShadowRuns>(shadow_runs(*known.reference, *receivers_, task.camera, task.raster,
-                                                            task.query, workers.with_progress_range(0.9, 1)));
-        });
+        known.runs = std::make_shared<ShadowRuns>(shadow_runs(*known.reference, *receivers_, task.camera, task.raster,
+                                                              task.query, workers.with_progress_range(0.9, 1)));
         references_.push_front(std::move(known));
         if (references_.size() > kMaxReferences) references_.pop_back();
     } else {

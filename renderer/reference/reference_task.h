@@ -50,7 +50,7 @@ struct TracedReference {
     std::shared_ptr<const Receivers> receivers;
     std::shared_ptr<const Reference> reference;
     std::shared_ptr<const ShadowRuns> runs;
-    double build_ms = 0, place_ms = 0, trace_ms = 0, runs_ms = 0;  ///< wall time; 0 where the cache had it
+    double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
 /// Cache of the last receivers, references and ray-tracing hierarchy. Used by one thread at a time.
