@@ -47,20 +47,21 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
         fmt::print(": visibility {:.4g}\n  {}\n", p.visibility, p.verdict);
         return;
     }
+    const LightReceiver& r = p.account.receiver;
     const bool strict = s.map.compare == Compare::Less, reversed = s.map.reversed_z;
     const char* const than = reversed ? (strict ? ">" : ">=") : (strict ? "<" : "<=");
     fmt::print(", {}\n", p.view.empty() ? "its only map" : p.view);
-    fmt::print("  1 light clip space   ({:.6g}, {:.6g}, {:.6g}, w {:.6g})\n", p.clip.x, p.clip.y, p.clip.z, p.clip.w);
-    fmt::print("  2 divided by w       ({:.6g}, {:.6g}, {:.6g})\n", p.ndc.x, p.ndc.y, p.ndc.z);
-    fmt::print("  3 in [0,1]           u {:.6g}  v {:.6g}  depth {:.8g}   ({})\n", p.uvd.x, p.uvd.y, p.uvd.z,
+    fmt::print("  1 light clip space   ({:.6g}, {:.6g}, {:.6g}, w {:.6g})\n", r.clip.x, r.clip.y, r.clip.z, r.clip.w);
+    fmt::print("  2 divided by w       ({:.6g}, {:.6g}, {:.6g})\n", r.ndc.x, r.ndc.y, r.ndc.z);
+    fmt::print("  3 in [0,1]           u {:.6g}  v {:.6g}  depth {:.8g}   ({})\n", r.uvd.x, r.uvd.y, r.uvd.z,
                place_name(p.place));
-    fmt::print("  4 own depth          {:.8g}   = {:.6g} m from the light along its axis\n", p.own, p.own_m);
-    fmt::print("  5 N·L                {:.6g}\n", p.n_dot_l);
+    fmt::print("  4 own depth          {:.8g}   = {:.6g} m from the light along its axis\n", p.own, r.own_m);
+    fmt::print("  5 N·L                {:.6g}\n", r.n_dot_l);
     fmt::print("  6 bias               {:.6g} of depth = {:.4g} texels = {:.4g} m; normal offset {:.4g} m\n",
-               p.bias_depth, p.bias_texels, p.bias_m, p.normal_offset_m);
+               r.bias_depth, p.bias_texels, r.bias_m, r.normal_offset_m);
     fmt::print("  7 compared depth     {:.8g}\n", p.compared);
     fmt::print("  8 stored depth       {:.8g}   = {:.6g} m, texel {},{} ({:.4g} m wide)\n", p.stored, p.stored_m,
-               p.texel.x, p.texel.y, p.texel_m);
+               p.texel.x, p.texel.y, r.texel_m);
     const auto [nearer, farther] =
         reversed ? std::pair(p.stored, p.compared_nearest) : std::pair(p.compared_nearest, p.stored);
     const bool lit = strict ? nearer < farther : nearer <= farther;
@@ -69,7 +70,7 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
     if (!std::isnan(p.kernel.blocker_m))
         fmt::print("    occluder {:.4g} m before it along the light's axis: penumbra {} ({:.4g} m) wide\n",
-                   p.kernel.blocker_m, texels_text(p.kernel.penumbra_texels), p.kernel.penumbra_texels * p.texel_m);
+                   p.kernel.blocker_m, texels_text(p.kernel.penumbra_texels), p.kernel.penumbra_texels * r.texel_m);
     if (!std::isnan(p.kernel.variance))
         fmt::print("    variance of depths {:.4g} of the map's range squared\n", p.kernel.variance);
     for (const std::string& line : p.kernel.lines) fmt::print("    {}\n", line);

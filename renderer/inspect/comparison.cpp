@@ -25,9 +25,9 @@ std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
 
 std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     if (!p.receives) return "lit: this object receives no shadows";
-    if (!faces_light(p.n_dot_l))
-        return fmt::format("no shadow test: the surface faces away (N·L = {}{:.2f})", p.n_dot_l <= -0.005 ? "−" : "",
-                           std::abs(p.n_dot_l));
+    if (!faces_light(p.account.receiver.n_dot_l))
+        return fmt::format("no shadow test: the surface faces away (N·L = {}{:.2f})",
+                           p.account.receiver.n_dot_l <= -0.005 ? "−" : "", std::abs(p.account.receiver.n_dot_l));
     if (p.place == MapPlace::Behind) return "outside the map: behind the light";
     if (p.place == MapPlace::OutsideCasterRegion)
         return "lit: where light.fit has found that nothing can cast a shadow";
@@ -149,20 +149,10 @@ Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight&
     if (r.blend > 0)
         p.view += fmt::format(", {:.0f} % of {} blended in", 100 * r.blend,
                               view_name(light.chooser.choice, r.other_view, light.views.size()));
-    p.n_dot_l = r.n_dot_l;
-    p.clip = r.clip;
-    p.ndc = r.ndc;
-    p.uvd = r.uvd;
-    p.tap = r.tap;
-    p.texel_m = r.texel_m;
     p.own = r.uvd.z;
-    p.own_m = r.own_m;
     p.own_linear = linear(r.own_m);
-    p.bias_depth = r.bias_depth;
-    p.bias_m = r.bias_m;
     p.bias_texels = r.bias_m / r.texel_m;
-    p.normal_offset_m = r.normal_offset_m;
-    p.offset_position_ws = p.point.position_ws + p.point.bias_normal * p.normal_offset_m;
+    p.offset_position_ws = p.point.position_ws + p.point.bias_normal * r.normal_offset_m;
     p.compared = as_compared(settings, r.compared);
     const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
@@ -173,7 +163,7 @@ Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight&
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = range.curve_at_row(row_of(p.texel)).distance(p.stored);
     p.stored_linear = linear(p.stored_m);
-    p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
+    p.gap_m = (r.own_m - p.stored_m) / r.axis_per_ray;
     if (r.place != MapPlace::Behind && r.place != MapPlace::OutsideCasterRegion) {
         const auto compared = [&](const RecordedTap& recorded) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};

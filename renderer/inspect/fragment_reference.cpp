@@ -12,7 +12,7 @@ float depth_of_gap(const Probe::PerLight& p, double metres) {
     const LightView& view = p.fitted.views[std::size_t(p.face)];
     const double along = metres * glm::dot(p.account.receiver.to_light, view.axes[2]);
     const DepthCurve& curve = p.account.curve;
-    return float(std::abs(curve.depth(p.own_m) - curve.depth(p.own_m - along)));
+    return float(std::abs(curve.depth(p.account.receiver.own_m) - curve.depth(p.account.receiver.own_m - along)));
 }
 
 }  // namespace

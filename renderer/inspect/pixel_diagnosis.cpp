@@ -65,7 +65,7 @@ private:
     /// Returns the gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
         if (!std::isfinite(reference_.gap_m)) return kInfinite;
-        return p_.account.curve.depth_change_towards_light(p_.own_m,
+        return p_.account.curve.depth_change_towards_light(p_.account.receiver.own_m,
                                                            reference_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
@@ -166,13 +166,13 @@ private:
                 return fmt::format(
                     "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} it is in "
                     "shadow, as in the reference",
-                    metres_text(p_.normal_offset_m),
+                    metres_text(p_.account.receiver.normal_offset_m),
                     reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
                     "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset and with {} "
                     "it is lit, as in the reference",
-                    metres_text(p_.normal_offset_m),
+                    metres_text(p_.account.receiver.normal_offset_m),
                     reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
                 return fmt::format(
@@ -290,11 +290,12 @@ private:
                 "{} away; a finer map opens the window",
                 nearest_need(), texels(p_.account.amount(e.gap_all)));
         return fmt::format("undersampled: the true shadow or light here is {} wide, a texel {}; {}",
-                           metres_text(e.run_m), metres_text(p_.texel_m), sampling_text());
+                           metres_text(e.run_m), metres_text(p_.account.receiver.texel_m), sampling_text());
     }
     /// Returns the least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
     double sampling_resolution() const {
-        const double needed = probe_.map_resolution * p_.texel_m / std::max(double(reference_.evidence.run_m), 1e-300);
+        const double needed =
+            probe_.map_resolution * p_.account.receiver.texel_m / std::max(double(reference_.evidence.run_m), 1e-300);
         return std::exp2(std::ceil(std::log2(needed * (1 - 1e-6))));
     }
     std::string sampling_text() const {

@@ -76,23 +76,16 @@ struct Probe {
         bool receives = true;  ///< object.PATH.receive
         FittedLight fitted;
         SurfacePoint point;
-        BiasBreakdown account;
-        glm::dvec4 clip{0};   ///< light clip space
-        glm::dvec3 ndc{0};    ///< after division by w
-        glm::dvec3 uvd{0};    ///< [0,1]: map coordinates and depth
-        glm::dvec3 tap{0};    ///< uvd after the normal offset: centre of the kernel
-        glm::ivec2 texel{0};  ///< texel at the kernel's centre
-        double n_dot_l = 0;
+        BiasBreakdown account;            ///< with the look-up in its `receiver`
+        glm::ivec2 texel{0};              ///< texel at the kernel's centre
         double stored = 0, stored_m = 0;  ///< depth in the nearest texel: raw, and metres along the light's axis
-        double own = 0, own_m = 0;        ///< depth of the pixel's surface before bias, likewise
+        double own = 0;                   ///< depth of the pixel's surface before bias
         double gap_m = 0;                 ///< distance from the surface to the stored one, metres along the light's ray
-        double stored_linear = 0, own_linear = 0;            ///< the depths, 0 at the near plane to 1 at the far plane
-        double bias_depth = 0, bias_texels = 0, bias_m = 0;  ///< depth bias in three units
-        double normal_offset_m = 0;
-        glm::dvec3 offset_position_ws{0};  ///< surface position after the normal offset
-        double texel_m = 0;                ///< width of a texel, metres
-        double compared = 0;               ///< depth after bias at the look-up; within [0,1] for 16 and 24-bit maps
-        double compared_nearest = 0;       ///< depth after bias at the centre of the nearest texel
+        double stored_linear = 0, own_linear = 0;  ///< the depths, 0 at the near plane to 1 at the far plane
+        double bias_texels = 0;                    ///< depth bias
+        glm::dvec3 offset_position_ws{0};          ///< surface position after the normal offset
+        double compared = 0;          ///< depth after bias at the look-up; within [0,1] for 16 and 24-bit maps
+        double compared_nearest = 0;  ///< depth after bias at the centre of the nearest texel
         KernelFacts kernel;
         std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; empty for moment kernels
         glm::ivec2 taps_first{0}, taps_size{0};  ///< bounding rectangle of the taps, texels

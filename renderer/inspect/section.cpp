@@ -24,18 +24,18 @@ const LightView& view_of(const Probe::PerLight& p) {
 class CutPlane {
 public:
     CutPlane(const Probe::PerLight& p, int axis, int resolution)
-        : p_(p), view_(view_of(p)), axis_(axis), n_(resolution), tap_(p.tap) {
+        : n(resolution), view_(view_of(p)), axis_(axis), tap_(p.account.receiver.tap) {
         const bool perspective = view_.curve.perspective;
-        tap_m_ = perspective ? p.account.receiver.tap_m : curve().distance(p.tap.z);
-        origin_ = view_.position_ws(glm::dvec2(p.uvd), p.own_m);
-        const glm::dvec3 here = world(tap_[axis], tap_m_);
+        tap_m = perspective ? p.account.receiver.tap_m : curve().distance(tap_.z);
+        origin_ = view_.position_ws(glm::dvec2(p.account.receiver.uvd), p.account.receiver.own_m);
+        const glm::dvec3 here = world(tap_[axis], tap_m);
         up_ = glm::normalize(perspective ? view_.eye - here : view_.axes[2]);
-        const double step = 0.5 / n_;
-        const glm::dvec3 across = world(tap_[axis] + step, tap_m_) - world(tap_[axis] - step, tap_m_);
+        const double step = 0.5 / n;
+        const glm::dvec3 across = world(tap_[axis] + step, tap_m) - world(tap_[axis] - step, tap_m);
         right_ = glm::normalize(across - up_ * glm::dot(across, up_));
-        texel_m_ = glm::dot(across, right_);
-        texel_long_m_ = glm::length(across);
-        light_ray_ = glm::normalize(in_cut(perspective ? view_.eye - origin_ : view_.axes[2]));
+        texel_m = glm::dot(across, right_);
+        texel_long_m = glm::length(across);
+        light_ray = glm::normalize(in_cut(perspective ? view_.eye - origin_ : view_.axes[2]));
     }
 
     glm::dvec2 at(double along, double axis_m) const { return in_cut(world(along, axis_m) - origin_); }
@@ -53,30 +53,26 @@ public:
     DepthCurve curve() const { return view_.curve.curve_at_row(tap_.y); }
     /// Returns the metres along the axis at a depth nearer to the light than the look-up by `depth`.
     double nearer_m(double depth) const {
-        const double z = tap_m_ - curve().metres_towards_light(tap_m_, depth);
+        const double z = tap_m - curve().metres_towards_light(tap_m, depth);
         if (!view_.curve.perspective) return z;
-        return std::clamp(z, 1e-3 * view_.curve.near, 4 * std::max(view_.curve.far, tap_m_));
+        return std::clamp(z, 1e-3 * view_.curve.near, 4 * std::max(view_.curve.far, tap_m));
     }
-    double metres(double depth) const { return nearer_m(towards() * (p_.tap.z - depth)); }
+    double metres(double depth) const { return nearer_m(towards() * (tap_.z - depth)); }
     /// Returns 1 when nearer surfaces have smaller depths, else -1.
     double towards() const { return view_.curve.convention.reversed ? -1 : 1; }
 
     double tap_along() const { return tap_[axis_]; }
-    double tap_m() const { return tap_m_; }
-    double texel_m() const { return texel_m_; }
-    double texel_long_m() const { return texel_long_m_; }
-    /// Returns the unit vector from the surface towards the light.
-    glm::dvec2 light_ray() const { return light_ray_; }
-    int n() const { return n_; }
+    int n;                       ///< texels per side of the map
+    double tap_m = 1;            ///< metres from the light along its axis at the look-up
+    double texel_m = 1;          ///< width of a texel at the look-up, across the light's ray
+    double texel_long_m = 1;     ///< width of a texel along the map
+    glm::dvec2 light_ray{0, 1};  ///< unit vector from the surface towards the light
 
 private:
-    const Probe::PerLight& p_;
     const LightView& view_;
-    int axis_, n_;
+    int axis_;
     glm::dvec3 tap_;
-    double tap_m_ = 1, texel_m_ = 1, texel_long_m_ = 1;
     glm::dvec3 origin_{0}, up_{0, 1, 0}, right_{1, 0, 0};
-    glm::dvec2 light_ray_{0, 1};
 
     glm::dvec2 in_cut(const glm::dvec3& way) const { return {glm::dot(way, right_), glm::dot(way, up_)}; }
 };
@@ -124,7 +120,7 @@ void add_steps(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
     for (const KernelTap& t : p.rows[std::size_t(s.cut.axis)]) {
         const int i = t.texel[s.cut.axis];
         if (i < s.cut.first || i >= s.cut.first + s.cut.count) continue;
-        const double from = double(i) / plane.n(), to = double(i + 1) / plane.n();
+        const double from = double(i) / plane.n, to = double(i + 1) / plane.n;
         const double compared_m = plane.metres(t.compared);
         Section::Step step{.texel = i,
                            .from = plane.at(from, t.stored_m),
@@ -137,7 +133,7 @@ void add_steps(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
                            .stored_m = t.stored_m,
                            .weight = t.weight,
                            .lit = t.lit,
-                           .in_map = i >= 0 && i < plane.n() && s.row >= 0 && s.row < plane.n(),
+                           .in_map = i >= 0 && i < plane.n && s.row >= 0 && s.row < plane.n,
                            .meets = t.meets};
         s.steps.push_back(step);
     }
@@ -171,9 +167,6 @@ void add_moments(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
 }
 
 void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d) {
-    s.classified = true;
-    s.verdict = d.verdict;
-    s.reference_lit = d.reference.lit;
     for (const ArtefactStyle& style : artefact_styles())
         if (style.artefact == d.cause().artefact) s.artefact = style.label;
     if (d.reference.state != PixelState::Counted) return;
@@ -223,7 +216,7 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
     const int edge = change[cut.axis] <= kMaxEdgeTexels ? change[cut.axis] + 2 : 0;
     const int side = std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, edge), kMinSideTexels,
                                 kProbeRowReachTexels);
-    const double moved = (p.tap[cut.axis] - p.uvd[cut.axis]) * resolution;
+    const double moved = (p.account.receiver.tap[cut.axis] - p.account.receiver.uvd[cut.axis]) * resolution;
     const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kProbeRowReachTexels)));
     const int first = std::max(look_up - std::max(side, moved > 0 ? back + 2 : 0), look_up - kProbeRowReachTexels);
     const int last = std::min(look_up + std::max(side, moved < 0 ? back + 2 : 0), look_up + kProbeRowReachTexels);
@@ -241,8 +234,8 @@ std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const
     const double size = bounds.empty() ? 0 : glm::length(bounds.hi - bounds.lo);
     // Parallel rays begin before all casters, others at the light.
     const DepthCurve curve = plane.curve();
-    const double from_m = curve.perspective ? 1e-3 * curve.near : std::min(curve.near, p.own_m - size);
-    const double to_m = std::max(p.own_m + std::max(size, plane.texel_m()), 2 * from_m);
+    const double from_m = curve.perspective ? 1e-3 * curve.near : std::min(curve.near, p.account.receiver.own_m - size);
+    const double to_m = std::max(p.account.receiver.own_m + std::max(size, plane.texel_m), 2 * from_m);
     std::vector<LightRaySegment> ways;
     for (int i = 0; i <= cut.count * kRaysPerTexel; ++i) {
         const double along = (cut.first + double(i) / kRaysPerTexel) / resolution;
@@ -264,42 +257,38 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
     s.light = p.fitted.type;
     s.visibility = p.visibility;
     s.lit = p.visibility >= 0.5;
-    s.verdict = p.verdict;
+    s.classified = d != nullptr;
+    s.verdict = d ? d->verdict : p.verdict;
+    s.reference_lit = !d || d->reference.lit;
     s.tested = !d || d->reference.state == PixelState::Counted;
     s.shadowed = cut.count > 0;
-    if (!s.shadowed) {
-        if (d) {
-            s.classified = true;
-            s.verdict = d->verdict;
-            s.reference_lit = d->reference.lit;
-        }
-        return s;
-    }
+    if (!s.shadowed) return s;
     const BiasBreakdown& a = p.account;
     const CutPlane plane(p, cut.axis, resolution);
     s.row = p.texel[1 - cut.axis];
-    s.row_offset_texels = s.row + 0.5 - p.tap[1 - cut.axis] * resolution;
+    s.row_offset_texels = s.row + 0.5 - p.account.receiver.tap[1 - cut.axis] * resolution;
     s.lookup_texel = p.texel[cut.axis];
-    s.surface_offset_texels = (p.uvd[1 - cut.axis] - p.tap[1 - cut.axis]) * resolution;
-    s.texel_m = plane.texel_m();
-    s.texel_long_m = plane.texel_long_m();
-    s.light_m = view_of(p).curve.perspective ? p.own_m : p.own_m - plane.curve().near;
+    s.surface_offset_texels =
+        (p.account.receiver.uvd[1 - cut.axis] - p.account.receiver.tap[1 - cut.axis]) * resolution;
+    s.texel_m = plane.texel_m;
+    s.texel_long_m = plane.texel_long_m;
+    s.light_m = view_of(p).curve.perspective ? p.account.receiver.own_m : p.account.receiver.own_m - plane.curve().near;
     s.theta_rad = a.theta_rad;
     s.per_texel = a.per_texel;
-    s.normal_offset_m = p.normal_offset_m;
-    s.light_ray = plane.light_ray();
-    s.moved = plane.at(plane.tap_along(), plane.tap_m());
+    s.normal_offset_m = p.account.receiver.normal_offset_m;
+    s.light_ray = plane.light_ray;
+    s.moved = plane.at(plane.tap_along(), plane.tap_m);
     s.compared = plane.at(plane.tap_along(), plane.metres(p.compared));
     if (a.plane.edge_on()) {
         s.surface_along = {0, 1};
     } else {
-        glm::dvec2 other(p.tap);
+        glm::dvec2 other(p.account.receiver.tap);
         const auto on_surface = [&](double along) {
             other[cut.axis] = along;
-            const double nearer = plane.towards() * (p.tap.z - a.plane.depth_at(other));
+            const double nearer = plane.towards() * (p.account.receiver.tap.z - a.plane.depth_at(other));
             return plane.at(along, plane.nearer_m(nearer));
         };
-        const double at = p.uvd[cut.axis], step = 0.25 / resolution;
+        const double at = p.account.receiver.uvd[cut.axis], step = 0.25 / resolution;
         s.surface_at = on_surface(at);
         s.surface_along = unit(on_surface(at + step) - on_surface(at - step));
     }

@@ -161,7 +161,8 @@ TEST_F(CascadesTest, TheProbeNamesTheCascade) {
         EXPECT_NE(p.verdict.find(p.view), std::string::npos);
         EXPECT_EQ(p.view.find("blended") != std::string::npos, chosen.share > 0);
         EXPECT_NEAR(p.visibility, drawn.at(160, y), 1e-6);
-        EXPECT_NEAR(p.texel_m, frame.lights[0].views[chosen.view].texel_size(1, frame.map_resolution), 1e-12);
+        EXPECT_NEAR(p.account.receiver.texel_m, frame.lights[0].views[chosen.view].texel_size(1, frame.map_resolution),
+                    1e-12);
         blended += chosen.share > 0;
     }
     EXPECT_GT(blended, 0);

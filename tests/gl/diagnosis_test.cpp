@@ -105,7 +105,7 @@ TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
             for (int y = 20; y < 110; y += 17)
                 for (int x = 13; x < 150; x += 23) {
                     const Probe p = renderer.probe(scene, s, kPicture, x, y);
-                    if (!p.hit || p.lights[0].n_dot_l <= 0) continue;
+                    if (!p.hit || p.lights[0].account.receiver.n_dot_l <= 0) continue;
                     double sum = p.lights[0].taps.empty() && filter.searches_blockers ? 1 : 0;
                     for (const KernelTap& t : p.lights[0].taps) sum += t.weight * t.lit;
                     ++checked;

@@ -219,7 +219,7 @@ TEST_F(FitsTest, AProbeReportsPointsThatNoCasterCanShadow) {
     for (int y = 5; y < 180; y += 25)
         for (int x = 5; x < 240; x += 25) {
             const Probe probe = renderer.probe(scene, s, request, x, y);
-            if (!probe.hit || !faces_light(probe.lights[0].n_dot_l)) continue;
+            if (!probe.hit || !faces_light(probe.lights[0].account.receiver.n_dot_l)) continue;
             const Probe::PerLight& p = probe.lights[0];
             const bool reads = coordinates.data[4 * std::size_t(y * 240 + x) + 3] > 0;
             EXPECT_EQ(p.place == MapPlace::OutsideCasterRegion, !reads) << x << " " << y << " " << place_name(p.place);

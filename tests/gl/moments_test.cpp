@@ -236,15 +236,17 @@ TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
         for (int y = 30; y < 85; y += 6)
             for (int x = 40; x < 130; x += 13) {
                 const Probe p = renderer.probe(scene, s, kPicture, x, y);
-                if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].n_dot_l < 1e-3) continue;
+                if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].account.receiver.n_dot_l < 1e-3)
+                    continue;
                 const Probe::PerLight& l = p.lights[0];
                 const LightView& view = l.fitted.views[std::size_t(l.face)];
                 if (!shares.contains(l.face))
                     shares.emplace(l.face, Shares(renderer.read_shadow_map(renderer.render(scene, s, kMaps), 0, l.face),
                                                   view.curve));
-                const glm::dvec2 margin = glm::abs(glm::dvec2(l.tap) - 0.5);
+                const glm::dvec2 margin = glm::abs(glm::dvec2(l.account.receiver.tap) - 0.5);
                 if (std::max(margin.x, margin.y) > 0.5 - 4.0 / 64) continue;
-                const Moments wanted = expected_moments(*row, s.filter, shares.at(l.face), glm::dvec2(l.tap));
+                const Moments wanted =
+                    expected_moments(*row, s.filter, shares.at(l.face), glm::dvec2(l.account.receiver.tap));
                 Moments read{};
                 for (std::size_t k = 0; k < row->moments.names.size(); ++k) {
                     read[k] = l.kernel.moments[k];
@@ -516,7 +518,7 @@ TEST(Moments, OfSeveralSamplesAreTheirMeans) {
         const Probe p = renderer.probe(scene, s, kPicture, x, 60);
         if (!p.hit || p.position_ws.y > 1e-6 || std::abs(p.position_ws.x) > 0.5) continue;
         const Probe::PerLight& l = p.lights[0];
-        const Moments m = Shares::blended(glm::dvec2(l.tap), 61, [&](int i, int j) {
+        const Moments m = Shares::blended(glm::dvec2(l.account.receiver.tap), 61, [&](int i, int j) {
             int hidden = 0;
             for (const glm::vec2& place : places) {
                 const double along = axis == 0 ? i + double(place.x) : j + double(place.y);
@@ -567,7 +569,7 @@ TEST(Moments, OfMipLevelsAreMeansOverThePixelFootprint) {
             if (!p.hit) continue;
             const Probe::PerLight& l = p.lights[0];
             const auto of = [&](double z) { return moments_of(key, s.filter, z); };
-            const glm::dvec2 uv(l.tap);
+            const glm::dvec2 uv(l.account.receiver.tap);
             const Moments m = Shares::blended(uv, 32, [&](int i, int j) {
                 Moments sum{};
                 for (int k = 0; k < 16; ++k) {

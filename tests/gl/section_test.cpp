@@ -68,12 +68,13 @@ protected:
             uvd_from_clip(view().curve.convention) * view().clip_from_relative(probed.position_ws);
         const auto depth_change_towards_light = [&](double metres) {
             const glm::dvec4 h = uvd_from_surface * glm::dvec4(metres * p.account.receiver.to_light, 1);
-            return (view().curve.convention.reversed ? -1 : 1) * (p.uvd.z - h.z / h.w);
+            return (view().curve.convention.reversed ? -1 : 1) * (p.account.receiver.uvd.z - h.z / h.w);
         };
         EXPECT_NEAR(depth_change_towards_light(s.window_from), diagnosis.least.depth, 1e-6 * diagnosis.least.depth);
         if (s.light == LightType::Directional) {
             EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-6 * diagnosis.least.metres);
-            EXPECT_NEAR(s.window_from, s.least.texels * p.texel_m, 1e-6 * diagnosis.least.metres) << "as is printed";
+            EXPECT_NEAR(s.window_from, s.least.texels * p.account.receiver.texel_m, 1e-6 * diagnosis.least.metres)
+                << "as is printed";
         }
         EXPECT_EQ(std::isfinite(s.window_to), std::isfinite(diagnosis.occluder.depth));
         if (std::isfinite(s.window_to)) {
@@ -162,7 +163,7 @@ TEST_F(SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap) {
                 EXPECT_NEAR(step.stored, stored, name.find("linear") == name.npos ? 0 : 3e-6) << name << step.texel;
                 // A warped map's depth range is that of the texel's centre, the only exact place.
                 glm::dvec2 at = (glm::dvec2(texel) + 0.5) / double(n);
-                if (!view.warped()) at[1 - cut.cut.axis] = light().tap[1 - cut.cut.axis];
+                if (!view.warped()) at[1 - cut.cut.axis] = light().account.receiver.tap[1 - cut.cut.axis];
                 const glm::dvec4 h = ws_from_uvd * glm::dvec4(at, step.stored, 1);
                 const glm::dvec3 from_surface = glm::dvec3(h) / h.w;
                 const glm::dvec3 ray = light().account.receiver.to_light;

@@ -106,9 +106,9 @@ TEST_P(EachSquareKernel, WeighsEachTexelOnceByItsDefinition) {
         for (int y = 20; y < 110; y += 43)
             for (int x = 13; x < 150; x += 47) {
                 const Probe p = renderer.probe(scene, s, picture, x, y);
-                if (!p.hit || p.lights[0].n_dot_l <= 0) continue;
+                if (!p.hit || p.lights[0].account.receiver.n_dot_l <= 0) continue;
                 const Probe::PerLight& l = p.lights[0];
-                const glm::dvec2 centre = glm::dvec2(l.tap) * double(p.map_resolution);
+                const glm::dvec2 centre = glm::dvec2(l.account.receiver.tap) * double(p.map_resolution);
                 // A nearest texel is chosen in single precision, half a texel off by kernels of an even size.
                 const glm::dvec2 f = glm::fract(2.0 * centre);
                 if (std::min({f.x, f.y, 1 - f.x, 1 - f.y}) < 2e-3) continue;
@@ -221,7 +221,7 @@ TEST_F(TapsTest, TexelsReadAreTheTapsOfAllPixels) {
             for (int y = 0; y < request.height; ++y)
                 for (int x = 0; x < request.width; ++x) {
                     const Probe p = renderer.probe(scene, s, {.width = request.width, .height = request.height}, x, y);
-                    if (!p.hit || !faces_light(p.lights[0].n_dot_l)) continue;
+                    if (!p.hit || !faces_light(p.lights[0].account.receiver.n_dot_l)) continue;
                     for (const KernelTap& t : p.lights[0].taps) {
                         glm::ivec2 texel = t.texel;
                         if (std::string_view(wrap) == "repeat") texel = ((texel % n) + n) % n;

@@ -214,7 +214,8 @@ TEST_P(EachKernel, WeightedTapsEqualTheVisibilityOnTheGpu) {
     for (int y = 22; y < 110 && (partly < 3 || told < 12); y += 7)
         for (int x = 33; x < 140; x += 9) {
             const Probe p = hard_renderer().probe(scene, s, picture, x, y);
-            if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].n_dot_l <= 1e-3) continue;
+            if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].account.receiver.n_dot_l <= 1e-3)
+                continue;
             const Probe::PerLight& l = p.lights[0];
             if (!row.linear) {
                 ASSERT_TRUE(l.taps.empty()) << "its result is no sum of comparisons";
@@ -230,7 +231,7 @@ TEST_P(EachKernel, WeightedTapsEqualTheVisibilityOnTheGpu) {
                 sum += t.lit ? t.weight : 0;
                 weights += t.weight;
                 const glm::dvec2 off =
-                    glm::abs(glm::dvec2(t.texel) + 0.5 - glm::dvec2(l.tap) * double(p.map_resolution));
+                    glm::abs(glm::dvec2(t.texel) + 0.5 - glm::dvec2(l.account.receiver.tap) * double(p.map_resolution));
                 EXPECT_LE(std::max(off.x, off.y), kernel_reach_in_light(s, l.fitted, p.map_resolution).read + 1e-3);
             }
             ++told;

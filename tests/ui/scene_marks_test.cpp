@@ -41,7 +41,7 @@ Probe probe_at(const glm::dvec3& position, const FittedLight& light, double stor
     l.casts = true;
     l.place = MapPlace::Inside;
     l.account.curve = light.views[0].curve;
-    l.own_m = light.views[0].eye.y - position.y;
+    l.account.receiver.own_m = light.views[0].eye.y - position.y;
     l.stored_m = stored_m;
     l.visibility = visibility;
     p.lights = {l};

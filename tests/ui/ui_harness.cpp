@@ -54,7 +54,7 @@ Probe made_up_probe(int lights) {
         l.casts = i != 1;
         l.texel = {5, 7};
         l.place = MapPlace::Inside;
-        l.n_dot_l = 0.6;
+        l.account.receiver.n_dot_l = 0.6;
         l.taps_first = {4, 6};
         l.taps_size = {2, 2};
         for (const glm::ivec2 t : {glm::ivec2(4, 6), {5, 6}, {4, 7}, {5, 7}})

@@ -118,7 +118,7 @@ void depths(const Probe::PerLight& p) {
     };
     row("stored depth", depth(p.stored, p.stored_linear, p.stored_m),
         "Nearest texel: as stored, from 0 at the near to 1 at the far plane, metres along the light's axis");
-    row("own depth", depth(p.own, p.own_linear, p.own_m), "Before any bias");
+    row("own depth", depth(p.own, p.own_linear, p.account.receiver.own_m), "Before any bias");
     row("compared depth", fmt::format("{:.7f}", p.compared),
         p.account.per_texel
             ? "Own depth after bias and normal offset; each texel is compared with the plane at its centre"
@@ -131,7 +131,8 @@ void depths(const Probe::PerLight& p) {
             "Mean distance of the blockers that the kernel's search found, along the light's axis");
     if (!std::isnan(k.penumbra_texels))
         row("penumbra",
-            fmt::format("{} wide   {}", texels_text(k.penumbra_texels), metres_text(k.penumbra_texels * p.texel_m)),
+            fmt::format("{} wide   {}", texels_text(k.penumbra_texels),
+                        metres_text(k.penumbra_texels * p.account.receiver.texel_m)),
             "As wide as the light's size and the occluder's distance ask for, within the kernel's limits");
     if (!std::isnan(k.variance))
         row("variance", fmt::format("{:.3g} of the range squared", k.variance),
@@ -143,17 +144,18 @@ void depths(const Probe::PerLight& p) {
 
 void space(const Probe::PerLight& p) {
     if (!begin_steps("space")) return;
-    row("light clip space", fmt::format("({:.5f}, {:.5f}, {:.5f}, {:.5f})", p.clip.x, p.clip.y, p.clip.z, p.clip.w),
+    const LightReceiver& r = p.account.receiver;
+    row("light clip space", fmt::format("({:.5f}, {:.5f}, {:.5f}, {:.5f})", r.clip.x, r.clip.y, r.clip.z, r.clip.w),
         "Position times the light's view and projection");
-    row("divided by w", vec(p.ndc, 5));
-    row("map coordinates and depth", vec(p.uvd, 5), "From clip range to [0,1]");
+    row("divided by w", vec(r.ndc, 5));
+    row("map coordinates and depth", vec(r.uvd, 5), "From clip range to [0,1]");
     row("place in the map", std::string(place_name(p.place)));
-    row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(p.texel_m)));
-    row("N·L", fmt::format("{:.5f}   {:.1f}°", p.n_dot_l, p.account.theta_rad * 180 / M_PI),
+    row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(r.texel_m)));
+    row("N·L", fmt::format("{:.5f}   {:.1f}°", r.n_dot_l, p.account.theta_rad * 180 / M_PI),
         "Of the triangle's normal; the angle between it and the light");
     row("bias",
-        fmt::format("{:.3g} of depth   {}   {}", p.bias_depth, texels_text(p.bias_texels), metres_text(p.bias_m)));
-    row("normal offset", metres_text(p.normal_offset_m));
+        fmt::format("{:.3g} of depth   {}   {}", r.bias_depth, texels_text(p.bias_texels), metres_text(r.bias_m)));
+    row("normal offset", metres_text(r.normal_offset_m));
     ImGui::EndTable();
 }
 
@@ -255,7 +257,7 @@ void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settin
         draw_tap_key();
     });
     if (d && d->reference.state == PixelState::Counted) blocks.block(em * 20, [&] { reference_column(*d); });
-    if (faces_light(p.n_dot_l)) blocks.block(em * 20, [&] { bias_terms(p.account); });
+    if (faces_light(p.account.receiver.n_dot_l)) blocks.block(em * 20, [&] { bias_terms(p.account); });
     blocks.block(em * 33, [&] { depths(p); });
     blocks.block(em * 36, [&] { space(p); });
 }

@@ -49,7 +49,8 @@ std::optional<ProbeRay> shown_ray(const EditorState& state, const EditorFrame& f
 /// Returns true if the normal offset is long enough on the screen to be drawn.
 bool shows_offset(const PictureView& view, const ProbeRay& ray, const Probe::PerLight& p) {
     const auto surface = view.point(ray.to), moved = view.point(p.offset_position_ws);
-    return p.normal_offset_m > 0 && surface && moved && glm::distance(*surface, *moved) > kMinTick * view.ui_scale;
+    return p.account.receiver.normal_offset_m > 0 && surface && moved &&
+           glm::distance(*surface, *moved) > kMinTick * view.ui_scale;
 }
 
 bool same_view(const Camera& a, const Camera& b) {
