@@ -16,7 +16,6 @@ namespace {
 
 struct Descriptor {
     int fd = -1;
-    Descriptor() = default;
     explicit Descriptor(int fd_) : fd(fd_) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;

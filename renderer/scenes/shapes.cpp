@@ -240,12 +240,6 @@ Scene finished(Scene scene, std::vector<std::pair<std::string, std::string>> sug
     return scene;
 }
 
-Scene make_scene(Mesh mesh, const glm::dmat4& local) {
-    Scene scene = named_scene(mesh.name, "");
-    add_shape(scene, scene.name, -1, std::move(mesh), add_material(scene, "Grey", glm::vec3(0.6f)), local);
-    return finished(std::move(scene));
-}
-
 std::uint32_t Random::next() {
     state_ = state_ * 747796405u + 2891336453u;
     const std::uint32_t word = ((state_ >> ((state_ >> 28u) + 4u)) ^ state_) * 277803737u;

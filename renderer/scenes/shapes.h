@@ -78,9 +78,6 @@ void add_camera(Scene& scene, const glm::dvec3& eye, const glm::dvec3& target, d
 Scene named_scene(std::string name, std::string about);
 /// Returns a scene after finalise(). @param suggested suggested settings (key, value)
 Scene finished(Scene scene, std::vector<std::pair<std::string, std::string>> suggested = {});
-/// Makes a finalised scene of one grey mesh; its node has the mesh's name.
-Scene make_scene(Mesh mesh, const glm::dmat4& local = glm::dmat4(1));
-
 /// Pseudo-random generator with the same numbers on every machine (O'Neill, PCG, 2014: RXS M XS 32/32).
 class Random {
 public:

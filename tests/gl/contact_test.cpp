@@ -5,6 +5,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/ray_reference.h"
 #include "tests/support/sets.h"
