@@ -58,8 +58,8 @@ private:
 
     const LightView& view() const { return p_.fitted.views[std::size_t(p_.face)]; }
     bool dark() const { return p_.visibility < 0.5; }
-    std::string_view is() const { return dark() ? "in shadow" : "lit"; }
-    std::string_view should_be() const { return reference_.lit ? "lit" : "in shadow"; }
+    std::string_view state_text() const { return dark() ? "in shadow" : "lit"; }
+    std::string_view reference_text() const { return reference_.lit ? "lit" : "in shadow"; }
     bool faint_acne() const { return reference_.cause.faint; }
 
     /// Returns the gap to the surface nearest the light, as a difference of depth.
@@ -104,15 +104,17 @@ private:
     std::string sentence() const {
         if (reference_.state != PixelState::Counted) return std::string(kUncounted[std::size_t(reference_.state)]);
         if (!p_.casts)
-            return d_.right ? fmt::format("right: {}, as in the reference; {}", is(), p_.fitted.reason)
-                            : fmt::format("wrong: {}, should be {}; {}", is(), should_be(), p_.fitted.reason);
+            return d_.right
+                       ? fmt::format("right: {}, as in the reference; {}", state_text(), p_.fitted.reason)
+                       : fmt::format("wrong: {}, should be {}; {}", state_text(), reference_text(), p_.fitted.reason);
         if (p_.place == MapPlace::OutsideCasterRegion)
             return d_.right
                        ? "right: lit, as light.fit has found that nothing can cast a shadow there"
                        : "wrong: lit, should be in shadow, though light.fit has found that nothing can cast a shadow";
         if (reference_.evidence.place == CauseEvidence::kOutside)
-            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}{}", place_name(p_.place), is(),
-                               d_.right ? "as in the reference" : "should be ", d_.right ? "" : should_be());
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}{}", place_name(p_.place),
+                               state_text(), d_.right ? "as in the reference" : "should be ",
+                               d_.right ? "" : reference_text());
         if (d_.right) return right();
         std::string text = limits() + wrong();
         for (std::size_t a = 1; a < kArtefacts; ++a)
@@ -212,11 +214,11 @@ private:
                     return fmt::format(
                         "{}, should be {}: this sun is drawn in perspective (light.projection), as if its rays came "
                         "from one place, which moves its shadows",
-                        is(), should_be());
+                        state_text(), reference_text());
                 return fmt::format(
                     "edge aliasing: {}, should be {}; neither {} nor the nearest texel alone changes that: the "
                     "shadow's edge runs between this pixel and the texels that it reads",
-                    is(), should_be(), dark() ? "more bias" : "the least bias");
+                    state_text(), reference_text(), dark() ? "more bias" : "the least bias");
             case Artefact::Penumbra:
                 return "penumbra: right for a light without size";
             case Artefact::Contact:
