@@ -21,7 +21,7 @@
 #include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 
 namespace si {
 namespace {

@@ -8,8 +8,8 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/traits.h"
 

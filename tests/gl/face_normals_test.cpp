@@ -4,8 +4,8 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/traits.h"
 

@@ -12,8 +12,8 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/idle_reason.h"
 #include "tests/support/box_scene.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/traits.h"
 

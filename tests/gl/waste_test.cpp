@@ -11,7 +11,7 @@
 #include "renderer/scene/ground.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/shared_models.h"
 #include "tests/support/traits.h"
 

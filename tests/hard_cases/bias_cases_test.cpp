@@ -5,8 +5,8 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
 

@@ -11,8 +11,8 @@
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 
 namespace si::test {

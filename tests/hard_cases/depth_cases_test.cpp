@@ -7,8 +7,8 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/stability.h"
 

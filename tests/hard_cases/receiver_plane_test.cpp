@@ -9,8 +9,8 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "tests/support/box_scene.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 
 namespace si::test {

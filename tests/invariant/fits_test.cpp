@@ -10,8 +10,8 @@
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/combinations.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/traits.h"
 

@@ -14,8 +14,8 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/box_scene.h"
-#include "tests/support/grey_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 #include "tests/support/square_kernels.h"
 

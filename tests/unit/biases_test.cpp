@@ -9,7 +9,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/view/fits/light_fit.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 
 namespace si {
 namespace {

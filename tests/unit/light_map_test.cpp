@@ -14,7 +14,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/error_text.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/process.h"
 
 namespace si {

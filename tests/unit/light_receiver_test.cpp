@@ -4,7 +4,7 @@
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/fits/light_fit.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 
 namespace si {

@@ -11,7 +11,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/error_text.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
 
 namespace si {

@@ -10,7 +10,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 #include "tests/support/ray_reference.h"
 #include "tests/support/sets.h"
 #include "tests/support/traced.h"

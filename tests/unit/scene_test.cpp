@@ -13,7 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/scenes/teapot.h"
-#include "tests/support/grey_scene.h"
+#include "tests/support/mesh_scene.h"
 
 namespace si {
 namespace {
