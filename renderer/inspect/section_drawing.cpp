@@ -105,18 +105,10 @@ bool lies_in(const glm::dvec2& at, const std::vector<glm::dvec2>& convex) {
 /// texts.
 double pixels_to(const Mark& mark, const glm::dvec2& at, double inside) {
     double least = std::numeric_limits<double>::infinity();
-    switch (mark.kind) {
-        case Mark::Kind::Line:
-            for (std::size_t i = 0; i + 1 < mark.points.size(); ++i)
-                least = std::min(least, pixels_to(at, mark.points[i], mark.points[i + 1]));
-            return least;
-        case Mark::Kind::Area:
-            return lies_in(at, mark.points) ? inside : least;
-        case Mark::Kind::Dot:
-            return std::max(glm::length(at - mark.points[0]) - mark.width, 0.0);
-        case Mark::Kind::Text:
-            break;
-    }
+    if (mark.kind == Mark::Kind::Area) return lies_in(at, mark.points) ? inside : least;
+    if (mark.kind == Mark::Kind::Dot) return std::max(glm::length(at - mark.points[0]) - mark.width, 0.0);
+    for (std::size_t i = 0; i + 1 < mark.points.size(); ++i)  // a text has one point
+        least = std::min(least, pixels_to(at, mark.points[i], mark.points[i + 1]));
     return least;
 }
 
