@@ -201,8 +201,6 @@ TEST(CastersFit, WithoutAnyShadowItIsTheSceneFit) {
     finalise(m.scene);
     EXPECT_FALSE(m.fit(fit_casters, sun(m.scene, 20, 50)));
     EXPECT_FALSE(m.fit(fit_casters, sun(m.scene, 90, 0))) << "edge-on";
-    const Made two = floor_and_box_at(glm::dvec3(0));
-    EXPECT_FALSE(two.fit(fit_scene, sun(two.scene, 20, 50)));
 }
 
 TEST(CastersFit, ObjectsThatNeitherCastNorReceiveDoNotCount) {

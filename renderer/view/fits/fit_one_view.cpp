@@ -94,20 +94,10 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
 }
 
 /// Returns the function that finds the region of a fit, for directional lights without perspective and single-map spot
-/// lights.
+/// lights. Null: the map covers the whole scene.
 FitFunction fit_function(LightFit fit) {
-    switch (fit) {
-        case LightFit::Casters:
-            return fit_casters;
-        case LightFit::View:
-            return fit_view;
-        case LightFit::Manual:
-        case LightFit::Scene:
-        case LightFit::Stabilised:
-        case LightFit::Lispsm:
-            break;
-    }
-    return fit_scene;
+    if (fit == LightFit::Casters) return fit_casters;
+    return fit == LightFit::View ? fit_view : nullptr;
 }
 
 /// Returns the region of a fit. A ground widens the region only by shadows on the ground that stick out of the model's
@@ -142,7 +132,8 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
         view.curve.perspective = perspective;
         view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
         const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, ReceiverFilter::All};
-        if (const auto region = region_of(input, fit_function(c.settings.fit)))
+        const FitFunction find = fit_function(c.settings.fit);
+        if (const auto region = find ? region_of(input, find) : std::nullopt)
             return fit_region(light, view, c, *region);
     }
     if (perspective) {

@@ -11,6 +11,8 @@
 
 namespace si {
 
+class CameraSlice;
+
 /// Receivers whose shadows a fit takes into account: all, those of the model, or the generated ground.
 enum class ReceiverFilter { All, Model, Ground };
 
@@ -40,8 +42,12 @@ using MapRegion = Bounds2;
 /// sees. An empty result gives no guarantee: the map then covers the whole scene.
 using FitFunction = std::optional<MapRegion> (*)(const FitInput&);
 
-/// Returns no region: the map covers the whole scene (light.fit scene).
-std::optional<MapRegion> fit_scene(const FitInput&);
+/// Returns a region that contains every place where a caster shadows a receiver facing the light; empty without any
+/// shadow. Tests boxes. Flat casters and large convex casters are also clipped by their planes and outlines, since they
+/// cannot shadow their own lit side. Back-facing triangles of single-sided receivers are skipped.
+/// @param seen a slice of the camera's frustum; only the parts of receivers inside it count
+std::optional<MapRegion> shadowed_region(const FitInput& in, const CameraSlice* seen = nullptr);
+
 /// Returns the region in which casters shadow any receiver (light.fit casters).
 std::optional<MapRegion> fit_casters(const FitInput&);
 /// Returns the region in which casters shadow receivers that the camera sees (light.fit view).

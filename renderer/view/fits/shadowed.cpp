@@ -1,9 +1,15 @@
-#include "renderer/view/fits/shadowed.h"
-
+// Regions across a light's view in which casters shadow receivers, for the fits that narrow a map. Brabec, Annen,
+// Seidel, Practical Shadow Mapping, Journal of Graphics Tools 7(4), 2002, call that of the fit `view` the focus of a
+// shadow map.
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
+#include "renderer/view/bounds/convex.h"
 #include "renderer/view/bounds/flat_mesh.h"
+#include "renderer/view/cascades/cascades.h"
+#include "renderer/view/fits/region.h"
 
 namespace si {
 namespace {
@@ -34,6 +40,27 @@ ViewExtent seen_from_light(const LightView& view, std::span<const glm::dvec3> po
 
 bool is_within(const ViewExtent& e, const LightView& view, double near, double far) {
     return e.lo.z >= near && e.hi.z <= far && std::max({-e.lo.x, e.hi.x, -e.lo.y, e.hi.y}) <= e.lo.z * view.half_width;
+}
+
+/// Returns the extent of the part of a box that a light can reach; x and y as in MapRegion, z in metres. Empty if the
+/// light reaches no part.
+/// @param box index into SceneShape::boxes
+/// @param seen a slice of the camera's frustum; only the part inside it counts
+ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen = nullptr) {
+    const Box& corners = in.shape.boxes[box];
+    const auto all = [&] {
+        return seen ? seen->visible_points(in.shape, box) : points_inside_planes(in.shape, box, {});
+    };
+    if (!in.view.curve.perspective) return seen_from_light(in.view, all());
+    const ViewExtent e = extent_in_view(corners, in.view);
+    const double far = std::min(e.hi.z, in.reach_m), near = kViewBegins * far;
+    if (!(far > 0) || e.lo.z > far) return {};
+    if (is_within(e, in.view, near, far)) return seen_from_light(in.view, all());
+    const Box pyramid = view_pyramid(in.view, near, far);
+    if (seen) return seen_from_light(in.view, seen->visible_points(corners, &pyramid));
+    const std::vector<HalfSpace> sides = box_half_spaces(pyramid);
+    const ConvexBody lit{pyramid, sides};
+    return seen_from_light(in.view, intersection_points(corners, {&lit, 1}));
 }
 
 /// Space that a caster can shadow: the positive sides of all planes, inside the outline.
@@ -219,25 +246,22 @@ private:
 
 }  // namespace
 
-ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen) {
-    const Box& corners = in.shape.boxes[box];
-    const auto all = [&] {
-        return seen ? seen->visible_points(in.shape, box) : points_inside_planes(in.shape, box, {});
-    };
-    if (!in.view.curve.perspective) return seen_from_light(in.view, all());
-    const ViewExtent e = extent_in_view(corners, in.view);
-    const double far = std::min(e.hi.z, in.reach_m), near = kViewBegins * far;
-    if (!(far > 0) || e.lo.z > far) return {};
-    if (is_within(e, in.view, near, far)) return seen_from_light(in.view, all());
-    const Box pyramid = view_pyramid(in.view, near, far);
-    if (seen) return seen_from_light(in.view, seen->visible_points(corners, &pyramid));
-    const std::vector<HalfSpace> sides = box_half_spaces(pyramid);
-    const ConvexBody lit{pyramid, sides};
-    return seen_from_light(in.view, intersection_points(corners, {&lit, 1}));
+std::optional<MapRegion> shadowed_region(const FitInput& in, const CameraSlice* seen) {
+    std::vector<ViewExtent> receivers(in.shape.boxes.size());
+    for (std::size_t i = 0; i < receivers.size(); ++i)
+        if (in.receives(i)) receivers[i] = lit_extent(in, i, seen);
+    return Shadowed(in, receivers).region();
 }
 
-std::optional<MapRegion> shadowed_region(const FitInput& in, std::span<const ViewExtent> receivers) {
-    return Shadowed(in, receivers).region();
+std::optional<MapRegion> fit_casters(const FitInput& in) {
+    return shadowed_region(in);
+}
+
+std::optional<MapRegion> fit_view(const FitInput& in) {
+    if (!in.camera) return fit_casters(in);
+    const DepthSpan depths = in.seen_m.value_or(DepthSpan{in.camera->curve.near, in.camera->curve.far});
+    const CameraSlice seen(*in.camera, depths.from_m, depths.to_m);
+    return shadowed_region(in, &seen);
 }
 
 }  // namespace si
