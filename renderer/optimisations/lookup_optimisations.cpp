@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "renderer/base/poisson_disk.h"
-#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/lights/kernel_reach.h"

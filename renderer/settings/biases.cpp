@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "renderer/settings/choices_of.h"
-
 namespace si {
 namespace {
 
@@ -145,8 +143,7 @@ std::span<const Bias> biases() {
 }
 
 std::span<const Choice> bias_choices() {
-    static const std::vector<Choice> choices = choices_of(kinds());
-    return choices;
+    return choices_of<kinds>();
 }
 
 const Bias& bias_of(const Settings& settings) {

@@ -12,20 +12,11 @@ namespace {
 // "scene" up to version 2.
 constexpr std::span<const EarlierDefault> kEarlierDefaults;
 
-std::span<const EarlierDefault> rows_in_use = kEarlierDefaults;
-
 }  // namespace
 
-std::span<const EarlierDefault> earlier_defaults() {
-    return rows_in_use;
-}
-
-TrialEarlierDefaults::TrialEarlierDefaults(std::span<const EarlierDefault> rows) : before_(rows_in_use) {
-    rows_in_use = rows;
-}
-
-TrialEarlierDefaults::~TrialEarlierDefaults() {
-    rows_in_use = before_;
+std::span<const EarlierDefault>& earlier_defaults() {
+    static std::span<const EarlierDefault> rows = kEarlierDefaults;
+    return rows;
 }
 
 int oldest_settings_version() {

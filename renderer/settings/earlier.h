@@ -21,23 +21,9 @@ struct EarlierDefault {
     std::string_view value;          ///< text for set_setting()
 };
 
-/// Returns the former defaults that releases have changed, oldest first. Empty before the first release.
-std::span<const EarlierDefault> earlier_defaults();
-
-/// Scope guard for tests: replaces the result of earlier_defaults() during its lifetime. A test can then read files of
-/// versions that no release has written.
-class TrialEarlierDefaults {
-public:
-    /// Replaces the table that earlier_defaults() returns until the object is destroyed; for tests.
-    /// @param rows have to outlive the object
-    explicit TrialEarlierDefaults(std::span<const EarlierDefault> rows);
-    ~TrialEarlierDefaults();
-    TrialEarlierDefaults(const TrialEarlierDefaults&) = delete;
-    TrialEarlierDefaults& operator=(const TrialEarlierDefaults&) = delete;
-
-private:
-    std::span<const EarlierDefault> before_;
-};
+/// Returns the table of former defaults that releases have changed, oldest first. Empty before the first release. Only
+/// tests assign another table, to read files of versions that no release has written.
+std::span<const EarlierDefault>& earlier_defaults();
 
 /// Returns the oldest readable version of settings files: the lowest version in earlier_defaults().
 int oldest_settings_version();

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "renderer/base/poisson_disk.h"
-#include "renderer/settings/choices_of.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/settings/paging.h"
 
 namespace si {
 namespace {
@@ -402,6 +403,23 @@ const Filter& filter_of(const Settings& settings) {
     return filters()[std::size_t(std::clamp(settings.filter.kernel, 0, int(filters().size()) - 1))];
 }
 
+bool compares_per_texel(const Settings& settings) {
+    return bias_of(settings).per_texel && filter_of(settings).samples() == Samples::Depth;
+}
+
+bool uses_sampler(const Settings& settings) {
+    if (draws_pages(settings) || settings.filter.method != FilterMethod::Sampler || is_colour(settings.map.format))
+        return false;
+    return !(compares_per_texel(settings) && is_bilinear(filter_of(settings), settings));
+}
+
+FilterCost cost_of(const Settings& settings) {
+    const Filter& row = filter_of(settings);
+    FilterCost cost = row.cost(row, settings);
+    if (cost.gathers > 0 && !uses_sampler(settings)) cost.texels = 4 * cost.gathers;
+    return cost;
+}
+
 Reach reach_of(const Settings& settings, double widest_texels) {
     const Filter& row = filter_of(settings);
     return row.reach(row, settings, widest_texels);
@@ -455,11 +473,6 @@ double safe_exponent(const Settings& settings) {
                           std::max(settings.map.samples, 1);
     const double least = wide ? double(std::numeric_limits<float>::min()) * shares : std::exp2(-24);
     return std::floor(100 * std::min(std::log(largest), -std::log(least)) / power) / 100;
-}
-
-std::span<const Choice> filter_choices() {
-    static const std::vector<Choice> choices = choices_of(filters());
-    return choices;
 }
 
 std::span<const std::string_view> sweep_kernels() {

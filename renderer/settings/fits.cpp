@@ -1,7 +1,6 @@
 // Rows of the table of fits, which choose the region of a shadow map.
 #include "renderer/settings/fits.h"
 
-#include "renderer/settings/choices_of.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/sources.h"
 
@@ -54,11 +53,6 @@ std::span<const FitRow> fits() {
 const FitRow& fit_row(LightFit fit) {
     const auto row = std::size_t(fit);
     return kFits[row < std::size(kFits) ? row : std::size_t(LightFit::Scene)];
-}
-
-std::span<const Choice> fit_choices() {
-    static const std::vector<Choice> choices = choices_of(fits());
-    return choices;
 }
 
 bool uses_camera_slices(const LightSettings& s) {

@@ -22,8 +22,6 @@ struct FitRow {
 std::span<const FitRow> fits();
 /// Returns the table row of a fit; for an invalid number the row of LightFit::Scene.
 const FitRow& fit_row(LightFit fit);
-/// Returns the choices of the setting light.fit.
-std::span<const Choice> fit_choices();
 
 /// Returns true when light.near and light.far give the depth range of the light's maps, instead of the fit.
 constexpr bool uses_manual_near_far(const LightSettings& light) {

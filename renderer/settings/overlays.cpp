@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "renderer/settings/choices_of.h"
-
 namespace si {
 namespace {
 
@@ -269,8 +267,9 @@ std::span<const Overlay> overlays() {
 
 std::span<const Choice> overlay_choices() {
     static const std::vector<Choice> choices = [] {
-        std::vector<Choice> out = choices_of(overlays());
-        out.insert(out.begin(), Choice{"none", "None", "The shaded picture as it is."});
+        const auto rows = choices_of<overlays>();
+        std::vector<Choice> out{{"none", "None", "The shaded picture as it is."}};
+        out.insert(out.end(), rows.begin(), rows.end());
         return out;
     }();
     return choices;

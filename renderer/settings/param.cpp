@@ -36,8 +36,10 @@ std::optional<std::pair<std::string_view, std::string_view>> split_object_key(st
     return std::pair{rest.substr(0, dot), rest.substr(dot + 1)};
 }
 
-FieldRef field_of(Settings& s, const SettingRef& ref, ObjectSettings* object) {
-    return ref.param->field(s, ref.light, object);
+/// Returns the settings of the object that `ref` names; the defaults where it has none or `ref` names no object.
+ObjectSettings object_of(const Settings& s, const SettingRef& ref) {
+    const auto found = s.objects.find(ref.object);
+    return found == s.objects.end() ? ObjectSettings() : found->second;
 }
 
 Value read(const FieldRef& field) {
@@ -87,18 +89,6 @@ std::size_t key_distance(std::string_view name, std::string_view known, std::siz
     const std::size_t last = name.find('.') == name.npos && name.size() > 2 ? known.rfind('.') : known.npos;
     return std::min({distance(known), parts == known.npos ? most + 1 : distance(known.substr(0, parts)),
                      last == known.npos ? most + 1 : distance(known.substr(last + 1)) + 1});
-}
-
-/// Calls `use` with each run of successive rows of one scope, in table order.
-template <class Use>
-void for_each_group(Use use) {
-    const auto rows = params();
-    for (std::size_t begin = 0; begin < rows.size();) {
-        std::size_t end = begin;
-        while (end < rows.size() && rows[end].scope == rows[begin].scope) ++end;
-        use(rows.subspan(begin, end - begin));
-        begin = end;
-    }
 }
 
 }  // namespace
@@ -201,20 +191,13 @@ double numeric_value(const Value& v) {
 }
 
 Value get_value(const Settings& s, const SettingRef& ref) {
+    ObjectSettings object = object_of(s, ref);
     // Rows return a pointer for writing, and reading uses the same pointer.
-    auto& mutable_settings = const_cast<Settings&>(s);
-    if (ref.param->scope != Scope::Object) return read(field_of(mutable_settings, ref, nullptr));
-    ObjectSettings object;
-    if (const auto it = s.objects.find(ref.object); it != s.objects.end()) object = it->second;
-    return read(field_of(mutable_settings, ref, &object));
+    return read(ref.param->field(const_cast<Settings&>(s), ref.light, &object));
 }
 
 void set_value(Settings& s, const SettingRef& ref, const Value& v) {
-    ObjectSettings object;
-    const bool is_object = ref.param->scope == Scope::Object;
-    if (is_object) {
-        if (const auto it = s.objects.find(ref.object); it != s.objects.end()) object = it->second;
-    }
+    ObjectSettings object = object_of(s, ref);
     std::visit(
         [](auto to, const auto& from) {
             if constexpr (std::is_same_v<decltype(to), EnumRef>) {
@@ -224,8 +207,8 @@ void set_value(Settings& s, const SettingRef& ref, const Value& v) {
                 if constexpr (std::is_convertible_v<decltype(from), To>) *to = static_cast<To>(from);
             }
         },
-        field_of(s, ref, &object), v);
-    if (!is_object) return;
+        ref.param->field(s, ref.light, &object), v);
+    if (ref.param->scope != Scope::Object) return;
     // An override equal to the defaults is removed, so that equal settings compare equal.
     if (object == ObjectSettings{}) {
         s.objects.erase(ref.object);
@@ -241,18 +224,21 @@ Value default_value(const SettingRef& ref) {
 
 std::vector<SettingRef> all_settings(const Settings& s) {
     std::vector<SettingRef> all;
-    for_each_group([&](std::span<const Param> group) {
+    const auto rows = params();
+    for (auto begin = rows.begin(), end = begin; begin != rows.end(); begin = end) {
+        const Scope scope = begin->scope;
+        end = std::find_if(begin, rows.end(), [&](const Param& p) { return p.scope != scope; });
         const auto add = [&](int light, const std::string& object) {
-            for (const Param& p : group) all.push_back({&p, light, object});
+            for (const Param& p : std::span(begin, end)) all.push_back({&p, light, object});
         };
-        if (group.front().scope == Scope::Light) {
+        if (scope == Scope::Light) {
             for (int i = 0; i < kMaxLights; ++i) add(i, {});
-        } else if (group.front().scope == Scope::Object) {
+        } else if (scope == Scope::Object) {
             for (const auto& [path, object] : s.objects) add(0, path);
         } else {
             add(0, {});
         }
-    });
+    }
     return all;
 }
 

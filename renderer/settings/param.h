@@ -52,6 +52,18 @@ struct Choice {
     std::string_view key, label, help;
 };
 
+/// Returns the rows of a table of techniques (key, label, help) as choices of a setting, in the table's order.
+/// @tparam rows function that returns the table, which no longer changes
+template <auto rows>
+std::span<const Choice> choices_of() {
+    static const std::vector<Choice> choices = [] {
+        std::vector<Choice> out;
+        for (const auto& row : rows()) out.push_back({row.key, row.label, row.help});
+        return out;
+    }();
+    return choices;
+}
+
 /// OpenGL feature beyond version 4.5 that a setting needs.
 enum class DriverFeature { None, PolygonOffsetClamp };
 

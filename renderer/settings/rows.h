@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "renderer/settings/param.h"
 
@@ -13,26 +14,18 @@ namespace si {
 
 // Rows of the settings table by topic; params() joins them.
 
-/// Returns the rows of the settings table for shadow maps: map.*.
-std::span<const Param> map_rows();
-/// Returns the rows of the settings table for casters, biases and filters: caster.*, bias.*, filter.*.
-std::span<const Param> bias_rows();
+/// Returns the rows of the settings table for shadow maps: map.*, caster.*, bias.*, filter.*.
+std::vector<Param> shadow_rows();
 /// Returns the rows of the settings table for lights: light.count and light.*.
-std::span<const Param> light_rows();
+std::vector<Param> light_rows();
 /// Returns the rows of shadows that no map holds: volumes.*, contact.*, blob.*, light_map.*.
-std::span<const Param> source_rows();
-/// Returns the rows of shading settings: shading.*.
-std::span<const Param> shading_rows();
-/// Returns the rows of the settings table for the camera: camera.*.
-std::span<const Param> camera_rows();
-/// Returns the rows of the settings table for the scene: scene.*.
-std::span<const Param> scene_rows();
+std::vector<Param> source_rows();
+/// Returns the rows of the settings table for picture, camera and scene: shading.*, camera.*, scene.*.
+std::vector<Param> picture_rows();
 /// Returns the rows of the settings table for map viewer, panes and overlays: view.*.
-std::span<const Param> view_rows();
-/// Returns the rows of the settings table for the ray-traced reference: truth.*.
-std::span<const Param> reference_rows();
-/// Returns the rows of the settings table for single objects: object.*.
-std::span<const Param> object_rows();
+std::vector<Param> view_rows();
+/// Returns the rows of the ray-traced reference and of single objects: truth.*, object.*.
+std::vector<Param> reference_rows();
 
 namespace rows {
 
@@ -48,6 +41,14 @@ namespace rows {
     .idle = []([[maybe_unused]] const Settings& s, [[maybe_unused]] int i) -> std::string_view { \
         return (condition) ? std::string_view(reason) : std::string_view();                      \
     }
+
+/// Returns the rows of several lists as one list.
+template <std::size_t... N>
+std::vector<Param> joined(const std::array<Param, N>&... lists) {
+    std::vector<Param> all;
+    (all.insert(all.end(), lists.begin(), lists.end()), ...);
+    return all;
+}
 
 /// Returns rows with their scope set to `scope`.
 template <std::size_t N>

@@ -222,12 +222,12 @@ constexpr auto kLight = with_scope(
                  "buffer; a surface on the way shadows it, whatever light.source says. Brings back the small shadows "
                  "that a bias loses at contacts. Only geometry in the picture counts. 0 is off.",
          .also = "contact shadow length, screen-space shadows, contact distance, screenSpaceContactShadows"},
-        {SI_LIGHT_FIELD(source), .label = "Source", .choices = source_choices,
+        {SI_LIGHT_FIELD(source), .label = "Source", .choices = choices_of<sources>,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "The technique that makes the light's shadows. All can be compared with the ray-traced reference.",
          .also = "shadow type, ray-traced shadows, baked shadows, stencil shadows, lightmap, shadowmask, capsule "
                  "shadows, blob shadows, decal shadows"},
-        {SI_LIGHT_FIELD(fit), .label = "Fit", .choices = fit_choices, .idle = map_idle,
+        {SI_LIGHT_FIELD(fit), .label = "Fit", .choices = choices_of<fits>, .idle = map_idle,
          .help = "The region that the shadow map covers.",
          .also = "shadow distance, max distance, shadow camera, stable cascades, stabilized, shadow frustum, stable "
                  "fit, close fit, shadow projection, dynamic shadow distance, directional shadow max distance, "
@@ -272,7 +272,7 @@ constexpr auto kLight = with_scope(
                  "shadow mode, cascaded shadow maps"},
         {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", SI_CHOICES(kDepthBounds), .idle = depth_bounds_idle,
          .help = "The camera depths that cascades and fits to the view frustum cover."},
-        {SI_LIGHT_FIELD(split), .label = "Split", .choices = split_choices, .idle = between_cascades_idle,
+        {SI_LIGHT_FIELD(split), .label = "Split", .choices = choices_of<splits>, .idle = between_cascades_idle,
          .help = "The division of the camera's depth among cascades.",
          .also = "cascade splits, cascade distribution, partition, split distance, cascadeSplitPositions"},
         {SI_LIGHT_FIELD(split_lambda), .label = "Split lambda", .min = 0, .max = 1, .idle = lambda_idle,
@@ -320,13 +320,8 @@ static_assert(kLight.size() == member_count<LightSettings>(), "a member of Light
 
 }  // namespace
 
-std::span<const Param> light_rows() {
-    static const std::vector<Param> list = [] {
-        std::vector<Param> all(kCount.begin(), kCount.end());
-        all.insert(all.end(), kLight.begin(), kLight.end());
-        return all;
-    }();
-    return list;
+std::vector<Param> light_rows() {
+    return joined(kCount, kLight);
 }
 
 }  // namespace si

@@ -304,7 +304,7 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
 static_assert(kBias.size() == member_count<BiasSettings>(), "a member of BiasSettings has no row");
 
 constexpr auto kFilter = only_of_maps(std::to_array<Param>({
-    {SI_FIELD(filter.kernel), .label = "Kernel", .cost = Cost::Program, .choices = filter_choices,
+    {SI_FIELD(filter.kernel), .label = "Kernel", .cost = Cost::Program, .choices = choices_of<filters>,
      .swept = sweep_kernels,
      .help = "The filter of the shadow test. Wider kernels blur the stair steps and need more bias.",
      .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
@@ -417,18 +417,8 @@ static_assert(kFilter.size() == member_count<FilterSettings>(), "a member of Fil
 
 }  // namespace
 
-std::span<const Param> map_rows() {
-    return kMap;
-}
-
-std::span<const Param> bias_rows() {
-    static const std::vector<Param> list = [] {
-        std::vector<Param> all(kCaster.begin(), kCaster.end());
-        all.insert(all.end(), kBias.begin(), kBias.end());
-        all.insert(all.end(), kFilter.begin(), kFilter.end());
-        return all;
-    }();
-    return list;
+std::vector<Param> shadow_rows() {
+    return joined(kMap, kCaster, kBias, kFilter);
 }
 
 }  // namespace si

@@ -57,8 +57,8 @@ static_assert(kSourceParams.size() == member_count<VolumeSettings>() + member_co
 
 }  // namespace
 
-std::span<const Param> source_rows() {
-    return kSourceParams;
+std::vector<Param> source_rows() {
+    return joined(kSourceParams);
 }
 
 }  // namespace si

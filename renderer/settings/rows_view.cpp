@@ -222,22 +222,12 @@ static_assert(kObject.size() == member_count<ObjectSettings>(), "a member of Obj
 
 }  // namespace
 
-std::span<const Param> shading_rows() {
-    return kShading;
-}
-std::span<const Param> camera_rows() {
-    return kCamera;
-}
-std::span<const Param> scene_rows() {
-    return kScene;
+std::vector<Param> picture_rows() {
+    return joined(kShading, kCamera, kScene);
 }
 
-std::span<const Param> reference_rows() {
-    return kReference;
-}
-
-std::span<const Param> object_rows() {
-    return kObject;
+std::vector<Param> reference_rows() {
+    return joined(kReference, kObject);
 }
 
 }  // namespace si

@@ -210,8 +210,8 @@ static_assert(kView.size() == member_count<ViewSettings>(), "a member of ViewSet
 
 }  // namespace
 
-std::span<const Param> view_rows() {
-    return kView;
+std::vector<Param> view_rows() {
+    return joined(kView);
 }
 
 }  // namespace si

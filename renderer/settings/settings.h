@@ -330,17 +330,7 @@ struct ObjectSettings {
 /// @param own the choice of the object @param of_all the choice for all casters (caster.cull), used if the object
 /// inherits
 constexpr Cull cull_in_force(ObjectCull own, Cull of_all) {
-    switch (own) {
-        case ObjectCull::None:
-            return Cull::None;
-        case ObjectCull::Back:
-            return Cull::Back;
-        case ObjectCull::Front:
-            return Cull::Front;
-        case ObjectCull::Inherit:
-            break;
-    }
-    return of_all;
+    return own == ObjectCull::Inherit ? of_all : Cull(int(own) - 1);  // both list the same values after Inherit
 }
 
 /// Complete settings of a session: scene, camera, techniques, lights, display and objects. A comparable, copyable

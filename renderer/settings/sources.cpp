@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "renderer/settings/choices_of.h"
-
 namespace si {
 namespace {
 
@@ -81,11 +79,6 @@ constexpr Source kSourceRows[] = {
 
 std::span<const Source> sources() {
     return kSourceRows;
-}
-
-std::span<const Choice> source_choices() {
-    static const std::vector<Choice> choices = choices_of(sources());
-    return choices;
 }
 
 const Source& source_of(const Settings& settings, int light) {

@@ -38,8 +38,6 @@ struct Source {
 
 /// Returns all rows of the table of visibility sources.
 std::span<const Source> sources();
-/// Returns the choices of the setting light.source.
-std::span<const Choice> source_choices();
 
 /// Returns the visibility source that light number `light` chooses, even if the light casts no shadow.
 const Source& source_of(const Settings& settings, int light);

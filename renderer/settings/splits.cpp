@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "renderer/settings/choices_of.h"
-
 namespace si {
 namespace {
 
@@ -42,11 +40,6 @@ constexpr Members kMembers = {&LightSettings::split_1, &LightSettings::split_2, 
 
 std::span<const SplitRow> splits() {
     return kSplits;
-}
-
-std::span<const Choice> split_choices() {
-    static const std::vector<Choice> choices = choices_of(splits());
-    return choices;
 }
 
 std::array<double, kMaxCascades - 1> manual_splits(const LightSettings& light) {

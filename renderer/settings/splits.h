@@ -20,8 +20,6 @@ struct SplitRow {
 
 /// Returns the table of cascade splits, in the order of the enumeration Split.
 std::span<const SplitRow> splits();
-/// Returns the choices of the setting light.split.
-std::span<const Choice> split_choices();
 
 /// Returns the manual far ends of all cascades but the last (light.split_1 to light.split_7), as shares of the divided
 /// depth.

@@ -10,10 +10,9 @@ static_assert(rows::member_count<Settings>() == 16, "Settings has a member witho
 std::span<const Param> params() {
     static const std::vector<Param> table = [] {
         std::vector<Param> all;
-        for (const auto group : {map_rows(), bias_rows(), light_rows(), source_rows(), shading_rows(), camera_rows(),
-                                 scene_rows(), view_rows(), reference_rows(), object_rows()}) {
+        for (const auto& group :
+             {shadow_rows(), light_rows(), source_rows(), picture_rows(), view_rows(), reference_rows()})
             all.insert(all.end(), group.begin(), group.end());
-        }
         for (Param& p : all) {
             if (p.choices) {
                 p.min = 0;

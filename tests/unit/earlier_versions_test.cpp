@@ -26,6 +26,18 @@ constexpr EarlierDefault kTrialRows[] = {
     {.version = 1, .key = "map.resolution", .value = "512"},
 };
 
+/// Scope in which the made-up defaults are those of earlier versions.
+class TrialEarlierDefaults {
+public:
+    TrialEarlierDefaults() { std::swap(earlier_defaults(), rows_); }
+    ~TrialEarlierDefaults() { std::swap(earlier_defaults(), rows_); }
+    TrialEarlierDefaults(const TrialEarlierDefaults&) = delete;
+    TrialEarlierDefaults& operator=(const TrialEarlierDefaults&) = delete;
+
+private:
+    std::span<const EarlierDefault> rows_ = kTrialRows;
+};
+
 std::string preset_of(int version, const std::string& settings) {
     return R"({"format":"shadow-inspector-preset","version":)" + std::to_string(version) + R"(,"settings":{)" +
            settings + "}}";
@@ -52,7 +64,7 @@ TEST(EarlierVersions, NoneIsReadBeforeTheFirstRelease) {
 }
 
 TEST(EarlierVersions, EachHasItsOwnDefaults) {
-    const TrialEarlierDefaults trial(kTrialRows);
+    const TrialEarlierDefaults trial;
     EXPECT_EQ(oldest_settings_version(), 0);
     EXPECT_EQ(readable_versions(), fmt::format("versions 0 to {}", kSettingsVersion));
     EXPECT_EQ(defaults_of_version(0).map.resolution, 256) << "the oldest of two rows of a setting";
@@ -64,7 +76,7 @@ TEST(EarlierVersions, EachHasItsOwnDefaults) {
 }
 
 TEST(EarlierVersions, FileChangesOnlyTheLightsThatItNames) {
-    const TrialEarlierDefaults trial(kTrialRows);
+    const TrialEarlierDefaults trial;
     const Settings s = read_preset(1, R"("light.count":2,"light.4.azimuth":7)");
     const Settings old = defaults_of_version(1);
     const Settings now;
@@ -76,7 +88,7 @@ TEST(EarlierVersions, FileChangesOnlyTheLightsThatItNames) {
 }
 
 TEST(EarlierVersions, PresetSavedAgainHasTheSameMeaning) {
-    const TrialEarlierDefaults trial(kTrialRows);
+    const TrialEarlierDefaults trial;
     for (const int version : {0, 1, kSettingsVersion}) {
         const Preset preset = parse_preset(preset_of(version, R"("light.count":2,"bias.constant":3)"), "a.json");
         const std::string text = preset_text(preset);
@@ -87,7 +99,7 @@ TEST(EarlierVersions, PresetSavedAgainHasTheSameMeaning) {
 }
 
 TEST(EarlierVersions, JournalIsReadWithTheDefaultsOfItsVersion) {
-    const TrialEarlierDefaults trial(kTrialRows);
+    const TrialEarlierDefaults trial;
     const auto base_of = [](int version, OrderedJson settings, OrderedJson axes) {
         const OrderedJson spec = {{"scene", {{"name", "boxes"}, {"triangles", 12}, {"content", "00000000000000ff"}}},
                                   {"picture", {{"width", 64}, {"height", 36}}},
