@@ -21,6 +21,9 @@ vec4 base_colour() {
 #endif
 }
 
+/// Drops the fragment where the alpha mask cuts it out.
+void discard_masked() {
 #ifdef MASKED
-bool masked_out() { return base_colour().a < surface.y; }
+    if (base_colour().a < surface.y) discard;
 #endif
+}

@@ -15,11 +15,7 @@ vec2 stored_bounds(vec4 bounds, vec2 from_middle, float texels, vec2 slope) {
 float bounded_visibility(Receiver r) {
     vec2 at = r.uvd_offset.xy * float(map_resolution);
     ivec2 block = clamp(ivec2(at) / BOUNDS_BLOCK, ivec2(0), textureSize(map_bounds, 0).xy - 1);
-#if MAP_LAYERS > 1
-    vec4 bounds = texelFetch(map_bounds, ivec3(block, r.layer), 0);
-#else
-    vec4 bounds = texelFetch(map_bounds, block, 0);
-#endif
+    vec4 bounds = texelFetch(map_bounds, TEXEL_IN_LAYER(block, r.layer), 0);
     float texels = light_of(r.light).kernel.w + 1e-3;  // 1e-3: rounding of map coordinates
     vec2 from_middle = at - (vec2(block) + 0.5) * float(BOUNDS_BLOCK);
     bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(float(map_resolution))));

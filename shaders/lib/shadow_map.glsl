@@ -14,17 +14,18 @@ float sampler_compare(vec2 at, int layer, float own) { return 0.0; }  // compare
 layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DArrayShadow shadow_map_compare; // comparison by map_compare
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec4(at, layer, own)); }
 #define IN_LAYER(at, layer) vec3(at, layer)
-#define MAP_TEXEL(map, texel, layer) texelFetch(map, ivec3(texel, layer), 0).r
+#define TEXEL_IN_LAYER(texel, layer) ivec3(texel, layer)
 #else
 #define MAPS sampler2D
 layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DShadow shadow_map_compare;
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec3(at, own)); }
 #define IN_LAYER(at, layer) at
-#define MAP_TEXEL(map, texel, layer) texelFetch(map, texel, 0).r
+#define TEXEL_IN_LAYER(texel, layer) texel
 #endif
 #if !MAP_PAGED
 #define MAP_AT(map, at, layer) texture(map, IN_LAYER(at, layer)).r
 #define MAP_GATHER(map, at, layer) textureGather(map, IN_LAYER(at, layer))
+#define MAP_TEXEL(map, texel, layer) texelFetch(map, TEXEL_IN_LAYER(texel, layer), 0).r
 #endif
 layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no comparison
 

@@ -23,11 +23,7 @@ SUMS sum_before(ivec2 corner, int layer) {
 #ifdef MARK_TEXELS
     map_depth((vec2(texel) + 0.5) / float(map_resolution), layer);
 #endif
-#if MAP_LAYERS > 1
-    return texelFetch(sums_map, ivec3(texel, layer), 0).rg;
-#else
-    return texelFetch(sums_map, texel, 0).rg;
-#endif
+    return texelFetch(sums_map, TEXEL_IN_LAYER(texel, layer), 0).rg;
 }
 
 /// Returns the mean moments over a rectangle around a place of the map, texels weighted by their covered area.

@@ -11,7 +11,7 @@ uniform vec4 curve;  // near, far, 1 perspective, 1 reversed: near at 1
 
 void main() {
 #ifdef MASKED
-    if (masked_out()) discard;
+    discard_masked();
 #endif
 #if DROPS_STRAYS
     // A triangle edge-on to the light covers texels by rounding alone, with depths of its plane far outside the triangle.

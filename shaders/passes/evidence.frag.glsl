@@ -27,9 +27,7 @@ float curing_bias(Receiver r, Evidence e) {
 }
 
 void main() {
-#ifdef MASKED
-    if (masked_out()) discard;
-#endif
+    discard_masked();
     Surface s = make_surface();
     Receiver r = make_receiver(s, LIGHT_INDEX);
     float v = light_visibility(s, LIGHT_INDEX);

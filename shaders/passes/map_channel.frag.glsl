@@ -15,11 +15,7 @@ float number_at(ivec2 at) {
 }
 #else
 float number_at(ivec2 at) {
-#if MAP_LAYERS > 1
-    return restored(texelFetch(moments_map, ivec3(at, layer), mip))[channel];
-#else
-    return restored(texelFetch(moments_map, at, mip))[channel];
-#endif
+    return restored(texelFetch(moments_map, TEXEL_IN_LAYER(at, layer), mip))[channel];
 }
 #endif
 

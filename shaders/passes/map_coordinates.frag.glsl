@@ -21,9 +21,7 @@ bool reads_map(Receiver r) {
 }
 
 void main() {
-#ifdef MASKED
-    if (masked_out()) discard;
-#endif
+    discard_masked();
     Receiver r = make_receiver(make_surface(), LIGHT_INDEX);
     bool reads = reads_map(r);
     coordinates_out = reads ? vec4(r.uvd_offset.xy, float(r.layer - LIGHT_FIRST_VIEW[LIGHT_INDEX]), 1.0) : vec4(0.0);

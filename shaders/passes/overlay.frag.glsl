@@ -23,9 +23,7 @@ float pixel_visibility(Receiver r) {
 layout(location = 0) out vec4 overlay_out;
 
 void main() {
-#ifdef MASKED
-    if (masked_out()) discard;
-#endif
+    discard_masked();
     Receiver r = make_receiver(make_surface(), LIGHT_INDEX);
     vec4 value = overlay(r);
 #ifdef OVERLAY_SCALAR

@@ -8,9 +8,7 @@ layout(location = 2) out vec4 shading_out;    // xyz, w: the high 16 bits, as fl
 layout(location = 3) out vec4 visibility_out; // x, yzw: vertex normal
 
 void main() {
-#ifdef MASKED
-    if (masked_out()) discard;
-#endif
+    discard_masked();
     Surface s = make_surface();
     position_out = vec4(s.position, 1.0 + surface.w);
     uint triangle = uint(gl_PrimitiveID);

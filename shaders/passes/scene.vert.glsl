@@ -1,20 +1,12 @@
 // Vertex shader of all passes that draw the scene from the camera. Equal input gives equal positions in each pass.
 #include "lib/frame.glsl"
+#include "lib/vertex_colour.glsl"
 
 layout(location = 0) in vec3 position_os;
 layout(location = 1) in vec3 normal_os;
-layout(location = 2) in vec2 uv_in;
-#ifdef VERTEX_COLOURS
-layout(location = 3) in vec4 colour_in;
-out vec4 colour;
-#else
-flat out vec4 colour;
-#endif
 layout(location = 4) in vec4 row0;
 layout(location = 5) in vec4 row1;
 layout(location = 6) in vec4 row2;
-layout(location = 7) in vec4 base_colour_in;
-layout(location = 8) in vec4 surface_in;  // x: receives shadows, y: alpha cutoff, z: unlit, w: object number
 layout(location = 9) in vec3 normal_row0;
 layout(location = 10) in vec3 normal_row1;
 layout(location = 11) in vec3 normal_row2;
@@ -32,12 +24,6 @@ layout(location = 14) in vec3 face_os;  // normal of the triangle that has this 
 out vec3 position_rel;
 flat out vec3 face_normal;  // unit, on the side that the camera sees
 out vec3 normal_ws;
-#ifdef TEXTURED
-out vec2 uv;
-#endif
-#ifdef SURFACE_FLAGS
-flat out vec4 surface;
-#endif
 invariant gl_Position;
 
 /// Returns the triangle's normal, turned to the camera. Screen derivatives would be off by a tenth of a degree in single
@@ -59,17 +45,7 @@ void main() {
     normal_ws = vec3(dot(normal_row0, normal_os), dot(normal_row1, normal_os), dot(normal_row2, normal_os));
     face_normal = seen_face_normal(
         vec3(dot(normal_row0, face_os), dot(normal_row1, face_os), dot(normal_row2, face_os)), position_rel);
-#ifdef TEXTURED
-    uv = uv_in;
-#endif
-#ifdef VERTEX_COLOURS
-    colour = colour_in * base_colour_in;
-#else
-    colour = base_colour_in;
-#endif
-#ifdef SURFACE_FLAGS
-    surface = surface_in;
-#endif
+    pass_base_colour();
 #ifdef NORMAL_MAPPED
     uv_scale = uv_scale_in;
 #ifdef TANGENTS

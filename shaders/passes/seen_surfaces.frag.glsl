@@ -11,9 +11,7 @@ layout(location = 4) out vec4 step_y_out;
 #endif
 
 void main() {
-#ifdef MASKED
-    if (masked_out()) discard;
-#endif
+    discard_masked();
     Surface s = make_surface();
     position_out = vec4(s.position, float(s.receives));
     geometric_out = vec4(s.geometric, 0.0);

@@ -4,8 +4,6 @@
 layout(location = 0) out uvec2 ids_out;  // 1 + object number, triangle within its draw
 
 void main() {
-#ifdef MASKED
-    if (masked_out()) discard;
-#endif
+    discard_masked();
     ids_out = uvec2(uint(surface.w) + 1u, uint(gl_PrimitiveID));
 }

@@ -7,8 +7,6 @@
 layout(location = 0) out float visibility_out;
 
 void main() {
-#ifdef MASKED
-    if (masked_out()) discard;
-#endif
+    discard_masked();
     visibility_out = source_visibility(make_surface(), LIGHT_INDEX);
 }
