@@ -8,22 +8,9 @@
 namespace si {
 
 std::string_view place_name(std::optional<MapPlace> place) {
-    if (!place) return "no map";
-    switch (*place) {
-        case MapPlace::Inside:
-            return "inside";
-        case MapPlace::BeforeNear:
-            return "before near";
-        case MapPlace::Sides:
-            return "sides";
-        case MapPlace::BeyondFar:
-            return "beyond far";
-        case MapPlace::Behind:
-            return "behind";
-        case MapPlace::OutsideCasterRegion:
-            return "beyond shadows";
-    }
-    return "";
+    constexpr std::string_view kNames[] = {"inside", "before near", "sides", "beyond far", "behind", "beyond shadows"};
+    static_assert(std::size(kNames) == std::size_t(MapPlace::OutsideCasterRegion) + 1);
+    return place ? kNames[std::size_t(*place)] : "no map";
 }
 
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,

@@ -33,31 +33,21 @@ double from_centre(const LightView& view, const glm::dvec3& point_ws) {
 }  // namespace
 
 ChosenView ViewChooser::choose(std::span<const LightView> views, const glm::dvec3& point_ws) const {
-    switch (choice) {
-        case ViewChoice::One:
-            break;
-        case ViewChoice::Face:
-            return {.view = face_of(point_ws - from_ws), .other = face_of(point_ws - from_ws)};
-        case ViewChoice::Interval:
-        case ViewChoice::Map:
-        case ViewChoice::Distance: {
-            ChosenView chosen{views.size() - 1, views.size() - 1, 0};
-            bool held = false;
-            for (std::size_t i = views.size(); i-- > 0;) {
-                const double at = choice == ViewChoice::Interval   ? glm::dot(point_ws - from_ws, forward)
-                                  : choice == ViewChoice::Distance ? glm::distance(point_ws, from_ws)
-                                                                   : from_centre(views[i], point_ws);
-                const ViewSpan& span = spans[i];
-                if (!(at < span.ends)) continue;
-                const bool blends = held && at > span.blends_from;
-                chosen = {i, blends ? chosen.view : i,
-                          blends ? (at - span.blends_from) / (span.ends - span.blends_from) : 0};
-                held = true;
-            }
-            return chosen;
-        }
+    if (choice == ViewChoice::One) return {};
+    if (choice == ViewChoice::Face) return {.view = face_of(point_ws - from_ws), .other = face_of(point_ws - from_ws)};
+    ChosenView chosen{views.size() - 1, views.size() - 1, 0};
+    bool held = false;
+    for (std::size_t i = views.size(); i-- > 0;) {
+        const double at = choice == ViewChoice::Interval   ? glm::dot(point_ws - from_ws, forward)
+                          : choice == ViewChoice::Distance ? glm::distance(point_ws, from_ws)
+                                                           : from_centre(views[i], point_ws);
+        const ViewSpan& span = spans[i];
+        if (!(at < span.ends)) continue;
+        const bool blends = held && at > span.blends_from;
+        chosen = {i, blends ? chosen.view : i, blends ? (at - span.blends_from) / (span.ends - span.blends_from) : 0};
+        held = true;
     }
-    return {};
+    return chosen;
 }
 
 std::string view_short_name(ViewChoice choice, std::size_t view) {

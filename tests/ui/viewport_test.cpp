@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "renderer/view/cameras/camera_settings.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"

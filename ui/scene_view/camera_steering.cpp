@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "renderer/settings/param.h"
-#include "renderer/view/cameras/camera_settings.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/state/panels.h"

@@ -19,6 +19,9 @@ namespace si {
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> fitted_without_camera = {});
 
+/// Returns manual camera settings for which make_camera() reproduces a camera. Near and far planes stay automatic.
+CameraSettings camera_settings(const Camera& camera);
+
 /// Returns the camera of make_camera() as manual settings, so that it can be moved. A light's near and far planes are
 /// dropped, since they would cut the scene once the camera moves.
 /// @param aspect width / height of the picture, on which automatic framing depends

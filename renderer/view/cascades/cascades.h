@@ -67,7 +67,7 @@ std::optional<DepthSpan> visible_depths(const Camera& camera, const std::vector<
 /// @param centre,radius world, metres
 DepthSpan rotation_stable_depths(const Camera& camera, const glm::dvec3& centre, double radius);
 
-/// Sphere in world space that bounds a slice of the camera's frustum.
+/// Sphere in world space.
 struct Sphere {
     glm::dvec3 centre{0};  ///< world
     double radius = 0;     ///< metres

@@ -34,15 +34,10 @@ CameraSlice padded_frustum(Camera camera, int lines) {
             c.far + std::max(kFrustumDepthPad * std::abs(c.far), room)};
 }
 
-struct BoundingBall {
-    glm::dvec3 centre{0};
-    double radius = 0;
-};
-
-BoundingBall ball_around(std::span<const glm::dvec3> points) {
+Sphere ball_around(std::span<const glm::dvec3> points) {
     Bounds bounds;
     for (const glm::dvec3& p : points) bounds.add(p);
-    BoundingBall ball{bounds.centre(), 0};
+    Sphere ball{bounds.centre(), 0};
     for (const glm::dvec3& p : points) ball.radius = std::max(ball.radius, glm::distance(ball.centre, p));
     return ball;
 }
@@ -198,7 +193,7 @@ std::string none_arrives(const FittedLight& light) {
 
 bool may_illuminate(const FittedLight& light, std::span<const glm::dvec3> points) {
     if (light.type == LightType::Directional) return true;
-    const BoundingBall ball = ball_around(points);
+    const Sphere ball = ball_around(points);
     if (!std::isfinite(ball.radius)) return true;
     const glm::dvec3 d = ball.centre - light.position;
     if (light.range_m > 0 && glm::length(d) - ball.radius > light.range_m * (1 + kLightRangePad)) return false;

@@ -1,6 +1,5 @@
 // Fits of cascades: maps of a directional light for slices of the view frustum, tight or stabilised.
 #include <algorithm>
-#include <cmath>
 
 #include "renderer/base/directions.h"
 #include "renderer/base/finite.h"
@@ -15,10 +14,6 @@ namespace {
 
 bool is_stabilised(const FitContext& c) {
     return c.settings.fit == LightFit::Stabilised;
-}
-
-bool is_warped(const FitContext& c) {
-    return fit_row(c.settings.fit).warps;
 }
 
 /// Returns the camera depths in metres at which the cascades end; the last one is `all.to_m`.
@@ -66,7 +61,7 @@ void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Ca
     if (points.empty())  // no visible receiver
         for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
             if (i != c.shape.ground) points.insert(points.end(), c.shape.boxes[i].begin(), c.shape.boxes[i].end());
-    if (is_warped(c)) return fit_warped(light, view, c, camera, points, on_ground, margin);
+    if (fit_row(c.settings.fit).warps) return fit_warped(light, view, c, camera, points, on_ground, margin);
     ViewExtent seen = extent_in_view(points, view);
     if (!on_ground.empty()) widen_for_ground_shadow(seen, extent_in_view(on_ground, view));
     const DepthSpan receivers{seen.lo.z, seen.hi.z};

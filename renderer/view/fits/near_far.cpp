@@ -14,24 +14,17 @@ constexpr double kMaxSunCotangent = 3;
 /// Largest reach of kernels at the end of a ground shadow, as a share of the map's width.
 constexpr double kMaxGroundKernelOfMap = 0.125;
 
-NearFar choice_of(const FitContext& c) {
-    return c.settings.near_far;
+/// Returns true when a box bounds the near plane.
+bool bounds_near(const FitContext& c, std::size_t box) {
+    const NearFar choice = c.settings.near_far;
+    if (choice == NearFar::Casters) return c.shape.box_casts[box];
+    return choice != NearFar::Pancaking || c.shape.box_receives[box];
 }
 
-/// Returns true when a box bounds the near plane, or the far plane.
-bool bounds_near(const FitContext& c, std::size_t box) {
-    switch (choice_of(c)) {
-        case NearFar::Casters:
-            return c.shape.box_casts[box];
-        case NearFar::Pancaking:
-            return c.shape.box_receives[box];
-        default:
-            return true;
-    }
-}
+/// Returns true when a box bounds the far plane.
 bool bounds_far(const FitContext& c, std::size_t box) {
-    const bool receivers = choice_of(c) == NearFar::Casters || choice_of(c) == NearFar::Pancaking;
-    return !receivers || c.shape.box_receives[box];
+    const NearFar choice = c.settings.near_far;
+    return (choice != NearFar::Casters && choice != NearFar::Pancaking) || c.shape.box_receives[box];
 }
 
 }  // namespace
@@ -41,15 +34,8 @@ double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_
     const double amount = std::max({0.0, finite_or(b.constant, 0), finite_or(b.slope, 0)});
     // With a compared depth per texel, taps lie on the slope of the receiver's plane.
     const double aside = 2 * lookup_reach_texels(c.all_settings) * texel_m;
-    switch (b.unit) {
-        case BiasUnit::Depth:
-            return aside + range_m * std::min(amount, 0.9) / (1 - std::min(amount, 0.9));
-        case BiasUnit::Texels:
-            return aside + amount * texel_m;
-        case BiasUnit::Metres:
-            return aside + amount;
-    }
-    return aside;
+    if (b.unit == BiasUnit::Depth) return aside + range_m * std::min(amount, 0.9) / (1 - std::min(amount, 0.9));
+    return aside + (b.unit == BiasUnit::Texels ? amount * texel_m : amount);
 }
 
 double lookup_reach_texels(const Settings& s) {
@@ -68,7 +54,7 @@ double ground_kernel_depth_m(const LightView& view, const FitContext& c, double 
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers) {
     view.curve.perspective = false;
     view.curve.convention = c.convention;
-    const NearFar choice = choice_of(c);
+    const NearFar choice = c.settings.near_far;
     if (choice == NearFar::Scene) {
         const ViewExtent all = extent_in_view(c.shape, view);
         found = {all.lo.z, all.hi.z};
@@ -100,7 +86,7 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
 }
 
 void set_perspective_range(LightView& view, const FitContext& c) {
-    const NearFar choice = choice_of(c);
+    const NearFar choice = c.settings.near_far;
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         const ViewExtent e = extent_in_view(c.shape.boxes[i], view);

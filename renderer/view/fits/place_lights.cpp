@@ -46,14 +46,9 @@ void place_spot(PlacedLight& light, const LightSettings& s) {
 
 /// Returns the automatic distance of a light from its target, metres.
 double automatic_distance(const PlacedLight& light, const LightSettings& s, double radius) {
-    switch (light.type) {
-        case LightType::Directional:
-            return (s.projection == LightProjection::Perspective ? 4 : 2) * radius;
-        case LightType::Spot:  // the sphere around the scene fits into the cone
-            return radius / std::sin(std::min(light.half_cone_rad, kMaxHalfAngle));
-        case LightType::Point:
-            break;
-    }
+    if (light.type == LightType::Directional) return (s.projection == LightProjection::Perspective ? 4 : 2) * radius;
+    if (light.type == LightType::Spot)  // the sphere around the scene fits into the cone
+        return radius / std::sin(std::min(light.half_cone_rad, kMaxHalfAngle));
     return 1.5 * radius;
 }
 

@@ -2,7 +2,6 @@
 // Seidel, Practical Shadow Mapping, Journal of Graphics Tools 7(4), 2002, call that of the fit `view` the focus of a
 // shadow map.
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <vector>
 

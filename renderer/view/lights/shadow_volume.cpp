@@ -1,12 +1,10 @@
 #include "renderer/view/lights/shadow_volume.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 #include "renderer/scene/face_normals.h"
 

@@ -71,18 +71,14 @@ struct VolumeTriangles {
 void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool ends_apart,
                        VolumeTriangles& out);
 
-/// Estimates the pixels that a list of triangles covers in a picture, with overlapping triangles counted each. Used to
-/// predict the cost of shadow volumes.
-/// @param corner function that returns clip coordinates of an index in VolumeTriangles
-/// @param samples largest number of triangles that are evaluated
-template <typename Corner>
-double covered_pixels(const std::vector<std::uint32_t>& list, Corner&& corner, int width, int height,
-                      std::size_t samples);
-
 /// Returns the pixels that one triangle covers in a picture.
 /// @param clip clip coordinates of its corners; z is ignored, w may have any sign
 double covered_pixels(const std::array<glm::dvec4, 3>& clip, int width, int height);
 
+/// Estimates the pixels that a list of triangles covers in a picture, with overlapping triangles counted each. Used to
+/// predict the cost of shadow volumes.
+/// @param corner function that returns clip coordinates of an index in VolumeTriangles
+/// @param samples largest number of triangles that are evaluated
 template <typename Corner>
 double covered_pixels(const std::vector<std::uint32_t>& list, Corner&& corner, int width, int height,
                       std::size_t samples) {

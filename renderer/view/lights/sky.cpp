@@ -1,6 +1,5 @@
 #include "renderer/view/lights/sky.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <iterator>
 
