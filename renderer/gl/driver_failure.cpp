@@ -60,16 +60,10 @@ void check_context_alive() {
     GLenum status =
         is_injected_failure(DriverFailure::Context, "frame") ? GLenum(GL_UNKNOWN_CONTEXT_RESET) : GLenum(GL_NO_ERROR);
     if (status == GL_NO_ERROR && epoxy_gl_version() >= 45) status = glGetGraphicsResetStatus();
-    switch (status) {
-        case GL_NO_ERROR:
-            return;
-        case GL_GUILTY_CONTEXT_RESET:
-            throw_lost("what this program drew took too long or failed");
-        case GL_INNOCENT_CONTEXT_RESET:
-            throw_lost("another program made it fail");
-        default:
-            throw_lost("for a reason that the driver does not tell");
-    }
+    if (status == GL_NO_ERROR) return;
+    throw_lost(status == GL_GUILTY_CONTEXT_RESET     ? "what this program drew took too long or failed"
+               : status == GL_INNOCENT_CONTEXT_RESET ? "another program made it fail"
+                                                     : "for a reason that the driver does not tell");
 }
 
 }  // namespace si::gl

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
 
 namespace si::gl {
@@ -13,26 +14,6 @@ double elapsed_ms(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-GLuint calibration_program() {
-    const char* vertex =
-        "#version 450 core\nvoid main(){gl_Position=vec4((gl_VertexID&1)*4-1,(gl_VertexID&2)*2-1,0,1);}";
-    const char* fragment =
-        "#version 450 core\nout vec4 c;void main(){float v=gl_FragCoord.x;"
-        "for(int i=0;i<64;++i)v=sin(v+gl_FragCoord.y);c=vec4(v);}";
-    const GLuint vs = glCreateShader(GL_VERTEX_SHADER), fs = glCreateShader(GL_FRAGMENT_SHADER);
-    glShaderSource(vs, 1, &vertex, nullptr);
-    glShaderSource(fs, 1, &fragment, nullptr);
-    glCompileShader(vs);
-    glCompileShader(fs);
-    const GLuint program = glCreateProgram();
-    glAttachShader(program, vs);
-    glAttachShader(program, fs);
-    glLinkProgram(program);
-    glDeleteShader(vs);
-    glDeleteShader(fs);
-    return program;
-}
-
 }  // namespace
 
 PassClock::PassClock() {
@@ -40,7 +21,9 @@ PassClock::PassClock() {
     target.ensure("clock calibration", GL_RGBA8, 512, 512);
     auto framebuffer = make_framebuffer("clock calibration", &target, nullptr);
     auto vao = VertexArray::create("clock calibration");
-    const GLuint program = calibration_program();
+    ProgramCache programs;
+    const GLuint program =
+        programs.get({.vertex = "passes/fullscreen.vert.glsl", .fragment = "passes/clock_load.frag.glsl"});
     auto query = Query::create("clock calibration", GLenum(GL_TIME_ELAPSED));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glViewport(0, 0, 512, 512);
@@ -64,7 +47,6 @@ PassClock::PassClock() {
     query_share_ = shares[2];
     uses_queries_ = query_share_ > 0.5 && query_share_ < 2;
     glUseProgram(0);
-    glDeleteProgram(program);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
