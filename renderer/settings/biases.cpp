@@ -2,7 +2,6 @@
 #include "renderer/settings/biases.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace si {
 namespace {

@@ -91,6 +91,10 @@ FilterCost one_blend(const Filter&, const Settings&) {
     return {0, 1, 4};
 }
 
+constexpr Tolerance kVarianceTolerance = {
+    .lit = 1e-5,
+    .dark = 0.02,
+    .why = "the minimum variance leaks this much light behind a caster 7 thousandths of the range away"};
 constexpr Tolerance kMsmTolerance = {.lit = 0.01, .dark = 0.03, .why = "the moment bias leaks some light"};
 
 constexpr Filter kFilters[] = {
@@ -234,10 +238,7 @@ constexpr Filter kFilters[] = {
      .settings = kVsmSettings,
      .reach = bounded_reach,
      .cost = one_blend,
-     .tolerance = {.lit = 1e-5,
-                   .dark = 0.02,
-                   .why =
-                       "the minimum variance leaks this much light behind a caster 7 thousandths of the range away"}},
+     .tolerance = kVarianceTolerance},
     {.key = "savsm",
      .label = "SAVSM",
      .help = "Summed-area variance shadow map: each look-up chooses its window, by sixteen fetches of a summed-area "
@@ -256,10 +257,7 @@ constexpr Filter kFilters[] = {
          [](const Filter&, const Settings&) {
              return FilterCost{0, 16, 16};
          },
-     .tolerance = {.lit = 1e-5,
-                   .dark = 0.02,
-                   .why =
-                       "the minimum variance leaks this much light behind a caster 7 thousandths of the range away"}},
+     .tolerance = kVarianceTolerance},
     {.key = "esm",
      .label = "ESM",
      .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the lit share if lit depths lie "

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <vector>
 
@@ -15,36 +16,6 @@
 namespace si {
 namespace {
 
-/// Table of techniques: the setting that chooses a row, and the settings that each row owns.
-struct TechniqueTable {
-    std::string_view chooser;  ///< key of the setting
-    struct Row {
-        std::string_view key;
-        std::span<const std::string_view> settings;
-    };
-    std::vector<Row> rows;
-};
-
-/// Returns the ownership table of a chooser setting.
-/// @param choices number of the chooser's choices, at most the number of rows
-template <typename Rows>
-TechniqueTable table_of(std::string_view chooser, const Rows& rows, std::size_t choices) {
-    TechniqueTable table{chooser, {}};
-    for (const auto& row : rows.first(choices)) table.rows.push_back({row.key, row.settings});
-    return table;
-}
-
-constexpr std::string_view kPageSettings[] = {"map.page_size", "map.page_pool", "map.virtual_levels",
-                                              "map.virtual_bias"};
-
-std::vector<TechniqueTable> technique_tables() {
-    return {table_of("filter.kernel", filters(), filters().size()),
-            table_of("bias.kind", biases(), bias_choices().size()),
-            table_of("light.split", splits(), splits().size()),
-            table_of("light.source", sources(), sources().size()),
-            {"map.virtual", {{"off", {}}, {"on", kPageSettings}}}};
-}
-
 /// Owners of one setting: rows of the chooser's table, and the reason for display under all other rows.
 struct Ownership {
     const Param* chooser = nullptr;
@@ -52,19 +23,39 @@ struct Ownership {
     std::string reason;
 };
 
-/// Returns the owners of all owned settings, by key of the setting.
-std::map<std::string_view, Ownership> find_ownerships() {
-    std::map<std::string_view, Ownership> out;
-    for (const TechniqueTable& table : technique_tables()) {
-        const auto chooser = std::ranges::find(params(), table.chooser, &Param::key);
-        for (std::size_t i = 0; i < table.rows.size(); ++i)
-            for (const std::string_view key : table.rows[i].settings) {
-                Ownership& o = out[key];
-                o.chooser = &*chooser;
-                o.reason += fmt::format("{}{}", o.rows.empty() ? "" : " or ", table.rows[i].key);
-                o.rows.push_back(int(i));
-            }
+/// Owners of all owned settings, by key of the setting.
+using Ownerships = std::map<std::string_view, Ownership>;
+
+/// Adds the settings that the rows of a table of techniques own.
+/// @param chooser key of the setting that chooses a row @param rows with `key` and `settings`, in the order of choices
+template <typename Rows>
+void add_owners(Ownerships& out, std::string_view chooser, const Rows& rows) {
+    const auto param = std::ranges::find(params(), chooser, &Param::key);
+    int number = 0;
+    for (const auto& row : rows) {
+        for (const std::string_view key : row.settings) {
+            Ownership& o = out[key];
+            o.chooser = &*param;
+            o.reason += fmt::format("{}{}", o.rows.empty() ? "" : " or ", row.key);
+            o.rows.push_back(number);
+        }
+        ++number;
     }
+}
+
+Ownerships find_ownerships() {
+    static constexpr std::string_view kPageSettings[] = {"map.page_size", "map.page_pool", "map.virtual_levels",
+                                                         "map.virtual_bias"};
+    struct Row {
+        std::string_view key;
+        std::span<const std::string_view> settings;
+    };
+    Ownerships out;
+    add_owners(out, "filter.kernel", filters());
+    add_owners(out, "bias.kind", biases().first(bias_choices().size()));
+    add_owners(out, "light.split", splits());
+    add_owners(out, "light.source", sources());
+    add_owners(out, "map.virtual", std::array{Row{"off", {}}, Row{"on", kPageSettings}});
     for (auto& [key, o] : out) o.reason = fmt::format("without effect: only {} {} reads it", o.chooser->key, o.reason);
     return out;
 }
@@ -72,7 +63,7 @@ std::map<std::string_view, Ownership> find_ownerships() {
 }  // namespace
 
 std::string_view unused_setting_reason(const Settings& s, const SettingRef& ref) {
-    static const std::map<std::string_view, Ownership> all = find_ownerships();
+    static const Ownerships all = find_ownerships();
     const auto found = all.find(ref.param->key);
     if (found == all.end()) return {};
     const Ownership& o = found->second;
