@@ -18,15 +18,9 @@ double map_v_of_row(const FloatImage& depth, int y) {
 }
 
 double shown_depth(double stored, const DepthCurve& curve, MapView view, double row) {
-    switch (view) {
-        case MapView::Raw:
-            return stored;
-        case MapView::Linear:
-            return (curve.curve_at_row(row).distance(stored) - curve.near) / (curve.far - curve.near);
-        case MapView::Bands:
-            return curve.convention.reversed ? 1 - stored : stored;
-    }
-    return stored;
+    if (view == MapView::Linear)
+        return (curve.curve_at_row(row).distance(stored) - curve.near) / (curve.far - curve.near);
+    return view == MapView::Bands && curve.convention.reversed ? 1 - stored : stored;
 }
 
 DepthStatistics depth_statistics(const FloatImage& depth, const DepthCurve& curve) {

@@ -106,9 +106,4 @@ void add_shader_settings(Key& key, const Settings& s) {
     });
 }
 
-void add_settings(Key& key, const Settings& s, ReadBy pass) {
-    for (const Param& p : params())
-        if (is_read_by(p.read_by, pass) && idle_reason(s, {&p, 0, {}}).empty()) add_value(key, s, {&p, 0, {}});
-}
-
 }  // namespace si

@@ -25,7 +25,4 @@ void add_value(Key& key, const Settings& s, const SettingRef& ref);
 /// Adds to `key` the value of every setting that shaders see.
 void add_shader_settings(Key& key, const Settings& s);
 
-/// Adds to `key` the settings that a kind of pass reads, except those without effect now.
-void add_settings(Key& key, const Settings& s, ReadBy pass);
-
 }  // namespace si

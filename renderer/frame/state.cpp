@@ -6,6 +6,7 @@
 #include "renderer/frame/settings_block.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/fits/light_fit.h"
 
@@ -76,20 +77,10 @@ bool FrameState::needs_unfiltered_map() const {
     return offsets_polygons(settings) || mask_levels;
 }
 
-Key FrameState::surfaces_key() const {
-    Key key = geometry_key;
-    key.add(camera_key).add(gl.programs.source().generation());
-    return key;
-}
-
-Key FrameState::lighting_key() const {
-    Key key = surfaces_key();
-    key.add(lights_key);
-    return key;
-}
-
 Key FrameState::with_settings(Key from, ReadBy pass) const {
-    add_settings(from, settings, pass);
+    for (const Param& p : params())
+        if (is_read_by(p.read_by, pass) && idle_reason(settings, {&p, 0, {}}).empty())
+            add_value(from, settings, {&p, 0, {}});
     return from;
 }
 
@@ -184,10 +175,6 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
     }
 }
 
-bool FrameState::blurs_depths() const {
-    return settings.map.blur_texels > 0 && view_count > 0;
-}
-
 bool FrameState::has_contact_shadows(std::size_t light) const {
     return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
 }
@@ -195,10 +182,6 @@ bool FrameState::has_contact_shadows(std::size_t light) const {
 ResultRef FrameState::pane_picture_result(const ShownPane& pane) const {
     if (slabs_shown) return ResultRef{Result::Slabs, pane.slot};
     return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded};
-}
-
-ResultRef FrameState::pane_values_result(const ShownPane& pane) const {
-    return ResultRef{Result::Overlay, pane.slot};
 }
 
 const DepthCurve* FrameState::shown_curve() const {

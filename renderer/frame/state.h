@@ -71,6 +71,11 @@ struct Resources {
     std::uint64_t last_drawing = 0;
 };
 
+/// Returns the picture that a target holds, for read-back.
+inline Image image_of(const gl::Target& target) {
+    return {target.texture.id(), target.width, target.height};
+}
+
 /// State of one frame during planning and drawing: inputs, values derived from them (camera, fitted lights, keys), plan
 /// and resources.
 struct FrameState {
@@ -91,7 +96,7 @@ struct FrameState {
     /// Returns the OpenGL format of map textures.
     GLenum map_format() const;
     /// Returns true when map.blur_texels blurs stored depths of some map.
-    bool blurs_depths() const;
+    bool blurs_depths() const { return settings.map.blur_texels > 0 && view_count > 0; }
     /// Returns true when contact shadows darken a light.
     bool has_contact_shadows(std::size_t light) const;
     /// Returns true when a light may change the picture; shading leaves out other lights.
@@ -159,17 +164,16 @@ struct FrameState {
     /// Returns true when the map viewer's grey range follows the drawn depths (view.map_fit).
     bool fits_grey_range() const;
     /// Returns the key of the surfaces that the camera sees, at the picture's size.
-    Key surfaces_key() const;
-    /// Returns the key `from` with the settings added to its hash that this kind of pass reads itself (Param::read_by).
+    Key surfaces_key() const { return Key(geometry_key).add(camera_key).add(gl.programs.source().generation()); }
+    /// Returns the key `from` with the settings added to its hash that this kind of pass reads itself (Param::read_by),
+    /// except those without effect now.
     Key with_settings(Key from, ReadBy pass) const;
     /// Returns the key of visible surfaces, lights and look-ups, without the contents of sampled textures.
-    Key lighting_key() const;
+    Key lighting_key() const { return surfaces_key().add(lights_key); }
     /// Returns lighting_key() for a pass that evaluates view.light alone.
     Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
     /// Returns the result that is a pane's finished picture.
     ResultRef pane_picture_result(const ShownPane& pane) const;
-    /// Returns the result that holds the values of a pane's overlay.
-    ResultRef pane_values_result(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's mask may be sampled at a coarser mip level
     /// Returns true when the unfiltered map differs from the map as drawn and needs a pass of its own.

@@ -1,8 +1,6 @@
 // Pass that draws blob shadows: a soft disc below each caster, along the light.
 #include "renderer/passes/blobs.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,4 @@
-#include "renderer/passes/caster_content.h"
-
+#include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
 
 namespace si {

@@ -11,6 +11,8 @@
 
 namespace si {
 
+struct FrameState;
+
 /// Side of a mesh: a plane that holds triangles of one direction.
 struct MeshSide {
     glm::dvec3 normal, corner;
@@ -52,5 +54,9 @@ struct CasterFindings {
     OfMeshes<RigidMeshKeys> rigid_content;
     CasterContentCache content;
 };
+
+/// Returns the content keys of all casters in the frame's scene. They are cached until an object moves or changes; keys
+/// of meshes and textures stay cached then too.
+const CasterContent& caster_content(const FrameState& f);
 
 }  // namespace si

@@ -8,7 +8,6 @@
 #include <map>
 #include <optional>
 
-#include "renderer/frame/driver.h"
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/caster_findings.h"
 #include "renderer/projection/projection.h"

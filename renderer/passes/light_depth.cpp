@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer/optimisations/map_extents.h"
-#include "renderer/passes/caster_content.h"
+#include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"

@@ -6,7 +6,6 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/reference/light_map.h"
-#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {

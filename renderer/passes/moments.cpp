@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "renderer/base/index_of.h"
-#include "renderer/frame/driver.h"
-#include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/casters.h"
 #include "renderer/settings/filters.h"

@@ -54,10 +54,6 @@ public:
     std::shared_ptr<const NumericHealth> read_result(bool wait);
 
 private:
-    /// Starts the search of all images of the frame, without waiting for the GPU. Called when the plan runs the pass.
-    /// @param[out] info draw counts
-    void run(const FrameState& f, PassInfo& info);
-
     Targets targets_;
     const PagePasses& pages_;
 };

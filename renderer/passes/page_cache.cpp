@@ -79,15 +79,11 @@ PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std
     out.table_side = table_side;
     out.table.assign(wanted.size(), {});
     out.wanted_by_layer.assign(grids.size(), 0);
-    const auto index = [&](int layer, glm::ivec2 page) {
-        return (std::size_t(layer) * std::size_t(table_side) + std::size_t(page.y)) * std::size_t(table_side) +
-               std::size_t(page.x);
-    };
     Pages pages(grids.size());
     for (int layer = 0; layer < int(grids.size()); ++layer)
         for (int y = 0; y < grids[std::size_t(layer)].side; ++y)
             for (int x = 0; x < grids[std::size_t(layer)].side; ++x)
-                if (wanted[index(layer, {x, y})]) {
+                if (wanted[out.index(layer, {x, y})]) {
                     pages[std::size_t(layer)].insert({y, x});
                     ++out.wanted_by_layer[std::size_t(layer)];
                     ++out.wanted;
@@ -130,7 +126,7 @@ PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std
             out.drawn.push_back(i);
         }
         page.at = {int(page.slot) % side_, int(page.slot) / side_};
-        PageEntry& entry = out.table[index(page.layer, page.page)];
+        PageEntry& entry = out.table[out.index(page.layer, page.page)];
         entry = {glm::u16vec2(page.at), {}, std::uint8_t(shared::PAGE_CACHED), 0};
         if (drawn_slots.contains(page.slot)) entry.state = std::uint8_t(shared::PAGE_DRAWN);
     }
@@ -138,14 +134,14 @@ PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std
     for (int layer = 0; layer < int(grids.size()); ++layer)
         for (int y = 0; y < grids[std::size_t(layer)].side; ++y)
             for (int x = 0; x < grids[std::size_t(layer)].side; ++x) {
-                PageEntry& entry = out.table[index(layer, {x, y})];
-                if (!wanted[index(layer, {x, y})] || entry.state != shared::PAGE_ABSENT) continue;
+                PageEntry& entry = out.table[out.index(layer, {x, y})];
+                if (!wanted[out.index(layer, {x, y})] || entry.state != shared::PAGE_ABSENT) continue;
                 int at_layer = layer, up = 0;
                 glm::ivec2 at(x, y);
                 const glm::i64vec2 grid_page = grids[std::size_t(layer)].corner + glm::i64vec2(x, y);
                 while (coarser_page(grids, at_layer, at, at_layer, at)) {
                     ++up;
-                    const PageEntry& coarser = out.table[index(at_layer, at)];
+                    const PageEntry& coarser = out.table[out.index(at_layer, at)];
                     if (coarser.state == shared::PAGE_ABSENT || coarser.coarser != 0) continue;
                     const glm::i64 parts = glm::i64(1) << up;
                     entry = coarser;

@@ -45,12 +45,13 @@ struct PageChoice {
     std::vector<std::size_t> drawn;  ///< indices in `read` of the pages to draw
     int wanted = 0, coarser = 0, evicted = 0;
     std::vector<int> wanted_by_layer;
-    /// Returns the table entry of a page.
+    /// Returns the index of a page in the table.
     /// @param page column and row in the layer's grid
-    const PageEntry& entry(int layer, glm::ivec2 page) const {
-        return table[(std::size_t(layer) * std::size_t(table_side) + std::size_t(page.y)) * std::size_t(table_side) +
-                     std::size_t(page.x)];
+    std::size_t index(int layer, glm::ivec2 page) const {
+        return (std::size_t(layer) * std::size_t(table_side) + std::size_t(page.y)) * std::size_t(table_side) +
+               std::size_t(page.x);
     }
+    const PageEntry& entry(int layer, glm::ivec2 page) const { return table[index(layer, page)]; }
 };
 
 /// Cache of virtual shadow map pages by content key, with least-recently-used eviction.

@@ -1,15 +1,13 @@
 // Passes of virtual shadow maps: finding the pages that look-ups may read, and drawing those that are not cached.
 #include "renderer/passes/pages.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
-#include "renderer/frame/driver.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/caster_content.h"
+#include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
@@ -21,20 +19,17 @@
 namespace si {
 namespace {
 
-constexpr double kPoolBudgetBytes = 2.0 * 1024 * 1024 * 1024;
-
-/// Rectangle across a light: metres on its plane, or texels of a map.
-struct Rect {
-    glm::dvec2 lo{-std::numeric_limits<double>::infinity()}, hi{std::numeric_limits<double>::infinity()};
-    bool meets(const Rect& o) const { return lo.x <= o.hi.x && lo.y <= o.hi.y && hi.x >= o.lo.x && hi.y >= o.lo.y; }
-};
+/// Returns true when two rectangles overlap: metres on a light's plane, or texels of a map.
+bool overlap(const Bounds2& a, const Bounds2& b) {
+    return a.lo.x <= b.hi.x && a.lo.y <= b.hi.y && a.hi.x >= b.lo.x && a.hi.y >= b.lo.y;
+}
 
 using Casters = PagedCasters;
 
 /// Rectangles of all casters across a light.
 struct Across {
-    std::vector<Rect> whole;
-    std::vector<std::vector<Rect>> parts;
+    std::vector<Bounds2> whole;
+    std::vector<std::vector<Bounds2>> parts;
     Across() = default;
     /// @param projected_rect function from the corners of a box to its rectangle
     template <typename RectOf>
@@ -46,12 +41,12 @@ struct Across {
             for (const Box& part : casters.parts[i]) parts[i].push_back(projected_rect(part));
         }
     }
-    InstanceParts seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
-        if (!whole[i].meets(by)) return InstanceParts::Nothing;
+    InstanceParts seen(std::size_t i, const Bounds2& by, std::size_t indices, std::vector<IndexRange>& out) const {
+        if (!overlap(whole[i], by)) return InstanceParts::Nothing;
         if (parts[i].empty()) return InstanceParts::Whole;
         out.clear();
         for (std::size_t k = 0; k < parts[i].size(); ++k) {
-            if (!parts[i][k].meets(by)) continue;
+            if (!overlap(parts[i][k], by)) continue;
             append_index_range(out, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
         }
         return InstanceParts::Parts;
@@ -121,13 +116,8 @@ public:
     /// Returns the casters' rectangles on the plane of a directional light.
     static Across across_light(const Casters& casters, const glm::dmat3& axes) {
         return Across(casters, [&](const Box& corners) {
-            Rect rect;
-            std::swap(rect.lo, rect.hi);
-            for (const glm::dvec3& p : corners) {
-                const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
-                rect.lo = glm::min(rect.lo, at);
-                rect.hi = glm::max(rect.hi, at);
-            }
+            Bounds2 rect;
+            for (const glm::dvec3& p : corners) rect.add(glm::dvec2(glm::dot(axes[0], p), glm::dot(axes[1], p)));
             return rect;
         });
     }
@@ -137,9 +127,9 @@ public:
     std::uint64_t key_of(glm::ivec2 page) const {
         Key key = identity_;
         key.add(grid.corner.x + page.x).add(grid.corner.y + page.y);
-        const Rect rect = projected_rect(page);
+        const Bounds2 rect = projected_rect(page);
         for (std::size_t i = 0; i < across_.whole.size(); ++i)
-            if (casters_.content[i] && across_.whole[i].meets(rect)) key.add(casters_.content[i]);
+            if (casters_.content[i] && overlap(across_.whole[i], rect)) key.add(casters_.content[i]);
         return key.value();
     }
 
@@ -160,7 +150,7 @@ public:
         glScissor(first.x, first.y, page_, page_);
         glViewport(viewport.x, viewport.y, across, across);
         clear_casters(f, framebuffer, view_.curve.convention);
-        const Rect rect = projected_rect(page.page);
+        const Bounds2 rect = projected_rect(page.page);
         draw_casters(
             f,
             {view.clip_from_relative(light_.map_origin), view_.curve, light_.map_origin, unfiltered, view_.clamps_near,
@@ -182,7 +172,7 @@ public:
     const ClipLevel* level() const { return level_; }
 
 private:
-    Rect projected_rect(glm::ivec2 page) const {
+    Bounds2 projected_rect(glm::ivec2 page) const {
         const double texel = level_ ? level_->texel_m() : 1;
         const glm::dvec2 lo = glm::dvec2(grid.corner + glm::i64vec2(page)) * (page_ * texel);
         return {lo - texel, lo + (page_ + 1) * texel};
@@ -191,16 +181,15 @@ private:
     void find_in_map() {
         const glm::dmat4 uvd_from_relative =
             uvd_from_clip(view_.curve.convention) * view_.clip_from_relative(light_.map_origin);
+        constexpr double kFar = std::numeric_limits<double>::infinity();
         across_ = Across(casters_, [&](const Box& corners) {
-            Rect rect;
-            std::swap(rect.lo, rect.hi);
+            Bounds2 rect;
             for (const glm::dvec3& p : corners) {
                 const glm::dvec4 h = uvd_from_relative * glm::dvec4(p - light_.map_origin, 1);
                 // A corner beside or behind the light may project anywhere.
-                if (!(h.w > 1e-6 * (view_.warped() ? 1 : view_.curve.near))) return Rect();
-                const glm::dvec2 at = glm::dvec2(h) / h.w * double(resolution_);
-                rect.lo = glm::min(rect.lo, at);
-                rect.hi = glm::max(rect.hi, at);
+                if (!(h.w > 1e-6 * (view_.warped() ? 1 : view_.curve.near)))
+                    return Bounds2{glm::dvec2(-kFar), glm::dvec2(kFar)};
+                rect.add(glm::dvec2(h) / h.w * double(resolution_));
             }
             return rect;
         });
@@ -237,7 +226,7 @@ int pages_per_side(const FrameState& f) {
 int most_pages(const FrameState& f) {
     const double page = page_texels(f.settings), bytes = drawn_texel_bytes(f.settings.map.format);
     const double side = std::floor(f.driver.max_texture_size / page);
-    const double most = std::min(side * side, std::floor(kPoolBudgetBytes / (page * page * bytes)));
+    const double most = std::min(side * side, std::floor(kMapBudgetBytes / (page * page * bytes)));
     return int(std::clamp(double(f.settings.map.page_pool), 1.0, std::max(most, 1.0)));
 }
 
@@ -373,14 +362,10 @@ PageFacts facts_of(const FrameState& f, const PagePasses::Targets& t, const std:
 void upload_table(const FrameState& f, PagePasses::Targets& t) {
     const int side = t.choice.table_side;
     t.table.ensure("page table", GL_RGBA16UI, side, side, f.view_count);
-    std::vector<glm::u16vec4> texels(t.choice.table.size());
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-        const PageEntry& e = t.choice.table[i];
-        texels[i] = {e.at.x, e.at.y, e.part.x | e.part.y << 8, e.state | e.coarser << 8};
-    }
+    static_assert(std::endian::native == std::endian::little, "two bytes of an entry are a texel's channel");
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTextureSubImage3D(t.table.texture.id(), 0, 0, 0, 0, side, side, f.view_count, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT,
-                        texels.data());
+                        t.choice.table.data());
 }
 
 void choose_and_draw(FrameState& f, PagePasses::Targets& t, PassInfo& info) {

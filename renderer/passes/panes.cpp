@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "renderer/frame/read_images.h"
 #include "renderer/frame/value_range.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/moments.h"

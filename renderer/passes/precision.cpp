@@ -11,10 +11,6 @@
 namespace si {
 namespace {
 
-Image image_of(const gl::Target& target) {
-    return {target.texture.id(), target.width, target.height};
-}
-
 void upload(const Precision& found, gl::Target& to) {
     const int width = found.error.width, height = found.error.height;
     std::vector<float> rows;

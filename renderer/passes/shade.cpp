@@ -199,14 +199,12 @@ void ShadePasses::declare(FrameState& f) {
               .cached = &picture_.key,
               .idle_reason = "the picture is not requested"};
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
-    pass.run = [this, &f](PassInfo& info) { run(f, info); };
+    pass.run = [this, &f](PassInfo& info) {
+        draw_picture(f, picture_, f.separate_visibility, info);
+        info.parts.push_back(culled_objects_part(f));
+    };
     f.plan.add_pass(std::move(pass));
     declare_smooth(f, key);
-}
-
-void ShadePasses::run(FrameState& f, PassInfo& info) {
-    draw_picture(f, picture_, f.separate_visibility, info);
-    info.parts.push_back(culled_objects_part(f));
 }
 
 void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {

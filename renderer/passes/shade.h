@@ -22,9 +22,6 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the shaded picture. Called when the plan runs the pass.
-    /// @param[out] info draw counts
-    void run(FrameState& f, PassInfo& info);
     /// Adds the accumulation of jittered pictures to the plan.
     /// @param of the key of the picture to average
     void declare_smooth(FrameState& f, std::uint64_t of);

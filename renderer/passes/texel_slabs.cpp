@@ -1,6 +1,5 @@
 #include "renderer/passes/texel_slabs.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace si {

@@ -1,7 +1,6 @@
 #include "renderer/render/polygon_offset.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "renderer/bias/theory.h"

@@ -31,7 +31,6 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/near_far.h"
-#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {

@@ -11,10 +11,16 @@
 namespace si {
 namespace {
 
+/// Returns the number of the last drawing of an image; 0: it was never drawn.
+/// @param place address of the image's cache key
+std::uint64_t last_drawing_of(const Resources& resources, const std::uint64_t* place) {
+    const auto drawing = resources.drawings.find(place);
+    return drawing == resources.drawings.end() ? 0 : drawing->second;
+}
+
 /// Returns true when no later drawing has replaced this image of the frame.
 bool is_there(const FrameContents::Part& part, const Resources& resources) {
-    const auto drawing = resources.drawings.find(part.place);
-    return *part.place == part.key && (drawing == resources.drawings.end() ? 0 : drawing->second) == part.drawn;
+    return *part.place == part.key && last_drawing_of(resources, part.place) == part.drawn;
 }
 
 /// Returns the first image of a result.
@@ -95,14 +101,11 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
 FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
     const ShownMap& shown = frame.shown_map;
     if (shown.light < 0) throw Error("the frame drew no map view to read from");
-    if (shown.channel > 0) {
-        const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::MapChannel);
-        return read_float({t.texture.id(), t.width, t.height}, 1);
-    }
+    if (shown.channel > 0)
+        return read_floats(image_of(require(frame, impl_->number, impl_->resources, Result::MapChannel)), 1);
     if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
-    const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::CameraDepth);
-    const Image image{t.texture.id(), t.width, t.height};
-    return {t.width, t.height, 1, read_image<float>(image, 1, GL_DEPTH_COMPONENT, GL_FLOAT)};
+    const Image image = image_of(require(frame, impl_->number, impl_->resources, Result::CameraDepth));
+    return {image.width, image.height, 1, read_image<float>(image, 1, GL_DEPTH_COMPONENT, GL_FLOAT)};
 }
 
 std::shared_ptr<const NumericHealth> Renderer::numeric_health(const FrameResult& frame, bool wait) {
@@ -121,8 +124,7 @@ FrameContents contents_of(const FrameState& f, const std::vector<PassInfo>& info
     const std::vector<Pass>& plan = f.plan.passes();
     for (std::size_t i = 0; i < plan.size(); ++i) {
         if (infos[i].state == PassState::Skipped || !plan[i].cached) continue;
-        const auto drawing = f.gl.drawings.find(plan[i].cached);
-        const std::uint64_t drawn = drawing == f.gl.drawings.end() ? 0 : drawing->second;
+        const std::uint64_t drawn = last_drawing_of(f.gl, plan[i].cached);
         for (const ResultRef& result : plan[i].writes)
             out.parts.push_back({result.what, &f.result(result), plan[i].cached, plan[i].key, drawn});
     }

@@ -10,9 +10,7 @@
 #include "renderer/base/held_memory.h"
 #include "renderer/base/index_of.h"
 #include "renderer/frame/blocks.h"
-#include "renderer/frame/driver.h"
 #include "renderer/gl/driver_failure.h"
-#include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/render/pass_progress.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/biases.h"
@@ -57,7 +55,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& pane : f.panes) {
         if (o.colour) wanted.push_back(f.pane_picture_result(pane));
-        if (o.overlay) wanted.push_back(f.pane_values_result(pane));
+        if (o.overlay) wanted.push_back({Result::Overlay, pane.slot});
     }
     if (o.colour && f.request.smoothed > 0) wanted.push_back(Result::Smooth);
     if (o.surface_ids) wanted.push_back(Result::SurfaceIds);

@@ -11,17 +11,13 @@
 namespace si {
 namespace {
 
-Image image_of(const gl::Target& t) {
-    return {t.texture.id(), t.width, t.height};
-}
-
 void describe_panes(const FrameState& f, PanePasses& panes, FrameResult& result) {
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& shown : f.panes) {
         Pane pane{.overlay = shown.overlay, .lacks_reference = shown.lacks_reference};
         if (o.colour) pane.picture = image_of(f.result(f.pane_picture_result(shown)));
         if (shown.row()) {
-            if (o.colour || o.overlay) pane.values = image_of(f.result(f.pane_values_result(shown)));
+            if (o.colour || o.overlay) pane.values = image_of(f.result({Result::Overlay, shown.slot}));
             const ValueRange range = panes.range_of(f, shown);
             pane.overlay_min = range.min;
             pane.overlay_max = range.max;
