@@ -6,6 +6,7 @@
 
 #include "renderer/advise/advice.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/settings/biases.h"
-#include "renderer/settings/filters.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/lights/kernel_reach.h"
 

@@ -9,6 +9,7 @@
 #include "renderer/projection/projection.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "renderer/view/lights/sky.h"

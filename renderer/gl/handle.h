@@ -18,10 +18,7 @@ public:
     template <typename... Args>
     /// Creates the object; `label` is its name in frame debuggers.
     static Handle create(std::string_view label, Args... args) {
-        Handle h;
-        h.id_ = Traits::create(args...);
-        glObjectLabel(Traits::kIdentifier, h.id_, GLsizei(label.size()), label.data());
-        return h;
+        return adopt(label, Traits::create(args...));
     }
     /// Takes ownership of an OpenGL object created elsewhere.
     static Handle adopt(std::string_view label, GLuint id) {

@@ -9,7 +9,7 @@
 #include "renderer/base/index_of.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/optimisations/optimisations.h"
-#include "renderer/settings/filters.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/fits/light_fit.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "renderer/base/poisson_disk.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/lights/kernel_reach.h"
@@ -45,10 +46,6 @@ bool may_use_bounds(const FrameState& f) {
     return row.samples() == Samples::Depth && (!row.reads_light_size || row.searches_blockers);
 }
 
-bool fetches_many(const FrameState& f) {
-    return may_use_bounds(f) && calls_of(f) >= kMinTextureCalls;
-}
-
 /// Returns "1" for the shader define of an optimisation, or "0" when it is forced off.
 std::string unless_forced(const FrameState& f, Optimisation optimisation) {
     return f.request.forced.contains(optimisation) ? "0" : "1";
@@ -78,7 +75,7 @@ std::string map_bounds_skip_reason(const FrameState& f) {
     if (f.request.forced.contains(Optimisation::EarlyOut)) return "forced: look-ups fetch all their taps";
     if (row.samples() != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
     if (!may_use_bounds(f)) return "the kernel's rays end at once where the map holds nothing";
-    if (!fetches_many(f))
+    if (calls_of(f) < kMinTextureCalls)
         return fmt::format("a look-up fetches {} times; bounds save time from {} on", calls_of(f), kMinTextureCalls);
     if (f.paged) return "the map is drawn by pages, on demand";
     if (row.reads_light_size &&

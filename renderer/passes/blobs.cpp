@@ -13,10 +13,6 @@ namespace {
 
 constexpr double kMaxCasterShare = 0.25;  ///< share of the scene's radius; wider casters carry others and have no blob
 
-bool draws_blobs(const FrameState& f, std::size_t light) {
-    return f.gl.fitted[light].shadowed && source_of(f.settings, int(light)).needs.blobs;
-}
-
 /// Returns the discs of a light: centre relative to the frame's origin, and radius, metres.
 std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
     std::vector<glm::vec4> out;
@@ -84,7 +80,7 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
 void BlobPass::declare(FrameState& f) {
     std::vector<int> lights;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        if (draws_blobs(f, i)) lights.push_back(int(i));
+        if (f.gl.fitted[i].shadowed && source_of(f.settings, int(i)).needs.blobs) lights.push_back(int(i));
     if (lights.empty()) {
         f.plan.release_later([this] { lit_ = {}; });
         return;

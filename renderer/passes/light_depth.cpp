@@ -148,11 +148,6 @@ Key light_views_key(const FrameState& f, std::size_t light) {
     return key.add(l.map_origin).add(f.first_view[light]).add(f.gl.programs.source().generation());
 }
 
-void clear_layers(const FrameState& f, const gl::Target& maps) {
-    const float far_depth = f.settings.map.reversed_z ? 0.f : 1.f;
-    glClearTexImage(maps.texture.id(), 0, gl::single_channel_format(maps.format), GL_FLOAT, &far_depth);
-}
-
 /// Way to draw the maps of one light, given its static and moving casters.
 struct StaticPlan {
     StaticCasters::Draws draws = StaticCasters::Draws::All;
@@ -276,7 +271,8 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& wor
     const bool lost = ensure_maps(f, t.maps, "shadow maps");
     if (lost) {
         t.keys = {};
-        clear_layers(f, t.maps);
+        const float far_depth = f.settings.map.reversed_z ? 0.f : 1.f;
+        glClearTexImage(t.maps.texture.id(), 0, gl::single_channel_format(t.maps.format), GL_FLOAT, &far_depth);
         t.static_states = {};
     }
     // Keys of lights absent from this frame are cleared, so that they do not count as cached when they return.

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
 
 #include "renderer/base/index_of.h"
 #include "renderer/frame/blocks.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/paging.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -245,17 +245,11 @@ std::vector<FaultRecord> records_of(const gl::Buffer& buffer, std::size_t count)
 }
 
 PoolTiles pool_tiles(const FrameState& f, const PagePasses& pages, const Searched& s) {
-    const ReadPages read = pages.read_pages();
-    PoolTiles out{.read_back = {}, .page = read.texels, .layers = {}};
-    std::map<int, std::size_t> of_layer;
+    PoolTiles out{.read_back = {}, .page = page_texels(f.settings), .layers = {}};
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        for (std::size_t v = 0; f.gl.fitted[i].casts && v < f.gl.fitted[i].views.size(); ++v) {
-            of_layer[f.first_view[i] + int(v)] = out.layers.size();
+        for (std::size_t v = 0; f.gl.fitted[i].casts && v < f.gl.fitted[i].views.size(); ++v)
             out.layers.push_back({place_of_view(f, s, i, v), {}});
-        }
-    for (const PlacedPage& page : read.pages)
-        if (const auto at = of_layer.find(page.layer); at != of_layer.end())
-            out.layers[at->second].pages.push_back(page);
+    for (const PlacedPage& page : pages.read_pages()) out.layers[std::size_t(page.layer)].pages.push_back(page);
     return out;
 }
 

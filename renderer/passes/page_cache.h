@@ -51,6 +51,7 @@ struct PageChoice {
         return (std::size_t(layer) * std::size_t(table_side) + std::size_t(page.y)) * std::size_t(table_side) +
                std::size_t(page.x);
     }
+    /// Returns the table entry of a page.
     const PageEntry& entry(int layer, glm::ivec2 page) const { return table[index(layer, page)]; }
 };
 

@@ -455,10 +455,6 @@ void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
     f.plan.add_pass(std::move(pass));
 }
 
-ReadPages PagePasses::read_pages() const {
-    return {targets_.choice.read, targets_.page};
-}
-
 PageFacts PagePasses::page_facts(bool drawn) const {
     PageFacts facts = targets_.facts;
     if (!drawn) {

@@ -18,12 +18,6 @@ struct PagedCasters {
     std::vector<std::vector<Box>> parts;  ///< boxes of the parts of large meshes; else empty
 };
 
-/// Pages of the pool that the frame reads, and the texels along a page's side.
-struct ReadPages {
-    std::vector<PlacedPage> pages;
-    int texels = 0;
-};
-
 /// Layer of the shadow map textures for read-back, with its storage and depth curve.
 struct MapLayer {
     DepthCurve curve;
@@ -64,7 +58,7 @@ public:
     std::vector<float> read_map_depths(const gl::Target& maps, const MapLayer& of, glm::ivec2 first,
                                        glm::ivec2 size) const;
     /// Returns the pages that the last frame read, for the search for number faults.
-    ReadPages read_pages() const;
+    const std::vector<PlacedPage>& read_pages() const { return targets_.choice.read; }
     /// Returns statistics of the frame's pages.
     /// @param drawn true: this frame drew the page pass; false: it was cached
     PageFacts page_facts(bool drawn) const;

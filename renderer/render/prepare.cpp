@@ -21,6 +21,7 @@
 #include "renderer/render/renderer_impl.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/idle_reason.h"

@@ -144,14 +144,6 @@ std::span<const std::string_view> sweep_kernels();
 
 /// Returns the kernel row that the setting filter.kernel chooses.
 const Filter& filter_of(const Settings& settings);
-/// Returns true when each texel of a look-up is compared with its own depth: the bias row is per texel, and the kernel
-/// compares depths.
-bool compares_per_texel(const Settings& settings);
-/// Returns true when the kernel compares through a shadow sampler (sampler2DShadow). Conditions: filter.method requests
-/// it, the map's format supports it, and one depth serves all texels of a bilinear comparison.
-bool uses_sampler(const Settings& settings);
-/// Returns the cost per pixel of the chosen kernel, by the comparison method in use (gathers or shadow sampler).
-FilterCost cost_of(const Settings& settings);
 /// Returns the distances that the chosen kernel reaches, in texels: for the bias, for edges and for reads. For a given
 /// light use kernel_reach_in_light().
 /// @param widest_texels radius of the kernel's widest area; infinite if no light is known

@@ -43,6 +43,7 @@ void add_owners(Ownerships& out, std::string_view chooser, const Rows& rows) {
     }
 }
 
+/// Returns the owners of all owned settings.
 Ownerships find_ownerships() {
     static constexpr std::string_view kPageSettings[] = {"map.page_size", "map.page_pool", "map.virtual_levels",
                                                          "map.virtual_bias"};

@@ -74,12 +74,8 @@ std::string_view outside_idle(const Settings& s, int) {
     return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
 }
 
-bool keeps_moments(const Settings& s) {
-    return filter_of(s).samples() == Samples::Moments;
-}
-
 std::string_view compare_idle(const Settings& s, int) {
-    return keeps_moments(s)
+    return filter_of(s).samples() == Samples::Moments
                ? "without effect: this kernel compares with the mean and variance of depths, not with single depths"
                : "";
 }

@@ -5,6 +5,7 @@
 
 #include "renderer/measure/optimisation_times.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -8,6 +8,7 @@
 #include "renderer/bias/light_receiver.h"
 #include "renderer/inspect/texel_usage.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -9,6 +9,7 @@
 #include "app/session/session.h"
 #include "renderer/base/error.h"
 #include "renderer/reference/artefact_picture.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"

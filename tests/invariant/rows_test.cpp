@@ -8,6 +8,7 @@
 #include "renderer/inspect/probe.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"

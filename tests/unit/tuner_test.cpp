@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

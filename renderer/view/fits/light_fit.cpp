@@ -8,6 +8,7 @@
 
 #include "renderer/base/finite.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/paging.h"

@@ -48,10 +48,6 @@ struct Side {
     bool upwards;    ///< runs from lo to hi
 };
 
-double volume_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    return glm::dot(a, glm::cross(b, c));
-}
-
 }  // namespace
 
 VolumeMesh::VolumeMesh(const Mesh& mesh) {
@@ -100,7 +96,7 @@ VolumeMesh::VolumeMesh(const Mesh& mesh) {
         // A reference point near the mesh loses little precision.
         const glm::dvec3 from(positions[triangles[0].corners[0]]);
         const auto at = [&](std::size_t k) { return glm::dvec3(positions[triangles[i].corners[k]]) - from; };
-        volume[n] += volume_of(at(0), at(1), at(2));
+        volume[n] += glm::dot(at(0), glm::cross(at(1), at(2)));
     }
     for (const std::uint32_t t : torn) parts[triangles[t].part].closed = false;
     for (std::size_t p = 0; p < parts.size(); ++p) parts[p].inside_out = parts[p].closed && volume[p] < 0;

@@ -1,0 +1,19 @@
+// Depth comparison of a look-up with the map's texels, which kernel, bias and map settings decide together.
+#pragma once
+
+#include "renderer/settings/filters.h"
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// Returns true when each texel of a look-up is compared with its own depth: the bias row is per texel, and the kernel
+/// compares depths.
+bool compares_per_texel(const Settings& settings);
+/// Returns true when the kernel compares through a shadow sampler (sampler2DShadow). Conditions: filter.method requests
+/// it, the map's format supports it, and one depth serves all texels of a bilinear comparison.
+bool uses_sampler(const Settings& settings);
+
+/// Returns the cost per pixel of the chosen kernel, by the comparison method in use (gathers or shadow sampler).
+FilterCost cost_of(const Settings& settings);
+
+}  // namespace si
