@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "renderer/base/error.h"
@@ -77,6 +78,14 @@ void require_complete(const Framebuffer& fb, std::string_view label) {
     if (status != GL_FRAMEBUFFER_COMPLETE)
         throw Error(fmt::format("the driver cannot draw into {} (framebuffer status {:#x})", label, status));
 }
+/// Makes the first `count` colour attachments of a framebuffer its outputs, in their order.
+void draw_into_colours(const Framebuffer& fb, std::string_view label, std::size_t count) {
+    std::vector<GLenum> buffers(count);
+    std::iota(buffers.begin(), buffers.end(), GLenum(GL_COLOR_ATTACHMENT0));
+    glNamedFramebufferDrawBuffers(fb.id(), GLsizei(count), buffers.data());
+    require_complete(fb, label);
+}
+
 }  // namespace
 
 Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer,
@@ -92,26 +101,16 @@ Framebuffer make_framebuffer(std::string_view label, const Target* colour, const
 
 Framebuffer make_framebuffer(std::string_view label, std::span<const Target> colours, const Target& depth) {
     auto fb = Framebuffer::create(label);
-    std::vector<GLenum> buffers;
-    for (const Target& colour : colours) {
-        buffers.push_back(GL_COLOR_ATTACHMENT0 + GLenum(buffers.size()));
-        attach(fb.id(), buffers.back(), colour, -1);
-    }
+    for (std::size_t i = 0; i < colours.size(); ++i) attach(fb.id(), GL_COLOR_ATTACHMENT0 + GLenum(i), colours[i], -1);
     attach(fb.id(), GL_DEPTH_ATTACHMENT, depth, -1);
-    glNamedFramebufferDrawBuffers(fb.id(), GLsizei(buffers.size()), buffers.data());
-    require_complete(fb, label);
+    draw_into_colours(fb, label, colours.size());
     return fb;
 }
 
 Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours) {
     auto fb = Framebuffer::create(label);
-    std::vector<GLenum> buffers;
-    for (int layer = 0; layer < colours.layers; ++layer) {
-        buffers.push_back(GL_COLOR_ATTACHMENT0 + GLenum(layer));
-        attach(fb.id(), buffers.back(), colours, layer);
-    }
-    glNamedFramebufferDrawBuffers(fb.id(), GLsizei(buffers.size()), buffers.data());
-    require_complete(fb, label);
+    for (int i = 0; i < colours.layers; ++i) attach(fb.id(), GL_COLOR_ATTACHMENT0 + GLenum(i), colours, i);
+    draw_into_colours(fb, label, std::size_t(colours.layers));
     return fb;
 }
 

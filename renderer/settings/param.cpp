@@ -2,7 +2,6 @@
 #include "renderer/settings/param.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "renderer/base/lower_case.h"
 
@@ -20,11 +19,9 @@ const Param* find_row(std::string_view key, Scope scope) {
 }
 
 std::optional<int> light_index(std::string_view digits) {
-    int i = -1;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), i);
-    const bool canonical =
-        error == std::errc() && end == digits.data() + digits.size() && (digits.size() == 1 || digits.front() != '0');
-    return canonical && i >= 0 && i < kMaxLights ? std::optional(i) : std::nullopt;
+    for (int i = 0; i < kMaxLights; ++i)
+        if (digits == std::to_string(i)) return i;
+    return std::nullopt;
 }
 
 /// Splits "object.<path>.<member>" into path and member. The path may contain dots.

@@ -34,9 +34,8 @@ std::string range_text(const Param& p) {
     throw UsageError(fmt::format("{}: \"{}\" {}", setting_key(ref), printable(text, 60), why));
 }
 
-template <class T>
-std::optional<T> read_number(std::string_view text) {
-    T v{};
+std::optional<double> read_number(std::string_view text) {
+    double v = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), v);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return v;
@@ -66,7 +65,7 @@ bool parse_bool(const SettingRef& ref, std::string_view text) {
 
 double parse_number(const SettingRef& ref, std::string_view text, bool whole) {
     const Param& p = *ref.param;
-    const auto v = read_number<double>(text);
+    const auto v = read_number(text);
     if (!v) {
         refuse(ref, text, fmt::format("is not a {}; allowed is {}", whole ? "whole number" : "number", range_text(p)));
     }

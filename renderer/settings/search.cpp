@@ -13,13 +13,9 @@ namespace {
 /// Returns the text normalised for the search: "shadow_normal_bias" as "shadow normal bias", "Tent 3×3" as "Tent 3x3".
 std::string as_searched(std::string_view text) {
     constexpr std::string_view kTimes = "×";
-    std::string out;
-    out.reserve(text.size());
-    while (!text.empty()) {
-        const bool times = text.starts_with(kTimes);
-        out += times ? 'x' : text[0] == '_' || text[0] == '-' ? ' ' : text[0];
-        text.remove_prefix(times ? kTimes.size() : 1);
-    }
+    std::string out(text);
+    for (auto at = out.find(kTimes); at != out.npos; at = out.find(kTimes, at)) out.replace(at, kTimes.size(), "x");
+    for (const char mark : {'_', '-'}) std::ranges::replace(out, mark, ' ');
     return out;
 }
 

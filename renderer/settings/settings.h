@@ -330,7 +330,10 @@ struct ObjectSettings {
 /// @param own the choice of the object @param of_all the choice for all casters (caster.cull), used if the object
 /// inherits
 constexpr Cull cull_in_force(ObjectCull own, Cull of_all) {
-    return own == ObjectCull::Inherit ? of_all : Cull(int(own) - 1);  // both list the same values after Inherit
+    return own == ObjectCull::None    ? Cull::None
+           : own == ObjectCull::Back  ? Cull::Back
+           : own == ObjectCull::Front ? Cull::Front
+                                      : of_all;
 }
 
 /// Complete settings of a session: scene, camera, techniques, lights, display and objects. A comparable, copyable
