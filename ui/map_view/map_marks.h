@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "renderer/frame/frame.h"
-#include "renderer/inspect/texel_usage.h"
 
 namespace si {
 

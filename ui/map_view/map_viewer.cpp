@@ -2,7 +2,6 @@
 // texels, and marks of the texels that the picture reads.
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <string>
 
 #include "renderer/advise/autopilot.h"
 #include "renderer/base/lengths_text.h"
@@ -12,7 +11,6 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
-#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 

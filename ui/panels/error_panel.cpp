@@ -1,11 +1,9 @@
 // Panel Error: errors of the shown light's shadows against the ray-traced reference, live, and their causes.
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "renderer/reference/artefact_picture.h"

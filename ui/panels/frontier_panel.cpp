@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <string>
 
 #include "renderer/base/error.h"
 #include "renderer/base/held_memory.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "renderer/base/lengths_text.h"
 #include "renderer/frame/frame.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/settings.h"

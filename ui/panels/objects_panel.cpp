@@ -6,12 +6,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <span>
-#include <string>
 #include <utility>
-#include <variant>
-#include <vector>
 
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"

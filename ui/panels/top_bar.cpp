@@ -1,7 +1,6 @@
 // Top bar: file menu, scene, guided presets, open preset, undo.
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <string>
@@ -11,7 +10,6 @@
 #include "renderer/scenes/builtin.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
-#include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"

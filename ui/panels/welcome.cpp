@@ -5,7 +5,6 @@
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/text.h"
-#include "ui/widgets/theme.h"
 
 namespace si {
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
-#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 
 #include "renderer/inspect/probe.h"
@@ -12,7 +11,6 @@
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/text.h"
-#include "ui/widgets/theme.h"
 
 namespace si {
 namespace {

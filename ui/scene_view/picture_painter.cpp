@@ -1,7 +1,6 @@
 #include "ui/scene_view/picture_painter.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ui/widgets/clip.h"
 #include "ui/widgets/theme.h"

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/bounds/scene_shape.h"

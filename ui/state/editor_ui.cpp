@@ -8,17 +8,13 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/base/index_of.h"
 #include "renderer/settings/overlays.h"
 #include "ui/panels/log_panel.h"
 #include "ui/scene_view/camera_steering.h"
-#include "ui/state/frame_times.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/quick_changes.h"
-#include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 

@@ -1,7 +1,6 @@
 // Objects of the scene by node path: selection, boxes, and changes of several at once.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <set>
 #include <span>

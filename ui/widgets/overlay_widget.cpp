@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 #include "renderer/settings/overlays.h"
