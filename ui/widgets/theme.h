@@ -26,33 +26,20 @@ const Colours& colours(bool light);
 /// Returns the colours of the theme in use.
 const Colours& colours();
 
-inline ImU32 text() {
-    return colours().text;
-}
-inline ImU32 muted() {
-    return colours().muted;
-}
-inline ImU32 faint() {
-    return colours().faint;
-}
-inline ImU32 panel() {
-    return colours().panel;
-}
-inline ImU32 well() {
-    return colours().well;
-}
-inline ImU32 line() {
-    return colours().line;
-}
-inline ImU32 accent() {
-    return colours().accent;
-}
-inline ImU32 error() {
-    return colours().error;
-}
-inline ImU32 warning() {
-    return colours().warning;
-}
+/// Colour of the theme in use, called as a function: theme::text().
+struct ThemeColour {
+    ImU32 Colours::*colour;
+    ImU32 operator()() const { return colours().*colour; }
+};
+inline constexpr ThemeColour text{&Colours::text};
+inline constexpr ThemeColour muted{&Colours::muted};
+inline constexpr ThemeColour faint{&Colours::faint};
+inline constexpr ThemeColour panel{&Colours::panel};
+inline constexpr ThemeColour well{&Colours::well};
+inline constexpr ThemeColour line{&Colours::line};
+inline constexpr ThemeColour accent{&Colours::accent};
+inline constexpr ThemeColour error{&Colours::error};
+inline constexpr ThemeColour warning{&Colours::warning};
 
 // Text over kVeil on pictures, in both themes.
 inline constexpr ImU32 kOnPicture = IM_COL32(222, 222, 220, 255);
