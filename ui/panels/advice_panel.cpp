@@ -67,13 +67,11 @@ void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts
           panel.max_error, 1e-6, "%.5f");
     bound("Time at most, ms", "Of a frame, ms: without a bound on the error the most accurate effects that keep it.",
           panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
-    ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));
-    if (ImGui::Button("Autopilot")) {
+    if (button_if(ready && (panel.bound_error || panel.bound_ms), "Autopilot")) {
         requests.find_advice = AdviceRequest{.cost = panel.cost};
         if (panel.bound_error) requests.find_advice->max_error = panel.max_error;
         if (panel.bound_ms) requests.find_advice->max_ms = panel.max_ms;
     }
-    ImGui::EndDisabled();
     wrapped_tooltip(
         "Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
 }
@@ -109,20 +107,10 @@ void advice_row(Settings& settings, const TriedAdvice& t, bool current) {
     wrapped_tooltip(list_of(t.settings));
 }
 
-bool begin_advice_table(const char* id) {
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable(id, 4, flags)) return false;
-    const float em = ImGui::GetFontSize();
-    ImGui::TableSetupColumn("##apply", ImGuiTableColumnFlags_WidthFixed, em * 3.4f);
-    ImGui::TableSetupColumn("time a frame", ImGuiTableColumnFlags_WidthFixed, em * 6);
-    ImGui::TableSetupColumn("error", ImGuiTableColumnFlags_WidthFixed, em * 4.5f);
-    ImGui::TableSetupColumn("what, and why", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableHeadersRow();
-    return true;
-}
-
 void advice_list(Settings& settings, const std::vector<TriedAdvice>& list, bool current, const char* id) {
-    if (list.empty() || !begin_advice_table(id)) return;
+    if (list.empty() ||
+        !begin_table(id, 0, {{"##apply", 3.4f}, {"time a frame", 6}, {"error", 4.5f}, {"what, and why"}}))
+        return;
     int number = 0;
     for (const TriedAdvice& t : list) {
         ImGui::PushID(number++);

@@ -115,10 +115,8 @@ void toggle_tour_cause(EditorState& state, Artefact cause) {
 void next_artefact(EditorState& state, const EditorFrame& frame) {
     ArtefactTour& tour = state.artefact_tour;
     if (!frame.result) return;
-    if (tour.waits_for != 0) {
-        state.log.add(LogKind::Info, "Still looking for where the picture is wrong: X again when it is found");
-        return;
-    }
+    if (tour.waits_for != 0)
+        return state.log.add(LogKind::Info, "Still looking for where the picture is wrong: X again when it is found");
     if (tour.scene == state.scene_name && !tour.of.spots.empty() && same_picture(state.settings, tour.left)) {
         tour.at = (tour.at + 1) % tour.of.spots.size();
         go_to_spot(state, frame);

@@ -38,7 +38,7 @@ void reference_combo(CompareWith& compare, bool pinned, const PresetsFacts& pres
     if (!begin_combo("##reference", shown_label(compare, presets.presets), ImGuiComboFlags_HeightLarge)) return;
     const auto item = [&](const std::string& label, const CompareWith& with, const std::string& hint) {
         if (ImGui::Selectable(label.c_str(), compare == with)) compare = with;
-        if (!hint.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
+        if (!hint.empty()) plain_tooltip(hint);
     };
     const auto own = [&](CompareKind kind, const std::string& hint) {
         const CompareWith with{kind, {}};
@@ -69,8 +69,7 @@ void cell(const std::string& text, ImU32 colour) {
     ImGui::AlignTextToFramePadding();
     coloured_text(text, colour);
     // The column cuts long names; the tooltip shows the whole name.
-    if (ImGui::IsItemHovered() && ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x)
-        ImGui::SetTooltip("%s", text.c_str());
+    if (ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x) plain_tooltip(text);
 }
 
 void setting_line(Settings& settings, const Settings& reference, const SettingRef& ref) {
@@ -86,10 +85,8 @@ void setting_line(Settings& settings, const Settings& reference, const SettingRe
     ImGui::PushID(setting_key(ref).c_str());
     if (ImGui::Button("Use")) set_value(settings, ref, get_value(reference, ref));
     ImGui::PopID();
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s",
-                          idle ? "Without effect on both sides"
-                               : fmt::format("Sets this value; {} takes it back", key_text(Command::Undo)).c_str());
+    plain_tooltip(idle ? "Without effect on both sides"
+                       : fmt::format("Sets this value; {} takes it back", key_text(Command::Undo)));
 }
 
 }  // namespace
@@ -104,10 +101,7 @@ void draw_compare(CompareWith& compare, Settings& settings, const std::optional<
     ImGui::SetNextItemWidth(em * 18);
     reference_combo(compare, pinned.has_value(), presets);
     ImGui::SameLine();
-    if (!other || other->with != compare) {
-        ImGui::TextDisabled("not read yet");
-        return;
-    }
+    if (!other || other->with != compare) return ImGui::TextDisabled("not read yet");
     if (!other->problem.empty()) {
         ImGui::TextDisabled("cannot be read");
         coloured_wrapped(other->problem, theme::error());
@@ -126,16 +120,13 @@ void draw_compare(CompareWith& compare, Settings& settings, const std::optional<
         settings = reference;
         return;
     }
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
-                                      ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("differences", 5, flags)) return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    ImGui::TableSetupColumn("Group", ImGuiTableColumnFlags_WidthStretch, 2);
-    ImGui::TableSetupColumn("Setting", ImGuiTableColumnFlags_WidthStretch, 2.4f);
-    ImGui::TableSetupColumn("Shown", ImGuiTableColumnFlags_WidthStretch, 2.4f);
-    ImGui::TableSetupColumn("Reference", ImGuiTableColumnFlags_WidthStretch, 2.4f);
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, em * 3.2f);
-    ImGui::TableHeadersRow();
+    if (!begin_table("differences", ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingStretchProp,
+                     {{.heading = "Group", .share = 2},
+                      {.heading = "Setting", .share = 2.4f},
+                      {.heading = "Shown", .share = 2.4f},
+                      {.heading = "Reference", .share = 2.4f},
+                      {"", 3.2f}}))
+        return;
     if (other_scene) {
         ImGui::TableNextRow();
         cell("Scene", theme::text());

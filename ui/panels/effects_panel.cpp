@@ -208,9 +208,7 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
     coloured_text(effect.name, needed ? theme::text() : theme::muted());
     if (room == Room::Least && !effect.reason.empty()) wrapped_tooltip(effect.reason);
     if (indent > 0) ImGui::Unindent(indent);
-    if (ImGui::TableSetColumnIndex(index_of(Column::Why))) {
-        coloured_wrapped(effect.reason, theme::muted());
-    }
+    if (ImGui::TableSetColumnIndex(index_of(Column::Why))) coloured_wrapped(effect.reason, theme::muted());
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : result.pass(effect.pass);
     if (pass && pass->state != PassState::Drawn) last_time_cell(times, *pass);
     if (pass && pass->state == PassState::Drawn) {
@@ -286,10 +284,7 @@ void clock_line(const FrameResult& result, const DriverInfo* driver) {
 void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,
                   const EffectsFacts& facts, EffectsRequests& requests) {
     requests.want_effects = true;
-    if (!result) {
-        ImGui::TextDisabled("No frame yet.");
-        return;
-    }
+    if (!result) return ImGui::TextDisabled("No frame yet.");
     tools(panel, facts, requests);
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |

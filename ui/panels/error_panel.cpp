@@ -152,10 +152,7 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& r
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     Settings& s = state.settings;
-    if (!frame.reference) {
-        ImGui::TextDisabled("No frame yet.");
-        return;
-    }
+    if (!frame.reference) return ImGui::TextDisabled("No frame yet.");
     const auto labelled = [&](const char* label, const char* key, float width) {
         same_line_if_fits(ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x + width);
         ImGui::AlignTextToFramePadding();

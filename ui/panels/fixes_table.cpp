@@ -32,16 +32,14 @@ std::string about(const MeasuredFix& fix, const FixTable& table) {
 void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& settings) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (!fix.untried.empty()) {
-        ImGui::TextDisabled("%s: not tried, %s", fix.shown_name().c_str(), fix.untried.c_str());
-        return;
-    }
-    const std::string mark = !fix.pixel_right ? "" : *fix.pixel_right ? "" : "  (this pixel stays wrong)";
+    if (!fix.untried.empty())
+        return ImGui::TextDisabled("%s: not tried, %s", fix.shown_name().c_str(), fix.untried.c_str());
+    const std::string mark = fix.pixel_right.value_or(true) ? "" : "  (this pixel stays wrong)";
     ImGui::BeginDisabled(!current);
     if (ImGui::Selectable((fix.shown_name() + mark).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
         for (const auto& [key, value] : fix.settings) set_setting(settings, key, value);
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(fix, table).c_str());
+    plain_tooltip(about(fix, table), ImGuiHoveredFlags_AllowWhenDisabled);
     const ImU32 plain = current ? theme::text() : theme::muted();
     text_cell(std::to_string(fix.cured), plain);
     text_cell(std::to_string(fix.broken), fix.broken == 0 ? theme::muted() : plain);
@@ -76,15 +74,8 @@ void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& 
         ImGui::TextDisabled("of other settings: search again");
     ImGui::SameLine();
     if (ImGui::SmallButton("Close##cures")) requests.forget_fixes = true;
-    constexpr ImGuiTableFlags flags =
-        ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("cures", 5, flags)) return;
-    ImGui::TableSetupColumn("fix");
-    ImGui::TableSetupColumn("right");
-    ImGui::TableSetupColumn("broken");
-    ImGui::TableSetupColumn("time");
-    ImGui::TableSetupColumn("maps");
-    ImGui::TableHeadersRow();
+    if (!begin_table("cures", ImGuiTableFlags_SizingFixedFit, {{"fix"}, {"right"}, {"broken"}, {"time"}, {"maps"}}))
+        return;
     int id = 0;
     for (const MeasuredFix& fix : search.table->rows) {
         ImGui::PushID(id++);

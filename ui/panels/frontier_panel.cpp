@@ -280,10 +280,8 @@ void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const Meas
 
 void draw_advice(SweepPanel& panel, Settings& settings, const SweepFacts& facts, const MeasuredColumn& cost,
                  const MeasuredColumn& error) {
-    if (!facts.present_problem.empty()) {
-        coloured_wrapped("The present settings cannot be measured: " + facts.present_problem, theme::error());
-        return;
-    }
+    if (!facts.present_problem.empty())
+        return coloured_wrapped("The present settings cannot be measured: " + facts.present_problem, theme::error());
     const FrontierView& view = facts.view;
     if (!view.present) {
         if (!facts.measuring_present) return;
@@ -324,9 +322,7 @@ void draw_advice(SweepPanel& panel, Settings& settings, const SweepFacts& facts,
 }
 
 void draw_state(const SweepFacts& facts, SweepRequests& requests) {
-    if (!facts.problem.empty()) {
-        coloured_wrapped("The sweep ended: " + facts.problem, theme::error());
-    }
+    if (!facts.problem.empty()) coloured_wrapped("The sweep ended: " + facts.problem, theme::error());
     if (facts.other_scene) {
         ImGui::TextDisabled("The sweep is of another scene.");
     } else if (!facts.other_settings.empty()) {

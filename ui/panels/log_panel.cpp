@@ -35,9 +35,7 @@ void draw_log(Log& log, std::string_view shader_log) {
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
     }
-    if (!shader_log.empty()) {
-        coloured_text(shader_log, theme::error());
-    }
+    if (!shader_log.empty()) coloured_text(shader_log, theme::error());
     if (log.lines().empty() && shader_log.empty()) ImGui::TextDisabled("Nothing to report.");
     ImGui::PopTextWrapPos();
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1);

@@ -326,10 +326,7 @@ Order order_of() {
 
 void draw_objects(EditorState& state, const EditorFrame& frame) {
     state.objects.hovered.clear();
-    if (!frame.scene) {
-        ImGui::TextDisabled("No scene.");
-        return;
-    }
+    if (!frame.scene) return ImGui::TextDisabled("No scene.");
     std::vector<const Param*> rows;
     for (const Param& p : params())
         if (p.scope == Scope::Object) rows.push_back(&p);
@@ -350,11 +347,10 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
         wrapped_tooltip(with_key("Brings back what is hidden", Command::ShowAllObjects));
     }
     lost_line(state, frame, tree);
-    if (tree.placed == 0) {
-        ImGui::TextDisabled(state.objects.search.empty() ? "No object casts or receives."
-                                                         : "No object's path holds these words. × clears the search.");
-        return;
-    }
+    if (tree.placed == 0)
+        return ImGui::TextDisabled(state.objects.search.empty()
+                                       ? "No object casts or receives."
+                                       : "No object's path holds these words. × clears the search.");
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
                                       ImGuiTableFlags_SortTristate | ImGuiTableFlags_SizingStretchProp |
                                       ImGuiTableFlags_NoSavedSettings;

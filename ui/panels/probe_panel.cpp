@@ -278,23 +278,13 @@ float section_width(const Sections& sections, std::size_t light, float room) {
 }  // namespace
 
 void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    if (!state.probe_pixel) {
-        ImGui::TextDisabled("Click a surface in the scene to see its shadow test written out.");
-        return;
-    }
+    if (!state.probe_pixel)
+        return ImGui::TextDisabled("Click a surface in the scene to see its shadow test written out.");
     const Probe* probe = frame.probe;
-    if (frame.anchor_place == AnchorPlace::Outside) {
-        ImGui::TextDisabled("The probed point lies outside of the picture: move the camera, or click another.");
-        return;
-    }
-    if (!probe) {
-        ImGui::TextDisabled("Pixel %d, %d", state.probe_pixel->x, state.probe_pixel->y);
-        return;
-    }
-    if (!probe->hit) {
-        ImGui::Text("Pixel %d, %d: background.", probe->x, probe->y);
-        return;
-    }
+    if (frame.anchor_place == AnchorPlace::Outside)
+        return ImGui::TextDisabled("The probed point lies outside of the picture: move the camera, or click another.");
+    if (!probe) return ImGui::TextDisabled("Pixel %d, %d", state.probe_pixel->x, state.probe_pixel->y);
+    if (!probe->hit) return ImGui::Text("Pixel %d, %d: background.", probe->x, probe->y);
     const bool hidden = frame.anchor_place == AnchorPlace::Hidden;
     const std::string where =
         fmt::format("{}Pixel {}, {}   {}   position {} m   normal {}", hidden ? "Hidden, in its place:   " : "",

@@ -40,15 +40,12 @@ void limits_popup(TunePanel& panel, TuneRequests& requests) {
     plain_tooltip(
         "Compare with an area light (light.size). Compared with a point or direction, the hardest kernel\n"
         "is always the most accurate one.");
-    const bool any = panel.bound_error || panel.bound_ms;
-    ImGui::BeginDisabled(!any);
-    if (ImGui::Button("Search")) {
+    if (button_if(panel.bound_error || panel.bound_ms, "Search")) {
         requests.tune = TuneRequest{.area = panel.area, .cost = panel.cost};
         if (panel.bound_error) requests.tune->max_error = panel.max_error;
         if (panel.bound_ms) requests.tune->max_ms = panel.max_ms;
         ImGui::CloseCurrentPopup();
     }
-    ImGui::EndDisabled();
     ImGui::EndPopup();
 }
 
@@ -60,14 +57,9 @@ std::string shown_length(double m) {
 void families_table(std::span<const TunedFamily> families, bool current, Settings& settings) {
     if (families.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");
-    if (!ImGui::BeginTable("tuned", 4,
-                           ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings))
+    if (!begin_table("tuned", ImGuiTableFlags_SizingStretchProp,
+                     {{.heading = "tried", .share = 2}, {"wrong px"}, {"strip"}, {"shift"}}))
         return;
-    ImGui::TableSetupColumn("tried", ImGuiTableColumnFlags_WidthStretch, 2);
-    ImGui::TableSetupColumn("wrong px");
-    ImGui::TableSetupColumn("strip");
-    ImGui::TableSetupColumn("shift");
-    ImGui::TableHeadersRow();
     for (const TunedFamily& f : families) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -75,12 +67,13 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
         ImGui::BeginDisabled(!current);
         if (ImGui::Selectable(f.name.c_str(), taken, ImGuiSelectableFlags_SpanAllColumns)) settings.bias = f.bias;
         ImGui::EndDisabled();
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-            ImGui::SetTooltip(
-                "%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
-                "edges moved by %s (95 %% of the lit surface)\nA click takes it; %s takes it back.",
-                f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
-                shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str(), key_text(Command::Undo));
+        plain_tooltip(
+            fmt::format("{}{}\n{} pixels wrong, {} of them by the price of bias; {} px of acne\n"
+                        "lit strip at contacts {}, edges moved by {} (95 % of the lit surface)\nA click takes it; {} "
+                        "takes it back.",
+                        f.bias_text, f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
+                        shown_length(f.gap_p95_m), shown_length(f.shift_p95_m), key_text(Command::Undo)),
+            ImGuiHoveredFlags_AllowWhenDisabled);
         ImGui::TableNextColumn();
         if (f.acne > 0)
             ImGui::TextDisabled("acne");
@@ -101,7 +94,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
         const std::string text = fmt::format("{:.0f} %", 100 * shown.tuning->progress);
         ImGui::ProgressBar(float(shown.tuning->progress), {std::max(room - button_width("Cancel") - gap, 20.f), 0},
                            text.c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", shown.tuning->about.c_str());
+        plain_tooltip("Trying " + shown.tuning->about);
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) requests.cancel_tune = true;
         return;
@@ -123,8 +116,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
     plain_tooltip("Search kernel and resolution, too, within limits of error and time");
     ImGui::EndGroup();
     ImGui::EndDisabled();
-    if (!why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", why_not.c_str());
+    if (!why_not.empty()) plain_tooltip(why_not, ImGuiHoveredFlags_AllowWhenDisabled);
     limits_popup(panel, requests);
     families_table(shown.tuned, shown.tuned_current, settings);
 }

@@ -72,10 +72,8 @@ bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
     state.probe_panel.fix_waits = frame.result && verdict_follows(state, frame);
-    if (state.probe_panel.fix_waits) {
-        state.log.add(LogKind::Info, "The fix is made once the pixel's verdict is known");
-        return;
-    }
+    if (state.probe_panel.fix_waits)
+        return state.log.add(LogKind::Info, "The fix is made once the pixel's verdict is known");
     for (const PixelDiagnosis& d : frame.diagnoses) {
         if (d.light != shown_light(state.settings) || !d.fix) continue;
         for (const auto& [key, value] : d.fix->settings) set_setting(state.settings, key, value);
@@ -97,10 +95,9 @@ void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
 
 void toggle_pointed_quads(EditorState& state, const EditorFrame& frame) {
     const std::optional<TexelPlace> place = pointed_texel(state, frame);
-    if (!place) {
-        state.log.add(LogKind::Info, "No stored-depth quads to show: point at a surface whose shadow the map decides");
-        return;
-    }
+    if (!place)
+        return state.log.add(LogKind::Info,
+                             "No stored-depth quads to show: point at a surface whose shadow the map decides");
     toggle_quads(state.settings, *place);
     state.log.add(LogKind::Info, shows_quads_at(state.settings, *place)
                                      ? "Stored-depth quads are shown about this place, each as large as its texel: "

@@ -241,9 +241,7 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorReques
     const float rows = ImGui::GetFrameHeightWithSpacing() * (saving ? 3 : 2) +
                        (d.problem.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
     const auto entered = draw_entries(d, std::max(ImGui::GetContentRegionAvail().y - rows, em * 3));
-    if (!d.problem.empty()) {
-        coloured_text(d.problem, theme::error());
-    }
+    if (!d.problem.empty()) coloured_text(d.problem, theme::error());
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (std::exchange(d.type_on, false) || appearing) ImGui::SetKeyboardFocusHere();
     bool done = ImGui::InputTextWithHint("##name", saving ? "file name" : "file or path; Tab completes it", &d.name,

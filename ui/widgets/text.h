@@ -1,4 +1,4 @@
-// Texts (coloured, bold, small, right-aligned, cut to a width), tooltips and buttons.
+// Texts (coloured, bold, small, right-aligned, cut to a width), tooltips, buttons, text fields and tables.
 #pragma once
 
 #include <imgui.h>
@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -121,6 +122,29 @@ inline void strong_text(std::string_view text) {
     ImGui::PushFont(theme::strong());
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopFont();
+}
+
+/// Column of a table: heading and width.
+struct TableColumn {
+    const char* heading;
+    float ems = 0;    ///< fixed width, ems; 0: not fixed
+    float share = 0;  ///< weight in the free width; 0: the table's flags decide
+};
+
+/// Begins a table with striped rows and a row of headings that does not scroll; if it returns true, call
+/// ImGui::EndTable().
+inline bool begin_table(const char* id, ImGuiTableFlags flags, std::initializer_list<TableColumn> columns) {
+    flags |= ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable(id, int(columns.size()), flags)) return false;
+    if (flags & ImGuiTableFlags_ScrollY) ImGui::TableSetupScrollFreeze(0, 1);
+    for (const TableColumn& c : columns) {
+        const int stretches = c.share > 0 ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_None;
+        const bool fixed = c.ems > 0;
+        ImGui::TableSetupColumn(c.heading, fixed ? int(ImGuiTableColumnFlags_WidthFixed) : stretches,
+                                fixed ? c.ems * ImGui::GetFontSize() : c.share);
+    }
+    ImGui::TableHeadersRow();
+    return true;
 }
 
 /// Draws text in the table's next column.
