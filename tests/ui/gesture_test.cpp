@@ -8,7 +8,7 @@
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/camera_gesture.h"
-#include "ui/scene_view/light_lines.h"
+#include "ui/scene_view/frustum_lines.h"
 
 namespace si {
 namespace {

@@ -7,7 +7,7 @@
 #include "renderer/base/directions.h"
 #include "renderer/projection/projection.h"
 #include "tests/support/box_scene.h"
-#include "ui/scene_view/camera_outline.h"
+#include "ui/scene_view/frustum_lines.h"
 #include "ui/scene_view/probe_ray.h"
 #include "ui/state/selection.h"
 #include "ui/widgets/clip.h"
@@ -108,7 +108,7 @@ TEST(CameraOutline, EdgesEndAtTheCornersOfClipSpace) {
     for (const Camera& c : {level_camera(), perspective}) {
         const auto edges = camera_edges(c);
         ASSERT_EQ(edges.size(), 12u);
-        for (const auto& [from, to] : edges)
+        for (const auto& [from, to, far] : edges)
             for (const glm::dvec3& p : {from, to}) {
                 const glm::dvec4 clip = c.clip_from_relative(p) * glm::dvec4(0, 0, 0, 1);
                 EXPECT_NEAR(std::abs(clip.x / clip.w), 1, 1e-9);
@@ -118,7 +118,7 @@ TEST(CameraOutline, EdgesEndAtTheCornersOfClipSpace) {
             }
     }
     perspective.curve.far = 1e6;
-    for (const auto& [from, to] : camera_edges(perspective)) EXPECT_GE(std::min(from.z, to.z), -200 - 1e-9);
+    for (const auto& [from, to, far] : camera_edges(perspective)) EXPECT_GE(std::min(from.z, to.z), -200 - 1e-9);
 }
 
 TEST(CameraOutline, IsTheFloorPlanOfTheCameraFromAbove) {

@@ -13,7 +13,7 @@
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
 #include "ui/map_view/map_readout.h"
-#include "ui/scene_view/camera_outline.h"
+#include "ui/scene_view/frustum_lines.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
@@ -251,11 +251,11 @@ std::string obstacle(const Settings& s, const EditorFrame& frame) {
     if (!of_camera(s)) {
         const int light = shown_light(s);
         if (light < 0) return "No light: light.count is 0.";
-        if (std::size_t(light) >= result.lights.size()) return "...";  // a light was just added
-        const FittedLight& fitted = result.lights[std::size_t(light)];
-        if (!fitted.casts || fitted.views.empty())
+        const FittedLight* const fitted = shown_fitted_light(s, result);
+        if (!fitted) return "...";  // a light was just added
+        if (!fitted->casts || fitted->views.empty())
             return fmt::format("{} has no shadow map: {}.", light_title(s, light),
-                               fitted.reason.empty() ? "it casts no shadow" : fitted.reason);
+                               fitted->reason.empty() ? "it casts no shadow" : fitted->reason);
     }
     if (result.map_view.texture == 0 || result.map_view_size.x <= 0 || result.map_view_size.y <= 0)
         return "The depth image was not drawn.";
@@ -289,7 +289,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         return;
     }
     const bool camera = of_camera(state.settings);
-    const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
+    const FittedLight* fitted = camera ? nullptr : shown_fitted_light(state.settings, result);
     const glm::ivec2 n = result.map_view_size;
     requests.want_map_facts = plots;
     requests.want_exact_texels = !camera && state.map.exact_texels && !state.frozen && !state.viewport.dragging;

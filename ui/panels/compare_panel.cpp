@@ -9,7 +9,7 @@
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/presets.h"
-#include "ui/state/scene_label.h"
+#include "ui/state/scene_choices.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"

@@ -142,8 +142,8 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& r
     if (button_if(there, "Save…")) ImGui::OpenPopup("save error");
     plain_tooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
-    if (path_input("##file", "file.json", state.error_panel.save_path, "Write"))
-        requests.save_error = state.error_panel.save_path;
+    if (path_input("##file", "file.json", state.files.error_path, "Write"))
+        requests.save_error = state.files.error_path;
     ImGui::EndPopup();
 }
 

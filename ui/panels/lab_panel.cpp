@@ -12,7 +12,7 @@
 #include "renderer/scene/placement.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "ui/state/shown_light.h"
+#include "ui/state/light_list.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"

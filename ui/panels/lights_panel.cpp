@@ -15,7 +15,6 @@
 #include "ui/state/light_list.h"
 #include "ui/state/log.h"
 #include "ui/state/shortcuts.h"
-#include "ui/state/shown_light.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -137,10 +136,10 @@ void list_buttons(Settings& s) {
 
 /// Draws the six faces of a cube map as a cross; a click shows a face. Faces are numbered +x -x +y -y +z -z.
 void cube_cross(Settings& s, const FrameResult& result) {
+    const FittedLight* const light = shown_fitted_light(s, result);
     constexpr int kFaces = 6, kAcross = 4;
     constexpr int kColumn[kFaces] = {2, 0, 1, 1, 1, 3}, kRow[kFaces] = {1, 1, 0, 2, 1, 1};
-    const FittedLight& light = result.lights[std::size_t(shown_light(s))];
-    if (light.chooser.choice != ViewChoice::Face || light.views.size() != kFaces) return;
+    if (!light || light->chooser.choice != ViewChoice::Face || light->views.size() != kFaces) return;
     const float em = ImGui::GetFontSize(), gap = em * 0.15f;
     const ImVec2 size(em * 2.6f, ImGui::GetFrameHeight()), at = ImGui::GetCursorPos();
     const int now = shown_face(s, result);
@@ -182,7 +181,7 @@ void draw_lights(LightsPanel& panel, Settings& s, Log& log, const FrameResult* r
         panel.listed = true;
     }
     list_buttons(s);
-    if (result && shown_light(s) >= 0 && std::size_t(shown_light(s)) < result->lights.size()) cube_cross(s, *result);
+    if (result) cube_cross(s, *result);
 }
 
 }  // namespace si

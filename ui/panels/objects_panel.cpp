@@ -9,10 +9,10 @@
 #include <span>
 #include <utility>
 
+#include "renderer/base/words_match.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"

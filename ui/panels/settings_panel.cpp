@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "renderer/advise/tuner.h"
+#include "renderer/base/words_match.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/idle_reason.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
-#include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"

@@ -10,7 +10,7 @@
 #include "renderer/base/directions.h"
 #include "renderer/base/index_of.h"
 #include "shaders/shared/colours.h"
-#include "ui/scene_view/light_lines.h"
+#include "ui/scene_view/frustum_lines.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"

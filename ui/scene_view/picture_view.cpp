@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/scene_view/light_lines.h"
+#include "ui/scene_view/frustum_lines.h"
 
 namespace si {
 namespace {

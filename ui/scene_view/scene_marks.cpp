@@ -5,7 +5,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/bounds/scene_shape.h"
-#include "ui/scene_view/camera_outline.h"
+#include "ui/scene_view/frustum_lines.h"
 #include "ui/scene_view/gnomon.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/scene_view/light_gizmo.h"
@@ -33,12 +33,12 @@ void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
 /// Returns the ray of the probe's shadow test for the shown light; nothing if probe and light belong to different
 /// frames. @param answer receives the probe's result for the light
 std::optional<ProbeRay> shown_ray(const EditorState& state, const EditorFrame& frame, const Probe::PerLight** answer) {
-    const int light = shown_light(state.settings);
-    if (!frame.probe || !frame.result || light < 0 || std::size_t(light) >= frame.result->lights.size()) return {};
+    const FittedLight* const light = frame.result ? shown_fitted_light(state.settings, *frame.result) : nullptr;
+    if (!frame.probe || !light) return {};
     for (const Probe::PerLight& p : frame.probe->lights)
-        if (p.light == light) {
+        if (p.light == shown_light(state.settings)) {
             *answer = &p;
-            return probe_ray(*frame.probe, p, frame.result->lights[std::size_t(light)]);
+            return probe_ray(*frame.probe, p, *light);
         }
     return {};
 }
@@ -106,7 +106,7 @@ void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Setti
 
 void draw_frozen_camera(const PicturePainter& p, const Camera& frozen) {
     if (same_view(frozen, p.view().camera)) return;
-    for (const auto& [from, to] : camera_edges(frozen)) p.line(from, to, theme::kFrozen, 1.2);
+    for (const auto& [from, to, far] : camera_edges(frozen)) p.line(from, to, theme::kFrozen, 1.2);
     if (const auto at = p.view().point(frozen.eye)) p.dot(*at, 4, theme::kFrozen);
 }
 

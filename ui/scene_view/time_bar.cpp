@@ -6,7 +6,6 @@
 
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
-#include "ui/state/scene_choices.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"

@@ -186,12 +186,6 @@ std::optional<glm::ivec2> loupe_pixel(const EditorState& state, const EditorFram
     return frame.anchor_place == AnchorPlace::Outside ? std::nullopt : state.probe_pixel;
 }
 
-/// Returns the shown light's fit; null: there is none.
-const FittedLight* shown_fit(const EditorState& state, const FrameResult& result) {
-    const int light = shown_light(state.settings);
-    return light >= 0 && std::size_t(light) < result.lights.size() ? &result.lights[std::size_t(light)] : nullptr;
-}
-
 /// Returns the first pane with an overlay, whose legend has the sliders of all panes; below 0: no pane has one.
 int overlaid_pane(const FrameResult& result) {
     const auto at = std::ranges::find_if(result.panes, [](const Pane& pane) { return pane.overlay > 0; });
@@ -216,7 +210,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_causes)
         draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
-        draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
+        draw_legend(pane, shown_fitted_light(state.settings, result), lo.x, bottom, size);
     if (state.viewport.hovered_pixel && index == state.active_pane) {
         // The caption names the pane's overlay, or the side of a comparison.
         const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;

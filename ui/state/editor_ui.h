@@ -15,7 +15,6 @@
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare_panel.h"
 #include "ui/panels/effects_panel.h"
-#include "ui/panels/error_panel.h"
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
@@ -90,7 +89,6 @@ struct EditorState : PictureState {
     LightsPanel lights;
     ObjectsPanel objects;
     ProbePanel probe_panel;
-    ErrorPanel error_panel;
     SweepPanel sweep;
     TunePanel tune;
     AdvicePanel advice;

@@ -14,6 +14,7 @@ namespace si {
 struct FilesState {
     std::string scene_input;                  ///< path of a scene while it is being typed
     std::string preset_path = "preset.json";  ///< file that saving writes
+    std::string error_path = "error.json";    ///< file that saving the errors writes
     GuideNote guide;                          ///< sentence of the preset that was opened last
     std::string hidden_guide;                 ///< preset key of the note that the user has hidden; empty: none
     FileDialog dialog;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/frame/frame.h"
+
 namespace si {
 namespace {
 
@@ -37,6 +39,21 @@ double free_azimuth(const Settings& s, double from) {
 }
 
 }  // namespace
+
+int shown_light(const Settings& settings) {
+    const int count = std::clamp(settings.light_count, 0, kMaxLights);
+    return count == 0 ? -1 : std::clamp(settings.view.light, 0, count - 1);
+}
+
+const FittedLight* shown_fitted_light(const Settings& settings, const FrameResult& result) {
+    const int light = shown_light(settings);
+    return light >= 0 && std::size_t(light) < result.lights.size() ? &result.lights[std::size_t(light)] : nullptr;
+}
+
+int shown_face(const Settings& settings, const FrameResult& result) {
+    const FittedLight* const light = shown_fitted_light(settings, result);
+    return light ? std::clamp(settings.view.face, 0, std::max(0, int(light->views.size()) - 1)) : 0;
+}
 
 bool can_add_light(const Settings& s) {
     return s.light_count < kMaxLights;

@@ -1,9 +1,19 @@
-// Lights added, copied, reordered and deleted in the settings. Each keeps its own settings; view.light follows.
+// The light that panels show, and lights added, copied, reordered and deleted in the settings.
 #pragma once
 
 #include "renderer/settings/settings.h"
 
 namespace si {
+
+struct FittedLight;
+struct FrameResult;
+
+/// Returns the index of the light whose map and overlays are shown, clamped to the existing lights; -1 without lights.
+int shown_light(const Settings& settings);
+/// Returns the shown light in a frame; null: there is none, or the light was added after the frame.
+const FittedLight* shown_fitted_light(const Settings& settings, const FrameResult& result);
+/// Returns the index of the shown light's view (cube face, cascade) that is shown, clamped to its views.
+int shown_face(const Settings& settings, const FrameResult& result);
 
 /// Returns true if the settings have room for another light (kMaxLights).
 bool can_add_light(const Settings& settings);

@@ -6,8 +6,8 @@
 #include "renderer/base/lengths_text.h"
 #include "ui/scene_view/picture_view.h"
 #include "ui/state/editor_ui.h"
-#include "ui/state/scene_label.h"
-#include "ui/state/shown_light.h"
+#include "ui/state/light_list.h"
+#include "ui/state/scene_choices.h"
 #include "ui/widgets/progress_bar.h"
 
 namespace si {

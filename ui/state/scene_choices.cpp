@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "renderer/scene/animation.h"
-#include "ui/state/panels.h"
+#include "renderer/scenes/builtin.h"
+#include "ui/state/light_list.h"
+#include "ui/state/selection.h"
 
 namespace si {
 namespace {
@@ -14,6 +16,13 @@ std::string numbered(std::size_t i, const std::string& name) {
 }
 
 }  // namespace
+
+std::string scene_label(const std::string& name) {
+    if (name.empty()) return "No scene";
+    for (const BuiltinScene& scene : builtin_scenes())
+        if (scene.key == name) return std::string(scene.label);
+    return is_builtin_scene(name) ? name : last_path_part(name);
+}
 
 NamedValues scene_choices(const Scene* scene, std::string_view key) {
     NamedValues out;
@@ -37,14 +46,12 @@ NamedValues scene_choices(const Scene* scene, std::string_view key) {
 }
 
 NamedValues view_choices(const Settings& settings, const FrameResult* result, std::string_view key) {
-    const int shown = shown_light(settings);
-    if (key != "view.face" || !result || shown < 0 || std::size_t(shown) >= result->lights.size()) return {};
-    const FittedLight& light = result->lights[std::size_t(shown)];
-    if (light.views.size() < 2) return {};
+    const FittedLight* const light = key == "view.face" && result ? shown_fitted_light(settings, *result) : nullptr;
+    if (!light || light->views.size() < 2) return {};
     NamedValues out;
-    for (std::size_t i = 0; i < light.views.size(); ++i)
-        out.emplace_back(int(i), view_name(light.chooser.choice, i, light.views.size()));
-    if (settings.view.face >= int(light.views.size())) out.emplace_back(settings.view.face, out.back().second);
+    for (std::size_t i = 0; i < light->views.size(); ++i)
+        out.emplace_back(int(i), view_name(light->chooser.choice, i, light->views.size()));
+    if (settings.view.face >= int(light->views.size())) out.emplace_back(settings.view.face, out.back().second);
     return out;
 }
 

@@ -1,4 +1,4 @@
-// Names from the scene's file and the frame for values of whole-number settings.
+// Names of scenes and files for labels, and names from the scene's file and the frame for whole-number settings.
 #pragma once
 
 #include <string>
@@ -10,6 +10,10 @@
 #include "renderer/scene/scene.h"
 
 namespace si {
+
+/// Returns the label of a scene: a built-in scene's label, or a file's name without folders; "No scene" for an empty
+/// name.
+std::string scene_label(const std::string& name_or_path);
 
 /// Values of a whole-number setting with their names; empty: plain numbers are shown.
 using NamedValues = std::vector<std::pair<int, std::string>>;

@@ -203,6 +203,27 @@ inline bool toggle_button(const char* label, bool on, ImVec2 size = {0, 0}) {
     return pressed;
 }
 
+/// Draws a search field over the free width, with a button that clears it. @param hint text of the empty field
+/// @param leave the pixels to leave free to the right of the field @param about an addition to the field's tooltip,
+/// such as "; other engines' names count too"
+inline void search_field(const char* id, const char* hint, std::string& text, float leave, const char* about = "") {
+    const float width = std::max(ImGui::GetContentRegionAvail().x - leave, ImGui::GetFontSize() * 3);
+    const float side = ImGui::GetFrameHeight();
+    const bool clears = !text.empty();
+    ImGui::PushID(id);
+    ImGui::SetNextItemWidth(clears ? width - side : width);
+    const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::InputTextWithHint("##text", beginning_that_fits(hint, room, ImGui::GetFont()).c_str(), &text);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+        ImGui::SetTooltip("All words have to be there, in any order%s", about);
+    if (clears) {
+        ImGui::SameLine(0, 0);
+        if (ImGui::Button("×", {side, side})) text.clear();
+        plain_tooltip("Clears the search");
+    }
+    ImGui::PopID();
+}
+
 /// Draws a text field for a path, and the button that accepts the path as Enter does. Closes the popup around them and
 /// returns true once a path is accepted.
 inline bool path_input(const char* id, const char* hint, std::string& path, const char* button) {

@@ -1,4 +1,4 @@
-#include "ui/scene_view/camera_outline.h"
+#include "ui/scene_view/frustum_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -13,23 +13,55 @@ namespace {
 constexpr double kFarInFocus = 20;
 constexpr double kBeforeLight = 1e-3;  // share of a perspective map's near distance, at which lines are clipped
 
+/// Returns the twelve edges of a frustum. @param corner a function that returns a corner: bits 0 and 1 of its first
+/// argument choose the side, the second argument the far plane
+std::vector<Segment> edges_between(const auto& corner) {
+    constexpr std::array<std::pair<int, int>, 4> sides{{{0, 1}, {1, 3}, {3, 2}, {2, 0}}};
+    std::vector<Segment> edges;
+    for (const auto& [a, b] : sides) {
+        edges.push_back({corner(a, false), corner(b, false), false});
+        edges.push_back({corner(a, true), corner(b, true), true});
+        edges.push_back({corner(a, false), corner(a, true), false});
+    }
+    return edges;
+}
+
 }  // namespace
 
-std::vector<std::pair<glm::dvec3, glm::dvec3>> camera_edges(const Camera& camera) {
+std::vector<Segment> camera_edges(const Camera& camera) {
     const double near = camera.curve.near, far = std::max(std::min(camera.curve.far, kFarInFocus * camera.focus), near);
-    const auto corner = [&](int i, double z) {
+    return edges_between([&](int i, bool is_far) {
+        const double z = is_far ? far : near;
         const double half = camera.orthographic ? 0.5 * camera.height : z * std::tan(0.5 * camera.fov_y_rad);
         return camera.eye +
                camera.axes * glm::dvec3(i & 1 ? half * camera.aspect : -half * camera.aspect, i & 2 ? half : -half, -z);
-    };
-    constexpr std::array<std::pair<int, int>, 4> sides{{{0, 1}, {1, 3}, {3, 2}, {2, 0}}};
-    std::vector<std::pair<glm::dvec3, glm::dvec3>> edges;
-    for (const auto& [a, b] : sides) {
-        edges.emplace_back(corner(a, near), corner(b, near));
-        edges.emplace_back(corner(a, far), corner(b, far));
-        edges.emplace_back(corner(a, near), corner(a, far));
+    });
+}
+
+std::vector<Segment> frustum_edges(const LightView& view) {
+    return edges_between([&](int i, bool far) {
+        const glm::dvec2 uv(i & 1, i >> 1);
+        const DepthCurve curve = view.curve.curve_at_row(uv.y);
+        return view.position_ws(uv, far ? curve.far : curve.near);
+    });
+}
+
+std::optional<std::pair<glm::dvec2, glm::dvec2>> project_segment(const Camera& camera, glm::dvec3 from, glm::dvec3 to,
+                                                                 int width, int height) {
+    if (!camera.orthographic) {
+        // Clip at a plane well before the camera's own near plane: lines need no depth precision, only w > 0.
+        const double plane = std::max(1e-9, camera.focus * 1e-4);
+        const double a = -glm::dot(from - camera.eye, camera.axes[2]), b = -glm::dot(to - camera.eye, camera.axes[2]);
+        if (a < plane && b < plane) return {};
+        if (a < plane) from += (to - from) * ((plane - a) / (b - a));
+        if (b < plane) to += (from - to) * ((plane - b) / (a - b));
     }
-    return edges;
+    const glm::dvec4 p = camera.project(from, width, height), q = camera.project(to, width, height);
+    if (!(p.w > 0) || !(q.w > 0)) return {};
+    const glm::dvec2 first(p), second(q);
+    for (const double v : {first.x, first.y, second.x, second.y})
+        if (!std::isfinite(v)) return {};
+    return std::pair{first, second};
 }
 
 std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_outline_in_map(const Camera& camera, const LightView& view) {
@@ -42,7 +74,7 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_outline_in_map(const Camer
         const glm::dvec4 h = view.projection * glm::dvec4(v, 1);
         return 0.5 + 0.5 * glm::dvec2(h) / h.w;
     };
-    for (const auto& [from, to] : camera_edges(camera)) {
+    for (const auto& [from, to, far] : camera_edges(camera)) {
         glm::dvec3 a = to_view * (from - view.eye), b = to_view * (to - view.eye);
         if (view.curve.perspective || view.warped()) {
             const double at_a = w_of(a), at_b = w_of(b);
@@ -60,7 +92,7 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_region_in_map(const Camera
     if (view.curve.perspective || view.warped()) return camera_outline_in_map(camera, view);
     std::vector<glm::dvec2> points;
     const glm::dmat3 to_view = glm::transpose(view.axes);
-    for (const auto& [from, to] : camera_edges(camera))
+    for (const auto& [from, to, far] : camera_edges(camera))
         for (const glm::dvec3& p : {from, to})
             points.push_back(0.5 + 0.5 * glm::dvec2(view.projection * glm::dvec4(to_view * (p - view.eye), 1)));
     // The outline is closed along the map's rim; else a region beyond it would leave stray lines.
