@@ -25,19 +25,17 @@ void append(std::string& list, std::string_view separator, std::string_view text
     list += text;
 }
 
-std::vector<OverviewLine> make_overview() {
-    std::vector<OverviewLine> lines;
-    for (const Shortcut& row : shortcuts()) {
-        if (row.section) lines.push_back({row.section, {}});
-        if (!row.joined) lines.emplace_back();
-        append(lines.back().keys, ", ", chord_text(row.chord));
-        append(lines.back().meaning, "; ", row.label);
-    }
-    return lines;
-}
-
 const std::vector<OverviewLine>& overview_lines() {
-    static const std::vector<OverviewLine> kLines = make_overview();
+    static const std::vector<OverviewLine> kLines = [] {
+        std::vector<OverviewLine> lines;
+        for (const Shortcut& row : shortcuts()) {
+            if (row.section) lines.push_back({row.section, {}});
+            if (!row.joined) lines.emplace_back();
+            append(lines.back().keys, ", ", chord_text(row.chord));
+            append(lines.back().meaning, "; ", row.label);
+        }
+        return lines;
+    }();
     return kLines;
 }
 
@@ -52,19 +50,13 @@ std::size_t second_column() {
     return best;
 }
 
-float width_of_keys() {
+/// Returns the largest width of the keys or the meanings in their font, pixels.
+float column_width(std::string OverviewLine::*text, ImFont* font) {
     float width = 0;
-    ImGui::PushFont(theme::strong());
+    ImGui::PushFont(font);
     for (const OverviewLine& s : overview_lines())
-        if (!s.meaning.empty()) width = std::max(width, ImGui::CalcTextSize(s.keys.c_str()).x);
+        if (!s.meaning.empty()) width = std::max(width, ImGui::CalcTextSize((s.*text).c_str()).x);
     ImGui::PopFont();
-    return width;
-}
-
-float width_of_meanings() {
-    float width = 0;
-    for (const OverviewLine& s : overview_lines())
-        if (!s.meaning.empty()) width = std::max(width, ImGui::CalcTextSize(s.meaning.c_str()).x);
     return width;
 }
 
@@ -107,7 +99,8 @@ void draw_shortcuts(bool& shown) {
     const ImVec2 padding = style.CellPadding;
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.3f});
-    const float keys = width_of_keys(), wide = width_of_meanings();
+    const float keys = column_width(&OverviewLine::keys, theme::strong());
+    const float wide = column_width(&OverviewLine::meaning, ImGui::GetFont());
     const float room = screen.x - 2 * style.WindowPadding.x - style.ScrollbarSize, column_gap = em;
     // In two columns keys are not wrapped, only texts.
     const float half = (room - column_gap) / 2 - keys - 4 * padding.x;

@@ -73,37 +73,28 @@ void move_probe(const CommandContext& c) {
         glm::clamp(*c.state.probe_pixel + step * direction, glm::ivec2(0), glm::max(size, glm::ivec2(1)) - 1);
 }
 
-/// Returns the selected objects; without a selection the log tells the user to select some.
-std::set<std::string> objects_to_hide(const CommandContext& c) {
-    std::set<std::string> selected = selected_objects(c.state);
-    if (selected.empty() || !c.frame.scene) {
+/// Hides the selected objects, or all others; without a selection the log tells the user to select some.
+void hide_selected(const CommandContext& c, bool others) {
+    const std::set<std::string> selected = selected_objects(c.state);
+    if (selected.empty() || !c.frame.scene)
         c.state.log.add(LogKind::Info, "Nothing is selected to hide: double-click an object");
-        return {};
-    }
-    return selected;
-}
-
-void hide_selected(const CommandContext& c) {
-    if (const auto selected = objects_to_hide(c); !selected.empty()) hide(c.state.settings, selected);
-}
-
-void isolate_selected(const CommandContext& c) {
-    if (const auto selected = objects_to_hide(c); !selected.empty())
+    else if (others)
         isolate(c.state.settings, *c.frame.scene, selected);
+    else
+        hide(c.state.settings, selected);
 }
 
-/// Returns the overlay setting of the pane that the mouse was over last. A comparison shows one pane only.
-SettingRef active_overlay(const EditorState& state) {
+/// Returns the overlay of the pane that the mouse was over last. A comparison shows one pane only.
+int& active_overlay(EditorState& state) {
     const int pane = state.comparison.view == ComparisonView::Off ? state.active_pane : 0;
-    return *find_setting(overlay_setting(pane));
+    return overlay_of_pane(state.settings.view, std::size_t(pane));
 }
 
 void toggle_overlay(const CommandContext& c) {
     const ImGuiIO& io = ImGui::GetIO();
     const int wanted = overlay_of_digit(c.key - '0', {io.KeyShift, io.KeyAlt, io.KeyCtrl});
-    const SettingRef setting = active_overlay(c.state);
-    const int shown = std::get<int>(get_value(c.state.settings, setting));
-    if (wanted > 0) set_value(c.state.settings, setting, wanted == shown ? 0 : wanted);
+    int& shown = active_overlay(c.state);
+    if (wanted > 0) shown = wanted == shown ? 0 : wanted;
 }
 
 void move_swipe(EditorState& state, float step) {
@@ -123,8 +114,11 @@ void load_neighbour(const CommandContext& c, int step) {
 
 using C = const CommandContext&;
 
-constexpr Shortcut row(Command command, Chord chord, const char* label, void (*action)(C), When when = When::Ready) {
+constexpr Shortcut row(Command command, Chord chord, const char* label, When when, void (*action)(C) = nullptr) {
     return {.command = command, .chord = chord, .when = when, .label = label, .action = action};
+}
+constexpr Shortcut row(Command command, Chord chord, const char* label, void (*action)(C)) {
+    return row(command, chord, label, When::Ready, action);
 }
 /// Makes a row for the overview alone.
 constexpr Shortcut gesture(const char* name, const char* label = "") {
@@ -151,12 +145,12 @@ constexpr Shortcut kShortcutTable[] = {
     joined(gesture("Shift+drag")),
     gesture("Wheel", "closer, farther, towards the cursor"),
     gesture("Right button held", "fly with these keys; Shift: faster, wheel: speed"),
-    row(Command::FlyForwards, with_any(letter("W")), "forwards", nullptr, When::Flying),
-    joined(row(Command::FlyBackwards, with_any(letter("S")), "backwards", nullptr, When::Flying)),
-    joined(row(Command::FlyLeft, with_any(letter("A")), "left", nullptr, When::Flying)),
-    joined(row(Command::FlyRight, with_any(letter("D")), "right", nullptr, When::Flying)),
-    joined(row(Command::FlyUp, with_any(letter("E")), "up", nullptr, When::Flying)),
-    joined(row(Command::FlyDown, with_any(letter("Q")), "down", nullptr, When::Flying)),
+    row(Command::FlyForwards, with_any(letter("W")), "forwards", When::Flying),
+    joined(row(Command::FlyBackwards, with_any(letter("S")), "backwards", When::Flying)),
+    joined(row(Command::FlyLeft, with_any(letter("A")), "left", When::Flying)),
+    joined(row(Command::FlyRight, with_any(letter("D")), "right", When::Flying)),
+    joined(row(Command::FlyUp, with_any(letter("E")), "up", When::Flying)),
+    joined(row(Command::FlyDown, with_any(letter("Q")), "down", When::Flying)),
     row(Command::FrameSelection, letter("F"), "frame what is selected or the scene",
         [](C c) { frame_selection(c.state, c.frame); }),
     joined(row(Command::ResetCamera, mapped("Home", ImGuiKey_Home), "the scene's own camera",
@@ -172,9 +166,8 @@ constexpr Shortcut kShortcutTable[] = {
                              c.state.window.maximised ? *c.state.window.maximised : c.state.window.hovered_panel);
         }),
     joined(gesture("double-click a title")),
-    joined(row(
-        Command::RestorePanels, mapped("Esc", ImGuiKey_Escape), "all panels",
-        [](C c) { c.state.window.maximised.reset(); }, When::OnePanel)),
+    joined(row(Command::RestorePanels, mapped("Esc", ImGuiKey_Escape), "all panels", When::OnePanel,
+               [](C c) { c.state.window.maximised.reset(); })),
     row(Command::NextMapPlace, letter("N"), "move the map to its next place",
         [](C c) { c.state.layout.map_place = MapSpot((int(c.state.layout.map_place) + 1) % 4); }),
     row(Command::NextMapView, letter("M"), "map: raw, linear, bands",
@@ -182,13 +175,12 @@ constexpr Shortcut kShortcutTable[] = {
     joined(gesture("wheel, drag, double-click", "zoom, move, fit")),
 
     section("Why", gesture("Click", "probe a pixel")),
-    joined(row(Command::ForgetProbe, mapped("Esc", ImGuiKey_Escape), "forget it; again: select no object", forget_probe,
-               When::AllPanels)),
+    joined(row(Command::ForgetProbe, mapped("Esc", ImGuiKey_Escape), "forget it; again: select no object",
+               When::AllPanels, forget_probe)),
     repeating(row(Command::MoveProbe, mapped("Arrows", ImGuiKey_LeftArrow, ImGuiKey_DownArrow),
-                  "after a click: move the probe by a pixel, with Shift by 10", move_probe, When::ProbeHasArrows)),
-    joined(row(
-        Command::ReleaseArrows, mapped("Tab", ImGuiKey_Tab), "give the arrows to widgets",
-        [](C c) { c.state.keyboard.probe_has_arrows = false; }, When::ProbeHasArrows)),
+                  "after a click: move the probe by a pixel, with Shift by 10", When::ProbeHasArrows, move_probe)),
+    joined(row(Command::ReleaseArrows, mapped("Tab", ImGuiKey_Tab), "give the arrows to widgets", When::ProbeHasArrows,
+               [](C c) { c.state.keyboard.probe_has_arrows = false; })),
     row(Command::NextLoupeMode, letter("G"), "loupe: on the probed pixel, under the mouse, off",
         [](C c) { c.state.loupe = LoupeMode((int(c.state.loupe) + 1) % 3); }),
     row(Command::NextWrongPixels, letter("X"), "to the next cluster of wrong pixels (cause: tab Error), and probe it",
@@ -199,8 +191,7 @@ constexpr Shortcut kShortcutTable[] = {
         [](C c) { toggle_pointed_quads(c.state, c.frame); }),
     row(Command::ToggleOverlay, {.name = "1 to 9", .first = '1', .last = '9', .ctrl = Modifier::Any},
         "overlays, more with Shift, Alt or Ctrl (their list has the keys); again: none", toggle_overlay),
-    joined(row(Command::HideOverlay, with_any(letter("0")), "no overlay",
-               [](C c) { set_value(c.state.settings, active_overlay(c.state), 0); })),
+    joined(row(Command::HideOverlay, with_any(letter("0")), "no overlay", [](C c) { active_overlay(c.state) = 0; })),
 
     section("Compare",
             row(Command::NextComparison, letter("B"), "with the reference or a preset: swipe, side by side, difference",
@@ -208,27 +199,22 @@ constexpr Shortcut kShortcutTable[] = {
                     if (!c.state.flicker)
                         c.state.comparison.view = ComparisonView((int(c.state.comparison.view) + 1) % 4);
                 })),
-    repeating(row(
-        Command::MoveSwipeLeft, letter(","), "swipe's line to the left", [](C c) { move_swipe(c.state, -kSwipeStep); },
-        When::SwipeShown)),
-    joined(repeating(row(
-        Command::MoveSwipeRight, letter("."), "to the right; Shift: farther",
-        [](C c) { move_swipe(c.state, kSwipeStep); }, When::SwipeShown))),
+    repeating(row(Command::MoveSwipeLeft, letter(","), "swipe's line to the left", When::SwipeShown,
+                  [](C c) { move_swipe(c.state, -kSwipeStep); })),
+    joined(repeating(row(Command::MoveSwipeRight, letter("."), "to the right; Shift: farther", When::SwipeShown,
+                         [](C c) { move_swipe(c.state, kSwipeStep); }))),
     row(Command::PinSettings, letter("P"), "pin the present settings as A, or take the pin off",
         [](C c) { pin_settings(c.state); }),
     joined(row(Command::ShowPinned, letter("A"), "held: A alone", [](C c) { begin_flicker(c.state); })),
 
     section("Lights", gesture("Drag a handle", "change the light, with Ctrl in round steps")),
-    joined(row(
-        Command::CancelHandleDrag, with_any(mapped("Esc", ImGuiKey_Escape)), "the light as before",
-        [](C c) { cancel_handle_drag(c.state); }, When::HandleDragged)),
+    joined(row(Command::CancelHandleDrag, with_any(mapped("Esc", ImGuiKey_Escape)), "the light as before",
+               When::HandleDragged, [](C c) { cancel_handle_drag(c.state); })),
     gesture("Click another light's mark", "show its map and handles"),
     row(Command::NextLightType, letter("T"), "the shown light: directional, spot, point",
         [](C c) { next_light_type(c.state.settings); }),
-    joined(row(
-        Command::RenameLight, with_any(key("F2", kF2)), "rename it",
-        [](C c) { begin_light_rename(c.state.lights, c.state.settings, shown_light(c.state.settings)); },
-        When::LightsListed)),
+    joined(row(Command::RenameLight, with_any(key("F2", kF2)), "rename it", When::LightsListed,
+               [](C c) { begin_light_rename(c.state.lights, c.state.settings, shown_light(c.state.settings)); })),
     row(Command::HalveResolution, letter("["), "half the resolution of the map",
         [](C c) { scale_resolution(c.state.settings, false); }),
     joined(row(Command::DoubleResolution, letter("]"), "twice", [](C c) { scale_resolution(c.state.settings, true); })),
@@ -236,16 +222,15 @@ constexpr Shortcut kShortcutTable[] = {
     section("Objects", gesture("Double-click", "select an object")),
     gesture("Right click", "its menu: frame, hide, isolate, cast, receive, culling"),
     row(Command::HideSelected, with_shift(letter("H"), Modifier::Up, Modifier::Up), "hide the selected ones",
-        hide_selected),
+        [](C c) { hide_selected(c, false); }),
     joined(row(Command::IsolateSelected, with_shift(letter("H"), Modifier::Down, Modifier::Up), "hide all others",
-               isolate_selected)),
+               [](C c) { hide_selected(c, true); })),
     joined(row(Command::ShowAllObjects, with_shift(letter("H"), Modifier::Any, Modifier::Down), "show all",
                [](C c) { show_all(c.state.settings); })),
     gesture("Ctrl+click", "in the list: one more or less"),
     joined(gesture("Shift+click", "all between")),
-    row(
-        Command::TogglePlay, key("Space", ' '), "play or pause the animation",
-        [](C c) { toggle_play(c.state, c.frame); }, When::NoWidgetFocused),
+    row(Command::TogglePlay, key("Space", ' '), "play or pause the animation", When::NoWidgetFocused,
+        [](C c) { toggle_play(c.state, c.frame); }),
 
     section("Files and steps",
             row(Command::OpenFile, with_ctrl(letter("O")), "open a .gltf or .glb scene, or a preset",
@@ -275,12 +260,10 @@ constexpr Shortcut kShortcutTable[] = {
                [](C c) { c.state.shots.next = Shot::Map; })),
     joined(row(Command::WindowScreenshot, with_ctrl(key("F12", kF12)), "of the window",
                [](C c) { c.state.shots.next = Shot::Window; })),
-    row(
-        Command::ToggleOverview, with_any(key("F1", kF1)), "this overview",
-        [](C c) { c.state.window.show_shortcuts = !c.state.window.show_shortcuts; }, When::Always),
-    joined(row(
-        Command::CloseOverview, with_any(mapped("Esc", ImGuiKey_Escape)), "close it",
-        [](C c) { c.state.window.show_shortcuts = c.state.window.show_welcome = false; }, When::PopupOpen)),
+    row(Command::ToggleOverview, with_any(key("F1", kF1)), "this overview", When::Always,
+        [](C c) { c.state.window.show_shortcuts = !c.state.window.show_shortcuts; }),
+    joined(row(Command::CloseOverview, with_any(mapped("Esc", ImGuiKey_Escape)), "close it", When::PopupOpen,
+               [](C c) { c.state.window.show_shortcuts = c.state.window.show_welcome = false; })),
     row(Command::Quit, with_ctrl(letter("Q")), "quit", [](C c) { c.requests.quit = true; }),
 
     section("Settings", gesture("Ctrl+click on a slider", "type a value")),
