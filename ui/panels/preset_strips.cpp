@@ -202,11 +202,8 @@ std::span<const PresetEntry> open_preset_sequence(const EditorState& state, cons
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step) {
     const std::span<const PresetEntry> sequence = open_preset_sequence(state, frame);
     const int count = int(sequence.size());
-    if (count == 0) return {};
-    int at = -1;
-    for (int i = 0; i < count; ++i)
-        if (sequence[std::size_t(i)].key == state.files.guide.key) at = i;
-    const int to = at < 0 ? (step > 0 ? 0 : count - 1) : at + step;
+    const int at = int(std::ranges::find(sequence, state.files.guide.key, &PresetEntry::key) - sequence.begin());
+    const int to = at < count ? at + step : step > 0 ? 0 : count - 1;
     if (to < 0 || to >= count) return {};
     return sequence[std::size_t(to)].key;
 }

@@ -16,6 +16,7 @@
 #include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -31,10 +32,6 @@ constexpr float kMapPlots = 6.5f;           ///< height of the plots under the m
 constexpr float kWidthLeftOfSettings = 40;  ///< width that settings wider than a third leave, ems
 constexpr float kFindingTexels = 24;        ///< width of the map viewer about a texel of a finding, texels
 constexpr float kSplitter = 5;              ///< at scale 1, pixels
-
-bool popup_is_open() {
-    return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-}
 
 /// Requests a screenshot of a part of this frame.
 void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
@@ -53,13 +50,9 @@ void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
                           : std::string("The scene is hidden: no screenshot of it"));
 }
 
-struct Dragged {
-    float by = 0;        ///< along its axis, pixels
-    bool reset = false;  ///< a double click resets the splitter
-};
-
-/// Draws a splitter that the mouse drags.
-Dragged splitter(const char* id, bool vertical, ImVec2 size) {
+/// Draws a splitter. A drag sets a member of the layout to `dragged(pixels)`; a double click resets the member.
+void splitter(const char* id, bool vertical, ImVec2 size, EditorLayout& layout, float EditorLayout::*member,
+              const auto& dragged) {
     ImGui::InvisibleButton(id, size);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
     if (hot) ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -71,10 +64,13 @@ Dragged splitter(const char* id, bool vertical, ImVec2 size) {
         ImGui::GetWindowDrawList()->AddRectFilled({c.x - thin, lo.y}, {c.x + thin, hi.y}, colour);
     else
         ImGui::GetWindowDrawList()->AddRectFilled({lo.x, c.y - thin}, {hi.x, c.y + thin}, colour);
-    if (hot && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return {.reset = true};
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("Drag; double-click: as at first");
-    if (!ImGui::IsItemActive()) return {};
-    return {.by = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y};
+    const float by = vertical ? ImGui::GetIO().MouseDelta.x : ImGui::GetIO().MouseDelta.y;
+    if (hot && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        layout.*member = EditorLayout{}.*member;
+    else if (!ImGui::IsItemActive())
+        plain_tooltip("Drag; double-click: as at first");
+    else if (by != 0)
+        layout.*member = dragged(by);
 }
 
 void tab(EditorState& state, BottomTab which, const auto& draw, const char* label = nullptr) {
@@ -87,11 +83,6 @@ void tab(EditorState& state, BottomTab which, const auto& draw, const char* labe
     draw();
     ImGui::EndChild();
     ImGui::EndTabItem();
-}
-
-/// Returns true if a pane shows the artefact overlay, whose legend has pixel counts.
-bool shows_artefacts(const Settings& settings) {
-    return any_pane_shows(settings.view, &Overlay::names_causes);
 }
 
 /// Returns true at a double click on a tab or the row of tabs, except on the arrows that scroll the tabs.
@@ -190,10 +181,8 @@ void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& 
         const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
         draw_panel(state, frame, requests, Panel::Scene, {size.x - map - bar, size.y});
         ImGui::SameLine();
-        if (const Dragged d = splitter("map splitter", true, {bar, size.y}); d.reset)
-            layout.map_share = EditorLayout{}.map_share;
-        else if (d.by != 0)
-            layout.map_share = std::clamp((map - d.by) / size.x, 0.1f, 0.85f);
+        splitter("map splitter", true, {bar, size.y}, layout, &EditorLayout::map_share,
+                 [&](float by) { return std::clamp((map - by) / size.x, 0.1f, 0.85f); });
         ImGui::SameLine();
         draw_panel(state, frame, requests, Panel::Map, {map, size.y});
         return;
@@ -223,10 +212,8 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
         const float map =
             std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kFrequentSettings : 10)));
         draw_panel(state, frame, requests, Panel::Map, {size.x, map});
-        if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
-            layout.map_height = EditorLayout{}.map_height;
-        else if (d.by != 0)
-            layout.map_height = std::clamp((map + d.by) / size.y, 0.1f, 0.9f);
+        splitter("map splitter", false, {size.x, bar}, layout, &EditorLayout::map_height,
+                 [&](float by) { return std::clamp((map + by) / size.y, 0.1f, 0.9f); });
         size.y -= map + bar;
     }
     child("settings", size, spaced([&] { draw_settings(state, frame, requests); }));
@@ -267,17 +254,13 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     pictures_row(state, frame, requests, {left, pictures}, bar);
     if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
-    if (const Dragged d = splitter("bottom splitter", false, {left, bar}); d.reset)
-        layout.bottom_height = EditorLayout{}.bottom_height;
-    else if (d.by != 0)
-        layout.bottom_height = std::max((bottom - d.by) / em, 2.0f);
+    splitter("bottom splitter", false, {left, bar}, layout, &EditorLayout::bottom_height,
+             [&](float by) { return std::max((bottom - by) / em, 2.0f); });
     draw_panel(state, frame, requests, Panel::Tabs, {left, bottom});
     ImGui::EndGroup();
     ImGui::SameLine();
-    if (const Dragged d = splitter("settings splitter", true, {bar, rest.y}); d.reset)
-        layout.settings_width = EditorLayout{}.settings_width;
-    else if (d.by != 0)
-        layout.settings_width = (settings - d.by) / em;
+    splitter("settings splitter", true, {bar, rest.y}, layout, &EditorLayout::settings_width,
+             [&](float by) { return (settings - by) / em; });
     ImGui::SameLine();
     right_column(state, frame, requests, {settings, rest.y}, bar);
     child("status", {0, status}, spaced([&] { draw_status_bar(state, frame); }));
@@ -349,10 +332,11 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     }
     if (state.tab != BottomTab::Objects || (state.window.maximised && *state.window.maximised != Panel::Tabs))
         state.objects.hovered.clear();  // the list is hidden, so that no row is hovered
-    requests.want_error |= shows_artefacts(state.settings) || waits;
+    // The legend of the artefact overlay has pixel counts.
+    requests.want_error |= any_pane_shows(state.settings.view, &Overlay::names_causes) || waits;
     assign_arrow_keys(state);
     assign_page_keys(state);
-    state.window.had_popup = popup_is_open();
+    state.window.had_popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     if (shot) take_shot(state, requests, *shot);
     requests.redraw |= state.shots.next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.viewport.wheel_until;

@@ -88,12 +88,10 @@ std::vector<std::string> History::names() const {
     std::vector<std::string> out{"the beginning"};
     for (std::size_t i = 1; i < steps_.size(); ++i) {
         const Step &before = steps_[i - 1], &after = steps_[i];
-        if (after.place.scene != before.place.scene) {
-            const std::string& preset = after.place.guide.title;
-            const bool opened = after.place.guide.key != before.place.guide.key && !preset.empty();
-            out.push_back(opened ? preset : after.place.scene);
-        } else if (after.place.guide.key != before.place.guide.key && !after.place.guide.title.empty()) {
-            out.push_back(after.place.guide.title);
+        if (const GuideNote& guide = after.place.guide; guide.key != before.place.guide.key && !guide.title.empty()) {
+            out.push_back(guide.title);
+        } else if (after.place.scene != before.place.scene) {
+            out.push_back(after.place.scene);
         } else if (after.looks) {
             out.emplace_back("camera");
         } else {

@@ -48,12 +48,11 @@ void set_switch(Settings& s, const std::string& path, const char* key, bool on) 
     if (const auto ref = find_setting("object." + path + "." + key)) set_value(s, *ref, on);
 }
 
-/// Returns the objects with this setting off, as a copy, because setting them changes the list.
-std::vector<std::string> paths_where(const Settings& settings, bool ObjectSettings::*off) {
-    std::vector<std::string> paths;
-    for (const auto& [path, own] : settings.objects)
-        if (!(own.*off)) paths.push_back(path);
-    return paths;
+/// Switches a setting on for all objects.
+void switch_all_on(Settings& settings, bool ObjectSettings::*member, const char* key) {
+    const auto objects = settings.objects;  // a copy, because setting a value changes the list
+    for (const auto& [path, own] : objects)
+        if (!(own.*member)) set_switch(settings, path, key, true);
 }
 
 }  // namespace
@@ -137,8 +136,7 @@ void cast_alone(Settings& settings, const Scene& scene, const std::set<std::stri
 }
 
 void cast_all(Settings& settings) {
-    for (const std::string& path : paths_where(settings, &ObjectSettings::cast))
-        set_switch(settings, path, "cast", true);
+    switch_all_on(settings, &ObjectSettings::cast, "cast");
 }
 
 void hide(Settings& settings, const std::set<std::string>& paths) {
@@ -153,8 +151,7 @@ void isolate(Settings& settings, const Scene& scene, const std::set<std::string>
 }
 
 void show_all(Settings& settings) {
-    for (const std::string& path : paths_where(settings, &ObjectSettings::shown))
-        set_switch(settings, path, "shown", true);
+    switch_all_on(settings, &ObjectSettings::shown, "shown");
 }
 
 bool all_shown(const Settings& settings) {
