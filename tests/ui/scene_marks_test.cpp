@@ -8,7 +8,7 @@
 #include "renderer/projection/projection.h"
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/frustum_lines.h"
-#include "ui/scene_view/probe_ray.h"
+#include "ui/scene_view/probe_anchor.h"
 #include "ui/state/selection.h"
 #include "ui/widgets/clip.h"
 

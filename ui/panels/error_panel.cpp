@@ -58,8 +58,7 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
         std::string name;
         const auto tooltip = [&] {
             const std::string title = name == whole ? "" : whole + "\n";  // for columns too narrow for the whole name
-            if (ImGui::IsItemHovered())
-                ImGui::SetTooltip("%s%s\n%s", title.c_str(), row->formula.data(), row->help.data());
+            plain_tooltip(fmt::format("{}{}\n{}", title, row->formula, row->help));
         };
         const double value = row->value(m);
         ImGui::TableNextRow();
@@ -82,11 +81,11 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
     const float width = ImGui::GetContentRegionAvail().x;
     const std::string label(style.label);
     const bool clicked = ImGui::Selectable(("##" + label).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "%s: a click chooses it for \"Next artefact\" and shows in the picture what is wrong;\n"
-            "a second one takes both back. %.3f %% of the pixels compared",
-            label.c_str(), counted == 0 ? 0.0 : 100.0 * double(pixels) / double(counted));
+    const double percent = counted == 0 ? 0.0 : 100.0 * double(pixels) / double(counted);
+    plain_tooltip(
+        fmt::format("{}: a click chooses it for \"Next artefact\" and shows in the picture what is wrong;\n"
+                    "a second one takes both back. {:.3f} % of the pixels compared",
+                    label, percent));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 lo(at.x, at.y + em * 0.2f), hi(at.x + em * 0.7f, at.y + em * 0.9f);
     list.AddRectFilled(lo, hi, theme::rgb(style.rgb));
@@ -96,8 +95,7 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
     const std::string shown = fitted(label, width - em * 1.1f, ImGui::GetFont());
     list.AddText({at.x + em * 1.1f, at.y}, theme::text(), shown.c_str());
     right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::muted() : theme::text());
-    const std::string share = counted == 0 ? "-" : fmt::format("{:.3f} %", 100.0 * double(pixels) / double(counted));
-    if (with_share) right_cell(share, theme::muted());
+    if (with_share) right_cell(counted == 0 ? "-" : fmt::format("{:.3f} %", percent), theme::muted());
     return clicked;
 }
 
@@ -105,13 +103,12 @@ void next_button(EditorState& state, const EditorFrame& frame, const std::string
     if (button_if(artefact_tour_cause(state, frame) != Artefact::None && state.artefact_tour.waits_for == 0,
                   "Next artefact"))
         next_artefact(state, frame);
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip(
-            "%s.\nClusters are those of the picture in which it was pressed first. Undo takes the camera back.",
-            with_key("Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and "
-                     "probes it",
-                     Command::NextWrongPixels)
-                .c_str());
+    plain_tooltip(
+        with_key(
+            "Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and probes it",
+            Command::NextWrongPixels) +
+            ".\nClusters are those of the picture in which it was pressed first. Undo takes the camera back.",
+        ImGuiHoveredFlags_AllowWhenDisabled);
     if (tour.empty()) return;
     ImGui::SameLine();
     ImGui::TextDisabled("%s", tour.c_str());
@@ -138,8 +135,7 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
 }
 
 void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    const bool there = frame.error != nullptr;
-    if (button_if(there, "Save…")) ImGui::OpenPopup("save error");
+    if (button_if(frame.error != nullptr, "Save…")) ImGui::OpenPopup("save error");
     plain_tooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
     if (path_input("##file", "file.json", state.files.error_path, "Write"))
@@ -175,9 +171,8 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     next_button(state, frame, tour);
     same_line_if_fits(ImGui::CalcTextSize(status.c_str()).x + em * 4);
     ImGui::AlignTextToFramePadding();
-    const bool busy = !frame.reference->doing.empty();
     ImGui::TextDisabled("%s", status.c_str());
-    if (busy && !frame.reference->current) {
+    if (!frame.reference->doing.empty() && !frame.reference->current) {
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) requests.cancel_reference = true;
     }
@@ -189,10 +184,8 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const ImVec2 padding = ImGui::GetStyle().CellPadding;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.6f});
     if (!ImGui::BeginTable("error blocks", columns,
-                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings)) {
-        ImGui::PopStyleVar();
-        return;
-    }
+                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
+        return ImGui::PopStyleVar();
     ImGui::TableNextColumn();
     metrics_table(error.metrics, true, "causes of each side");
     if (columns > 1) ImGui::TableNextColumn();

@@ -169,9 +169,8 @@ void draw_controls(SweepPanel& panel, const Settings& settings, const SweepFacts
 }
 
 const MeasuredColumn* column_of(const SweepFacts& facts, const std::string& key) {
-    for (const MeasuredColumn& c : facts.columns)
-        if (c.key == key) return &c;
-    return nullptr;
+    const auto at = std::ranges::find(facts.columns, key, &MeasuredColumn::key);
+    return at == facts.columns.end() ? nullptr : &*at;
 }
 
 /// Returns true for numbers of bytes, which are written as "7.4 MiB".
@@ -293,10 +292,9 @@ void draw_advice(SweepPanel& panel, Settings& settings, const SweepFacts& facts,
         return;
     }
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
-    ImGui::Text("%s %s at %s", facts.present_is_old ? "Before" : "Now", number_text(view.present->error, error).c_str(),
-                number_text(view.present->cost, cost).c_str());
-    ImGui::PopStyleColor();
+    coloured_text(fmt::format("{} {} at {}", facts.present_is_old ? "Before" : "Now",
+                              number_text(view.present->error, error), number_text(view.present->cost, cost)),
+                  theme::accent());
     if (facts.measuring_present) {
         ImGui::SameLine();
         ImGui::TextDisabled(facts.present_is_old ? "the shown settings are being measured …" : "(measuring its time)");
@@ -329,11 +327,7 @@ void draw_state(const SweepFacts& facts, SweepRequests& requests) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%zu other setting%s since the sweep.", facts.other_settings.size(),
                             facts.other_settings.size() == 1 ? " changed" : "s changed");
-        if (ImGui::IsItemHovered()) {
-            std::string list;
-            for (const std::string& s : facts.other_settings) list += (list.empty() ? "" : "\n") + s;
-            wrapped_tooltip(list);
-        }
+        wrapped_tooltip(fmt::format("{}", fmt::join(facts.other_settings, "\n")));
         same_line_if_fits(button_width("Set them back"));
         if (ImGui::Button("Set them back")) requests.apply_sweep_base = true;
         wrapped_tooltip("To what all cases of the sweep share; undo gives the present ones back");

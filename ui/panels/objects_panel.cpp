@@ -145,16 +145,6 @@ Settings without_objects(Settings& s) {
     return out;
 }
 
-bool has_override(const Settings& s, const std::string& path) {
-    return s.objects.count(path) > 0;
-}
-
-/// Makes the objects cast with all of their faces.
-void cast_with_all_faces(Settings& s, const Tree& tree) {
-    for (const Row& row : tree.rows)
-        if (row.placed && row.lost) s.objects[*row.path].cull = ObjectCull::None;
-}
-
 void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
     if (frame.lost_casters.empty()) {
         state.objects.only_lost = false;
@@ -162,15 +152,16 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
     }
     ImGui::AlignTextToFramePadding();
     coloured_text(fmt::format("{} lost to culling", frame.lost_casters.size()), theme::warning());
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Objects that are to cast a shadow but leave nothing in light %d's map: every one of their\n"
-            "triangles faces the way that is culled. Floors and open meshes have no back.",
-            shown_light(state.settings));
+    plain_tooltip(
+        fmt::format("Objects that are to cast a shadow but leave nothing in light {}'s map: every one of their\n"
+                    "triangles faces the way that is culled. Floors and open meshes have no back.",
+                    shown_light(state.settings)));
     same_line_if_fits(button_width("Show only lost") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Show only lost", &state.objects.only_lost);
     same_line_if_fits(button_width("Cast from both sides"));
-    if (ImGui::Button("Cast from both sides")) cast_with_all_faces(state.settings, tree);
+    if (ImGui::Button("Cast from both sides"))
+        for (const Row& row : tree.rows)
+            if (row.placed && row.lost) state.settings.objects[*row.path].cull = ObjectCull::None;
     plain_tooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
 
@@ -224,7 +215,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 0.9f * float(std::min(row.depth, 12)));
     arrow(state, row, em);
     ImGui::SameLine();
-    const bool own = row.placed && has_override(state.settings, *row.path);
+    const bool own = row.placed && state.settings.objects.contains(*row.path);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, row.lost     ? theme::warning()
                                          : own        ? theme::accent()

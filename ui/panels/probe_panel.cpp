@@ -26,7 +26,7 @@ void row(const char* name, const std::string& value, const char* about = nullptr
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
     text_cell(value);
-    if (about && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
+    if (about) plain_tooltip(about);
 }
 
 /// Formats a number with a fixed number of digits after the point; never "-0".
@@ -40,9 +40,8 @@ std::string vec(const glm::dvec3& v, int digits) {
     return fmt::format("({}, {}, {})", fixed(v.x, digits), fixed(v.y, digits), fixed(v.z, digits));
 }
 
-bool begin_steps(const char* id) {
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
-    return ImGui::BeginTable(id, 2, flags);
+bool begin_rows(const char* id, int columns) {
+    return ImGui::BeginTable(id, columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings);
 }
 
 void verdict(const std::string& text) {
@@ -57,11 +56,10 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
     if (ImGui::Button(shows_quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
         toggle_quads(s, place);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "Draw the texels around this one into the scene, each where its stored depth lies\n"
-            "(view.slabs, %d texels across); %s does so for the pixel under the mouse",
-            s.view.slabs_texels, key_text(Command::ToggleDepthQuads));
+    plain_tooltip(
+        fmt::format("Draw the texels around this one into the scene, each where its stored depth lies\n"
+                    "(view.slabs, {} texels across); {} does so for the pixel under the mouse",
+                    s.view.slabs_texels, key_text(Command::ToggleDepthQuads)));
 }
 
 /// Draws an amount of bias in texels, depth units and metres as one row. @param endless text for an infinite amount
@@ -77,13 +75,10 @@ void amount_row(const char* name, const DepthShift& a, const char* about, const 
 }
 
 bool begin_amounts(const char* id) {
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable(id, 4, flags)) return false;
+    if (!begin_rows(id, 4)) return false;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     for (const char* name : {"texels", "metres", "depth"}) right_cell(name);
-    ImGui::PopStyleColor();
     return true;
 }
 
@@ -112,7 +107,7 @@ void bias_terms(const BiasBreakdown& a) {
 }
 
 void depths(const Probe::PerLight& p) {
-    if (!begin_steps("depths")) return;
+    if (!begin_rows("depths", 2)) return;
     const auto depth = [](double raw, double linear, double metres) {
         return fmt::format("{:.7f}   linear {:.5f}   {}", raw, linear, metres_text(metres));
     };
@@ -143,7 +138,7 @@ void depths(const Probe::PerLight& p) {
 }
 
 void space(const Probe::PerLight& p) {
-    if (!begin_steps("space")) return;
+    if (!begin_rows("space", 2)) return;
     const LightReceiver& r = p.account.receiver;
     row("light clip space", fmt::format("({:.5f}, {:.5f}, {:.5f}, {:.5f})", r.clip.x, r.clip.y, r.clip.z, r.clip.w),
         "Position times the light's view and projection");
@@ -214,9 +209,8 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool trac
     if (!d || !d->fix) return;
     if (ImGui::SmallButton(fix_label(*d->fix, settings).c_str()))
         for (const auto& [key, value] : d->fix->settings) set_setting(settings, key, value);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey %s; %s takes it back", fix_text(*d->fix, settings).c_str(),
-                          equivalent_bias_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
+    plain_tooltip(fmt::format("Puts this pixel right: {}{}.\nKey {}; {} takes it back", fix_text(*d->fix, settings),
+                              equivalent_bias_text(*d->fix), key_text(Command::ApplyFix), key_text(Command::Undo)));
 }
 
 /// Layout of blocks in columns, as many as fit into the width.

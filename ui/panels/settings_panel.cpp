@@ -61,8 +61,7 @@ std::vector<Group> groups() {
     for (const Param& p : params()) {
         const auto prefix = prefix_of(p.key);
         if (p.scope == Scope::Object) continue;  // objects' settings are in the panel Objects
-        if (std::none_of(list.begin(), list.end(), [&](const Group& g) { return g.prefix == prefix; }))
-            list.push_back({prefix, prefix, false});
+        if (std::ranges::find(list, prefix, &Group::prefix) == list.end()) list.push_back({prefix, prefix, false});
     }
     return list;
 }
@@ -161,10 +160,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const Rows rows = rows_of(state, group.prefix);
     if (rows.shown.empty() && rows.folded.empty()) return;
     const bool filtered = !state.settings_panel.search.empty() || state.settings_panel.only_changed;
-    if (filtered)
-        ImGui::SetNextItemOpen(true);
-    else
-        ImGui::SetNextItemOpen(group.open, ImGuiCond_FirstUseEver);
+    ImGui::SetNextItemOpen(filtered || group.open, filtered ? ImGuiCond_None : ImGuiCond_FirstUseEver);
     ImGui::PushFont(theme::strong());
     const std::string label = fmt::format("{}###{}", group.label, group.prefix);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -197,9 +193,8 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
 }  // namespace
 
 std::string_view setting_group_label(std::string_view prefix) {
-    for (const Group& g : kGroups)
-        if (g.prefix == prefix) return g.label;
-    return prefix;
+    const auto at = std::ranges::find(kGroups, prefix, &Group::prefix);
+    return at == std::end(kGroups) ? prefix : at->label;
 }
 
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
@@ -225,11 +220,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
                                                               : "No setting matches. × clears the search.");
     if (frame.result && !frame.result->notes.empty()) {
         ImGui::Dummy({0, em * 0.3f});
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
-        ImGui::PushTextWrapPos(0);
-        for (const std::string& note : frame.result->notes) ImGui::TextUnformatted(note.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
+        for (const std::string& note : frame.result->notes) coloured_wrapped(note, theme::warning());
     }
     ImGui::EndChild();
 }

@@ -43,8 +43,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     plain_tooltip(state.files.preset_path);
     item("Save the preset as…", Command::SavePresetAs);
     item("Back to the saved preset", Command::RevertPreset);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Reads %s again; undo gives all back", state.files.preset_path.c_str());
+    plain_tooltip(fmt::format("Reads {} again; undo gives all back", state.files.preset_path));
     ImGui::Separator();
     if (ImGui::MenuItem("Compare with a preset…")) state.window.open_tab = BottomTab::Compare;
     if (ImGui::MenuItem("Reset all to the scene's own settings")) requests.reset_all = true;
@@ -72,7 +71,7 @@ void scene_combo(EditorState& state, EditorRequests& requests, float width) {
     for (const BuiltinScene& scene : builtin_scenes()) {
         const std::string key(scene.key), label(scene.label);
         if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) requests.load_scene = key;
-        if (ImGui::IsItemHovered() && !scene.help.empty()) ImGui::SetTooltip("%s", std::string(scene.help).c_str());
+        if (!scene.help.empty()) plain_tooltip(std::string(scene.help));
     }
     ImGui::Separator();
     if (path_input("##path", "path of a .gltf or .glb file", state.files.scene_input, "Open"))
@@ -137,12 +136,10 @@ void steps_menu(EditorState& state) {
     ImGui::SetNextWindowSizeConstraints({em * 12, 0}, {em * 24, em * 30});
     if (!ImGui::BeginPopup("steps")) return;
     const std::vector<std::string> names = state.history.names();
-    for (std::size_t i = names.size(); i-- > 0;) {
-        const bool here = i == state.history.index();
-        const bool undone = i > state.history.index();
-        if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
-        if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str(), here)) go_to_step(state, i);
-        if (undone) ImGui::PopStyleColor();
+    for (std::size_t i = names.size(), here = state.history.index(); i-- > 0;) {
+        ImGui::PushStyleColor(ImGuiCol_Text, i > here ? theme::muted() : theme::text());
+        if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str(), i == here)) go_to_step(state, i);
+        ImGui::PopStyleColor();
     }
     ImGui::EndPopup();
 }
@@ -151,11 +148,9 @@ void steps_menu(EditorState& state) {
 void preset_name(const EditorState& state, const EditorFrame& frame, float width) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", end_that_fits(scene_label(state.files.preset_path), width, ImGui::GetFont()).c_str());
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "%s\n%s", state.files.preset_path.c_str(),
-            frame.unsaved ? fmt::format("{} saves the present settings there", key_text(Command::SavePreset)).c_str()
-                          : "It holds the present settings");
+    plain_tooltip(state.files.preset_path + "\n" +
+                  (frame.unsaved ? fmt::format("{} saves the present settings there", key_text(Command::SavePreset))
+                                 : "It holds the present settings"));
     if (!frame.unsaved) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     const ImVec2 at = ImGui::GetCursorScreenPos();

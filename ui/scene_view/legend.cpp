@@ -1,4 +1,4 @@
-// Legend of an overlay: colour scale, numbers, unit and sliders.
+// Legends of overlays: colour scale, numbers, unit and sliders, or the causes of wrong pixels.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/reference/artefact_picture.h"
+#include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
 #include "shaders/shared/colours.h"
 #include "ui/state/panels.h"
@@ -140,6 +142,45 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
         const float w = ImGui::CalcTextSize(number.c_str()).x;
         const float at = i == 0 ? x : i == steps ? x - w : x - 0.5f * w;
         list.AddText({at, y1 + em * 0.2f}, theme::kOnPicture, number.c_str());
+    }
+}
+
+void draw_artefact_legend(const LiveError* error, float left, float bottom, float room) {
+    const float em = ImGui::GetFontSize(), pad = em * 0.6f, line = em * 1.25f;
+    struct Line {
+        ImU32 colour;
+        std::string label, count;
+    };
+    std::vector<Line> lines;
+    const auto count_of = [&](std::size_t pixels) {
+        const std::size_t n = error->metrics.counted;
+        return n == 0 ? std::string("0") : fmt::format("{}   {:.2f} %", pixels, 100.0 * double(pixels) / double(n));
+    };
+    // Causes without a pixel are left out, because fourteen lines would hide a quarter of a small picture.
+    for (const ArtefactStyle& style : artefact_styles())
+        if (!error || error->metrics.artefacts[std::size_t(style.artefact)] > 0)
+            lines.push_back({theme::rgb(style.rgb), std::string(style.label),
+                             error ? count_of(error->metrics.artefacts[std::size_t(style.artefact)]) : ""});
+    if (lines.empty()) lines.push_back({theme::kVeil, "No artefacts", ""});
+    float label_width = 0, count_width = 0;
+    for (const Line& l : lines) {
+        label_width = std::max(label_width, ImGui::CalcTextSize(l.label.c_str()).x);
+        count_width = std::max(count_width, ImGui::CalcTextSize(l.count.c_str()).x);
+    }
+    const bool counts = error && em * 3 + label_width + count_width + 2 * pad < room - em;
+    const float width = em * 1.2f + label_width + (counts ? em * 1.2f + count_width : 0) + 2 * pad;
+    const float height = line * float(lines.size()) + 1.2f * pad;
+    const ImVec2 hi(left + em * 0.6f + width, bottom - em * 0.6f), lo(left + em * 0.6f, hi.y - height);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
+    float y = lo.y + 0.6f * pad;
+    for (const Line& l : lines) {
+        list.AddRectFilled({lo.x + pad, y + em * 0.2f}, {lo.x + pad + em * 0.75f, y + em * 0.95f}, l.colour);
+        list.AddText({lo.x + pad + em * 1.2f, y}, theme::kOnPicture, l.label.c_str());
+        if (counts)
+            list.AddText({hi.x - pad - ImGui::CalcTextSize(l.count.c_str()).x, y}, theme::kMutedOnPicture,
+                         l.count.c_str());
+        y += line;
     }
 }
 

@@ -58,11 +58,10 @@ void comparison_view_widget(EditorState& state, float width) {
     }
     int view = int(a.view);
     if (item_combo("##against view", kViews, view)) a.view = ComparisonView(view);
-    if (ImGui::IsItemHovered())
-        ImGui::SetTooltip(
-            "%s. %s pins the present settings as A;\nwhile %s is held the picture shows them alone",
-            with_key("Compare the picture with another one of the same frame", Command::NextComparison).c_str(),
-            key_text(Command::PinSettings), key_text(Command::ShowPinned));
+    plain_tooltip(
+        fmt::format("{}. {} pins the present settings as A;\nwhile {} is held the picture shows them alone",
+                    with_key("Compare the picture with another one of the same frame", Command::NextComparison),
+                    key_text(Command::PinSettings), key_text(Command::ShowPinned)));
 }
 
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width) {

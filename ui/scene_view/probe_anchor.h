@@ -1,4 +1,4 @@
-// Surface point that a probe follows while the camera moves, and the pixels that the loupe shows.
+// Surface point that a probe follows while the camera moves, the ray of its shadow test, and the pixels of the loupe.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,11 +6,10 @@
 #include <string>
 
 #include "renderer/frame/frame.h"
+#include "renderer/inspect/probe.h"
 #include "renderer/projection/camera.h"
 
 namespace si {
-
-struct Probe;
 
 /// Surface point that the probe follows while the camera moves.
 struct ProbeAnchor {
@@ -33,6 +32,18 @@ std::optional<glm::ivec2> anchored_pixel(const ProbeAnchor& anchor, const Camera
 
 /// Returns true if the probe has hit a nearer surface than the anchor's, which hides the anchor.
 bool hides(const Probe& probe, const ProbeAnchor& anchor);
+
+/// Ray of a probed pixel's shadow test, from the light to the surface.
+struct ProbeRay {
+    glm::dvec3 from{0};      ///< world; the light, or for parallel rays a point of the near plane
+    glm::dvec3 occluder{0};  ///< world; point at the texel's stored depth; `to` if nothing nearer is stored
+    glm::dvec3 to{0};        ///< world; point of the surface
+    bool blocked = false;    ///< the stored depth keeps light from the surface
+};
+
+/// Returns the shadow test's ray from one light to the probed pixel; nothing if the light has no map, or the surface is
+/// behind the light.
+std::optional<ProbeRay> probe_ray(const Probe& probe, const Probe::PerLight& light, const FittedLight& fitted);
 
 /// Pixels of the renderer's picture that the loupe enlarges.
 struct LoupeFacts {

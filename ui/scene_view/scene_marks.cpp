@@ -9,7 +9,6 @@
 #include "ui/scene_view/gnomon.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/scene_view/light_gizmo.h"
-#include "ui/scene_view/probe_ray.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
 #include "ui/widgets/theme.h"

@@ -95,11 +95,7 @@ void draw_scene_menu(EditorState& state, const EditorFrame& frame) {
     if (!frame.scene || !ImGui::BeginPopup(kMenu)) return;
     const std::set<std::string> paths = selected_objects(state);
     const bool object = !state.viewport.menu_object.empty() && !paths.empty();
-    ImGui::PushFont(theme::strong());
-    ImGui::TextUnformatted(!object             ? "Background"
-                           : paths.size() == 1 ? paths.begin()->c_str()
-                                               : fmt::format("{} objects", paths.size()).c_str());
-    ImGui::PopFont();
+    strong_text(!object ? "Background" : paths.size() == 1 ? *paths.begin() : fmt::format("{} objects", paths.size()));
     ImGui::Separator();
     if (object) {
         if (ImGui::MenuItem("Frame", key_text(Command::FrameSelection))) frame_selection(state, frame);

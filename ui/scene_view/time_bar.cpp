@@ -19,17 +19,13 @@ namespace {
 constexpr char kSteady[] = "Steady map";
 constexpr double kSpeeds[] = {0.1, 0.25, 0.5, 1, 2, 4};
 
-std::string speed_text(double speed) {
-    return fmt::format("{}×", speed);
-}
-
 /// Draws the play button: a triangle to play, two bars to pause.
 bool play_button(bool playing, bool enabled) {
     const float size = ImGui::GetFrameHeight();
-    if (!enabled) ImGui::BeginDisabled();
+    ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button("##play", {size * 1.4f, size});
     const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
-    if (!enabled) ImGui::EndDisabled();
+    ImGui::EndDisabled();
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     const ImVec2 c((lo.x + hi.x) * 0.5f, (lo.y + hi.y) * 0.5f);
     const float r = size * 0.24f;
@@ -40,21 +36,20 @@ bool play_button(bool playing, bool enabled) {
     } else {
         list.AddTriangleFilled({c.x - r * 0.8f, c.y - r}, {c.x - r * 0.8f, c.y + r}, {c.x + r, c.y}, colour);
     }
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
-        ImGui::SetTooltip("%s", !enabled  ? "Choose an animation that lasts some time"
-                                : playing ? with_key("Pause", Command::TogglePlay).c_str()
-                                          : with_key("Play", Command::TogglePlay).c_str());
+    plain_tooltip(enabled ? with_key(playing ? "Pause" : "Play", Command::TogglePlay)
+                          : "Choose an animation that lasts some time",
+                  ImGuiHoveredFlags_AllowWhenDisabled);
     return pressed;
 }
 
 void speed_combo(Playback& playback, float width) {
     ImGui::SetNextItemWidth(width);
-    if (begin_combo("##speed", speed_text(playback.speed))) {
+    if (begin_combo("##speed", fmt::format("{}×", playback.speed))) {
         for (const double speed : kSpeeds)
-            if (ImGui::Selectable(speed_text(speed).c_str(), speed == playback.speed)) playback.speed = speed;
+            if (ImGui::Selectable(fmt::format("{}×", speed).c_str(), speed == playback.speed)) playback.speed = speed;
         ImGui::EndCombo();
-    } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Seconds of the animation in a second of playing");
+    } else {
+        plain_tooltip("Seconds of the animation in a second of playing");
     }
 }
 
@@ -91,8 +86,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
                ImGuiSliderFlags_AlwaysClamp))
         state.playback.playing = false;  // the drag itself becomes the step of undo
     if (!(end > 0)) ImGui::EndDisabled();
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-        ImGui::SetTooltip("The time that is shown (scene.time); Ctrl+click to type it");
+    if (!ImGui::IsItemActive()) plain_tooltip("The time that is shown (scene.time); Ctrl+click to type it");
     ImGui::SameLine();
     if (has_speed) {
         speed_combo(state.playback, speed);

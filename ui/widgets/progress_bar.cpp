@@ -31,11 +31,12 @@ void progress_bar(double share, const std::string& text, float width) {
     ImGui::PopClipRect();
 }
 
-bool progress_strip(const char* id, float x, float y, float width, std::optional<double> share,
+bool progress_strip(const char* id, float left, float room, float y, float ems, std::optional<double> share,
                     const std::string& text) {
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     bool cancelled = false;
-    ImGui::SetCursorScreenPos({x, y});
+    const float width = std::min(room - 2 * pad, em * ems);
+    ImGui::SetCursorScreenPos({left + (room - width) / 2, y});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
     // The strip is a window of its own, so that the mouse over it does not act on the picture.

@@ -14,8 +14,9 @@ void progress_bar(double share, const std::string& text, float width = 0);
 
 /// Draws a strip over a picture with a progress bar and a button that cancels the work. Returns true at a press of the
 /// button. @param share filled part, 0..1; none: the strip shows the text alone
-/// @param x, y upper left corner, pixels of the screen @param width pixels
-bool progress_strip(const char* id, float x, float y, float width, std::optional<double> share,
+/// @param left, room the picture's left edge and width, pixels of the screen @param y upper edge of the strip
+/// @param ems largest width of the strip, which stands in the middle of the picture
+bool progress_strip(const char* id, float left, float room, float y, float ems, std::optional<double> share,
                     const std::string& text);
 
 }  // namespace si
