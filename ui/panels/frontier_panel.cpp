@@ -344,11 +344,9 @@ void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* show
     const float room = ImGui::GetContentRegionAvail().x, controls = std::clamp(room * 0.36f, em * 15, em * 24);
     // Side by side both would be cut, so that they stand one below the other and the panel scrolls.
     const bool stacked = room < em * 40;
-    if (stacked) {
-        draw_controls(panel, settings, facts, requests);
-    } else {
-        ImGui::BeginChild("controls", {controls, 0}, false);
-        draw_controls(panel, settings, facts, requests);
+    if (!stacked) ImGui::BeginChild("controls", {controls, 0}, false);
+    draw_controls(panel, settings, facts, requests);
+    if (!stacked) {
         ImGui::EndChild();
         ImGui::SameLine(0, em);
     }

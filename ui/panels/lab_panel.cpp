@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "renderer/base/index_of.h"
 #include "renderer/base/lengths_text.h"
@@ -59,15 +60,14 @@ void place_rows(Settings& settings) {
 /// Draws the button that starts a measurement, or its progress with a button that cancels it.
 bool measure_button(const char* label, const char* about, const std::optional<SearchProgress>& running, bool ready,
                     bool& cancel) {
-    bool pressed = false;
     if (running) {
         if (ImGui::Button("Cancel")) cancel = true;
         ImGui::SameLine();
         progress_bar(running->progress, fmt::format("{:.0f} %  {}", 100 * running->progress, running->about));
-    } else {
-        pressed = button_if(ready, label);
-        wrapped_tooltip(about);
+        return false;
     }
+    const bool pressed = button_if(ready, label);
+    wrapped_tooltip(about);
     return pressed;
 }
 
@@ -133,17 +133,13 @@ void pipelines_part(const Settings& settings, bool ready, const FrameResult* res
 
 void motion_widgets(ShimmerOptions& options) {
     const float em = ImGui::GetFontSize();
+    std::vector<ComboItem> motions;
+    for (const ShimmerMotionRow& row : shimmer_motions())
+        motions.push_back({index_of(row.motion), row.label, row.help});
+    int motion = index_of(options.motion);
     ImGui::SetNextItemWidth(em * 11);
-    const ShimmerMotionRow& chosen = shimmer_motions()[std::size_t(options.motion)];
-    if (begin_combo("##motion", std::string(chosen.label))) {
-        for (const ShimmerMotionRow& row : shimmer_motions()) {
-            if (ImGui::Selectable(std::string(row.label).c_str(), row.motion == options.motion))
-                options.motion = row.motion;
-            wrapped_tooltip(std::string(row.help));
-        }
-        ImGui::EndCombo();
-    }
-    wrapped_tooltip(std::string(chosen.help));
+    if (item_combo("##motion", motions, motion)) options.motion = ShimmerMotion(motion);
+    wrapped_tooltip(std::string(motions[std::size_t(motion)].help));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 4);
     ImGui::InputInt("steps", &options.steps, 0);

@@ -83,11 +83,6 @@ float text_room(float width, float buttons) {
     return std::max(std::floor(width - 2 * kPadding * em - (buttons_below(width, buttons) ? 0 : buttons + em)), em * 8);
 }
 
-/// Returns the number of lines that the runs take in a strip.
-int line_count(float width, float buttons, const std::vector<Run>& runs) {
-    return lay_out_runs(runs, {}, text_room(width, buttons), 0, nullptr).lines;
-}
-
 /// Draws a strip with text runs and buttons (`buttons` pixels wide, drawn by `draw`). The strip has `lines` lines of
 /// text, or as many as the runs need; a tooltip shows text that does not fit.
 void strip(const char* id, float width, float buttons, const std::vector<Run>& runs, int lines, const auto& draw) {
@@ -144,8 +139,8 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& re
     int lines = kMinLines;
     for (const PresetEntry& preset : sequence) {
         if (lines >= kMaxLines) break;
-        lines =
-            std::max(lines, line_count(width, buttons, note_runs(sequence, preset.key, preset.title, preset.about)));
+        const std::vector<Run> note = note_runs(sequence, preset.key, preset.title, preset.about);
+        lines = std::max(lines, lay_out_runs(note, {}, text_room(width, buttons), 0, nullptr).lines);
     }
     strip("guide", width, buttons, runs, std::min(lines, kMaxLines), [&] {
         if (built_in) {

@@ -40,7 +40,7 @@ std::string vec(const glm::dvec3& v, int digits) {
     return fmt::format("({}, {}, {})", fixed(v.x, digits), fixed(v.y, digits), fixed(v.z, digits));
 }
 
-bool begin_rows(const char* id, int columns) {
+bool begin_fitted_table(const char* id, int columns) {
     return ImGui::BeginTable(id, columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings);
 }
 
@@ -75,7 +75,7 @@ void amount_row(const char* name, const DepthShift& a, const char* about, const 
 }
 
 bool begin_amounts(const char* id) {
-    if (!begin_rows(id, 4)) return false;
+    if (!begin_fitted_table(id, 4)) return false;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     for (const char* name : {"texels", "metres", "depth"}) right_cell(name);
@@ -107,7 +107,7 @@ void bias_terms(const BiasBreakdown& a) {
 }
 
 void depths(const Probe::PerLight& p) {
-    if (!begin_rows("depths", 2)) return;
+    if (!begin_fitted_table("depths", 2)) return;
     const auto depth = [](double raw, double linear, double metres) {
         return fmt::format("{:.7f}   linear {:.5f}   {}", raw, linear, metres_text(metres));
     };
@@ -138,7 +138,7 @@ void depths(const Probe::PerLight& p) {
 }
 
 void space(const Probe::PerLight& p) {
-    if (!begin_rows("space", 2)) return;
+    if (!begin_fitted_table("space", 2)) return;
     const LightReceiver& r = p.account.receiver;
     row("light clip space", fmt::format("({:.5f}, {:.5f}, {:.5f}, {:.5f})", r.clip.x, r.clip.y, r.clip.z, r.clip.w),
         "Position times the light's view and projection");
@@ -236,13 +236,23 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-/// Draws all numbers that the verdict depends on. @param fixes_button, fixes_table draw the search for fixes
-template <typename Button, typename Table>
-void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settings, int resolution,
-             Button&& fixes_button, Table&& fixes_table) {
-    if (fixes_button()) si::same_line_if_fits(button_width("Hide stored-depth quads"));
-    slabs_button(settings, p, resolution);
-    fixes_table();
+/// Returns the diagnosis of one light at the probed pixel; null: not known yet.
+const PixelDiagnosis* diagnosis_of(const EditorFrame& frame, int light) {
+    const auto at = std::ranges::find(frame.diagnoses, light, &PixelDiagnosis::light);
+    return at == frame.diagnoses.end() ? nullptr : &*at;
+}
+
+/// Draws all numbers that the verdict depends on.
+void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Probe::PerLight& p) {
+    const PixelDiagnosis* const d = diagnosis_of(frame, p.light);
+    // Fixes belong to the light whose shadows are measured.
+    const bool fixes = d && d->cause().artefact != Artefact::None && p.light == state.settings.view.light;
+    if (fixes) {
+        draw_fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, true);
+        same_line_if_fits(button_width("Hide stored-depth quads"));
+    }
+    slabs_button(state.settings, p, frame.result ? frame.result->map_resolution : 0);
+    if (fixes) draw_fixes_table(state.settings, frame.fixes, requests, state.probe_pixel);
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;
     blocks.block(em * 15, [&] {
@@ -257,8 +267,8 @@ void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settin
 }
 
 /// Draws the verdict of one light's shadow test.
-void heading(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
-    if (p.casts) return classification(p, d, tracing, settings);
+void heading(const EditorFrame& frame, const Probe::PerLight& p, Settings& settings) {
+    if (p.casts) return classification(p, diagnosis_of(frame, p.light), frame.tracing_probe, settings);
     verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(settings, p.light)) : p.verdict);
 }
 
@@ -285,27 +295,6 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
                     probe->x, probe->y, probe->object, vec(probe->position_ws, 4), vec(probe->normal_ws, 4));
     ImGui::TextDisabled("%s", beginning_that_fits(where, ImGui::GetContentRegionAvail().x, ImGui::GetFont()).c_str());
     wrapped_tooltip(where);
-    const auto diagnosis_of = [&](const Probe::PerLight& light) -> const PixelDiagnosis* {
-        for (const PixelDiagnosis& d : frame.diagnoses)
-            if (d.light == light.light) return &d;
-        return nullptr;
-    };
-    const auto write_out = [&](const Probe::PerLight& light) {
-        const PixelDiagnosis* const diagnosis = diagnosis_of(light);
-        const bool wrong = diagnosis && diagnosis->cause().artefact != Artefact::None;
-        // Fixes belong to the light whose shadows are measured.
-        const bool classified = wrong && light.light == state.settings.view.light;
-        reasons(
-            light, diagnosis, state.settings, frame.result ? frame.result->map_resolution : 0,
-            [&] {
-                if (classified)
-                    draw_fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, wrong);
-                return classified;
-            },
-            [&] {
-                if (classified) draw_fixes_table(state.settings, frame.fixes, requests, state.probe_pixel);
-            });
-    };
     if (probe->lights.empty()) return;
     // The light whose shadows are measured comes first: its drawing and, next to it, its verdict, which do not scroll.
     const std::size_t first =
@@ -327,7 +316,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
         ImGui::BeginGroup();
     }
     ImGui::PushID(probe->lights[first].light);
-    heading(probe->lights[first], diagnosis_of(probe->lights[first]), frame.tracing_probe, state.settings);
+    heading(frame, probe->lights[first], state.settings);
     ImGui::PopID();
     ImGui::BeginChild("reasons");
     for (std::size_t k = 0; k < probe->lights.size(); ++k) {
@@ -340,9 +329,9 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
             if (width > 0 && drawn > 0)
                 draw_section_view(state.probe_panel.section_views, frame.sections, i,
                                   {std::min(width, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize() * 15});
-            heading(light, diagnosis_of(light), frame.tracing_probe, state.settings);
+            heading(frame, light, state.settings);
         }
-        if (light.casts) write_out(light);
+        if (light.casts) reasons(state, frame, requests, light);
         ImGui::PopID();
     }
     ImGui::EndChild();

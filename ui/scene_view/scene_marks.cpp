@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kMinTick = 3;  // shortest drawn normal offset, pixels at scale 1
 
+constexpr int kMaxBoxes = 2000;    // largest number of drawn boxes of casters
 constexpr int kMaxSelected = 200;  // largest number of drawn boxes of selected objects
 
 void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
@@ -59,18 +60,7 @@ struct LegendWord {
     const char* word;
 };
 
-}  // namespace
-
-void draw_scene_marks(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
-    if (frame.scene && state.settings.view.bounds) draw_caster_bounds(p, *frame.scene, state.settings);
-    if (frame.scene) draw_selection(p, state, *frame.scene);
-    if (state.frozen) draw_frozen_camera(p, state.frozen->camera);
-    draw_lights(state, frame, p);
-    draw_probe_ray(p, state, frame);
-    draw_gnomon(state, p);
-    draw_captions(p, state, frame);
-}
-
+/// Draws the boxes of the selected objects (with the name of the first) and of the object hovered in the list.
 void draw_selection(const PicturePainter& p, const EditorState& state, const Scene& scene) {
     if (!state.objects.hovered.empty())
         if (const Bounds around = bounds_below(scene, state.objects.hovered); !around.empty())
@@ -93,6 +83,7 @@ void draw_selection(const PicturePainter& p, const EditorState& state, const Sce
     if (top) p.caption(*top - glm::dvec2(0, p.px(26)), name, theme::kOnPicture);
 }
 
+/// Draws the bounding boxes of casters that the light fit uses, at most kMaxBoxes.
 void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Settings& settings) {
     const SceneShape shape = scene_shape(scene, settings);
     int drawn = 0;
@@ -103,12 +94,14 @@ void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Setti
         }
 }
 
+/// Draws the frustum of the frozen camera, unless the view is the same.
 void draw_frozen_camera(const PicturePainter& p, const Camera& frozen) {
     if (same_view(frozen, p.view().camera)) return;
     for (const auto& [from, to, far] : camera_edges(frozen)) p.line(from, to, theme::kFrozen, 1.2);
     if (const auto at = p.view().point(frozen.eye)) p.dot(*at, 4, theme::kFrozen);
 }
 
+/// Draws the ray from the shown light to the probed pixel: lit up to the occluder, shadowed behind it.
 void draw_probe_ray(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
     const Probe::PerLight* answer = nullptr;
     const auto ray = shown_ray(state, frame, &answer);
@@ -123,6 +116,7 @@ void draw_probe_ray(const PicturePainter& p, const EditorState& state, const Edi
     if (shows_offset(p.view(), *ray, *answer)) p.line(ray->to, answer->offset_position_ws, theme::kOffset, 1.6);
 }
 
+/// Draws captions in the upper right corner: a frozen camera, the view through a light, the colours of the ray.
 void draw_captions(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
     const PictureView& view = p.view();
     const ImFont& font = *ImGui::GetFont();
@@ -162,6 +156,18 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
         p.list().AddText({at.x + stroke + gap, at.y}, theme::kOnPicture, k.word);
         at.x += stroke + gap + ImGui::CalcTextSize(k.word).x + between;
     }
+}
+
+}  // namespace
+
+void draw_scene_marks(const PicturePainter& p, const EditorState& state, const EditorFrame& frame) {
+    if (frame.scene && state.settings.view.bounds) draw_caster_bounds(p, *frame.scene, state.settings);
+    if (frame.scene) draw_selection(p, state, *frame.scene);
+    if (state.frozen) draw_frozen_camera(p, state.frozen->camera);
+    draw_lights(state, frame, p);
+    draw_probe_ray(p, state, frame);
+    draw_gnomon(state, p);
+    draw_captions(p, state, frame);
 }
 
 }  // namespace si

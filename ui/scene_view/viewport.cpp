@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "renderer/frame/pane_grid.h"
@@ -79,10 +78,7 @@ void header(EditorState& state, const EditorFrame& frame) {
 void select_probed(EditorState& state, const EditorFrame& frame) {
     if (!state.viewport.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     if (!state.probe_pixel || glm::ivec2(frame.probe->x, frame.probe->y) != *state.probe_pixel) return;
-    if (frame.probe->hit)
-        select_objects(state, std::array{frame.probe->object});
-    else
-        select_objects(state, {});
+    select_objects(state, std::span(&frame.probe->object, frame.probe->hit ? 1 : 0));
     state.viewport.select_probed = false;
 }
 

@@ -94,7 +94,8 @@ void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
 }
 
 void toggle_pointed_quads(EditorState& state, const EditorFrame& frame) {
-    const std::optional<TexelPlace> place = pointed_texel(state, frame);
+    std::optional<TexelPlace> place = frame.result ? hovered_place(state, frame) : std::nullopt;
+    if (frame.result && !place) place = probed_place(state, frame);
     if (!place)
         return state.log.add(LogKind::Info,
                              "No stored-depth quads to show: point at a surface whose shadow the map decides");
@@ -122,12 +123,6 @@ void toggle_quads(Settings& settings, const TexelPlace& place) {
     v.face = place.face;
     v.slabs_u = place.u;
     v.slabs_v = place.v;
-}
-
-std::optional<TexelPlace> pointed_texel(const EditorState& state, const EditorFrame& frame) {
-    if (!frame.result) return {};
-    const auto hovered = hovered_place(state, frame);
-    return hovered ? hovered : probed_place(state, frame);
 }
 
 }  // namespace si

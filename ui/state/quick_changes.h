@@ -1,9 +1,6 @@
 // Changes of settings that have a keyboard shortcut of their own.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "renderer/settings/settings.h"
 
 namespace si {
@@ -36,10 +33,8 @@ struct TexelPlace {
 void toggle_quads(Settings& settings, const TexelPlace& place);
 /// Returns true if depth quads are shown around that texel.
 bool shows_quads_at(const Settings& settings, const TexelPlace& place);
-/// Returns the texel of the shown light's map that the pixel under the mouse reads, else the probed pixel; nothing
-/// outside the map.
-std::optional<TexelPlace> pointed_texel(const EditorState& state, const EditorFrame& frame);
-/// Shows or hides the depth quads around pointed_texel(), and reports the result in the log.
+/// Shows or hides the depth quads around the texel of the shown light's map that the pixel under the mouse reads, else
+/// the probed pixel. The log reports the result.
 void toggle_pointed_quads(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

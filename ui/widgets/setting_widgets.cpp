@@ -59,16 +59,13 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     strong_text(p.label);
     const float wide = kSettingTip * ImGui::GetFontSize() - ImGui::GetStyle().WindowPadding.x - 1;
     ImGui::TextUnformatted(broken_at_spaces(p.help, wide).c_str());
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
-    ImGui::TextUnformatted(
-        fmt::format("{}   default {}", setting_key(ref), shown_value(settings, ref, default_value(ref))).c_str());
-    if (is_text(p))
-        ImGui::TextUnformatted("Right-click its label to reset");
-    else if (!p.choices && !std::holds_alternative<bool>(default_value(ref)))
-        ImGui::TextUnformatted("Ctrl+click to type, right-click to reset");
-    else
-        ImGui::TextUnformatted("Right-click to reset");
-    ImGui::PopStyleColor();
+    const bool slides = !p.choices && !std::holds_alternative<bool>(default_value(ref));
+    coloured_text(fmt::format("{}   default {}", setting_key(ref), shown_value(settings, ref, default_value(ref))),
+                  theme::muted());
+    coloured_text(is_text(p) ? "Right-click its label to reset"
+                  : slides   ? "Ctrl+click to type, right-click to reset"
+                             : "Right-click to reset",
+                  theme::muted());
     if (const auto idle = without_effect(settings, ref); !idle.empty()) {
         std::string text(idle);
         text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));

@@ -17,13 +17,12 @@ constexpr ImWchar kDigits[] = {0x30, 0x39, 0};
 
 void add_font(std::span<const unsigned char> data, float pixels) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    ImFontConfig config;
     if (data.empty()) {
-        ImFontConfig config;
         config.SizePixels = std::round(pixels);
         atlas.AddFontDefault(&config);
         return;
     }
-    ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 3;
     config.PixelSnapH = true;
@@ -151,8 +150,6 @@ void apply_style(float scale) {
     style.CellPadding = {6, 3};
     style.ScrollbarSize = 11;
     style.GrabMinSize = 8;
-    style.WindowRounding = 0;
-    style.ChildRounding = 0;
     style.FrameRounding = 3;
     style.GrabRounding = 2;
     style.PopupRounding = 4;
@@ -160,8 +157,6 @@ void apply_style(float scale) {
     style.TabRounding = 3;
     style.WindowBorderSize = 0;
     style.ChildBorderSize = 0;
-    style.PopupBorderSize = 1;
-    style.FrameBorderSize = 1;
     style.IndentSpacing = 12;
     style.DisabledAlpha = 0.68f;
     style.ScaleAllSizes(scale);
