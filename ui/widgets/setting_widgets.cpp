@@ -14,6 +14,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/scene/animation.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/splits.h"
 #include "ui/widgets/combo.h"
