@@ -49,6 +49,8 @@ public:
         bits_.set(std::size_t(s));
         return *this;
     }
+    /// Puts an optimisation into the set or takes it out.
+    void set(Optimisation s, bool in) { bits_.set(std::size_t(s), in); }
     /// Returns true when an optimisation is in the set.
     bool contains(Optimisation s) const { return bits_.test(std::size_t(s)); }
     /// Returns true when the set holds no optimisation.

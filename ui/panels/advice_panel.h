@@ -16,13 +16,7 @@ struct AdviceReport;
 struct AutopilotResult;
 
 /// State of the panel Advice: largest error and longest frame time that the autopilot may reach.
-struct AdvicePanel {
-    CostCase cost = kDefaultCost;  ///< kind of frames that are timed
-    bool bound_error = true;
-    bool bound_ms = false;
-    double max_error = 0.01;  ///< largest mean error of visibility
-    double max_ms = 10;       ///< longest time of a frame
-};
+struct AdvicePanel : SearchLimits {};
 
 /// Request for a search. With a limit on error or time the autopilot runs, without one the search for advice.
 struct AdviceRequest {

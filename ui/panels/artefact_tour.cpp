@@ -70,9 +70,11 @@ void centre_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dv
     set_target(camera, target_of(camera) + move);
 }
 
-void go_to_spot(EditorState& state, const EditorFrame& frame) {
+/// Moves the camera to a cluster of the tour, probes its middle, and reports it in the log.
+void go_to_spot(EditorState& state, const EditorFrame& frame, std::size_t at) {
     ArtefactTour& tour = state.artefact_tour;
-    const ArtefactSpot& spot = tour.of.spots[tour.at];
+    tour.at = at;
+    const ArtefactSpot& spot = tour.of.spots[at];
     take_camera(state, frame);
     look_at_spot(state.settings.camera, tour.of, spot);
     centre_on_pixel(state, frame, spot.position_ws);
@@ -83,6 +85,7 @@ void go_to_spot(EditorState& state, const EditorFrame& frame) {
     if (state.tab != BottomTab::Error) state.window.open_tab = BottomTab::Probe;
     tour.left = state.settings;
     tour.scene = state.scene_name;
+    state.log.add(LogKind::Info, "At " + artefact_tour_text(state));
 }
 
 }  // namespace
@@ -117,12 +120,8 @@ void next_artefact(EditorState& state, const EditorFrame& frame) {
     if (!frame.result) return;
     if (tour.waits_for != 0)
         return state.log.add(LogKind::Info, "Still looking for where the picture is wrong: X again when it is found");
-    if (tour.scene == state.scene_name && !tour.of.spots.empty() && same_picture(state.settings, tour.left)) {
-        tour.at = (tour.at + 1) % tour.of.spots.size();
-        go_to_spot(state, frame);
-        state.log.add(LogKind::Info, "At " + artefact_tour_text(state));
-        return;
-    }
+    if (tour.scene == state.scene_name && !tour.of.spots.empty() && same_picture(state.settings, tour.left))
+        return go_to_spot(state, frame, (tour.at + 1) % tour.of.spots.size());
     tour.of = {};
     tour.waits_for = ++tour.asked;
     state.log.add(LogKind::Info, "Looking for where the picture is wrong …");
@@ -134,32 +133,25 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
     const auto give_up = [&](const std::string& why) {
         state.log.add(LogKind::Info, why);
         tour.waits_for = 0;
-    };
-    if (frame.reference && !frame.reference->problem.empty()) {
-        give_up("Where the picture is wrong is not known: " + frame.reference->problem);
         return false;
-    }
+    };
+    if (frame.reference && !frame.reference->problem.empty())
+        return give_up("Where the picture is wrong is not known: " + frame.reference->problem);
     // Clusters need the reference of this picture.
     if (state.artefacts.number != tour.waits_for) {
         if (!frame.error) return true;
         const Artefact cause = artefact_tour_cause(state, frame);
-        if (cause == Artefact::None) {
-            give_up("No pixel of this picture is wrong");
-            return false;
-        }
+        if (cause == Artefact::None) return give_up("No pixel of this picture is wrong");
         state.artefacts = {cause, tour.waits_for};
         return true;
     }
     if (!frame.artefacts || frame.artefacts->number != tour.waits_for) return true;
     tour.of = *frame.artefacts;
     tour.at = 0;
-    if (tour.of.spots.empty()) {
-        give_up(fmt::format("No pixel of this picture is wrong by {}", cause_label(state.artefacts.cause)));
-        return false;
-    }
+    if (tour.of.spots.empty())
+        return give_up(fmt::format("No pixel of this picture is wrong by {}", cause_label(state.artefacts.cause)));
     tour.waits_for = 0;
-    go_to_spot(state, frame);
-    state.log.add(LogKind::Info, "At " + artefact_tour_text(state));
+    go_to_spot(state, frame, 0);
     return false;
 }
 

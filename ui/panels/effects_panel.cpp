@@ -76,12 +76,7 @@ void saved_cell(const Spread* ms, std::size_t together, bool current) {
 /// Draws the checkbox that switches an optimisation off.
 void force_box(OptimisationSet& forced, Optimisation saving, const char* label) {
     bool on = forced.contains(saving);
-    if (ImGui::Checkbox(label, &on)) {
-        OptimisationSet next;
-        for (std::size_t i = 0; i < kOptimisations; ++i)
-            if (Optimisation(i) == saving ? on : forced.contains(Optimisation(i))) next.add(Optimisation(i));
-        forced = next;
-    }
+    if (ImGui::Checkbox(label, &on)) forced.set(saving, on);
     wrapped_tooltip(fmt::format("Force: do the work that \"{}\" skips. The picture stays the same, byte by byte.\n{}",
                                 row_of(saving).label, row_of(saving).help));
 }

@@ -11,14 +11,18 @@
 
 namespace si {
 
-/// State of the controls of the bias search: limits as typed.
-struct TunePanel {
+/// Limits of a search as typed.
+struct SearchLimits {
     bool bound_error = true;
     bool bound_ms = false;
-    bool area = false;             ///< compares with an area light instead of a point
     double max_error = 0.01;       ///< largest mean error of visibility
     double max_ms = 10;            ///< longest time of a frame
-    CostCase cost = kDefaultCost;  ///< kind of frames that max_ms bounds
+    CostCase cost = kDefaultCost;  ///< kind of frames that are timed
+};
+
+/// State of the controls of the bias search.
+struct TunePanel : SearchLimits {
+    bool area = false;  ///< compares with an area light instead of a point
 };
 
 /// Progress of a background search or measurement.

@@ -19,17 +19,6 @@
 namespace si {
 namespace {
 
-struct Stops {
-    ImU32 low, middle, high;
-};
-
-Stops stops_of(const Overlay& overlay) {
-    using namespace shared;
-    if (overlay.diverging)
-        return {theme::colour(DIVERGING_LOW), theme::colour(DIVERGING_MIDDLE), theme::colour(DIVERGING_HIGH)};
-    return {theme::colour(SEQUENTIAL_LOW), theme::colour(SEQUENTIAL_MIDDLE), theme::colour(SEQUENTIAL_HIGH)};
-}
-
 constexpr float kSmall = 14;        ///< smallest height of a picture with the overlay's name, ems
 constexpr float kRounding = 0.25f;  ///< radius of corners, ems
 
@@ -129,10 +118,13 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
         list.AddText({at.x + em, at.y - em * 0.1f}, theme::kOnPicture, keys[i].c_str());
     }
     if (!overlay.scalar) return;
-    const Stops stops = stops_of(overlay);
+    const bool diverging = overlay.diverging;
+    const ImU32 first = theme::colour(diverging ? shared::DIVERGING_LOW : shared::SEQUENTIAL_LOW);
+    const ImU32 middle = theme::colour(diverging ? shared::DIVERGING_MIDDLE : shared::SEQUENTIAL_MIDDLE);
+    const ImU32 last = theme::colour(diverging ? shared::DIVERGING_HIGH : shared::SEQUENTIAL_HIGH);
     const float x0 = lo.x + pad, x2 = x0 + width, x1 = 0.5f * (x0 + x2), y0 = top + head, y1 = y0 + bar;
-    list.AddRectFilledMultiColor({x0, y0}, {x1, y1}, stops.low, stops.middle, stops.middle, stops.low);
-    list.AddRectFilledMultiColor({x1, y0}, {x2, y1}, stops.middle, stops.high, stops.high, stops.middle);
+    list.AddRectFilledMultiColor({x0, y0}, {x1, y1}, first, middle, middle, first);
+    list.AddRectFilledMultiColor({x1, y0}, {x2, y1}, middle, last, last, middle);
     const float low = pane.overlay_min, high = pane.overlay_max;
     const int steps = width < em * 11 ? 2 : 4;
     for (int i = 0; i <= steps; ++i) {

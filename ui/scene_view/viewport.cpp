@@ -34,12 +34,6 @@ bool awaits_rays(const FrameResult& result) {
            std::any_of(result.light_maps.begin(), result.light_maps.end(), awaits);
 }
 
-bool toggle(const char* label, bool on, const std::string& help) {
-    const bool pressed = toggle_button(label, on);
-    plain_tooltip(help);
-    return pressed;
-}
-
 void header(EditorState& state, const EditorFrame& frame) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
@@ -58,17 +52,15 @@ void header(EditorState& state, const EditorFrame& frame) {
         if (comparing) wrapped_tooltip("Comparing shows one picture and the other side of it.");
     });
     bar.item("", button_width("Through light"), [&](float) {
-        if (toggle("Through light", s.camera.source == CameraSource::Light,
-                   with_key("Look through the shown light", Command::ToggleLightCamera) + "\ncamera.source"))
-            toggle_light_camera(state);
+        if (toggle_button("Through light", s.camera.source == CameraSource::Light)) toggle_light_camera(state);
+        plain_tooltip(with_key("Look through the shown light", Command::ToggleLightCamera) + "\ncamera.source");
     });
     bar.item("", button_width("Freeze view"), [&](float) {
-        if (toggle("Freeze view", state.frozen.has_value(),
-                   with_key("Keep this camera and fly about with another", Command::ToggleFrozenCamera) +
-                       ": maps that follow a camera, cascades too, stay\n"
-                       "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
-                       "those that it reads."))
-            toggle_frozen_camera(state, frame);
+        if (toggle_button("Freeze view", state.frozen.has_value())) toggle_frozen_camera(state, frame);
+        plain_tooltip(with_key("Keep this camera and fly about with another", Command::ToggleFrozenCamera) +
+                      ": maps that follow a camera, cascades too, stay\n"
+                      "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
+                      "those that it reads.");
     });
     bar.item("Lights", ImGui::GetFrameHeight(), [&s](float room) { setting_widget(s, "view.frustum", room); });
     bar.end();

@@ -40,11 +40,8 @@ constexpr Chord key(const char* name, int code) {
 constexpr Chord letter(const char* name) {
     return key(name, name[0]);
 }
-constexpr Chord mapped(const char* name, int first, int last) {
-    return {.name = name, .mapped = true, .first = first, .last = last};
-}
-constexpr Chord mapped(const char* name, int code) {
-    return mapped(name, code, code);
+constexpr Chord mapped(const char* name, int first, int last = 0) {
+    return {.name = name, .mapped = true, .first = first, .last = std::max(first, last)};
 }
 constexpr Chord with_shift(Chord chord, Modifier shift, Modifier alt = Modifier::Any) {
     chord.shift = shift;
@@ -288,15 +285,7 @@ std::optional<When> present_mode(const EditorState& state) {
 
 /// Returns the wider situation that contains this one.
 When mode_of(When when) {
-    switch (when) {
-        case When::Always:
-        case When::PopupOpen:
-        case When::Flying:
-        case When::HandleDragged:
-            return when;
-        default:
-            return When::Ready;
-    }
+    return when == When::Always || when >= When::PopupOpen ? when : When::Ready;
 }
 
 bool holds(When when, std::optional<When> mode, const EditorState& state) {

@@ -79,7 +79,7 @@ enum class When {
     NoWidgetFocused,  ///< Ready, and no widget is chosen by the keyboard
     SwipeShown,       ///< Ready, while two pictures are compared by a swipe
     LightsListed,     ///< Ready, while the list of lights is on the screen
-    PopupOpen,        ///< a menu or dialog is open
+    PopupOpen,        ///< a menu or dialog is open; this and the following exclude Ready
     Flying,           ///< the right mouse button is held in the scene picture
     HandleDragged,    ///< a light's handle is being dragged
 };
