@@ -205,7 +205,7 @@ TEST(MapMarks, ScreenAndMapCoordinatesAreInverse) {
     const MapRect rect{{100, 50}, {400, 200}, {8, 4}};
     EXPECT_EQ(rect.uv({100, 250}), glm::dvec2(0, 0));
     EXPECT_EQ(rect.uv({500, 50}), glm::dvec2(1, 1));
-    const auto [lo, hi] = rect.square({7, 3}, 1);  // the last texel: upper right
+    const auto [lo, hi] = rect.square({7, 3});  // the last texel: upper right
     EXPECT_FLOAT_EQ(lo.x, 450);
     EXPECT_FLOAT_EQ(lo.y, 50);
     EXPECT_FLOAT_EQ(hi.x, 500);

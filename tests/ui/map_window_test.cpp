@@ -4,7 +4,7 @@
 #include <imgui_internal.h>
 
 #include "tests/ui/ui_harness.h"
-#include "ui/map_view/map_readout.h"
+#include "ui/map_view/map_marks.h"
 
 namespace si::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
+#include <cmath>
 
 #include "ui/widgets/theme.h"
 
@@ -12,17 +12,21 @@ namespace {
 
 constexpr float kNumberEms = 5.2f;  ///< smallest width of a texel that shows its number, ems
 
+/// Formats a value with six digits, which distinguish neighbouring texels.
+std::string exact_metres(double metres) {
+    return std::isfinite(metres) ? fmt::format("{:.6g} m", metres) : "no distance";
+}
+
 }  // namespace
 
-std::pair<ImVec2, ImVec2> MapRect::square(glm::ivec2 first, int count) const {
-    const double x = double(first.x) / texels.x, y = double(first.y) / texels.y;
-    const ImVec2 a = screen({x, y + double(count) / texels.y}), b = screen({x + double(count) / texels.x, y});
-    return {a, b};
+std::pair<ImVec2, ImVec2> MapRect::square(glm::ivec2 texel) const {
+    const double x = double(texel.x) / texels.x, y = double(texel.y) / texels.y;
+    return {screen({x, y + 1.0 / texels.y}), screen({x + 1.0 / texels.x, y})};
 }
 
 void outline_texels(const MapRect& rect, glm::ivec2 first, glm::ivec2 size, ImU32 colour) {
-    const auto [left, bottom] = rect.square(first, 1);
-    const auto [right, top] = rect.square(first + size - 1, 1);
+    const auto [left, bottom] = rect.square(first);
+    const auto [right, top] = rect.square(first + size - 1);
     const ImVec2 lo(std::min(left.x, right.x), std::min(left.y, right.y));
     const ImVec2 hi(std::max(bottom.x, top.x), std::max(bottom.y, top.y));
     const float em = ImGui::GetFontSize();
@@ -53,7 +57,7 @@ void draw_texel_values(const MapRect& rect, const FloatImage& values, ImVec2 cli
         for (int x = from.x; x <= to.x; ++x) {
             const std::string text = fmt::format("{:.6f}", values.at(x, rect.texels.y - 1 - y));
             const ImVec2 extent = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-            const auto [lo, hi] = rect.square({x, y}, 1);
+            const auto [lo, hi] = rect.square({x, y});
             const ImVec2 at(0.5f * (lo.x + hi.x - extent.x), 0.5f * (lo.y + hi.y - extent.y));
             list.AddRectFilled({at.x - 2, at.y}, {at.x + extent.x + 2, at.y + extent.y}, theme::kVeil);
             list.AddText(font, font->FontSize, at, theme::kOnPicture, text.c_str());
@@ -69,6 +73,30 @@ void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, g
         list.AddLine(a, b, theme::kShade, em * 0.2f);
         list.AddLine(a, b, colour, em * 0.09f);
     }
+}
+
+std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 size, const FloatImage* values,
+                                                  const DepthCurve& curve, const TexelUsage* usage, bool frozen,
+                                                  const ShownMap& shown, bool linear) {
+    std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
+    if (usage && usage->resolution() == size.x)
+        where += fmt::format("   read by {} {}pixels", usage->pixels(texel), frozen ? "frozen " : "");
+    if (shown.mip > 0) {
+        texel = (2 * texel + 1) * shown.texels / (2 * size);  // texel of the full map under the middle of the mip texel
+        where += fmt::format("   in mip level {} texel {}, {}", shown.mip, texel.x, texel.y);
+        size = shown.texels;
+    }
+    if (!values || values->width != size.x || values->height != size.y) return {where, {}};
+    const double stored = values->at(texel.x, size.y - 1 - texel.y);
+    const DepthCurve here = curve.curve_at_row((texel.y + 0.5) / size.y);
+    if (shown.channel > 0 && linear)
+        return {where, fmt::format("{}   of a depth alone at {:.6g} of the range   {}", shown.name, stored,
+                                   exact_metres(here.near + stored * (here.far - here.near)))};
+    if (shown.channel > 0) return {where, fmt::format("{}   {:.9g}", shown.name, stored)};
+    const double z = here.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
+    // Nine digits distinguish any two 32-bit depths.
+    const std::string depth = fmt::format("{}   stored {:.9g}   linear {:.6g}", exact_metres(z), stored, share);
+    return {where, stored == curve.convention.far_depth() ? depth + "   nothing drawn" : depth};
 }
 
 }  // namespace si

@@ -1,13 +1,16 @@
-// Marks over the map viewer's picture: texels, a kernel's footprint, numbers in texels, outlines of cameras.
+// Marks over the map viewer's picture: texels, a kernel's footprint, numbers in texels, outlines of cameras; and the
+// text about the texel under the mouse.
 #pragma once
 
 #include <imgui.h>
 
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "renderer/frame/frame.h"
+#include "renderer/inspect/texel_usage.h"
 
 namespace si {
 
@@ -25,9 +28,8 @@ struct MapRect {
     bool holds(glm::ivec2 texel) const {
         return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;
     }
-    /// Returns two opposite corners, on the screen, of the square of `count` x `count` texels whose lower left texel is
-    /// `first`.
-    std::pair<ImVec2, ImVec2> square(glm::ivec2 first, int count) const;
+    /// Returns two opposite corners of a texel on the screen. @param texel from the lower left
+    std::pair<ImVec2, ImVec2> square(glm::ivec2 texel) const;
 };
 
 /// Draws the outline of a rectangle of texels in the map viewer; a ring around it if the rectangle is too small to see.
@@ -42,5 +44,16 @@ bool fits_texel_values(const MapRect& rect);
 
 /// Draws line segments over the map viewer's image. @param lines the ends in map coordinates, 0..1
 void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
+
+/// Formats the map viewer's text about one texel. The first line names the texel and the pixels that read it. The
+/// second gives its depth in metres, as stored, and as a share between the planes.
+/// @param texel the texel, y up, of a depth image of `size` texels
+/// @param values the stored depths, row 0 at the top; null or of another size: not read back yet
+/// @param shown the kind of image: for moments the text gives the moment, or in the linear view the depth with that
+/// moment; at a mip level `values` have that level's size
+/// @param usage texels that pixels read; null: not known @param frozen true: the readers are the frozen camera's pixels
+std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 size, const FloatImage* values,
+                                                  const DepthCurve& curve, const TexelUsage* usage, bool frozen,
+                                                  const ShownMap& shown = {}, bool linear = false);
 
 }  // namespace si

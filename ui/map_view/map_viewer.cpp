@@ -12,7 +12,6 @@
 #include "renderer/settings/param.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
-#include "ui/map_view/map_readout.h"
 #include "ui/scene_view/frustum_lines.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/scene_view/picture_marks.h"
@@ -210,7 +209,7 @@ void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
     const double heaviest = heaviest_tap(p);
     if (rect.texel_pixels() > 4)
         for (const KernelTap& t : p.taps) {
-            const auto [lo, hi] = rect.square(t.texel, 1);
+            const auto [lo, hi] = rect.square(t.texel);
             ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, faded(tap_colour(t, heaviest), 110));
         }
     outline_texels(rect, p.taps_first, p.taps_size, theme::kProbed);

@@ -1,10 +1,10 @@
-#include "ui/scene_view/gnomon.h"
-
+// Axes of the world in a corner of the scene picture. A click on an end looks along that axis.
 #include <algorithm>
 #include <array>
 
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/scene_view/camera_steering.h"
+#include "ui/scene_view/scene_marks.h"
 #include "ui/widgets/theme.h"
 
 namespace si {

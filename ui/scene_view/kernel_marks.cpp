@@ -48,11 +48,11 @@ ImU32 tap_colour(const KernelTap& t, double heaviest) {
     return faded(colour, unsigned(70 + 185 * std::clamp(share, 0.0, 1.0)));
 }
 
-const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
+void draw_tap_grid(const Probe::PerLight& p, float side) {
     const int n = std::max({p.taps_size.x, p.taps_size.y, 1});
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("taps", {side, side});
-    if (p.taps.empty()) return nullptr;
+    if (p.taps.empty()) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + side, at.y + side}, theme::well());
     const float cell = side / float(n), gap = cell > 8 ? 1.0f : 0.0f;
@@ -69,7 +69,6 @@ const KernelTap* draw_tap_grid(const Probe::PerLight& p, float side) {
         }
     }
     if (hovered) tooltip(*hovered);
-    return hovered;
 }
 
 void draw_tap_key() {

@@ -14,9 +14,9 @@ ImU32 tap_colour(const KernelTap& tap, double heaviest);
 /// Returns the largest weight among the taps of a probed pixel's kernel.
 double heaviest_tap(const Probe::PerLight& light);
 
-/// Draws a probed pixel's kernel as a square grid of taps at the cursor, the map's top row first. Returns the tap under
-/// the mouse, whose numbers the tooltip shows; null: none. @param side width of the grid, pixels
-const KernelTap* draw_tap_grid(const Probe::PerLight& light, float side);
+/// Draws a probed pixel's kernel as a square grid of taps at the cursor, the map's top row first. A tooltip shows
+/// the numbers of the tap under the mouse. @param side width of the grid, pixels
+void draw_tap_grid(const Probe::PerLight& light, float side);
 
 /// Draws the legend of the tap colours, one a line.
 void draw_tap_key();

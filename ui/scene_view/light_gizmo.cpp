@@ -1,11 +1,11 @@
-#include "ui/scene_view/light_gizmo.h"
-
+// Lights in the scene picture: frusta and marks of all lights, handles of the shown one.
 #include <imgui.h>
 
 #include <algorithm>
 
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/light_marks.h"
+#include "ui/scene_view/scene_marks.h"
 #include "ui/state/panels.h"
 
 namespace si {

@@ -1,5 +1,4 @@
-#include "ui/scene_view/scene_menu.h"
-
+// Context menu of the object under the mouse in the scene picture.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -9,6 +8,7 @@
 #include "renderer/settings/param.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/pick.h"
+#include "ui/scene_view/scene_marks.h"
 #include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/text.h"

@@ -14,7 +14,7 @@
 #include "renderer/settings/overlays.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/scene_view/camera_steering.h"
-#include "ui/scene_view/light_gizmo.h"
+#include "ui/scene_view/scene_marks.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/quick_changes.h"
