@@ -139,29 +139,23 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     ImGui::EndTabBar();
 }
 
+/// Draws a part of the window with the usual gaps inside; the window itself has none between its parts.
 void child(const char* id, ImVec2 size, const auto& draw) {
+    const float em = ImGui::GetFontSize();
     ImGui::BeginChild(
         id, size, false,
         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * 0.53f, em * 0.33f));
     draw();
+    ImGui::PopStyleVar();
     ImGui::EndChild();
-}
-
-/// Draws a part of the window with the usual gaps inside; the window itself has none between its parts.
-auto spaced(const auto& draw) {
-    return [draw] {
-        const float em = ImGui::GetFontSize();
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * 0.53f, em * 0.33f));
-        draw();
-        ImGui::PopStyleVar();
-    };
 }
 
 /// Draws one of the window's panels.
 void draw_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, Panel which, ImVec2 size) {
     constexpr const char* kIds[] = {"scene", "map", "bottom"};
     constexpr decltype(&bottom_tabs) kDraws[] = {draw_viewport, draw_map_viewer, bottom_tabs};
-    child(kIds[int(which)], size, spaced([&] { kDraws[int(which)](state, frame, requests); }));
+    child(kIds[int(which)], size, [&] { kDraws[int(which)](state, frame, requests); });
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.window.hovered_panel = which;
 }
 
@@ -170,7 +164,6 @@ void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& req
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
     draw_panel(state, frame, requests, *state.window.maximised, rest);
-    child("status", {0, status_bar_height()}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
 /// Draws the scene and, if placed there, the map next to it or in it.
@@ -216,7 +209,7 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
                  [&](float by) { return std::clamp((map + by) / size.y, 0.1f, 0.9f); });
         size.y -= map + bar;
     }
-    child("settings", size, spaced([&] { draw_settings(state, frame, requests); }));
+    child("settings", size, [&] { draw_settings(state, frame, requests); });
     ImGui::EndGroup();
 }
 
@@ -234,12 +227,11 @@ float needed_height(BottomTab tab) {
 void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
-    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, requests); }));
+    child("top", {0, top}, [&] { draw_top_bar(state, frame, requests); });
 
     EditorLayout& layout = state.layout;
-    const float status = status_bar_height();
     ImVec2 rest = ImGui::GetContentRegionAvail();
-    rest.y -= status;
+    rest.y -= status_bar_height();
     const float settings =
         std::floor(std::clamp(layout.settings_width * em, em * 14, std::max(em * 14, most_settings(rest.x))));
     const float left = std::max(rest.x - settings - bar, em * 10);
@@ -253,7 +245,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float bottom = std::clamp(wanted * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     pictures_row(state, frame, requests, {left, pictures}, bar);
-    if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
+    if (time > 0) child("time", {left, time}, [&] { draw_time_bar(state, frame); });
     splitter("bottom splitter", false, {left, bar}, layout, &EditorLayout::bottom_height,
              [&](float by) { return std::max((bottom - by) / em, 2.0f); });
     draw_panel(state, frame, requests, Panel::Tabs, {left, bottom});
@@ -263,7 +255,6 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
              [&](float by) { return (settings - by) / em; });
     ImGui::SameLine();
     right_column(state, frame, requests, {settings, rest.y}, bar);
-    child("status", {0, status}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
 }  // namespace
@@ -319,6 +310,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
         one_panel(state, frame, requests);
     else
         all_panels(state, frame, requests);
+    child("status", {0, status_bar_height()}, [&] { draw_status_bar(state, frame); });
     ImGui::PopStyleVar();
     draw_welcome(state, frame, requests);
     draw_shortcuts(state.window.show_shortcuts);

@@ -38,6 +38,14 @@ std::optional<TexelPlace> probed_place(const EditorState& state, const EditorFra
     return {};
 }
 
+/// Returns true while the probed pixel's verdict belongs to an earlier picture or is not known yet, or a pixel is
+/// searched.
+bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
+    if (state.artefact_tour.waits_for != 0 || frame.verdict_follows || frame.tracing_probe) return true;
+    if (!state.probe_pixel) return false;
+    return !frame.probe && frame.anchor_place != AnchorPlace::Outside;
+}
+
 }  // namespace
 
 void remove_bias(Settings& settings) {
@@ -57,18 +65,6 @@ void scale_resolution(Settings& settings, bool twice) {
     int& n = settings.map.resolution;
     n = std::clamp(twice ? n * 2 : n / 2, int(p.min), int(p.max));
 }
-
-namespace {
-
-/// Returns true while the probed pixel's verdict belongs to an earlier picture or is not known yet, or a pixel is
-/// searched.
-bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
-    if (state.artefact_tour.waits_for != 0 || frame.verdict_follows || frame.tracing_probe) return true;
-    if (!state.probe_pixel) return false;
-    return !frame.probe && frame.anchor_place != AnchorPlace::Outside;
-}
-
-}  // namespace
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
     state.probe_panel.fix_waits = frame.result && verdict_follows(state, frame);
