@@ -145,10 +145,8 @@ void draw_controls(SweepPanel& panel, const Settings& settings, const SweepFacts
     if (facts.running) {
         draw_running(facts, requests);
     } else {
-        ImGui::BeginDisabled(product == 0);
-        if (ImGui::Button(fmt::format("Sweep {} combinations###sweep", product).c_str()))
+        if (button_if(product > 0, fmt::format("Sweep {} combinations###sweep", product).c_str()))
             requests.start_sweep = SweepRequest{axes, panel.width, panel.height, panel.area, panel.timed};
-        ImGui::EndDisabled();
         wrapped_tooltip(
             "Error against the ray-traced reference and time of every combination, in the background. Settings without "
             "effect in a combination collapse. An interrupted sweep goes on.");

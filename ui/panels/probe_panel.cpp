@@ -201,11 +201,10 @@ std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
 
 void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
     verdict(d ? d->verdict : p.verdict);
-    if (d) {
+    if (d)
         coloured_wrapped(p.verdict, theme::muted());
-    } else if (tracing) {
+    else if (tracing)
         ImGui::TextDisabled("tracing the reference...");
-    }
     if (!d || !d->fix) return;
     if (ImGui::SmallButton(fix_label(*d->fix, settings).c_str()))
         for (const auto& [key, value] : d->fix->settings) set_setting(settings, key, value);
