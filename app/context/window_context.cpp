@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <utility>
 
 #include "app/context/x11_errors.h"
 #include "renderer/base/error.h"

@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <string>
 #include <vector>
 
 extern char** environ;

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <vector>
 
 #include "app/base/interrupt.h"
 #include "app/base/output.h"

@@ -1,7 +1,5 @@
 #include "app/editor/frame_loader.h"
 
-#include <epoxy/gl.h>
-
 #include <array>
 #include <condition_variable>
 #include <map>

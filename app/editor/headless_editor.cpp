@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/reference/live_error.h"
 
 namespace si {
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "app/report/picture_comparison.h"
 #include "renderer/gl/driver_failure.h"

@@ -1,14 +1,11 @@
 #include "app/editor/reference.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "app/base/output.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
-#include "renderer/base/error.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/reference/light_map_cache.h"
 

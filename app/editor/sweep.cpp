@@ -10,7 +10,6 @@
 #include "app/session/command_line.h"
 #include "app/sweep/files.h"
 #include "app/sweep/measured_cases.h"
-#include "app/sweep/measuring_thread.h"
 #include "app/sweep/progress_line.h"
 #include "app/sweep/results.h"
 #include "renderer/base/error.h"

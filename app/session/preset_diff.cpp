@@ -4,7 +4,6 @@
 
 #include "renderer/base/printable.h"
 #include "renderer/settings/idle_reason.h"
-#include "renderer/settings/param.h"
 #include "ui/widgets/setting_widgets.h"
 
 namespace si {

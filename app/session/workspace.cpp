@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <utility>
 
 #include "app/base/json_text.h"
 #include "app/base/output.h"

@@ -13,7 +13,6 @@
 #include "app/sweep/columns.h"
 #include "app/sweep/html_report.h"
 #include "app/sweep/journal.h"
-#include "app/sweep/results.h"
 #include "renderer/base/error.h"
 
 namespace si {

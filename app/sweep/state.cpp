@@ -12,7 +12,6 @@
 #include <thread>
 
 #include "app/report/measure_json.h"
-#include "renderer/base/error.h"
 #include "renderer/base/key.h"
 
 namespace si {
