@@ -1,9 +1,8 @@
 // Offscreen colour target for Dear ImGui.
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include "renderer/frame/frame.h"
+#include "renderer/gl/handle.h"
 
 namespace si {
 
@@ -12,18 +11,16 @@ namespace si {
 class Canvas {
 public:
     Canvas(int width, int height);
-    ~Canvas();
-    Canvas(const Canvas&) = delete;
-    Canvas& operator=(const Canvas&) = delete;
 
     /// Binds the canvas's framebuffer as the one to draw into.
-    void bind() const;
+    void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id()); }
     /// Reads back the canvas as an opaque image, top row first.
     ByteImage read_picture() const;
 
 private:
     int width_, height_;
-    GLuint texture_ = 0, framebuffer_ = 0;
+    gl::Texture texture_ = gl::Texture::create("editor", GL_TEXTURE_2D);
+    gl::Framebuffer framebuffer_ = gl::Framebuffer::create("editor");
 };
 
 }  // namespace si

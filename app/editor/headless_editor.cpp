@@ -19,13 +19,13 @@ namespace si {
 namespace {
 
 /// Makes the offscreen target of the whole editor. @throws Error if the size cannot be drawn
-std::unique_ptr<Canvas> make_canvas(int width, int height) {
+Canvas make_canvas(int width, int height) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     if (width < 64 || height < 64 || width > most || height > most)
         throw Error(
             fmt::format("the editor cannot be drawn at {} x {} pixels; each side is 64 to {}", width, height, most));
-    return std::make_unique<Canvas>(width, height);
+    return {width, height};
 }
 
 /// Returns true if a needed reference is not traced yet.
@@ -45,23 +45,20 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
       height_(options.height),
       imgui_(options.scale > 0 ? float(options.scale) : screenshot_scale(options.height)),
       canvas_(make_canvas(width_, height_)),
-      model_(std::make_unique<EditorModel>(
-          options, std::move(read),
-          options.frame_patience ? FrameThread{.context = context_.sharing(), .patience = *options.frame_patience}
-                                 : FrameThread{})) {
-    model_->smooths = false;
+      model_(options, std::move(read),
+             options.frame_patience ? FrameThread{.context = context_.sharing(), .patience = *options.frame_patience}
+                                    : FrameThread{}) {
+    model_.smooths = false;
 }
 
 void HeadlessEditor::add_all_samples() {
-    model_->smooths = true;
+    model_.smooths = true;
     for (int i = 0; i <= kMaxSmoothedShadings; ++i) {
         frame();
-        model_->finish_drawing();
+        model_.finish_drawing();
     }
     frame();
 }
-
-HeadlessEditor::~HeadlessEditor() = default;
 
 EditorRequests HeadlessEditor::frame() {
     ImGuiIO& io = ImGui::GetIO();
@@ -77,31 +74,27 @@ EditorRequests HeadlessEditor::frame() {
     mouse.wheel = 0;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    EditorRequests requests = draw_editor(model_->state, model_->facts());
+    EditorRequests requests = draw_editor(model_.state, model_.facts());
     ImGui::Render();
-    canvas_->bind();
+    canvas_.bind();
     imgui_.draw(width_, height_);
-    if (requests.shot && !model_->save_drawing(*requests.shot, imgui_)) model_->save_shot(*requests.shot, picture(), 1);
-    model_->fulfil(requests);
+    if (requests.shot && !model_.save_drawing(*requests.shot, imgui_)) model_.save_shot(*requests.shot, picture(), 1);
+    model_.fulfil(requests);
     return requests;
 }
 
 void HeadlessEditor::settle() {
     do {
-        model_->finish_loading();
-        model_->finish_tracing();
+        model_.finish_loading();
+        model_.finish_tracing();
         // Sizes settle in two frames; the picture follows in the next, numbers read from it in one more.
         for (int i = 0; i < 6; ++i) frame();
-        if (model_->measuring()) {
-            model_->finish_measuring();
+        if (model_.measuring()) {
+            model_.finish_measuring();
             frame();
             frame();
         }
-    } while (model_->finish_drawing() || model_->busy() || lacks_reference(model_->facts()));
-}
-
-ByteImage HeadlessEditor::picture() const {
-    return canvas_->read_picture();
+    } while (model_.finish_drawing() || model_.busy() || lacks_reference(model_.facts()));
 }
 
 }  // namespace si

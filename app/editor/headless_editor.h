@@ -3,7 +3,6 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <memory>
 #include <optional>
 
 #include "app/context/canvas.h"
@@ -18,9 +17,8 @@ class HeadlessEditor {
 public:
     /// Starts to read the first scene. @throws Error if there is no OpenGL, or the size cannot be drawn
     explicit HeadlessEditor(const EditorOptions& options, SceneReader read = {});
-    ~HeadlessEditor();
 
-    EditorModel& model() { return *model_; }
+    EditorModel& model() { return model_; }
 
     /// Mouse position, buttons and wheel for the following frames of the editor.
     struct Mouse {
@@ -39,14 +37,14 @@ public:
     /// several frames, and draws the editor once more. With view.smooth off the picture stays as it is.
     void add_all_samples();
     /// Returns the editor's last frame as an image, top row first.
-    ByteImage picture() const;
+    ByteImage picture() const { return canvas_.read_picture(); }
 
 private:
     int width_, height_;
     HeadlessContext context_;
     ImGuiSession imgui_;
-    std::unique_ptr<Canvas> canvas_;
-    std::unique_ptr<EditorModel> model_;
+    Canvas canvas_;
+    EditorModel model_;
 };
 
 /// Returns the scale of text and widgets for a screenshot of this height, pixels.

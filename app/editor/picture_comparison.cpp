@@ -1,6 +1,5 @@
 #include "app/editor/picture_comparison.h"
 
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,40 +8,27 @@
 #include "renderer/gl/driver_failure.h"
 
 namespace si {
-
-/// Texture on the GPU with an image that panels show.
-struct EditorPictureComparison::Texture {
-    GLuint id = 0;
-    int width = 0, height = 0;
-
-    explicit Texture(const ByteImage& image) : width(image.width), height(image.height) {
-        glCreateTextures(GL_TEXTURE_2D, 1, &id);
-        gl::clear_gl_errors();
-        glTextureStorage2D(id, 1, GL_RGBA8, width, height);
-        try {
-            gl::check_memory_errors(fmt::format("the picture compared with ({} x {})", width, height),
-                                    "make the window smaller, or switch comparing off");
-        } catch (...) {
-            glDeleteTextures(1, &id);
-            throw;
-        }
-        glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        for (int y = 0; y < height; ++y)  // bottom row first, like the renderer's pictures
-            glTextureSubImage2D(id, 0, 0, height - 1 - y, width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                                &image.data[std::size_t(y) * std::size_t(width) * 4]);
-    }
-    ~Texture() { glDeleteTextures(1, &id); }
-    Texture(const Texture&) = delete;
-    Texture& operator=(const Texture&) = delete;
-};
-
 namespace {
 
 constexpr const char* kLacksRays =
     "The other side's shadow is ray traced, and rays are traced for the settings shown alone: show that side itself, "
     "or compare the two by render --against";
+
+/// Uploads an image that panels show. @throws gl::OutOfMemory
+gl::Texture upload(const ByteImage& image) {
+    gl::Texture texture = gl::Texture::create("difference", GL_TEXTURE_2D);
+    gl::clear_gl_errors();
+    glTextureStorage2D(texture.id(), 1, GL_RGBA8, image.width, image.height);
+    gl::check_memory_errors(fmt::format("the picture compared with ({} x {})", image.width, image.height),
+                            "make the window smaller, or switch comparing off");
+    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (int y = 0; y < image.height; ++y)  // bottom row first, like the renderer's pictures
+        glTextureSubImage2D(texture.id(), 0, 0, image.height - 1 - y, image.width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                            &image.data[std::size_t(y) * std::size_t(image.width) * 4]);
+    return texture;
+}
 
 }  // namespace
 
@@ -50,9 +36,6 @@ bool same_inputs(const FrameRequest& a, const FrameRequest& b) {
     return a.width == b.width && a.height == b.height && a.reference == b.reference && a.traced == b.traced &&
            a.light_maps == b.light_maps;
 }
-
-EditorPictureComparison::EditorPictureComparison() = default;
-EditorPictureComparison::~EditorPictureComparison() = default;
 
 void EditorPictureComparison::clear() {
     hide();
@@ -108,8 +91,8 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
 void EditorPictureComparison::find_difference(Renderer& renderer, const FrameResult& frame) {
     const ByteImage a = renderer.read_colour(frame.colour), b = renderer.read_colour(facts_->picture);
     if (a.width != b.width || a.height != b.height) return;
-    difference_ = std::make_unique<Texture>(difference_image(a, b));
-    facts_->difference = {difference_->id, difference_->width, difference_->height};
+    difference_ = upload(difference_image(a, b));
+    facts_->difference = {difference_.id(), a.width, a.height};
     facts_->mae = mean_difference(a, b);
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/gl/handle.h"
 #include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
 
@@ -15,9 +16,6 @@ bool same_inputs(const FrameRequest& a, const FrameRequest& b);
 /// Painter of the other side of a picture comparison (reference, or other settings) and of the difference image.
 class EditorPictureComparison {
 public:
-    EditorPictureComparison();
-    ~EditorPictureComparison();
-
     /// Draws the other picture of the comparison if it is needed and has changed. Returns true if the facts have
     /// changed. @param frame shown frame @param drawn the frame is a new one
     /// @param comparison settings that state.compare names; null: not known @throws Error
@@ -28,7 +26,6 @@ public:
     const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 
 private:
-    struct Texture;
     /// Drops the facts shown for the comparison, and the difference image. The second renderer stays, with its cached
     /// maps.
     void hide();
@@ -41,7 +38,7 @@ private:
     std::optional<PictureComparisonFacts> facts_;
     // A second renderer, so that the maps of both sides stay cached from frame to frame.
     std::unique_ptr<Renderer> other_;
-    std::unique_ptr<Texture> difference_;
+    gl::Texture difference_;
     Settings other_drawn_;
     std::uint64_t other_scene_ = 0;
     FrameRequest other_request_;
