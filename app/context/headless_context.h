@@ -16,8 +16,6 @@ public:
     /// Makes the context. @throws Error naming every EGL call that failed and what to try
     HeadlessContext();
     ~HeadlessContext();
-    HeadlessContext(const HeadlessContext&) = delete;
-    HeadlessContext& operator=(const HeadlessContext&) = delete;
 
     /// Makes this OpenGL context current on the calling thread, for all further OpenGL calls there. @throws Error when
     /// EGL refuses

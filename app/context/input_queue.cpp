@@ -3,8 +3,6 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <utility>
-
 namespace si {
 namespace {
 
@@ -24,10 +22,6 @@ void InputQueue::button(int button, bool down, int mods, const MouseQueue::When&
     if (mouse_.waiting() > before) waiting_.push_back({.kind = Kind::Button});
 }
 
-void InputQueue::wheel(glm::dvec2 by) {
-    waiting_.push_back({.kind = Kind::Wheel, .at = mouse_.last_position(), .wheel = by});
-}
-
 void InputQueue::key(const Key& key) {
     if (key.key < 0 || std::size_t(key.key) >= kKeys) return;
     waiting_.push_back({.kind = Kind::Key, .at = mouse_.last_position(), .key = key});
@@ -44,11 +38,6 @@ void InputQueue::character(unsigned code) {
         }
     }
     waiting_.push_back({.kind = Kind::Character, .at = mouse_.last_position(), .character = code});
-}
-
-/// Returns true if the event only types a character into the focused text field.
-bool InputQueue::is_text(const Event& event) const {
-    return event.kind == Kind::Character || (typing_ && event.character);
 }
 
 bool InputQueue::key_can_join(const Run& run, const Event& event) const {
@@ -117,10 +106,6 @@ MouseQueue::Step InputQueue::next() {
     }
     shown_ = held_ | run.down;
     return mouse_.step_without_change(run.at);
-}
-
-InputQueue::Strokes InputQueue::take_strokes() {
-    return std::exchange(strokes_, {});
 }
 
 }  // namespace si

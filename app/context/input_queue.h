@@ -7,6 +7,7 @@
 #include <deque>
 #include <glm/glm.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/context/mouse_queue.h"
@@ -38,7 +39,7 @@ public:
     /// Adds that the mouse entered or left the window.
     void enter(bool inside) { mouse_.enter(inside); }
     /// Adds a turn of the mouse wheel to the queue. @param by notches, horizontal and vertical
-    void wheel(glm::dvec2 by);
+    void wheel(glm::dvec2 by) { waiting_.push_back({.kind = Kind::Wheel, .at = mouse_.last_position(), .wheel = by}); }
     /// Adds a press or release of a key to the queue.
     void key(const Key& key);
     /// Adds a typed character (Unicode) to the queue. The character belongs to the text key pressed right before.
@@ -49,7 +50,7 @@ public:
     /// Begins the queue's next step, for the next ImGui frame. @returns the mouse in that step
     MouseQueue::Step next();
     /// Returns keys, characters and wheel movement of the step that next() began; empty when called again.
-    Strokes take_strokes();
+    Strokes take_strokes() { return std::exchange(strokes_, {}); }
     /// Returns true if no event waits.
     bool empty() const { return waiting_.empty(); }
     /// Returns true if the key is held after the present step. @param key GLFW_KEY_*
@@ -75,7 +76,7 @@ private:
         std::bitset<kKeys> down;
     };
     /// Returns true for a key event that types a character into the focused text field.
-    bool is_text(const Event& event) const;
+    bool is_text(const Event& event) const { return event.kind == Kind::Character || (typing_ && event.character); }
     /// Returns true if an input event may share one ImGui frame with the events of `run`.
     bool can_join(const Run& run, const Event& event) const;
     /// Returns true if a key event may share one ImGui frame with the events of `run`.

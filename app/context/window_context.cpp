@@ -100,25 +100,18 @@ WindowContext::~WindowContext() {
 // ImGui's backend is installed later and calls these callbacks after its own.
 void WindowContext::install_callbacks() {
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
-        note_input(w);
-        const Events& events = *static_cast<Events*>(glfwGetWindowUserPointer(w));
+        Events& events = note_input(w);
         const double now_s = glfwGetTime();
-        queue_of(w).button(button, action == GLFW_PRESS, mods, {events.waiting ? now_s : events.polled_s, now_s});
+        events.queue.button(button, action == GLFW_PRESS, mods, {events.waiting ? now_s : events.polled_s, now_s});
     });
-    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
-        note_input(w);
-        queue_of(w).move({x, y});
-    });
-    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
-        note_input(w);
-        queue_of(w).enter(entered == GLFW_TRUE);
-    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { note_input(w).queue.move({x, y}); });
+    glfwSetCursorEnterCallback(window_,
+                               [](GLFWwindow* w, int entered) { note_input(w).queue.enter(entered == GLFW_TRUE); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { note_input(w); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { note_input(w); });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { note_input(w); });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-        note_input(w);
-        auto& dropped = static_cast<Events*>(glfwGetWindowUserPointer(w))->dropped;
+        auto& dropped = note_input(w).dropped;
         dropped.insert(dropped.end(), paths, paths + count);
     });
 }
@@ -134,17 +127,9 @@ void WindowContext::intercept_backend() {
 }
 
 void WindowContext::on_key(GLFWwindow* window, int key, int, int action, int mods) {
-    note_input(window);
+    Events& events = note_input(window);
     // ImGui makes key repeats itself.
-    if (action != GLFW_REPEAT) queue_of(window).key({.key = key, .mods = mods, .down = action == GLFW_PRESS});
-}
-void WindowContext::on_character(GLFWwindow* window, unsigned code) {
-    note_input(window);
-    queue_of(window).character(code);
-}
-void WindowContext::on_scroll(GLFWwindow* window, double x, double y) {
-    note_input(window);
-    queue_of(window).wheel({x, y});
+    if (action != GLFW_REPEAT) events.queue.key({.key = key, .mods = mods, .down = action == GLFW_PRESS});
 }
 
 ThreadContextMaker WindowContext::sharing() const {
@@ -160,12 +145,10 @@ void WindowContext::wake() {
     glfwPostEmptyEvent();
 }
 
-void WindowContext::note_input(GLFWwindow* window) {
-    static_cast<Events*>(glfwGetWindowUserPointer(window))->input = true;
-}
-
-InputQueue& WindowContext::queue_of(GLFWwindow* window) {
-    return static_cast<Events*>(glfwGetWindowUserPointer(window))->queue;
+WindowContext::Events& WindowContext::note_input(GLFWwindow* window) {
+    Events& events = *static_cast<Events*>(glfwGetWindowUserPointer(window));
+    events.input = true;
+    return events;
 }
 
 bool WindowContext::should_close() const {
@@ -233,13 +216,6 @@ std::vector<WindowContext::KeyPress> WindowContext::take_keys() {
         if (backend_.character) backend_.character(window_, code);
     if (backend_.scroll && strokes.wheel != glm::dvec2(0)) backend_.scroll(window_, strokes.wheel.x, strokes.wheel.y);
     return pressed;
-}
-
-bool WindowContext::take_input() {
-    return std::exchange(events_.input, false);
-}
-std::vector<std::filesystem::path> WindowContext::take_dropped() {
-    return std::exchange(events_.dropped, {});
 }
 
 }  // namespace si

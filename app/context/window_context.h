@@ -52,7 +52,7 @@ public:
     /// Returns the scale of the window's monitor for text and widgets; 1 at about 96 dots per inch.
     float content_scale() const;
     /// Returns true if input, a resize or an uncovered window arrived since the last call.
-    bool take_input();
+    bool take_input() { return std::exchange(events_.input, false); }
     /// Queue of input that no frame has shown yet. ImGui's backend receives input only from this queue.
     InputQueue& input() { return events_.queue; }
     /// Key that was pressed, perhaps released already. ImGui 1.86 sees only keys that are held when its frame starts.
@@ -66,7 +66,7 @@ public:
     /// Returns true if the key was held in the last frame shown. @param key GLFW_KEY_*
     bool is_down(int key) const { return events_.queue.is_down(key); }
     /// Returns the files dropped on the window since the last call.
-    std::vector<std::filesystem::path> take_dropped();
+    std::vector<std::filesystem::path> take_dropped() { return std::exchange(events_.dropped, {}); }
 
     /// Returns the name of the window for the desktop's portals (XDG): "x11:" and the window's id; empty elsewhere.
     std::string portal_name() const;
@@ -97,13 +97,12 @@ private:
     /// GLFW callback: queues a press or release of a key.
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
     /// GLFW callback: queues a typed character (Unicode).
-    static void on_character(GLFWwindow* window, unsigned code);
+    static void on_character(GLFWwindow* window, unsigned code) { note_input(window).queue.character(code); }
     /// GLFW callback: queues a turn of the mouse wheel.
-    static void on_scroll(GLFWwindow* window, double x, double y);
-    /// Records that the window has received input, so that the next frame is drawn.
-    static void note_input(GLFWwindow* window);
-    /// Returns the input queue of the WindowContext that owns a GLFW window.
-    static InputQueue& queue_of(GLFWwindow* window);
+    static void on_scroll(GLFWwindow* window, double x, double y) { note_input(window).queue.wheel({x, y}); }
+    /// Records that the window has received input, so that the next frame is drawn. Returns the events of the
+    /// WindowContext that owns the window.
+    static Events& note_input(GLFWwindow* window);
 
     GLFWwindow* window_ = nullptr;
     GLFWwindow* shared_window_ = nullptr;  ///< never shown; its context shares the window's objects; null: none
