@@ -2,15 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "app/editor/requests.h"
-#include "app/session/command_line.h"
 #include "renderer/base/error.h"
+#include "renderer/scenes/builtin.h"
 #include "ui/state/shortcuts.h"
 
 namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the scene's name to store in a preset file: a relative path if the scene is below the preset's folder, else
+/// an absolute one, so that the preset loads from any working directory.
+std::string scene_for(const fs::path& preset, const std::string& scene) {
+    if (is_builtin_scene(scene)) return scene;
+    const std::string file = whole_path(scene);
+    const fs::path relative = fs::path(file).lexically_relative(fs::path(whole_path(preset)).parent_path());
+    return relative.empty() || *relative.begin() == ".." ? file : relative.string();
+}
+
+}  // namespace
+
+PresetRequestHandler::PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
+    : state_(state), persistence_(memory), scenes_(scenes) {
+    for (const BuiltinPreset& p : builtin_presets()) entries_.push_back({p.key, p.title, p.topic, p.about});
+    for (const BuiltinPreset& p : hard_case_presets()) hard_cases_.push_back({p.key, p.title, p.topic, p.about});
+}
 
 void PresetRequestHandler::start(SessionPlan plan, std::string remark) {
     Arrival arrival{
@@ -22,8 +43,7 @@ void PresetRequestHandler::start(SessionPlan plan, std::string remark) {
 
 void PresetRequestHandler::open(const std::string& name_or_path) {
     std::error_code error;
-    if (name_or_path == state_.files.preset_path && !loader_.is_built_in(name_or_path) &&
-        !std::filesystem::exists(name_or_path, error))
+    if (name_or_path == state_.files.preset_path && !is_built_in(name_or_path) && !fs::exists(name_or_path, error))
         throw Error(fmt::format(
             "{}: nothing is saved there yet. Save it first ({}); from then on {} goes back to what was saved",
             name_or_path, key_text(Command::SavePreset), key_text(Command::RevertPreset)));
@@ -44,10 +64,21 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
 
 void PresetRequestHandler::save(const std::string& path, const std::optional<std::string>& about, bool replace) {
     if (path.empty()) throw Error("the preset has no file name; save it as one");
-    if (!loader_.save(path, state_.scene_name, state_.settings, about, replace)) {
+    const std::string key = whole_path(path);
+    std::error_code error;
+    if (!replace && !files_.contains(key) && fs::is_regular_file(path, error)) {
         state_.files.replace = Replacement{path, about};
         return;
     }
+    // A file that was opened keeps its title, topic and sentence.
+    Preset preset = files_.contains(key) ? files_.at(key) : Preset{};
+    if (about) preset.about = *about;
+    preset.scene = scene_for(path, state_.scene_name);
+    preset.settings = state_.settings;
+    save_preset(preset, path);
+    preset.scene = state_.scene_name;  // under the editor's name for the scene
+    files_[key] = preset;
+    if (comparison_ && comparison_->with.kind == CompareKind::Preset) comparison_.reset();
     state_.files.preset_path = path;
     persistence_.note_preset(path);
     state_.log.add(LogKind::Info, "Saved " + path);
@@ -55,31 +86,64 @@ void PresetRequestHandler::save(const std::string& path, const std::optional<std
 
 GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset preset, const std::string& scene_name) {
     state_.files.hidden_guide.clear();
-    if (!loader_.is_built_in(name_or_path)) {
+    if (!preset.scene.empty()) preset.scene = scene_name;  // under the editor's name for the scene
+    if (!is_built_in(name_or_path)) {
         state_.files.preset_path = name_or_path;
         persistence_.note_preset(name_or_path);
+        files_[whole_path(name_or_path)] = preset;
     }
-    if (!preset.scene.empty()) preset.scene = scene_name;  // under the editor's name for the scene
-    return loader_.register_opened(name_or_path, preset);
+    return {name_or_path, preset.title, preset.about};
+}
+
+bool PresetRequestHandler::is_built_in(const std::string& key) const {
+    const auto named = [&](const PresetEntry& p) { return p.key == key; };
+    return std::ranges::any_of(entries_, named) || std::ranges::any_of(hard_cases_, named);
+}
+
+const Preset* PresetRequestHandler::known_file() const {
+    const auto it = files_.find(whole_path(state_.files.preset_path));
+    return it == files_.end() ? nullptr : &it->second;
+}
+
+void PresetRequestHandler::load_comparison(const Scene& scene) {
+    const CompareWith& with = state_.compare;
+    if (with.kind == CompareKind::Preset && comparison_ && comparison_->with == with) return;
+    comparison_ = {with, {}, {}, {}};
+    const auto compare_with = [&](const auto& other) {
+        comparison_->settings = other.settings;
+        comparison_->scene = other.scene;
+    };
+    try {
+        if (with.kind == CompareKind::Preset)
+            compare_with(load_preset(with.preset));
+        else if (with.kind == CompareKind::Pinned && state_.pinned)
+            compare_with(*state_.pinned);
+        else if (with.kind == CompareKind::Pinned)
+            throw Error(
+                fmt::format("Nothing is pinned; {} pins the present settings as A", key_text(Command::PinSettings)));
+        else if (with.kind != CompareKind::Defaults)
+            compare_with(Preset{.scene = state_.scene_name, .settings = base_settings(scene)});
+    } catch (const std::exception& e) {
+        comparison_->problem = e.what();
+    }
 }
 
 bool PresetRequestHandler::compare() {
     const Scene* scene = scenes_.scene();
-    const bool known = loader_.has_file(state_.files.preset_path);
-    const bool unsaved =
-        scene && (known ? !loader_.file_holds(state_.files.preset_path, state_.scene_name, state_.settings)
-                        : state_.settings != scenes_.original_settings());
-    const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
+    const Preset* known = known_file();
+    const bool unsaved = scene && (known ? known->settings != state_.settings ||
+                                               (!known->scene.empty() && known->scene != state_.scene_name)
+                                         : state_.settings != scenes_.original_settings());
+    const auto compared = [&] { return comparison() ? std::optional(comparison()->with) : std::nullopt; };
+    const std::optional<CompareWith> before = compared();
     const bool picture_comparison = state_.comparison.view != ComparisonView::Off && !state_.comparison.reference;
-    const bool shown = scene && (state_.tab == BottomTab::Compare || picture_comparison);
-    comparison_ =
-        shown ? &loader_.compare(state_.compare, base_settings(*scene), state_.scene_name, state_.pinned) : nullptr;
-    const std::optional<CompareWith> after = comparison_ ? std::optional(comparison_->with) : std::nullopt;
-    return std::exchange(unsaved_, unsaved) != unsaved || before != after;
+    shows_comparison_ = scene && (state_.tab == BottomTab::Compare || picture_comparison);
+    if (shows_comparison_) load_comparison(*scene);
+    return std::exchange(unsaved_, unsaved) != unsaved || before != compared();
 }
 
 bool PresetRequestHandler::would_be_lost() const {
-    if (!unsaved_ || loader_.has_file(state_.files.preset_path)) return unsaved_;
+    if (!unsaved_ || known_file()) return unsaved_;
     Settings work = state_.settings;
     work.camera = scenes_.original_settings().camera;
     work.view = scenes_.original_settings().view;
@@ -97,9 +161,9 @@ void PresetRequestHandler::restore_lost() {
 }
 
 void PresetRequestHandler::fill(EditorFrame& frame) const {
-    frame.presets = loader_.entries();
-    frame.hard_cases = loader_.hard_cases();
-    frame.comparison = comparison_;
+    frame.presets = entries_;
+    frame.hard_cases = hard_cases_;
+    frame.comparison = comparison();
     frame.unsaved = unsaved_;
 }
 

@@ -1,17 +1,19 @@
 // Requests about presets and lost sessions, whose settings arrive together with a scene.
 #pragma once
 
-#include "app/editor/preset_loader.h"
+#include <map>
+#include <optional>
+
 #include "app/editor/scene_loader.h"
 
 namespace si {
 
-/// Handler of requests that open, save and compare presets, or restore the session that a crash has left.
+/// Handler of requests that open, save and compare presets, or restore the session that a crash has left. Knows the
+/// built-in presets and the files that the editor has opened or saved.
 class PresetRequestHandler {
 public:
     /// @param state, memory, scenes the parts of one editor; outlive this object
-    PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
-        : state_(state), persistence_(memory), scenes_(scenes) {}
+    PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes);
 
     /// Starts to load the plan's scene, to be shown with the plan's settings. @param remark line for the log, once the
     /// scene is shown
@@ -26,12 +28,10 @@ public:
     /// Updates the mark of unsaved settings and the settings to compare with. Returns true if either has changed.
     bool compare();
     /// Settings that state.compare names, while they are shown; else null.
-    const ComparisonFacts* comparison() const { return comparison_; }
+    const ComparisonFacts* comparison() const { return shows_comparison_ && comparison_ ? &*comparison_ : nullptr; }
     /// Writes the lists of presets and the comparison into `frame`. Pointers in it stay valid until the next non-const
     /// call.
     void fill(EditorFrame& frame) const;
-    /// Returns true if no preset held the settings at the last compare().
-    bool unsaved() const { return unsaved_; }
     /// Returns true if quitting would lose unsaved changes other than moves of the camera.
     bool would_be_lost() const;
 
@@ -39,13 +39,23 @@ private:
     /// Registers an opened preset: a preset file becomes the file that saving writes and enters the recent files; a
     /// built-in preset does neither. Returns the preset's title and description for the editor to show.
     GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
+    /// Returns true if the key names a guided preset or hard case that ships with the program.
+    bool is_built_in(const std::string& key) const;
+    /// Returns the preset of the file that saving writes, as this editor opened or saved it; null: it did neither.
+    const Preset* known_file() const;
+    /// Loads the settings that state.compare names. Reads a preset's file at its first use, and again after save().
+    /// @param scene the shown scene
+    void load_comparison(const Scene& scene);
 
     EditorState& state_;
     EditorPersistence& persistence_;
     SceneLoader& scenes_;
-    PresetLoader loader_;
+    std::vector<PresetEntry> entries_;     ///< guided presets that ship with the program, in order
+    std::vector<PresetEntry> hard_cases_;  ///< hard cases that ship with the program, by number
+    std::map<std::string, Preset> files_;  ///< opened or saved presets by absolute path
     bool unsaved_ = false;
-    const ComparisonFacts* comparison_ = nullptr;
+    std::optional<ComparisonFacts> comparison_;  ///< kept while it is not shown, so that its file is read once
+    bool shows_comparison_ = false;
 };
 
 }  // namespace si
