@@ -50,11 +50,8 @@ public:
         bool cancelled = false;
     };
 
-    Job() = default;
     /// Cancels the work and joins its thread.
     ~Job() { drop(); }
-    Job(const Job&) = delete;
-    Job& operator=(const Job&) = delete;
 
     /// Starts work; earlier work is cancelled and its outcome dropped. @throws std::system_error when the system has no
     /// thread left

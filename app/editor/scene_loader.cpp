@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/editor/requests.h"
-#include "app/session/command_line.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
 #include "ui/state/selection.h"
@@ -112,10 +111,6 @@ void SceneLoader::finish() {
         loading_.wait();
         poll();
     }
-}
-
-Settings SceneLoader::base_of_scene() const {
-    return suggests_ ? base_settings(scene_) : Settings{};
 }
 
 void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
@@ -225,10 +220,6 @@ void SceneLoader::follow_time() {
             set_value(state_.settings, ref, get_value(base, ref));
     if (state_.settings != before) state_.history.amend_step(before, state_.settings);
     base_ = base;
-}
-
-bool SceneLoader::is_shown(const std::string& scene_name, int file_scene) const {
-    return has_scene_ && scene_name == state_.scene_name && file_scene == file_scene_;
 }
 
 std::string SceneLoader::known_name(const std::string& name) const {

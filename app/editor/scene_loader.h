@@ -74,7 +74,9 @@ public:
 
     /// Returns true if the editor shows this scene. @param file_scene index of the scene in a glTF file; -1: its
     /// default
-    bool is_shown(const std::string& scene_name, int file_scene) const;
+    bool is_shown(const std::string& scene_name, int file_scene) const {
+        return has_scene_ && scene_name == state_.scene_name && file_scene == file_scene_;
+    }
     /// Returns the shown scene's name if `name` is another path of the same file, else `name`.
     std::string known_name(const std::string& name) const;
     /// Replaces the settings that the scene started with. Returns a message for each object or camera that the settings
@@ -91,7 +93,7 @@ private:
     /// Makes a loaded scene the shown one, and applies the settings that arrived with it.
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
-    Settings base_of_scene() const;
+    Settings base_of_scene() const { return suggests_ ? base_settings(scene_) : Settings{}; }
     /// Starts to load the scene of the file that scene.index names, unless the editor shows it. Called when scene.index
     /// has changed; cancels a loading if the shown scene is named again.
     void follow_file_scene();

@@ -91,10 +91,7 @@ bool Autosave::claim_file() {
 void Autosave::write(const std::string& scene, const Settings& settings) {
     try {
         if (!claim_file()) throw Error(fmt::format("{}: files cannot be locked there", folder_.string()));
-        Preset preset;
-        preset.scene = absolute_name(scene);
-        preset.settings = settings;
-        save_preset(preset, file_);
+        save_preset({.scene = absolute_name(scene), .settings = settings}, file_);
     } catch (const std::exception& e) {
         remarks_.push_back(fmt::format("a crash would lose the present settings: {}", e.what()));
         folder_.clear();
@@ -133,10 +130,6 @@ void Autosave::end(const std::string& scene, const Settings& settings, bool unsa
         remove_session(file_);
     lock_.release();
     folder_.clear();
-}
-
-std::vector<std::string> Autosave::take_remarks() {
-    return std::exchange(remarks_, {});
 }
 
 }  // namespace si

@@ -19,8 +19,6 @@ public:
 
     /// Looks for sessions that crashed editors left. @param folder state folder of the program; empty: autosave is off
     explicit Autosave(const std::filesystem::path& folder);
-    Autosave(const Autosave&) = delete;
-    Autosave& operator=(const Autosave&) = delete;
 
     /// Session of an editor that crashed. Its lock keeps other running editors from offering it too.
     struct Lost {
@@ -41,7 +39,7 @@ public:
     /// crash; false: removes the autosave file
     void end(const std::string& scene, const Settings& settings, bool unsaved);
     /// Returns the errors of autosave and of reading lost sessions since the last call, one line each, and clears them.
-    std::vector<std::string> take_remarks();
+    std::vector<std::string> take_remarks() { return std::exchange(remarks_, {}); }
 
 private:
     /// Looks for a session that a crashed editor left.

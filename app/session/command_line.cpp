@@ -6,11 +6,6 @@
 #include "renderer/settings/param.h"
 
 namespace si {
-Settings base_settings(const Scene& scene) {
-    Settings s;
-    apply_suggested(scene, s);
-    return s;
-}
 
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings) {
     SessionPlan plan{.scene_name = scene_name, .preset = {}, .preset_path = {}, .sets = {}, .settings = {}};

@@ -7,10 +7,6 @@
 
 namespace si {
 
-/// Returns the program's default settings with the scene's suggested settings applied. @throws Error when a suggestion
-/// names no setting
-Settings base_settings(const Scene& scene);
-
 /// Returns a plan that opens the scene with these settings: base_settings() and --set for everything that differs.
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings);
 

@@ -40,17 +40,15 @@ int check_header(const Json& json, const std::string& name) {
                                                    "about",  "scene",   "settings", "claims"};
     if (!json.is_object()) refuse(name, "not a preset: must be an object {\"format\": ...}");
     const auto format = json.find("format");
-    if (format == json.end() || *format != kFormat) {
+    if (format == json.end() || *format != kFormat)
         refuse(name, fmt::format("not a preset: \"format\" must be \"{}\"", kFormat));
-    }
     const auto version = json.find("version");
     const bool whole = version != json.end() && version->is_number_integer();
-    if (!whole || *version < oldest_settings_version() || *version > kSettingsVersion) {
+    if (!whole || *version < oldest_settings_version() || *version > kSettingsVersion)
         refuse(name,
                fmt::format("\"version\" is {}, but this program reads {}{}",
                            version == json.end() ? "missing" : quoted(*version), readable_versions(),
                            whole && *version > kSettingsVersion ? ": a newer one wrote the file; open it there" : ""));
-    }
     for (const auto& [key, value] : json.items()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
             const std::string nearest = nearest_name(key, known);
@@ -140,9 +138,8 @@ std::string preset_text(const Preset& preset) {
                                     {"scene", &preset.scene}})
         if (!text->empty()) json[key] = *text;
     json["settings"] = Json::object();
-    for (const SettingRef& ref : changed_settings(preset.settings)) {
+    for (const SettingRef& ref : changed_settings(preset.settings))
         json["settings"][setting_key(ref)] = setting_to_json(ref, get_value(preset.settings, ref));
-    }
     std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
     if (preset.claims.empty()) return text + "\n";
     text.resize(text.size() - std::string_view("\n}").size());
@@ -161,10 +158,9 @@ Preset load_preset(const std::string& name_or_path) {
     if (name_or_path.starts_with(kHardPrefix))
         for (const HardCaseView& view : hard_case_views()) keys.push_back(view.name());
     std::error_code error;
-    if (!std::filesystem::exists(name_or_path, error) && lower_extension(name_or_path) != kExtension && !keys.empty()) {
+    if (!std::filesystem::exists(name_or_path, error) && lower_extension(name_or_path) != kExtension && !keys.empty())
         throw UsageError(fmt::format("no preset '{}': there is no built-in one of that name, and files end in .json{}",
                                      name_or_path, did_you_mean(nearest_name(name_or_path, keys))));
-    }
     return parse_preset(read_text_file(name_or_path), name_or_path);
 }
 

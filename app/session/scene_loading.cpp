@@ -14,7 +14,7 @@ SceneLoading::SceneLoading(SceneReader read) : read_(std::move(read)) {
 void SceneLoading::start(const std::string& name_or_path, int file_scene) {
     name_ = name_or_path;
     began_ = std::chrono::steady_clock::now();
-    job_.start([read = read_, name = name_or_path, file_scene](const Workers& workers, const auto& report) {
+    Job::start([read = read_, name = name_or_path, file_scene](const Workers& workers, const auto& report) {
         GltfOptions options;
         options.scene = file_scene;
         options.progress = [&](double fraction) {
@@ -28,7 +28,7 @@ void SceneLoading::start(const std::string& name_or_path, int file_scene) {
 }
 
 double SceneLoading::seconds_left() const {
-    if (!job_.wanted()) return 0;
+    if (!Job::wanted()) return 0;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began_;
     return remaining_seconds(passed.count(), progress());
 }
@@ -40,9 +40,9 @@ double remaining_seconds(double passed, double progress) {
 }
 
 std::optional<SceneLoading::Outcome> SceneLoading::poll() {
-    auto ended = job_.poll();
+    auto ended = Job::poll();
     if (!ended || ended->cancelled) return {};
-    return Outcome{.name = name_, .scene = std::move(ended->value), .error = exception_message(ended->problem)};
+    return Outcome{.scene = std::move(ended->value), .error = exception_message(ended->problem)};
 }
 
 }  // namespace si

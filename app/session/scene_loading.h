@@ -19,8 +19,8 @@ using SceneReader = std::function<Scene(const std::string&, const GltfOptions&)>
 /// say.
 double remaining_seconds(double passed, double progress);
 
-/// Background loading of one scene at a time (see Job).
-class SceneLoading {
+/// Background loading of one scene at a time.
+class SceneLoading : public Job<Scene> {
 public:
     /// Makes a loader that loads nothing yet. @param read function that reads a scene; empty: load_scene()
     explicit SceneLoading(SceneReader read = {});
@@ -29,37 +29,27 @@ public:
     /// a glTF file; -1: the file's default @throws std::system_error when the system has no thread left
     void start(const std::string& name_or_path, int file_scene = -1);
     /// Cancels the loading; poll() then reports nothing.
-    void cancel() { job_.drop(); }
+    void cancel() { drop(); }
 
     /// Name of the scene that is being loaded; empty: none.
-    std::string wanted() const { return job_.wanted() ? name_ : std::string(); }
+    std::string wanted() const { return Job::wanted() ? name_ : std::string(); }
     /// Progress of the scene that is being loaded, 0..1.
-    double progress() const { return job_.progress().value_or(0); }
+    double progress() const { return Job::progress().value_or(0); }
     /// Returns the estimated seconds until the scene is loaded; 0: too early to say.
     double seconds_left() const;
-    /// Returns true while a thread reads, also for a scene that was cancelled.
-    bool busy() const { return job_.busy(); }
-    /// Returns true if poll() would return an outcome.
-    bool ended() const { return job_.ended(); }
-    /// Returns true if the progress changed since the last call of progress(), or poll() would return an outcome.
-    bool moved() const { return job_.moved(); }
 
     /// Outcome of loading a scene: the scene, or the reason of a failure.
     struct Outcome {
-        std::string name;            ///< name or path given to start()
         std::optional<Scene> scene;  ///< posed at the start of its animation; none: loading failed
         std::string error;
     };
     /// Returns the outcome of the loading, once; nothing while the scene is loading.
     std::optional<Outcome> poll();
-    /// Blocks until the loading has ended.
-    void wait() const { job_.wait(); }
 
 private:
     SceneReader read_;
     std::string name_;  ///< name or path given to the last start()
     std::chrono::steady_clock::time_point began_;
-    Job<Scene> job_;
 };
 
 }  // namespace si

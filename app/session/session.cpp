@@ -75,20 +75,19 @@ void check_objects(const Scene& scene, Settings& settings, const std::string& pr
 void apply_set(Settings& settings, const std::string& assignment) {
     // The last '=' separates: node paths may contain '=', values never do.
     const auto equals = assignment.rfind('=');
-    if (equals == std::string::npos) {
+    if (equals == std::string::npos)
         throw UsageError(fmt::format("--set \"{}\": must be KEY=VALUE, such as bias.slope=2", assignment));
-    }
     set_setting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
 }
 
-void apply_suggested(const Scene& scene, Settings& settings) {
-    for (const auto& [key, value] : scene.suggested) {
-        try {
-            set_setting(settings, key, value);
-        } catch (const UsageError& e) {
-            throw Error(fmt::format("{}: its suggested settings: {}", scene.name, e.what()));
-        }
+Settings base_settings(const Scene& scene) {
+    Settings settings;
+    try {
+        for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
+    } catch (const UsageError& e) {
+        throw Error(fmt::format("{}: its suggested settings: {}", scene.name, e.what()));
     }
+    return settings;
 }
 
 std::set<std::string> hidden_paths(const Settings& settings) {
@@ -112,11 +111,10 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
                 "{} has no animation: scene.animation, scene.time and scene.fit_animation have no effect", scene.name);
     } else {
         const int count = int(scene.rig->animations.size());
-        if (settings.animation < -1 || settings.animation >= count) {
+        if (settings.animation < -1 || settings.animation >= count)
             throw UsageError(
                 fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
                             settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
-        }
         // Bounds and animation are known before the lights of a file are placed.
         measure_animation_bounds(scene, settings.fit_animation ? settings.animation : -1);
         // Ground and camera are set before posing, so that they do not depend on scene.time.
@@ -164,7 +162,7 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
                       another ? fmt::format("{}, saved with {}", plan.preset_path, saved_with) : plan.preset_path,
                       left_out);
     } else {
-        apply_suggested(scene, out.settings);
+        out.settings = base_settings(scene);
     }
     carry_settings(out.settings, out.settings.scene, moment);
     for (const std::string& assignment : plan.sets) apply_set(out.settings, assignment);

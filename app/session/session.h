@@ -65,8 +65,9 @@ Session open_session(const SessionOptions& options);
 /// Applies one assignment "KEY=VALUE" of --set to settings. @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
 
-/// Applies the scene's suggested settings to `settings`. @throws Error when a suggestion names no setting
-void apply_suggested(const Scene& scene, Settings& settings);
+/// Returns the program's default settings with the scene's suggested settings applied. @throws Error when a suggestion
+/// names no setting
+Settings base_settings(const Scene& scene);
 
 /// Removes settings of objects (object.PATH.*) that the scene lacks. @param preset file of these settings, for the
 /// message; empty: the command line @param left_out receives one line for each removed object; null: throws instead

@@ -30,14 +30,9 @@ Value setting_from_json(const SettingRef& ref, const Json& json) {
         throw UsageError(fmt::format("wrong type: {} is wanted, not {}", wanted, quoted(json)));
     }
     if (type == "bool") return json.get<bool>();
-    std::string text;
-    if (words) {
-        text = json.get<std::string>();
-    } else if (json.is_number_integer()) {
-        text = json.dump();
-    } else {
-        text = value_text(*ref.param, json.get<double>());
-    }
+    const std::string text = words                      ? json.get<std::string>()
+                             : json.is_number_integer() ? json.dump()
+                                                        : value_text(*ref.param, json.get<double>());
     try {
         return parse_value(ref, text);
     } catch (const UsageError& e) {

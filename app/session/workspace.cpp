@@ -177,10 +177,6 @@ void Workspace::change(const std::function<void(WorkspaceData&)>& edit) {
     }
 }
 
-std::vector<std::string> Workspace::take_remarks() {
-    return std::exchange(remarks_, {});
-}
-
 void put_first(std::vector<std::string>& recent, const std::string& path) {
     std::erase(recent, path);
     recent.insert(recent.begin(), path);

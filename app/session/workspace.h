@@ -64,7 +64,7 @@ public:
     /// go to take_remarks(). @param edit the change to make; may be called twice, on different data
     void change(const std::function<void(WorkspaceData&)>& edit);
     /// Returns the errors of reading and writing the workspace since the last call, one line each.
-    std::vector<std::string> take_remarks();
+    std::vector<std::string> take_remarks() { return std::exchange(remarks_, {}); }
 
 private:
     /// Reads the workspace file. Returns true if the file may be written: it is not of another program or version.

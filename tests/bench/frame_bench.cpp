@@ -200,7 +200,7 @@ double picture_difference(const BareForward& bare, const ByteImage& ours) {
 /// Applies the scene's suggestions with the brightness of the minimal program.
 Settings textured_settings(const Scene& scene) {
     Settings s = around_the_scene();
-    apply_suggested(scene, s);
+    for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
     s.lights[0].intensity = LightSettings{}.intensity;
     s.shading.ambient = Settings{}.shading.ambient;
     return s;

@@ -119,8 +119,7 @@ void many_objects(benchmark::State& state, Scene (*make)()) {
         auto start = Clock::now();
         Scene scene = make();
         sum["make_ms"] += ms_since(start);
-        Settings s;
-        apply_suggested(scene, s);
+        Settings s = base_settings(scene);
         FrameRequest request{.width = 1280, .height = 720};
         const auto frame_ms = [&](auto&& change) {
             glFinish();

@@ -91,10 +91,7 @@ void fuzz_gltf(std::span<const std::uint8_t> bytes) {
     is_accepted([&] {
         Scene scene = load_gltf(file);
         require_valid(scene);
-        is_accepted([&] {
-            Settings settings;
-            apply_suggested(scene, settings);
-        });
+        is_accepted([&] { base_settings(scene); });
         if (scene.rig && !scene.rig->animations.empty()) {
             pose_scene(scene, {.animation = 0, .time = 0.5});
             require_valid(scene);

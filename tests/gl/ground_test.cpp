@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/session/command_line.h"
 #include "app/session/session.h"
 #include "renderer/base/error.h"
 #include "renderer/inspect/texel_usage.h"

@@ -45,8 +45,7 @@ TEST(SceneLights, PositionsAndDirectionsRoundTrip) {
         for (const glm::dvec3& place : places)
             for (const glm::dvec3& direction : directions) {
                 const Scene scene = lit_scene({light_of(type, place, direction)});
-                Settings s;
-                apply_suggested(scene, s);
+                const Settings s = base_settings(scene);
                 ASSERT_EQ(s.light_count, 1);
                 const FittedLight fitted = fit_lights(scene, s).at(0);
                 EXPECT_EQ(fitted.type, type);
@@ -68,8 +67,7 @@ TEST(SceneLights, ConesColoursAndBrightnessRatiosRoundTrip) {
     SceneLight sun = light_of(LightType::Directional, {0, 0, 0}, {0, -1, 0.1});
     sun.intensity = 100000;
     const Scene scene = lit_scene({spot, weak, sun});
-    Settings s;
-    apply_suggested(scene, s);
+    const Settings s = base_settings(scene);
     ASSERT_EQ(s.light_count, 3);
     const auto fitted = fit_lights(scene, s);
     EXPECT_NEAR(fitted[0].cos_cone_outer, std::cos(0.5), 1e-12);
@@ -90,8 +88,7 @@ TEST(SceneLights, RangesRoundTripThroughAFile) {
     const auto file = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "ranges.glb";
     save_gltf(scene, file);
     for (const Scene& lit : {scene, load_gltf(file)}) {
-        Settings s;
-        apply_suggested(lit, s);
+        const Settings s = base_settings(lit);
         const std::vector<FittedLight> fitted = fit_lights(lit, s);
         ASSERT_EQ(fitted.size(), 4u);
         EXPECT_EQ(fitted[0].range_m, 12.5);
@@ -106,8 +103,7 @@ TEST(SceneLights, KeepAnyName) {
     lights[3].name = "\x1b[2J\n\xff\u202e";
     for (int i = 0; i < 43; ++i) lights[4].name += 'n';
     lights[4].name += "\U0001f4a1\u202e\u202e";
-    Settings s;
-    apply_suggested(lit_scene(lights), s);
+    const Settings s = base_settings(lit_scene(lights));
     EXPECT_EQ(s.lights[0].name, "");
     EXPECT_EQ(s.lights[1].name, "Küchenlampe");
     EXPECT_EQ(s.lights[2].name, std::string(44, 'n') + "…");
@@ -117,15 +113,13 @@ TEST(SceneLights, KeepAnyName) {
 
 TEST(SceneLights, TheirNumberIsBounded) {
     const Scene scene = lit_scene(std::vector<SceneLight>(20, light_of(LightType::Point, {1, 2, 3}, {0, -1, 0})));
-    Settings s;
-    apply_suggested(scene, s);
+    const Settings s = base_settings(scene);
     EXPECT_EQ(s.light_count, kMaxLights);
 }
 
 TEST(SceneLights, PositionsOutsideTheRangeAreAccepted) {
     const Scene scene = lit_scene({light_of(LightType::Spot, {1e12, 0, 0}, {1, 0, 0})});
-    Settings s;
-    EXPECT_NO_THROW(apply_suggested(scene, s));
+    EXPECT_NO_THROW(base_settings(scene));
 }
 
 }  // namespace
