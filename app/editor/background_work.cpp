@@ -96,18 +96,6 @@ bool is_current(const BiasSearchResult& found, SearchSubject of, const SearchSub
 
 }  // namespace
 
-bool BackgroundWork::busy() const {
-    return std::apply([](const auto&... work) { return (work.busy() || ...); }, all());
-}
-
-bool BackgroundWork::moved() const {
-    return std::apply([](const auto&... work) { return (work.moved() || ...); }, all());
-}
-
-void BackgroundWork::finish() const {
-    std::apply([](const auto&... work) { (work.wait(), ...); }, all());
-}
-
 bool BackgroundWork::poll_found(auto& search) {
     const auto end = search.poll();
     if (end && !end->problem.empty()) state_.log.add(LogKind::Warning, end->problem);
@@ -203,8 +191,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     request(requests.cancel_measuring, [&] { optimisation_times_.cancel(); });
     request(requests.measure_saved_times,
             [&] { start(optimisation_times_, "the first frame", shown.request, search_saved_times); });
-    request(requests.start_sweep.has_value(),
-            [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *requests.start_sweep); });
+    request(requests.start_sweep.has_value(), [&] { sweep_.start(scenes.require(), state_, *requests.start_sweep); });
     request(requests.cancel_sweep, [&] { sweep_.cancel(); });
     request(requests.open_sweep.has_value(), [&] { open_sweep(*requests.open_sweep); });
     request(requests.save_sweep.has_value(), [&] {
@@ -217,7 +204,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
 
 bool BackgroundWork::update(const Scene* scene, const EditorRequests& requests) {
     if (requests.want_present && scene)
-        sweep_.measure_present(*scene, state_.scene_name, state_.settings, state_.sweep);
+        sweep_.measure_present(*scene, state_);
     else
         sweep_.stop_measuring_present();
     const bool had_problem = !sweep_.facts().problem.empty();

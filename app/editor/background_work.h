@@ -47,6 +47,11 @@ struct ShimmerFound {
 
 /// Background measurements of one editor (sweeps, searches, Lab), connected with the panels that show them.
 class BackgroundWork {
+    /// All background measurements.
+    auto all() const {
+        return std::tie(sweep_, bias_search_, fixes_, optimisation_times_, advice_, pipelines_, shimmer_);
+    }
+
 public:
     /// @param state of the editor, which lives longer @param state_folder see EditorSweep
     BackgroundWork(EditorState& state, const std::filesystem::path& state_folder)
@@ -68,17 +73,19 @@ public:
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
     /// Returns true while something is being measured.
-    bool busy() const;
+    bool busy() const {
+        return std::apply([](const auto&... work) { return (work.busy() || ...); }, all());
+    }
     /// Returns true if results or progress have changed since the last poll() and update().
-    bool moved() const;
+    bool moved() const {
+        return std::apply([](const auto&... work) { return (work.moved() || ...); }, all());
+    }
     /// Waits until nothing is being measured.
-    void finish() const;
+    void finish() const {
+        std::apply([](const auto&... work) { (work.wait(), ...); }, all());
+    }
 
 private:
-    /// All background measurements.
-    auto all() const {
-        return std::tie(sweep_, bias_search_, fixes_, optimisation_times_, advice_, pipelines_, shimmer_);
-    }
     /// Applies the result of a finished bias search to the settings, and logs it. Returns true if a search has ended.
     bool poll_tuning(const Scene* scene);
     /// Polls one background search and logs its error. Returns true if the search has ended.

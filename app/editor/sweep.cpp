@@ -33,16 +33,12 @@ bool holds_sweep(const fs::path& folder, const SweepSpec& spec, const SweepPlan&
     }
 }
 
-struct SweepFolder {
-    fs::path path;
-    bool made = false;  ///< this run has made the folder
-};
-
-/// Returns the folder whose journal this sweep continues, or an empty folder.
-SweepFolder folder_for(const fs::path& parent, const SweepSpec& spec, const SweepPlan& plan) {
+/// Returns the folder whose journal this sweep continues, or an empty folder, and true if this call has made the
+/// folder.
+std::pair<fs::path, bool> folder_for(const fs::path& parent, const SweepSpec& spec, const SweepPlan& plan) {
     const auto numbered = [&](int i) { return parent / fmt::format("sweep-{}", i); };
     for (int i = 1; i <= kMaxFolders; ++i)
-        if (holds_sweep(numbered(i), spec, plan)) return {numbered(i)};
+        if (holds_sweep(numbered(i), spec, plan)) return {numbered(i), false};
     std::string problem;
     for (int i = 1; i <= kMaxFolders; ++i) try {
             remove_sweep_files(numbered(i));
@@ -104,31 +100,26 @@ std::shared_ptr<const Scene> EditorSweep::copy_of(const Scene& scene) {
     return scene_;
 }
 
-void EditorSweep::start(const Scene& scene, const std::string& scene_name, const Settings& settings,
-                        const SweepRequest& request) {
+void EditorSweep::start(const Scene& scene, const EditorState& state, const SweepRequest& request) {
     std::vector<SweepAxis> axes;
     for (const std::string& axis : request.axes) axes.push_back(parse_axis(axis));
     if (axes.empty()) throw UsageError("a sweep varies at least one setting");
-    Settings measured = settings;
+    Settings measured = state.settings;
     measured.truth.area = request.area;
-    RunningSweep::Inputs inputs{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
-    inputs.spec = sweep_spec(scene_name, scene, measured, std::move(axes), request.width, request.height);
+    RunningSweep::Inputs inputs{.sessions = CaseSessions(session_plan(state.scene_name, scene, measured))};
+    inputs.spec = sweep_spec(state.scene_name, scene, measured, std::move(axes), request.width, request.height);
     inputs.plan = plan_sweep(inputs.spec.base, inputs.spec.axes);
-    const SweepFolder folder = folder_for(parent_, inputs.spec, inputs.plan);
-    inputs.folder = folder.path;
-    if (folder.made) made_.insert(folder.path);
+    const auto [folder, is_new] = folder_for(parent_, inputs.spec, inputs.plan);
+    inputs.folder = folder;
+    if (is_new) made_.insert(folder);
     inputs.timing.cost = request.timed;
-    show(inputs.spec, inputs.plan, inputs.folder);
+    show({inputs.spec, inputs.plan, inputs.folder});
     swept_cost_ = request.timed;
-    thread().start_sweep(std::move(inputs), copy_of(scene), settings.scene);
+    thread().start_sweep(std::move(inputs), copy_of(scene), state.settings.scene);
 }
 
-void EditorSweep::show(const SweepSpec& spec, const SweepPlan& plan, const fs::path& folder) {
-    auto shown = std::make_unique<Shown>();
-    shown->spec = spec;
-    shown->plan = plan;
-    shown->folder = folder;
-    shown_ = std::move(shown);
+void EditorSweep::show(Shown shown) {
+    shown_ = std::make_unique<const Shown>(std::move(shown));
     results_.reset();
     facts_.problem.clear();
     fresh_ = true;
@@ -150,13 +141,9 @@ void EditorSweep::drop_empty() {
     });
 }
 
-void EditorSweep::cancel() {
-    if (thread_) thread_->cancel_sweep();
-}
-
-void EditorSweep::measure_present(const Scene& scene, const std::string& scene_name, const Settings& settings,
-                                  const SweepPanel& panel) {
-    Settings wanted = measured_settings(settings);
+void EditorSweep::measure_present(const Scene& scene, const EditorState& state) {
+    const SweepPanel& panel = state.sweep;
+    Settings wanted = measured_settings(state.settings);
     // Dots of one plot belong to pictures of one size, compared with one kind of reference.
     const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
     wanted.truth.area = shown_ ? shown_->spec.area : panel.area;
@@ -164,7 +151,7 @@ void EditorSweep::measure_present(const Scene& scene, const std::string& scene_n
     const bool same = followed_ && followed_->scene->id == scene.id && followed_->settings == wanted &&
                       followed_->width == width && followed_->height == height && followed_->cost == cost;
     if (same) return;
-    followed_ = MeasuringThread::Picture{copy_of(scene), scene_name, wanted, width, height, cost};
+    followed_ = MeasuringThread::Picture{copy_of(scene), wanted, width, height, cost};
     thread().start_measurement(*followed_);
 }
 
@@ -184,7 +171,7 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
                         folder.string()));
     cancel();
     if (thread_) thread_->wait_for_sweep();
-    show(spec, plan, folder);
+    show({spec, plan, folder});
     results_ = sweep_results(state, plan);
     if (results_->rounds > 0) panel.timed = swept_cost_ = results_->cost;
     seen_sweep_ = thread_ ? thread_->status().sweep : 0;
@@ -210,18 +197,6 @@ void EditorSweep::save(const fs::path& folder) const {
         copy_pictures(shown_->folder, folder);
     }
     write_sweep_files(folder, state, shown_->plan);
-}
-
-bool EditorSweep::busy() const {
-    return thread_ && thread_->busy();
-}
-
-bool EditorSweep::moved() const {
-    return thread_ && thread_->version() != seen_;
-}
-
-void EditorSweep::wait() const {
-    if (thread_) thread_->wait();
 }
 
 void EditorSweep::fetch_results() {
@@ -287,7 +262,7 @@ void EditorSweep::compare_settings(const EditorState& state) {
     for (const SettingRef& ref : differing_settings(swept, now)) {
         const std::string key = setting_key(ref);
         const auto& axes = shown_->spec.axes;
-        if (std::none_of(axes.begin(), axes.end(), [&](const SweepAxis& a) { return a.key == key; }))
+        if (std::ranges::find(axes, key, &SweepAxis::key) == axes.end())
             facts_.other_settings.push_back(std::string(ref.param->label) + ": " + change_text(swept, now, ref));
     }
 }

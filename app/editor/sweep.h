@@ -21,19 +21,17 @@ public:
     explicit EditorSweep(const std::filesystem::path& state_folder);
     /// Cancels the sweep and waits for its thread.
     ~EditorSweep();
-    EditorSweep(const EditorSweep&) = delete;
-    EditorSweep& operator=(const EditorSweep&) = delete;
 
     /// Starts the requested sweep, or continues an interrupted sweep with the same specification.
     /// @throws UsageError, Error
-    void start(const Scene& scene, const std::string& scene_name, const Settings& settings,
-               const SweepRequest& request);
+    void start(const Scene& scene, const EditorState& state, const SweepRequest& request);
     /// Cancels the running sweep. Measured cases stay.
-    void cancel();
+    void cancel() {
+        if (thread_) thread_->cancel_sweep();
+    }
     /// Measures error and time of the present settings for the panel Frontier in the background, unless they were
     /// measured already. Cancels a measurement of other settings.
-    void measure_present(const Scene& scene, const std::string& scene_name, const Settings& settings,
-                         const SweepPanel& panel);
+    void measure_present(const Scene& scene, const EditorState& state);
     /// Stops measuring the present settings. Call when no panel shows them.
     void stop_measuring_present();
     /// Shows the results in a sweep's folder, and sets the panel to the sweep's axes. @throws Error
@@ -42,11 +40,13 @@ public:
     void save(const std::filesystem::path& folder) const;
 
     /// Returns true while a sweep or the present settings are measured, or wait in the queue.
-    bool busy() const;
+    bool busy() const { return thread_ && thread_->busy(); }
     /// Returns true if update() has new results of the measuring thread.
-    bool moved() const;
+    bool moved() const { return thread_ && thread_->version() != seen_; }
     /// Waits until the measuring thread has no work.
-    void wait() const;
+    void wait() const {
+        if (thread_) thread_->wait();
+    }
     /// Fetches results of the measuring thread and applies the axes that the panel chose. Returns true if facts() have
     /// changed.
     bool update(const EditorState& state);
@@ -66,7 +66,7 @@ private:
     /// Returns a copy of the scene for the measuring thread; copies a scene only once.
     std::shared_ptr<const Scene> copy_of(const Scene& scene);
     /// Makes another sweep the shown one.
-    void show(const SweepSpec& spec, const SweepPlan& plan, const std::filesystem::path& folder);
+    void show(Shown shown);
     /// Complete measurement of one set of settings.
     struct Finished {
         MeasuringThread::Picture of;

@@ -161,10 +161,6 @@ Journal::~Journal() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void Journal::add(const Json& line) {
-    add(std::vector<Json>{line});
-}
-
 void Journal::add(const std::vector<Json>& lines) {
     std::string text;
     bool matters = false;

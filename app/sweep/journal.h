@@ -26,7 +26,7 @@ public:
     /// Returns the state that all lines of the journal add up to.
     const SweepState& state() const { return state_; }
     /// Appends a line to the journal, and flushes results of cases to disk. @throws Error when writing fails
-    void add(const nlohmann::ordered_json& line);
+    void add(const nlohmann::ordered_json& line) { add(std::vector<nlohmann::ordered_json>{line}); }
     /// Appends several lines to the journal at once. @throws Error when writing fails
     void add(const std::vector<nlohmann::ordered_json>& lines);
 

@@ -29,7 +29,6 @@ public:
     /// Picture whose error, cost and time are to be measured. The scene is shared and never changed.
     struct Picture {
         std::shared_ptr<const Scene> scene;
-        std::string scene_name;
         Settings settings;
         int width = 0, height = 0;
         CostCase cost = kDefaultCost;  ///< kind of frames to time

@@ -22,7 +22,7 @@ using Origins = std::map<std::size_t, std::string>;
 
 void add_case(CaseState& to, const CaseState& from) {
     std::vector<Turn> turns = std::move(to.turns);
-    if ((is_measured(from) && !is_measured(to)) || (!to.finished && to.failed.empty())) to = from;
+    if ((from.is_measured() && !to.is_measured()) || (!to.finished && to.failed.empty())) to = from;
     for (const Turn& turn : from.turns)
         if (!knows(turns, turn)) turns.push_back(turn);
     to.turns = std::move(turns);
@@ -56,7 +56,7 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
             if (const std::string phrase = contradiction(known, c); !phrase.empty() && ++contradictions <= kMaxNamed)
                 merged.notes.push_back(fmt::format("{} and {} contradict each other in case {}: {}; the first counts",
                                                    of, name, number, phrase));
-            if (!is_measured(known)) origins[number] = name;
+            if (!known.is_measured()) origins[number] = name;
             add_case(known, c);
         }
     }
@@ -74,7 +74,7 @@ std::vector<Json> missing_lines(const SweepState& known, const SweepState& more)
         const auto it = known.cases.find(number);
         const CaseState& have = it == known.cases.end() ? kNothing : it->second;
         const bool nothing = !have.finished && have.failed.empty();
-        if (is_measured(c) && !is_measured(have)) lines.push_back(facts_line(number, c));
+        if (c.is_measured() && !have.is_measured()) lines.push_back(facts_line(number, c));
         if (!c.failed.empty() && nothing) lines.push_back(failure_line(number, c.failed));
         for (const Turn& turn : c.turns)
             if (!knows(have.turns, turn)) lines.push_back(turn_line(number, turn));

@@ -72,22 +72,18 @@ std::string csv_cell(const std::string& text) {
 
 }  // namespace
 
-bool RankedRounds::contains(const Turn& turn) const {
-    return std::find(rounds.begin(), rounds.end(), std::pair(turn.run, turn.round)) != rounds.end();
-}
-
 RankedRounds rounds_like(const SweepState& state, const RunInfo& like) {
     std::map<std::pair<std::string, int>, std::set<std::size_t>> drawn;
     std::size_t live = 0;
     for (const auto& [number, c] : state.cases) {
-        if (!is_measured(c)) continue;
+        if (!c.is_measured()) continue;
         ++live;
         for (const Turn& turn : c.turns) drawn[{turn.run, turn.round}].insert(number);
     }
     RankedRounds ranked;
     for (const auto& [round, cases] : drawn) {
         const RunInfo* run = state.run(round.first);
-        if (run && run->comparable_with(like) && cases.size() == live) ranked.rounds.push_back(round);
+        if (run && run->comparable_with(like) && cases.size() == live) ranked.insert(round);
     }
     return ranked;
 }
@@ -98,9 +94,9 @@ RankedRounds ranked_rounds(const SweepState& state) {
     for (auto run = state.runs.rbegin(); run != state.runs.rend(); ++run) {  // latest run first
         if (cost && run->cost != *cost) continue;
         RankedRounds rounds = rounds_like(state, *run);
-        if (rounds.rounds.empty()) continue;
+        if (rounds.empty()) continue;
         cost = run->cost;
-        if (rounds.rounds.size() > best.rounds.size()) best = std::move(rounds);
+        if (rounds.size() > best.size()) best = std::move(rounds);
     }
     return best;
 }
@@ -108,7 +104,7 @@ RankedRounds ranked_rounds(const SweepState& state) {
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds) {
     TimeSamples samples;
     for (const Turn& turn : c.turns)
-        if (rounds.contains(turn)) samples.add(turn.samples);
+        if (rounds.contains({turn.run, turn.round})) samples.add(turn.samples);
     return samples;
 }
 
@@ -138,20 +134,19 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
         if (c.failed.empty()) row.numbers = {.error = c.error, .cost = c.cost, .time = {}};
         if (const TimeSamples samples = ranked_samples(c, ranked); c.failed.empty() && !samples.total_ms.empty()) {
             row.numbers.time = summarise_times(samples);
-            const RunInfo& run = *state.run(ranked.rounds.front().first);
+            const RunInfo& run = *state.run(ranked.begin()->first);
             row.numbers.time->clock = out.clock = run.clock;
             row.numbers.time->cost = out.cost = run.cost;
         }
         out.rows.push_back(std::move(row));
     }
-    const RunInfo* run = ranked.rounds.empty() ? (state.runs.empty() ? nullptr : &state.runs.back())
-                                               : state.run(ranked.rounds.front().first);
+    const RunInfo* run =
+        ranked.empty() ? (state.runs.empty() ? nullptr : &state.runs.back()) : state.run(ranked.begin()->first);
     out.renderer = run ? run->renderer : "";
     out.software = run && run->software;
-    out.rounds = ranked.rounds.size();
+    out.rounds = ranked.size();
     for (const RunInfo& r : state.runs)
-        out.runs.emplace_back(r, int(std::count_if(ranked.rounds.begin(), ranked.rounds.end(),
-                                                   [&](const auto& round) { return round.first == r.id; })));
+        out.runs.emplace_back(r, int(std::ranges::count(ranked, r.id, &RankedRounds::value_type::first)));
     find_frontier(out);
     return out;
 }

@@ -1,6 +1,7 @@
 // Results of a sweep as tables and files: results.json and results.csv (docs/cli.md).
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "app/base/json_text.h"
@@ -15,11 +16,7 @@ inline constexpr const char* kBasePreset = "base.json";
 
 /// Rounds of timed frames whose times are comparable: complete rounds (each case was drawn), by runs on one machine
 /// with one clock and one kind of frames.
-struct RankedRounds {
-    std::vector<std::pair<std::string, int>> rounds;  ///< run and round
-    /// Returns true if the timed frames of one sweep case in one round (Turn) belong to one of these rounds.
-    bool contains(const Turn& turn) const;
-};
+using RankedRounds = std::set<std::pair<std::string, int>>;  ///< run and round
 /// Selects the rounds of timed frames that rank the cases of a sweep: those of the kind of frames timed last, on the
 /// machine with most rounds (the latest if several have as many).
 RankedRounds ranked_rounds(const SweepState& state);

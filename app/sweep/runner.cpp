@@ -70,23 +70,18 @@ bool SweepRunner::step_facts() {
     const auto& known = journal_.state().cases;
     const auto it = known.find(number);
     std::string why;
-    const bool again = it != known.end() && is_measured(it->second);
+    const bool again = it != known.end() && it->second.is_measured();
     if (it != known.end() && it->second.begun >= kMaxBegins) {
         why = "the program ended each time that it measured this case";
     } else {
         journal_.add(begin_line(number));
-        CaseFacts facts;
+        DrawnCase facts;
         why = why_failed([&] { facts = meter_.facts(c); });
         if (why.empty()) {
             make_picture_folder(folder_);
             if (!facts.picture_jpg.empty()) write_file(folder_ / picture_path(number), facts.picture_jpg);
             if (!facts.artefacts_png.empty()) write_file(folder_ / artefacts_path(number), facts.artefacts_png);
-            CaseState state;
-            state.error = facts.error;
-            state.cost = facts.cost;
-            state.notes = std::move(facts.notes);
-            state.map_resolution = facts.map_resolution;
-            journal_.add(facts_line(number, state));
+            journal_.add(facts_line(number, facts));
         }
     }
     // Measured numbers stay if only the pictures cannot be drawn again.
@@ -104,15 +99,15 @@ void SweepRunner::begin_round() {
     const RankedRounds rounds = rounds_like(state, here);
     bool all_settled = true;
     for (const auto& [number, c] : state.cases) {
-        if (!is_measured(c)) continue;
+        if (!c.is_measured()) continue;
         order_.push_back(number);
         const TimeSamples samples = ranked_samples(c, rounds);
         all_settled =
             all_settled && int(samples.total_ms.size()) >= timing_.min_frames && summarise_times(samples).settled;
     }
     // Rounds alternate their direction, so that a steady drift affects early and late cases equally.
-    if (rounds.rounds.size() % 2) std::reverse(order_.begin(), order_.end());
-    round_ = int(rounds.rounds.size());
+    if (rounds.size() % 2) std::reverse(order_.begin(), order_.end());
+    round_ = int(rounds.size());
     progress_ = {.timing = true, .done = 0, .total = order_.size(), .round = round_};
     if (all_settled || round_ >= timing_.rounds) order_.clear();
 }

@@ -8,11 +8,7 @@
 namespace si {
 
 /// Error, cost and pictures of one case of a sweep.
-struct CaseFacts {
-    CaseErrors error;
-    WorkCost cost;
-    std::vector<std::string> notes;
-    int map_resolution = 0;                  ///< resolution drawn if it had to be smaller than set; else 0
+struct DrawnCase : CaseFacts {
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };
 
@@ -23,7 +19,7 @@ public:
     /// Describes the process that measures: machine, driver, clock.
     virtual RunInfo run() = 0;
     /// Measures error and cost of a case. @throws std::exception: the case has failed
-    virtual CaseFacts facts(const SweepCase& c) = 0;
+    virtual DrawnCase facts(const SweepCase& c) = 0;
     /// Times `frames` frames of a case after warm-up frames. @throws std::exception: the case has failed
     virtual TimeSamples time(const SweepCase& c, int frames, CostCase cost) = 0;
 };

@@ -14,8 +14,8 @@ RunInfo RenderedCases::run() {
     return run;
 }
 
-CaseFacts RenderedCases::facts(const SweepCase& c) {
-    CaseFacts facts;
+DrawnCase RenderedCases::facts(const SweepCase& c) {
+    DrawnCase facts;
     CaseSessions::Prepared prepared = sessions_.prepare(c.values);
     const Classification classified = measurer_.classify(prepared.scene, prepared.settings);
     facts.notes = std::move(prepared.notes);

@@ -18,7 +18,7 @@ public:
     RenderedCases(Measurer& measurer, const DriverInfo& driver, CaseSessions& sessions)
         : measurer_(measurer), driver_(driver), sessions_(sessions) {}
     RunInfo run() override;
-    CaseFacts facts(const SweepCase& c) override;
+    DrawnCase facts(const SweepCase& c) override;
     TimeSamples time(const SweepCase& c, int frames, CostCase cost) override;
 
 private:
@@ -41,8 +41,6 @@ public:
     };
     /// Opens or begins the journal of the folder. @throws Error as Journal::Journal()
     RunningSweep(Inputs inputs, Renderer& renderer, const Workers& workers = {});
-    RunningSweep(const RunningSweep&) = delete;
-    RunningSweep& operator=(const RunningSweep&) = delete;
 
     /// Runs the next step of the sweep (see SweepRunner::step). @returns false when the sweep is done
     bool step() { return runner_.step(); }

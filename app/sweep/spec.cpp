@@ -88,16 +88,14 @@ std::uint64_t scene_content_key(const Scene& scene) {
 
 SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Settings& settings,
                      std::vector<SweepAxis> axes, int width, int height) {
-    SweepSpec spec;
-    spec.scene = scene_name;
-    spec.scene_content = scene_content_key(scene);
-    spec.triangles = scene.triangle_count();
-    spec.base = measured_settings(settings);
-    spec.axes = std::move(axes);
-    spec.width = width;
-    spec.height = height;
-    spec.area = settings.truth.area;
-    return spec;
+    return {.scene = scene_name,
+            .scene_content = scene_content_key(scene),
+            .triangles = scene.triangle_count(),
+            .base = measured_settings(settings),
+            .axes = std::move(axes),
+            .width = width,
+            .height = height,
+            .area = settings.truth.area};
 }
 
 Json spec_json(const SweepSpec& spec) {

@@ -69,18 +69,15 @@ void require_possible(const ErrorMetrics& m) {
 }
 
 RunInfo run_of(const Json& line) {
-    RunInfo run;
-    run.id = line.at("id").get<std::string>();
-    run.started = line.at("started").get<std::string>();
-    run.machine = line.at("machine").get<std::string>();
-    run.renderer = line.at("renderer").get<std::string>();
-    run.version = line.at("version").get<std::string>();
-    run.clock = line.at("clock").get<std::string>();
-    run.software = line.at("software").get<bool>();
-    run.load = line.at("load").get<double>();
-    // The first journals timed forced frames only.
-    run.cost = parse_cost(line.value("cost", "forced"));
-    return run;
+    return {.id = line.at("id").get<std::string>(),
+            .started = line.at("started").get<std::string>(),
+            .machine = line.at("machine").get<std::string>(),
+            .renderer = line.at("renderer").get<std::string>(),
+            .version = line.at("version").get<std::string>(),
+            .clock = line.at("clock").get<std::string>(),
+            .software = line.at("software").get<bool>(),
+            .load = line.at("load").get<double>(),
+            .cost = parse_cost(line.value("cost", "forced"))};  // the first journals timed forced frames only
 }
 
 }  // namespace
@@ -106,12 +103,8 @@ const RunInfo* SweepState::run(const std::string& id) const {
     return it == runs.end() ? nullptr : &*it;
 }
 
-bool is_measured(const CaseState& c) {
-    return c.finished && c.failed.empty();
-}
-
 std::string contradiction(const CaseState& a, const CaseState& b) {
-    if (!is_measured(a) || !is_measured(b)) return {};
+    if (!a.is_measured() || !b.is_measured()) return {};
     const auto first_difference = [](const Json& one, const Json& other) -> std::string {
         const Json flat = one.flatten(), other_flat = other.flatten();
         for (const auto& [path, value] : flat.items())
@@ -200,7 +193,7 @@ Json begin_line(std::size_t case_number) {
     return {{"begin", case_number}};
 }
 
-Json facts_line(std::size_t case_number, const CaseState& facts) {
+Json facts_line(std::size_t case_number, const CaseFacts& facts) {
     return {{"facts", case_number},
             {"error", error_json(facts.error.metrics, facts.error.noise)},
             {"cost", cost_json(facts.cost)},

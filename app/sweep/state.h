@@ -37,20 +37,24 @@ struct CaseNumbers {
     std::optional<TimeMeasurement> time;
 };
 
-/// Results of one case of a sweep so far.
-struct CaseState {
-    bool finished = false;  ///< error and cost are known
-    std::string failed;     ///< why the case failed; empty: it did not
-    int begun = 0;          ///< number of attempts that did not end (the program crashed)
+/// Error and cost of one case of a sweep.
+struct CaseFacts {
     CaseErrors error;
     WorkCost cost;
     std::vector<std::string> notes;
     int map_resolution = 0;  ///< resolution drawn if the driver or the memory limit made it smaller; else 0
-    std::vector<Turn> turns;
 };
 
-/// Returns true if the case of a sweep was measured and did not fail.
-bool is_measured(const CaseState& c);
+/// Results of one case of a sweep so far.
+struct CaseState : CaseFacts {
+    bool finished = false;  ///< error and cost are known
+    std::string failed;     ///< why the case failed; empty: it did not
+    int begun = 0;          ///< number of attempts that did not end (the program crashed)
+    std::vector<Turn> turns;
+
+    /// Returns true if the case of a sweep was measured and did not fail.
+    bool is_measured() const { return finished && failed.empty(); }
+};
 
 /// Describes the contradiction between two measurements of one case; empty: they agree. Times may differ.
 std::string contradiction(const CaseState& a, const CaseState& b);
@@ -102,7 +106,7 @@ nlohmann::ordered_json run_line(const RunInfo& run);
 /// Makes the journal line that records that the measurement of a case begins.
 nlohmann::ordered_json begin_line(std::size_t case_number);
 /// Makes the journal line that records error and cost of a case.
-nlohmann::ordered_json facts_line(std::size_t case_number, const CaseState& facts);
+nlohmann::ordered_json facts_line(std::size_t case_number, const CaseFacts& facts);
 /// Makes the journal line that records that a case has failed. @param why message of the failure
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
 /// Makes the journal line that records timed frames of a case.

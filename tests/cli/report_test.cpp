@@ -20,8 +20,8 @@ using Json = nlohmann::json;
 
 /// Made-up times: hard is cheap and inaccurate, a wide kernel is expensive and smooth, 4096 texels fail.
 struct PlausibleMeter : FakeMeter {
-    CaseFacts facts(const SweepCase& c) override {
-        CaseFacts f = FakeMeter::facts(c);
+    DrawnCase facts(const SweepCase& c) override {
+        DrawnCase f = FakeMeter::facts(c);
         const int n = c.settings.map.resolution;
         const double texels = c.settings.filter.kernel == 0 ? 0.243 : 0.112;
         ErrorMetrics& m = f.error.metrics;

@@ -151,11 +151,8 @@ TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
 TEST_F(MemoryReportTest, BackgroundMeasurementsReleaseMemoryWhenIdle) {
     const Settings s = settings_for(load_scene("boxes"), {"map.resolution=256"});
     MeasuringThread thread(std::chrono::milliseconds(300));
-    thread.start_measurement({.scene = std::make_shared<const Scene>(load_scene("boxes")),
-                              .scene_name = "boxes",
-                              .settings = s,
-                              .width = 64,
-                              .height = 48});
+    thread.start_measurement(
+        {.scene = std::make_shared<const Scene>(load_scene("boxes")), .settings = s, .width = 64, .height = 48});
     thread.wait();
     EXPECT_TRUE(thread.status().measured) << thread.status().measure_problem;
     EXPECT_GE(memory_of("shadow maps").most, 256u * 256 * 4);

@@ -28,11 +28,14 @@ struct FakeMeter : CaseMeter {
     /// Returns the made-up description of the machine and the run.
     RunInfo run() override { return {run_id, "2026-01-01T00:00:00Z", machine, "driver", "1", "clock", true, 0}; }
     /// Returns made-up error and cost of a sweep case. @throws Error at `fails_at_resolution`
-    CaseFacts facts(const SweepCase& c) override {
+    DrawnCase facts(const SweepCase& c) override {
         measured.push_back(c.id);
         const int n = c.settings.map.resolution;
         if (n == fails_at_resolution) throw Error("no memory for\nthis map");
-        CaseFacts f{.notes = {"a note"}, .picture_jpg = "jpg", .artefacts_png = "png"};
+        DrawnCase f;
+        f.notes = {"a note"};
+        f.picture_jpg = "jpg";
+        f.artefacts_png = "png";
         if (n > max_resolution) {
             f.map_resolution = max_resolution;
             f.notes.push_back("smaller, for reasons");
