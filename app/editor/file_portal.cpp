@@ -155,10 +155,7 @@ private:
         if (code != 0 || uris == results.end()) return answer({.kind = Answer::Kind::Dismissed});
         const auto chosen = uris->second.get<std::vector<std::string>>();
         const std::filesystem::path file = chosen.empty() ? std::filesystem::path() : path_of_file_uri(chosen[0]);
-        if (file.empty())
-            answer({.kind = Answer::Kind::Dismissed});
-        else
-            answer({.kind = Answer::Kind::Chosen, .file = file});
+        answer({.kind = file.empty() ? Answer::Kind::Dismissed : Answer::Kind::Chosen, .file = file});
     }
 
     const DesktopFileDialog dialog_;

@@ -29,8 +29,6 @@ public:
     explicit FilePortal(std::function<void()> wake);
     /// Closes the dialog.
     ~FilePortal();
-    FilePortal(const FilePortal&) = delete;
-    FilePortal& operator=(const FilePortal&) = delete;
 
     /// Opens the desktop's file dialog, and closes one that is open without an answer.
     /// @param parent_window "x11:" and the window's id in hexadecimal digits; empty: unknown

@@ -66,20 +66,20 @@ public:
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
 
     /// Returns true while a frame is drawn, or rays of the picture are traced.
-    bool tracing() const { return busy() || loop_->tracing(); }
+    bool tracing() const { return busy() || loop_->reference().busy(); }
     /// Returns true if poll() or update() has new results of tracing.
-    bool tracing_moved() const { return !under_way() && (busy() || loop_->tracing_moved()); }
+    bool tracing_moved() const { return !under_way() && (busy() || loop_->reference().moved()); }
     /// Waits until frame and rays are finished.
     void finish_tracing() const {
         wait();
-        loop_->finish_tracing();
+        loop_->reference().wait();
     }
     /// Returns true if update() has the diagnosis of the probed pixel.
-    bool probe_moved() const { return !under_way() && loop_->probe_moved(); }
+    bool probe_moved() const { return !under_way() && loop_->read_back().has_news(); }
     /// Waits for the diagnosis of the probed pixel.
     void finish_probe() const {
         wait();
-        loop_->finish_probe();
+        loop_->read_back().finish_tracing();
     }
     /// Background compilation of shaders; null: switched off.
     const ShaderWarmup* warmup() const { return loop_->warmup(); }

@@ -6,14 +6,47 @@
 #include <utility>
 
 #include "app/base/output.h"
-#include "app/editor/artefact_spots.h"
 #include "app/editor/panel_effects.h"
-#include "app/report/health_report.h"
 #include "app/report/views.h"
+#include "renderer/advise/fixes.h"
+#include "renderer/base/command_text.h"
 #include "renderer/gl/driver_failure.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scene/proxy_scene.h"
 
 namespace si {
+namespace {
+
+constexpr std::size_t kMaxSpots = 100;  ///< number of clusters in a tour
+
+/// Finds clusters of wrong pixels of one cause in the editor's picture. Draws the frame of `request` once more, so that
+/// the renderer drops the images of other frames (Renderer::has_images_of()). @param request frame with its ray-traced
+/// reference @param wanted cause to look for @throws Error
+ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const Settings& settings,
+                                  const FrameRequest& request, const ArtefactRequest& wanted) {
+    FrameRequest classified = request;
+    classified.outputs = {.colour = false, .classified = true};
+    classified.timing = classified.force = false;
+    const FrameResult frame = renderer.render(scene, settings, classified);
+    const MeasuredError measured = read_classified_pixels(renderer, frame, *request.reference, settings.view.light);
+    const Receivers& receivers = *measured.traced.receivers;
+    const int step = request.reference->step;
+    ArtefactSpots out{.number = wanted.number, .spots = {}, .camera = frame.camera, .height = request.height};
+    for (const ArtefactCluster& found :
+         artefact_clusters(measured.classified, receivers.width, wanted.cause, kMaxSpots)) {
+        ArtefactSpot spot{found};
+        const Receiver& middle = receivers.at(found.pixel.x, found.pixel.y);
+        spot.position_ws = middle.position_ws;
+        spot.normal_ws = middle.normal_ws;
+        spot.pixel *= step;
+        spot.first *= step;
+        spot.last = (spot.last + 1) * step - 1;
+        out.spots.push_back(spot);
+    }
+    return out;
+}
+
+}  // namespace
 
 FrameFacts FrameLoop::facts() const {
     FrameFacts f = facts_;
@@ -164,7 +197,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
     const auto health = renderer_.numeric_health(facts_.result);
     if (health->sound()) return;
     news_.unsound = fmt::format("{} {}x{} {}: {}", scene.name, facts_.request.width, facts_.request.height,
-                                set_options({}, drawn_settings_), health_text(*health));
+                                set_options_text(setting_changes({}, drawn_settings_)), health_text(*health));
     report(news_.unsound);
 }
 

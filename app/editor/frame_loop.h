@@ -55,16 +55,10 @@ public:
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
 
-    /// Returns true if the next update() has the diagnosis of the probed pixel.
-    bool probe_moved() const { return read_back_.has_news(); }
-    /// Waits for the diagnosis of the probed pixel.
-    void finish_probe() const { read_back_.finish_tracing(); }
-    /// Returns true while rays of the picture are traced, or errors are computed from them.
-    bool tracing() const { return reference_.busy(); }
-    /// Returns true if update() has new results of tracing.
-    bool tracing_moved() const { return reference_.moved(); }
-    /// Waits until the rays are traced.
-    void finish_tracing() const { reference_.wait(); }
+    /// Numbers read back from the frames, with the diagnosis of the probed pixel.
+    const EditorReadBack& read_back() const { return read_back_; }
+    /// Rays of the picture that are traced in the background.
+    const EditorReference& reference() const { return reference_; }
     /// Background compilation of shaders; null: switched off.
     const ShaderWarmup* warmup() const { return warmup_.get(); }
 

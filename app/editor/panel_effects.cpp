@@ -10,65 +10,59 @@
 namespace si {
 namespace {
 
+using State = const PictureState&;
+using Requests = const EditorRequests&;
+
 struct PanelRow {
     std::string_view name;
-    bool (*wanted)(const PictureState&, const EditorRequests&);
+    bool (*wanted)(State, Requests);
     std::string_view why, why_not;
     std::optional<Command> key = {};  ///< command that shows the panel, named in the reason while the panel is hidden
 };
 
 constexpr PanelRow kPanels[] = {
-    {"panel: depth histogram", [](const PictureState&, const EditorRequests& a) { return a.want_map_facts; },
+    {"panel: depth histogram", [](State, Requests r) { return r.want_map_facts; },
      "The plots under the map are shown: its depths are read back once a frame and counted.",
      "The plots under the map are hidden."},
-    {"panel: map under the mouse", [](const PictureState&, const EditorRequests& a) { return a.want_map_values; },
+    {"panel: map under the mouse", [](State, Requests r) { return r.want_map_values; },
      "The map viewer prints depths: those of the map are read back once a frame.",
      "The mouse is not over the map, and no texel is large enough for its number."},
-    {"panel: pixels and their texels", [](const PictureState&, const EditorRequests& a) { return a.want_links; },
+    {"panel: pixels and their texels", [](State, Requests r) { return r.want_links; },
      "A picture is under the mouse: which texel each pixel reads is read back once a frame.",
      "The mouse is over neither picture, or drags."},
-    {"panel: texels read, exactly", [](const PictureState&, const EditorRequests& a) { return a.want_exact_texels; },
+    {"panel: texels read, exactly", [](State, Requests r) { return r.want_exact_texels; },
      "The map viewer marks the texels that kernels fetch.", "The map viewer does not mark the texels that are read."},
     {"panel: values of the overlay",
-     [](const PictureState& s, const EditorRequests& a) {
-         return a.want_overlay_values && s.settings.view.overlay > 0;
-     },
+     [](State s, Requests r) { return r.want_overlay_values && s.settings.view.overlay > 0; },
      "The overlay is under the mouse: its values are read back once a frame.",
      "No overlay is under the mouse, or it drags."},
-    {"panel: texels of the frozen camera",
-     [](const PictureState& s, const EditorRequests& a) { return s.frozen && a.want_frozen_usage; },
+    {"panel: texels of the frozen camera", [](State s, Requests r) { return s.frozen && r.want_frozen_usage; },
      "A camera is frozen: a frame of its own finds the texels that it reads, until a setting changes.",
      "No camera is frozen."},
-    {"panel: probed pixel", [](const PictureState& s, const EditorRequests&) { return s.probe_pixel.has_value(); },
+    {"panel: probed pixel", [](State s, Requests) { return s.probe_pixel.has_value(); },
      "A pixel is probed: its shadow test is written out once a frame.", "No pixel is probed."},
-    {"panel: cross-section",
-     [](const PictureState& s, const EditorRequests&) {
-         return s.tab == BottomTab::Probe && s.probe_pixel.has_value();
-     },
+    {"panel: cross-section", [](State s, Requests) { return s.tab == BottomTab::Probe && s.probe_pixel.has_value(); },
      "The panel Probe is shown: the section along the light's ray is laid out where its numbers change.",
      "The panel Probe is hidden, or no pixel is probed."},
-    {"panel: loupe", [](const PictureState& s, const EditorRequests&) { return s.loupe_pixel.has_value(); },
+    {"panel: loupe", [](State s, Requests) { return s.loupe_pixel.has_value(); },
      "The loupe is shown: the pixels under it are read back where they change.", "No loupe is shown",
      Command::NextLoupeMode},
-    {"panel: other side of the comparison",
-     [](const PictureState& s, const EditorRequests&) { return s.comparison.view != ComparisonView::Off; },
+    {"panel: other side of the comparison", [](State s, Requests) { return s.comparison.view != ComparisonView::Off; },
      "The picture is compared with another, which is drawn where it changes.", "Nothing is compared",
      Command::NextComparison},
-    {"panel: objects lost to culling",
-     [](const PictureState& s, const EditorRequests&) { return s.tab == BottomTab::Objects; },
+    {"panel: objects lost to culling", [](State s, Requests) { return s.tab == BottomTab::Objects; },
      "The list of objects is shown.", "The list of objects is hidden."},
-    {"panel: errors", [](const PictureState&, const EditorRequests& a) { return a.want_error; },
+    {"panel: errors", [](State, Requests r) { return r.want_error; },
      "The error panel or the overlay artefacts shows numbers.",
      "The error panel is hidden, and the overlay artefacts is not chosen."},
-    {"panel: the present settings on the frontier",
-     [](const PictureState&, const EditorRequests& a) { return a.want_present; },
+    {"panel: the present settings on the frontier", [](State, Requests r) { return r.want_present; },
      "The frontier panel follows the settings: they are measured in the background.",
      "The frontier panel is hidden, or does not follow the settings."},
-    {"panel: soundness of all numbers", [](const PictureState&, const EditorRequests& a) { return a.want_health; },
+    {"panel: soundness of all numbers", [](State, Requests r) { return r.want_health; },
      "The panel Numbers is shown: every map and the visibility are searched once a frame.",
      "The panel Numbers is hidden."},
-    {"panel: pass times", [](const PictureState&, const EditorRequests& a) { return a.want_timing; },
-     "This panel shows them: each pass is timed.", "No panel shows times."},
+    {"panel: pass times", [](State, Requests r) { return r.want_timing; }, "This panel shows them: each pass is timed.",
+     "No panel shows times."},
 };
 
 }  // namespace

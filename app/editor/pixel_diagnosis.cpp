@@ -2,13 +2,6 @@
 
 namespace si {
 
-bool EditorPixelDiagnosis::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
-                                  const DriverInfo& driver) {
-    const bool changed = update_reference(probe, fresh, scene, settings, driver);
-    if (changed || fresh) sections_.reset();
-    return changed;
-}
-
 bool EditorPixelDiagnosis::update_sections(const Probe* probe, const Settings& settings, bool shown) {
     if (!shown || sections_ || !probe || !probe->hit) return false;
     std::vector<Section> out;
@@ -18,11 +11,12 @@ bool EditorPixelDiagnosis::update_sections(const Probe* probe, const Settings& s
     return true;
 }
 
-bool EditorPixelDiagnosis::update_reference(const Probe* probe, bool fresh, const Scene& scene,
-                                            const Settings& settings, const DriverInfo& driver) {
+bool EditorPixelDiagnosis::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                                  const DriverInfo& driver) {
     if (!probe || !probe->hit) {
         building_.drop();
         casters_.reset();
+        sections_.reset();
         const bool had = !diagnoses_.empty();
         diagnoses_.clear();
         return had;
@@ -35,6 +29,7 @@ bool EditorPixelDiagnosis::update_reference(const Probe* probe, bool fresh, cons
         }
     }
     if (!fresh) return false;
+    sections_.reset();
     diagnoses_.clear();
     const std::uint64_t key = reference_geometry_key(scene, settings).value();
     if (!casters_ || casters_->geometry().key != key) casters_ = ray_scenes().find(key);

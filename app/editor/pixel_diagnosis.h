@@ -15,8 +15,9 @@ namespace si {
 /// Diagnoses and cross-sections of the probed pixel, for each light, against its ray-traced reference.
 class EditorPixelDiagnosis {
 public:
-    /// Updates the diagnoses of the probed pixel. Returns true if their number has changed. @param probe null: no pixel
-    /// is probed @param fresh the probe differs from the last call's @throws Error if the ray hierarchy cannot be built
+    /// Updates the diagnoses of the probed pixel: builds the ray hierarchy in the background, then traces the pixel.
+    /// Returns true if the diagnoses have changed. @param probe null: no pixel is probed @param fresh the probe differs
+    /// from the last call's @throws Error if the ray hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
     std::span<const PixelDiagnosis> diagnoses() const { return diagnoses_; }
     /// Lays out the cross-sections of the probed pixel's shadow tests, once, while a panel shows them. Call after
@@ -30,11 +31,6 @@ public:
 
 private:
     using Casters = std::shared_ptr<const ReferenceScene>;
-
-    /// Builds the ray hierarchy in the background, then traces the probed pixel and diagnoses it. Returns true if the
-    /// diagnoses have changed.
-    bool update_reference(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
-                          const DriverInfo& driver);
 
     std::vector<PixelDiagnosis> diagnoses_;
     Sections sections_;  ///< null: not laid out for the present diagnoses

@@ -39,11 +39,6 @@ void EditorReadBack::clear() {
     probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = lost_of_ = loupe_of_ = 0;
 }
 
-bool EditorReadBack::finish_tracing() const {
-    diagnosis_.wait();
-    return diagnosis_.ready();
-}
-
 ReadBackFacts EditorReadBack::facts() const {
     ReadBackFacts out = facts_;
     out.diagnoses.assign(diagnosis_.diagnoses().begin(), diagnosis_.diagnoses().end());
@@ -77,8 +72,7 @@ bool EditorReadBack::update(Renderer& renderer, const Scene& scene, const Pictur
 
 bool EditorReadBack::update_lost(const Scene& scene, const PictureState& state, const FrameResult& result) {
     const int light = shown_light(state.settings);
-    if (state.tab != BottomTab::Objects || light < 0 || lost_of_ == frame_) return false;
-    lost_of_ = frame_;
+    if (state.tab != BottomTab::Objects || light < 0 || !is_due(lost_of_)) return false;
     facts_.lost_casters = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
     return !facts_.lost_casters.empty();
 }
@@ -94,17 +88,15 @@ bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, c
         if (!there || facts_of_ != frame_) facts_.map_facts.reset();
         return false;
     }
-    if (map_of_ != frame_) {
+    if (is_due(map_of_)) {
         facts_.map_values = std::make_shared<const FloatImage>(renderer.read_map_view_depth(result));
-        map_of_ = frame_;
         changed = true;
     }
     // The plots show depths, not moments.
     if (result.shown_map.channel > 0) facts_.map_facts.reset();
-    if (requests.want_map_facts && result.shown_map.channel == 0 && facts_of_ != frame_) {
+    if (requests.want_map_facts && result.shown_map.channel == 0 && is_due(facts_of_)) {
         facts_.map_facts = MapPlots{depth_statistics(*facts_.map_values, result.map_view_curve),
                                     histogram_of(*facts_.map_values, state.settings.view, result)};
-        facts_of_ = frame_;
         changed = true;
     }
     return changed;
@@ -132,8 +124,7 @@ bool EditorReadBack::update_links(Renderer& renderer, const PictureState& state,
         facts_.usage.reset();
         return true;
     }
-    if (links_of_ == frame_) return false;
-    links_of_ = frame_;
+    if (!is_due(links_of_)) return false;
     facts_.map_coordinates = std::make_shared<const FloatImage>(renderer.read_float(result.map_coordinates, 4));
     facts_.usage = std::make_shared<const TexelUsage>(texel_usage(
         *facts_.map_coordinates, state.settings, result.map_resolution, shown_face(state.settings, result)));
@@ -146,8 +137,7 @@ bool EditorReadBack::update_exact(Renderer& renderer, const EditorRequests& requ
         facts_.exact_utilisation.reset();
         return true;
     }
-    if (exact_of_ == frame_) return false;
-    exact_of_ = frame_;
+    if (!is_due(exact_of_)) return false;
     facts_.exact_utilisation = exact_utilisation(renderer.read_float(result.texels_read, 1));
     return true;
 }
@@ -157,10 +147,9 @@ bool EditorReadBack::update_frozen(Renderer& renderer, const Scene& scene, const
     const Settings settings = texel_settings(state.settings);
     if (!state.frozen || settings != frozen_settings_ || scene.id != frozen_scene_) facts_.frozen_usage.reset();
     if (!state.frozen || facts_.frozen_usage || !requests.want_frozen_usage) return false;
-    FrameRequest request;
-    request.width = state.frozen->pixels.x;
-    request.height = state.frozen->pixels.y;
-    request.outputs = {.colour = false, .map_coordinates = true};
+    const FrameRequest request{.width = state.frozen->pixels.x,
+                               .height = state.frozen->pixels.y,
+                               .outputs = {.colour = false, .map_coordinates = true}};
     frozen_settings_ = settings;
     frozen_scene_ = scene.id;
     Settings seen = state.settings;

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include "app/editor/frame_facts.h"
 #include "app/editor/pixel_diagnosis.h"
@@ -30,8 +30,8 @@ public:
     void clear();
     /// Returns true if update() has the diagnosis of the probed pixel.
     bool has_news() const { return diagnosis_.ready(); }
-    /// Waits for the diagnosis of the probed pixel. Returns true if there is one.
-    bool finish_tracing() const;
+    /// Waits for the diagnosis of the probed pixel.
+    void finish_tracing() const { diagnosis_.wait(); }
     /// Returns all numbers that were read back, with the diagnoses of the probed pixel.
     ReadBackFacts facts() const;
 
@@ -55,6 +55,9 @@ private:
     /// Reads back each pixel's place in the map, and finds the texels that the picture reads.
     bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
+
+    /// Marks numbers as read from the present frame. Returns true unless they were already.
+    bool is_due(std::uint64_t& of) const { return std::exchange(of, frame_) != frame_; }
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame
     // Numbers of the frames that the facts belong to.

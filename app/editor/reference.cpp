@@ -79,13 +79,11 @@ bool EditorReference::poll() {
         take(light_maps_, found->light_map);
         remark_ = std::move(found->remark);
     }
-    if (outcome->problem) try {
-            std::rethrow_exception(outcome->problem);
-        } catch (const std::exception& e) {
-            given_up_.insert(doing_key_);
-            problem_ = e.what();
-            throw;
-        }
+    if (outcome->problem) {
+        given_up_.insert(doing_key_);
+        problem_ = exception_message(outcome->problem);
+        std::rethrow_exception(outcome->problem);
+    }
     return true;
 }
 
@@ -132,19 +130,16 @@ bool EditorReference::update(Renderer& renderer, const Scene& scene, const Setti
                              const ReferenceRequests& requests) {
     const bool changed = poll();
     const std::vector<LightNeed> needs = needs_of(frame, settings.view.light);
-    const auto wants = [&](std::uint64_t key) {
-        return std::any_of(needs.begin(), needs.end(), [&](const LightNeed& n) { return n.key == key; });
-    };
+    const auto wants = [&](std::uint64_t key) { return std::ranges::find(needs, key, &LightNeed::key) != needs.end(); };
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
         const bool shown = int(i) == settings.view.light;
-        const bool wanted =
-            std::any_of(needs.begin(), needs.end(), [&](const LightNeed& n) { return n.light == int(i); });
+        const bool wanted = std::ranges::find(needs, int(i), &LightNeed::light) != needs.end();
         if (!shown && !wanted) pictures_[i].reset();
     }
     for (std::size_t i = 0; i < light_maps_.size(); ++i)
         if (i >= frame.light_maps.size() || frame.light_maps[i].key == 0) light_maps_[i].reset();
-    const auto next = std::find_if(needs.begin(), needs.end(),
-                                   [&](const LightNeed& n) { return !n.met && !given_up_.contains(n.key); });
+    const auto next =
+        std::ranges::find_if(needs, [&](const LightNeed& n) { return !n.met && !given_up_.contains(n.key); });
     if (requests.save_error) save_next_ = requests.save_error;
     if (!needs.empty()) {
         std::erase_if(given_up_, [&](std::uint64_t key) { return !wants(key); });
@@ -188,9 +183,8 @@ ReferenceFacts EditorReference::facts(const FrameResult& frame, int shown_light)
     ReferenceFacts f;
     const std::vector<LightNeed> needs = needs_of(frame, shown_light);
     f.wanted = !needs.empty();
-    f.current = f.wanted && std::all_of(needs.begin(), needs.end(), [](const LightNeed& n) { return n.met; });
-    f.lacks_light_map =
-        std::any_of(needs.begin(), needs.end(), [](const LightNeed& n) { return n.light_map && !n.met; });
+    f.current = f.wanted && std::ranges::all_of(needs, &LightNeed::met);
+    f.lacks_light_map = std::ranges::any_of(needs, [](const LightNeed& n) { return n.light_map && !n.met; });
     f.problem = problem_;
     if (job_.busy()) f.doing = doing_;
     f.progress = job_.progress().value_or(0);

@@ -1,11 +1,9 @@
 #include "app/editor/shader_warmup.h"
 
-#include <chrono>
-
-#if defined(__linux__)
 #include <pthread.h>
 #include <sched.h>
-#endif
+
+#include <chrono>
 
 #include "app/context/headless_context.h"
 #include "renderer/inspect/probe.h"
@@ -21,46 +19,43 @@ constexpr std::size_t kMaxQueued = 3;     ///< largest length of the queue; the 
 
 /// Gives the thread the lowest priority, so that it uses idle processor time only.
 void lower_priority() {
-#if defined(__linux__)
     const sched_param none{};
     pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // a failure is harmless
-#endif
+}
+
+/// Draws probes until one hits a surface, because the background needs few of their shaders.
+void draw_probes(Renderer& renderer, const WarmupFrame& r, const FrameRequest& request) {
+    for (int y = kHeight / 2; y < kHeight; y += kHeight / 4)
+        for (int x = kWidth / 2; x < kWidth; x += kWidth / 4)
+            if (renderer.probe(*r.scene, r.settings, request, x, y).hit) return;
+}
+
+/// Draws one warm-up frame with a context and renderer of its own: the driver keeps shaders without them, and llvmpipe
+/// would keep the last images of a context, which may be maps of a gigabyte.
+void draw_frame(const WarmupFrame& r) {
+    const HeadlessContext context;
+    Renderer renderer;
+    FrameRequest request = r.request;
+    request.width = kWidth;
+    request.height = kHeight;
+    request.force = true;
+    request.timing = false;
+    request.reference.reset();
+    request.traced.clear();
+    request.light_maps.clear();
+    renderer.render(*r.scene, r.settings, request);
+    // The second frame uses cached maps, whose look-ups may have other shaders. Its size differs, so that the rest is
+    // drawn again.
+    request.force = false;
+    ++request.width;
+    renderer.render(*r.scene, r.settings, request);
+    draw_probes(renderer, r, request);
+    renderer.take_gl_messages();
 }
 
 }  // namespace
 
-/// Context and renderer of one warm-up frame. Each frame has its own: the driver keeps shaders without it, and llvmpipe
-/// would keep the last images of a context, which may be maps of a gigabyte.
-struct ShaderWarmup::Stage {
-    HeadlessContext context;
-    void play(const WarmupFrame& r) {
-        Renderer renderer;
-        FrameRequest request = r.request;
-        request.width = kWidth;
-        request.height = kHeight;
-        request.force = true;
-        request.timing = false;
-        request.reference.reset();
-        request.traced.clear();
-        request.light_maps.clear();
-        renderer.render(*r.scene, r.settings, request);
-        // The second frame uses cached maps, whose look-ups may have other shaders. Its size differs, so that the rest
-        // is drawn again.
-        request.force = false, ++request.width;
-        renderer.render(*r.scene, r.settings, request);
-        probe(renderer, r, request);
-        renderer.take_gl_messages();
-    }
-    /// Draws probes until one hits a surface, because the background needs few of their shaders.
-    static void probe(Renderer& renderer, const WarmupFrame& r, const FrameRequest& request) {
-        for (int y = kHeight / 2; y < kHeight; y += kHeight / 4)
-            for (int x = kWidth / 2; x < kWidth; x += kWidth / 4)
-                if (renderer.probe(*r.scene, r.settings, request, x, y).hit) return;
-    }
-};
-
 ShaderWarmup::ShaderWarmup() : thread_([this](const std::stop_token& end) { run(end); }) {}
-ShaderWarmup::~ShaderWarmup() = default;
 
 void ShaderWarmup::enqueue(WarmupFrame warmup) {
     {
@@ -106,7 +101,7 @@ void ShaderWarmup::run(const std::stop_token& end) {
     lower_priority();
     while (const auto next = next_frame(end)) {
         try {
-            Stage().play(*next);
+            draw_frame(*next);
         } catch (const std::exception&) {
             // The frame itself will fail in the same way and report the reason.
         }

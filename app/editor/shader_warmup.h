@@ -19,12 +19,11 @@ struct WarmupFrame {
     FrameRequest request;
 };
 
-/// Background thread that draws queued frames so that the driver compiles their shaders in advance.
+/// Background thread that draws queued frames so that the driver compiles their shaders in advance. Its destructor
+/// waits for the frame under way.
 class ShaderWarmup {
 public:
     ShaderWarmup();
-    /// Waits for the frame under way.
-    ~ShaderWarmup();
 
     /// Queues a frame whose shaders a hover, a click or the map viewer will need at the present settings. The thread
     /// starts once nothing was queued for a while, with the newest frame.
@@ -37,7 +36,6 @@ public:
     std::size_t done() const;
 
 private:
-    struct Stage;
     /// Loop of the warm-up thread: draws queued frames one by one until `end`, only to compile their shaders.
     void run(const std::stop_token& end);
     /// Waits for a queued frame and removes it from the queue; null once `end` is requested.

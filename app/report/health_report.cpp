@@ -46,17 +46,13 @@ void require_sound(const NumericHealth& health) {
     if (!health.sound()) throw Error("--check-numeric: " + health_text(health));
 }
 
-std::string set_options(const Settings& base, const Settings& settings) {
-    return set_options_text(setting_changes(base, settings));
-}
-
 NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)
     : renderer_(renderer), base_(std::move(base)), on_(on) {
     if (!on) return;
     renderer_.set_number_watcher([this](const Settings& settings, const NumericHealth& health) {
         ++frames_;
         if (health.sound() || unsound_++ > 0) return;
-        const std::string sets = set_options(base_, settings);
+        const std::string sets = set_options_text(setting_changes(base_, settings));
         first_ = fmt::format("{}: {}", sets.empty() ? "the settings as given" : "with " + sets, health_text(health));
     });
 }

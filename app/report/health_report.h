@@ -21,9 +21,6 @@ nlohmann::ordered_json health_json(const NumericHealth& health);
 /// Checks that all numbers are sound. @throws Error naming each finding and its place
 void require_sound(const NumericHealth& health);
 
-/// Formats the differences between settings and `base` as command-line options "--set KEY=VALUE ..."; empty if equal.
-std::string set_options(const Settings& base, const Settings& settings);
-
 /// Scope in which every picture that a renderer draws is searched for unsound numbers, except timed frames.
 class NumberWatch {
 public:
