@@ -25,9 +25,8 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
 /// Returns the JSON library's message without its prefix and its own place, which counts columns differently.
 std::string plain_message(std::string message) {
     if (const auto at = message.find("] "); at != std::string::npos) message.erase(0, at + 2);
-    if (const auto at = message.find(": "); message.starts_with("parse error at") && at != std::string::npos) {
+    if (const auto at = message.find(": "); message.starts_with("parse error at") && at != std::string::npos)
         message.erase(0, at + 2);
-    }
     return printable(message, 300);
 }
 

@@ -17,11 +17,10 @@ namespace si {
 std::string one_line(const std::string& text) {
     std::string line;
     for (const char c : text) {
-        if (c == '\n') {
+        if (c == '\n')
             line += "; ";
-        } else {
+        else
             line += c == '\t' || c == '\r' ? ' ' : c;
-        }
     }
     while (line.ends_with("; ")) line.erase(line.size() - 2);
     return printable(line, std::string::npos);
@@ -63,9 +62,8 @@ void open_standard_descriptors() {
 }
 
 void finish_stdout() {
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
         throw Error(fmt::format("standard output could not be written: {}", std::strerror(errno)));
-    }
 }
 
 }  // namespace si

@@ -48,9 +48,8 @@ void append(void* to, void* data, int size) {
 
 std::string png_bytes(int width, int height, int channels, const std::vector<std::uint8_t>& pixels) {
     std::string bytes;
-    if (!stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels)) {
+    if (!stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels))
         throw Error(fmt::format("a picture of {} x {} pixels could not be encoded as PNG", width, height));
-    }
     return bytes;
 }
 
@@ -63,20 +62,16 @@ std::string errno_text() {
 void require_writable(const fs::path& path) {
     std::error_code error;
     if (path.empty()) throw Error("an empty file name cannot be written; name a file");
-    if (fs::is_directory(path, error)) {
-        throw Error(fmt::format("{}: is a directory; name a file in it", path.string()));
-    }
+    if (fs::is_directory(path, error)) throw Error(fmt::format("{}: is a directory; name a file in it", path.string()));
     if (!path.has_filename()) throw Error(fmt::format("{}: names no file", path.string()));
     if (is_special(path)) return;
     const fs::path target = writable_target(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, error)) {
+    if (!fs::is_directory(folder, error))
         throw Error(fmt::format("{}: its folder {} does not exist; make it first", path.string(), folder.string()));
-    }
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw Error(
             fmt::format("{}: its folder {} cannot be written: {}", path.string(), folder.string(), errno_text()));
-    }
 }
 
 void require_distinct(const fs::path& a, std::string_view one, const fs::path& b, std::string_view other) {
@@ -120,15 +115,6 @@ void write_png(const fs::path& path, const ByteImage& image) {
     write_file(path, png_bytes(image));
 }
 
-void write_grey_png(const fs::path& path, const FloatImage& image) {
-    std::vector<std::uint8_t> grey(std::size_t(image.width) * std::size_t(image.height));
-    for (std::size_t i = 0; i < grey.size(); ++i) {
-        const float v = image.data[i * std::size_t(image.channels)];
-        grey[i] = std::isnan(v) ? 0 : std::uint8_t(std::lround(std::clamp(v, 0.f, 1.f) * 255.f));
-    }
-    write_file(path, png_bytes(image.width, image.height, 1, grey));
-}
-
 void write_pfm(const fs::path& path, const FloatImage& image) {
     static_assert(std::endian::native == std::endian::little, "the scale of -1 below says little-endian");
     std::string bytes = fmt::format("Pf\n{} {}\n-1.0\n", image.width, image.height);
@@ -144,7 +130,13 @@ void write_pfm(const fs::path& path, const FloatImage& image) {
 }
 
 void write_scalar_image(const fs::path& path, const FloatImage& image) {
-    lower_extension(path) == ".pfm" ? write_pfm(path, image) : write_grey_png(path, image);
+    if (lower_extension(path) == ".pfm") return write_pfm(path, image);
+    std::vector<std::uint8_t> grey(std::size_t(image.width) * std::size_t(image.height));
+    for (std::size_t i = 0; i < grey.size(); ++i) {
+        const float v = image.data[i * std::size_t(image.channels)];
+        grey[i] = std::isnan(v) ? 0 : std::uint8_t(std::lround(std::clamp(v, 0.f, 1.f) * 255.f));
+    }
+    write_file(path, png_bytes(image.width, image.height, 1, grey));
 }
 
 std::string read_text_file(const fs::path& path) {
@@ -152,9 +144,8 @@ std::string read_text_file(const fs::path& path) {
     const auto status = fs::status(path, error);
     if (!fs::exists(status)) throw Error(fmt::format("{}: no such file", path.string()));
     if (!fs::is_regular_file(status)) throw Error(fmt::format("{}: is not a file", path.string()));
-    if (fs::file_size(path, error) > kMaxTextBytes) {
+    if (fs::file_size(path, error) > kMaxTextBytes)
         throw Error(fmt::format("{}: is larger than 16 MiB, which no text file of this program is", path.string()));
-    }
     errno = 0;
     std::ifstream in(path, std::ios::binary);
     if (!in) throw Error(fmt::format("{}: cannot be read: {}", path.string(), errno_text()));

@@ -39,13 +39,11 @@ std::string jpg_bytes(const ByteImage& image, int quality = 85);
 /// Writes an image as 8-bit RGB PNG file; alpha is dropped. @throws Error
 void write_png(const std::filesystem::path& path, const ByteImage& image);
 
-/// Writes an image's first channel as 8-bit grey PNG file: 0 black to 1 white. @throws Error
-void write_grey_png(const std::filesystem::path& path, const FloatImage& image);
-
 /// Writes an image's first channel as portable float map (PFM): little-endian, bottom row first. @throws Error
 void write_pfm(const std::filesystem::path& path, const FloatImage& image);
 
-/// Writes an image's first channel as PFM or as grey PNG file, by the extension of `path`. @throws Error
+/// Writes an image's first channel as PFM or as 8-bit grey PNG file (0 black to 1 white), by the extension of
+/// `path`. @throws Error
 void write_scalar_image(const std::filesystem::path& path, const FloatImage& image);
 
 /// Reads a text file of at most 16 MiB. @throws Error

@@ -322,14 +322,9 @@ int run_cli(int argc, const char* const* argv) {
     Run run;
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
-    add_render(app, run);
-    add_reference(app, run);
-    add_measure(app, run);
-    add_probe(app, run);
-    add_list(app, run);
-    add_measure_commands(app, run);
-    add_presets(app, run);
-    add_others(app, run);
+    for (const auto add :
+         {add_render, add_reference, add_measure, add_probe, add_list, add_measure_commands, add_presets, add_others})
+        add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {
         app.parse(argc, argv);

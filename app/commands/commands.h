@@ -136,7 +136,7 @@ struct ListOptions : CommandOptions {
 /// Runs the command `list`: prints the rows of one table (settings, filters, presets, ...).
 void run_list(const ListOptions& options);
 /// Returns the names of the tables that `list` prints: settings, filters, fits, views, overlays, scenes, presets, ...
-const std::vector<std::string>& list_kinds();
+std::vector<std::string> list_kinds();
 
 /// Runs the command `info`: prints the OpenGL driver, its limits and the program's version.
 void run_info(const CommandOptions& options);

@@ -46,9 +46,8 @@ std::string setting_section(const Param& p) {
     if (!p.also.empty()) text += fmt::format("\nElsewhere: {}.\n", p.also);
     if (!p.choices) return text;
     text += "\n| choice | name | meaning |\n|---|---|---|\n";
-    for (const Choice& c : p.choices()) {
+    for (const Choice& c : p.choices())
         text += fmt::format("| `{}` | {} | {} |\n", c.key, markdown_cell(c.label), markdown_cell(c.help));
-    }
     return text;
 }
 
@@ -118,11 +117,10 @@ void run_docs(const DocsOptions& options) {
         if (read_text_file(output) == page) return;
         throw Error(fmt::format("{}: is out of date; write it with `docs {} -o {}`", output, what, output));
     }
-    if (output.empty()) {
+    if (output.empty())
         fmt::print("{}", page);
-    } else {
+    else
         write_file(output, page);
-    }
 }
 
 }  // namespace si

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.h"
-#include "app/session/command_line.h"
 #include "app/session/presets.h"
+#include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/param.h"

@@ -12,7 +12,7 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/picture_comparison.h"
-#include "app/session/command_line.h"
+#include "app/session/session.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/advise/bias_needs.h"
 #include "renderer/base/did_you_mean.h"
@@ -187,10 +187,6 @@ constexpr std::string_view kTableHead =
     "| picture, what is wrong | technique | error | wrong | taps | maps |\n"
     "|---|---|---|---|---|---|\n";
 
-std::string section_head(const PageSection& s) {
-    return fmt::format("\n## {}\n\n`{}`. {}\n\n{}", s.title, s.setting, s.about, kTableHead);
-}
-
 /// Draws and measures rows of the page, and keeps their pictures as PNG bytes by file name.
 class PagePainter {
 public:
@@ -291,15 +287,6 @@ void put_row(std::string& page, const ChosenRows& chosen, std::size_t row, const
     page.insert(at, line);
 }
 
-std::string whole_page(PagePainter& painter, const std::vector<ChosenRows>& all) {
-    std::string page = fmt::format(fmt::runtime(kTechniquesIntro), kWidth, kHeight, kResolution);
-    for (const ChosenRows& chosen : all) {
-        page += section_head(chosen.section);
-        for (const std::size_t row : chosen.rows) page += painter.draw_row(chosen.section, chosen.entries[row]);
-    }
-    return page;
-}
-
 void compare_page(const std::string& output, const std::string& page, const fs::path& folder,
                   const std::map<std::string, std::string>& pictures) {
     const auto out_of_date = [&](const std::string& file) {
@@ -316,12 +303,11 @@ void run_docs_techniques(const DocsOptions& options) {
     const std::string& output = options.output;
     if (!options.check) require_writable(output);
     const fs::path folder = fs::path(output).parent_path() / fs::path(output).stem();
-    std::string page;
-    if (!options.only.empty()) {
-        if (!fs::exists(output))
-            throw Error(fmt::format("{}: there is no such page to put a row into; write it without --only", output));
-        page = read_text_file(output);
-    }
+    const bool whole = options.only.empty();
+    if (!whole && !fs::exists(output))
+        throw Error(fmt::format("{}: there is no such page to put a row into; write it without --only", output));
+    std::string page =
+        whole ? fmt::format(fmt::runtime(kTechniquesIntro), kWidth, kHeight, kResolution) : read_text_file(output);
     const HeadlessContext context;
     Renderer renderer;
     const Scene scene = load_scene("stage");
@@ -331,12 +317,17 @@ void run_docs_techniques(const DocsOptions& options) {
     std::size_t count = 0;
     for (const ChosenRows& chosen : all) count += chosen.rows.size();
     PagePainter painter(renderer, scene, folder.filename().generic_string(), count);
-    if (options.only.empty())
-        page = whole_page(painter, all);
-    else
-        for (const ChosenRows& chosen : all)
-            for (const std::size_t row : chosen.rows)
-                put_row(page, chosen, row, painter.draw_row(chosen.section, chosen.entries[row]));
+    for (const ChosenRows& chosen : all) {
+        const PageSection& s = chosen.section;
+        if (whole) page += fmt::format("\n## {}\n\n`{}`. {}\n\n{}", s.title, s.setting, s.about, kTableHead);
+        for (const std::size_t row : chosen.rows) {
+            const std::string line = painter.draw_row(s, chosen.entries[row]);
+            if (whole)
+                page += line;
+            else
+                put_row(page, chosen, row, line);
+        }
+    }
     if (options.check) return compare_page(output, page, folder, painter.pictures());
     fs::create_directories(folder);
     for (const auto& [file, bytes] : painter.pictures()) write_file(folder / file, bytes);

@@ -192,24 +192,20 @@ void print_rows(const Json& list) {
         }
         fmt::print("{}  ({}; default {})\n    {}\n", r["key"].get<std::string>(), range_text(r), plain(r["default"]),
                    r["help"].get<std::string>());
-        for (const Json& c : r["choices"]) {
+        for (const Json& c : r["choices"])
             fmt::print("      {:<14} {}\n", c["key"].get<std::string>(), c["help"].get<std::string>());
-        }
     }
 }
 
 struct ListKind {
-    std::string key;
+    std::string_view key;
     Json (*rows)();
 };
 
-const std::vector<ListKind>& kinds_of_lists() {
-    static const std::vector<ListKind> kinds = {
-        {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},         {"sources", source_rows},
-        {"fits", fit_rows},         {"views", view_rows},     {"overlays", overlay_rows},    {"metrics", metric_rows},
-        {"scenes", scene_rows},     {"presets", preset_rows}, {"hard-cases", hard_case_rows}};
-    return kinds;
-}
+constexpr ListKind kKinds[] = {
+    {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},         {"sources", source_rows},
+    {"fits", fit_rows},         {"views", view_rows},     {"overlays", overlay_rows},    {"metrics", metric_rows},
+    {"scenes", scene_rows},     {"presets", preset_rows}, {"hard-cases", hard_case_rows}};
 
 /// Returns a key, or its beginning, in the form of the table's rows, which stand for all lights and all objects.
 std::string row_key(const std::string& asked) {
@@ -226,22 +222,18 @@ std::string row_key(const std::string& asked) {
 
 }  // namespace
 
-const std::vector<std::string>& list_kinds() {
-    static const std::vector<std::string> kinds = [] {
-        std::vector<std::string> out;
-        for (const ListKind& k : kinds_of_lists()) out.push_back(k.key);
-        return out;
-    }();
-    return kinds;
+std::vector<std::string> list_kinds() {
+    std::vector<std::string> keys;
+    for (const ListKind& k : kKinds) keys.emplace_back(k.key);
+    return keys;
 }
 
 void run_list(const ListOptions& options) {
     const std::string& kind = options.kind;
-    const auto known = std::ranges::find(kinds_of_lists(), kind, &ListKind::key);
-    if (known == kinds_of_lists().end()) {
+    const auto known = std::ranges::find(kKinds, kind, &ListKind::key);
+    if (known == std::end(kKinds))
         throw UsageError(fmt::format("list {}: it is one of {}{}", kind, fmt::join(list_kinds(), ", "),
                                      did_you_mean(nearest_name(kind, list_kinds()))));
-    }
     const std::string prefix = kind == "settings" ? row_key(options.prefix) : options.prefix;
     Json list = known->rows();
     Json chosen = Json::array();
@@ -259,20 +251,18 @@ void run_list(const ListOptions& options) {
                                      settings ? ", and no setting is found by these words" : "",
                                      settings ? did_you_mean(nearest_key(options.prefix)) : ""));
     }
-    if (options.json) {
+    if (options.json)
         fmt::print("{}", json_text(chosen));
-    } else if (kind == "presets") {
+    else if (kind == "presets")
         print_presets(chosen);
-    } else {
+    else
         print_rows(chosen);
-    }
 }
 
 std::string settings_help() {
     std::string text = "Settings (--set KEY=VALUE; `list settings [KEY]` explains each):\n";
-    for (const Json& r : setting_rows()) {
+    for (const Json& r : setting_rows())
         text += fmt::format("  {:<26} {}  [{}]\n", r["key"].get<std::string>(), range_text(r), plain(r["default"]));
-    }
     return text;
 }
 

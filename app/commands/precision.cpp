@@ -22,13 +22,9 @@ struct SeriesRow {
     std::vector<double> values;
 };
 
-const std::vector<SeriesRow>& series_rows() {
-    static const std::vector<SeriesRow> rows = {
-        {"distance", "scene.distance", {0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}},
-        {"scale", "scene.scale", {1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}},
-        {"stretch", "light.stretch", {1, 10, 100, 1e3, 1e4, 1e5}}};
-    return rows;
-}
+const SeriesRow kSeries[] = {{"distance", "scene.distance", {0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7}},
+                             {"scale", "scene.scale", {1e-3, 1e-2, 1e-1, 1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}},
+                             {"stretch", "light.stretch", {1, 10, 100, 1e3, 1e4, 1e5}}};
 
 struct Point {
     double value = 0;
@@ -70,7 +66,7 @@ void print_head(const std::string& before) {
 
 std::vector<std::string_view> precision_series() {
     std::vector<std::string_view> out;
-    for (const SeriesRow& row : series_rows()) out.push_back(row.name);
+    for (const SeriesRow& row : kSeries) out.push_back(row.name);
     return out;
 }
 
@@ -85,8 +81,7 @@ void run_precision(const PrecisionOptions& options) {
     if (options.over.empty()) {
         series.push_back({0, compare(session.scene, session.settings)});
     } else {
-        const auto row = std::find_if(series_rows().begin(), series_rows().end(),
-                                      [&](const SeriesRow& r) { return r.name == options.over; });
+        const auto row = std::ranges::find(kSeries, options.over, &SeriesRow::name);
         const std::string key =
             row->key.starts_with("light.")
                 ? fmt::format("light.{}.{}", std::max(session.settings.view.light, 0), row->key.substr(6))

@@ -35,9 +35,8 @@ void print_taps(const Probe::PerLight& p) {
         const glm::ivec2 at = t.texel - p.taps_first;
         rows[std::size_t(at.y)][2 * std::size_t(at.x) + 1] = t.lit ? '.' : t.meets == KernelTap::Meets::Own ? 'S' : '#';
     }
-    for (std::size_t y = rows.size(); y-- > 0;) {
+    for (std::size_t y = rows.size(); y-- > 0;)
         fmt::print("    {}{}\n", rows[y], y + 1 == rows.size() ? "    . lit, # in shadow, S self-shadowed" : "");
-    }
 }
 
 /// Prints the shadow test of a pixel, one step a line.
@@ -151,13 +150,11 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
     const auto first = std::from_chars(text.data(), end, x);
     const bool has_comma = first.ec == std::errc() && first.ptr != end && *first.ptr == ',';
     const auto second = has_comma ? std::from_chars(first.ptr + 1, end, y) : first;
-    if (!has_comma || second.ec != std::errc() || second.ptr != end) {
+    if (!has_comma || second.ec != std::errc() || second.ptr != end)
         throw UsageError(fmt::format("{} {}: must be X,Y from the top left, such as 640,360", option, text));
-    }
-    if (x < 0 || y < 0 || x >= size.width || y >= size.height) {
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height)
         throw UsageError(fmt::format("{} {}: outside of the picture of {} x {} pixels (0,0 to {},{})", option, text,
                                      size.width, size.height, size.width - 1, size.height - 1));
-    }
     return {x, y};
 }
 

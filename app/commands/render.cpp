@@ -28,10 +28,9 @@ PictureSize parse_size(const std::string& text) {
     const bool has_x = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
     const auto height = has_x ? std::from_chars(width.ptr + 1, end, size.height) : width;
     const bool in_range = size.width >= 1 && size.height >= 1 && size.width <= 16384 && size.height <= 16384;
-    if (!has_x || height.ec != std::errc() || height.ptr != end || !in_range) {
+    if (!has_x || height.ec != std::errc() || height.ptr != end || !in_range)
         throw UsageError(
             fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, each 1 to 16384, such as 1280x720", text));
-    }
     return size;
 }
 
@@ -122,7 +121,7 @@ void run_render(const RenderOptions& options) {
         mean = write_against(renderer, session, request, options, other ? &*other : nullptr, frame);
         fmt::print("mean |A - B| {:.6f}, B: {}\n", mean, printable(options.against, std::string::npos));
     } else {
-        write_view(renderer, session.scene, session.settings, request, view, options.output, &frame, tracing_workers());
+        frame = write_view(renderer, session.scene, session.settings, request, view, options.output, tracing_workers());
     }
     std::shared_ptr<const NumericHealth> health;
     if (options.check_numeric)

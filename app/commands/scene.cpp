@@ -67,11 +67,10 @@ Json facts(const Scene& scene, const std::string& name) {
     json["skinned_meshes"] = count([](const Mesh& m) { return m.deformer && m.deformer->skin; });
     json["morphed_meshes"] = count([](const Mesh& m) { return m.deformer && !m.deformer->source->targets.empty(); });
     json["extent"] = nullptr;
-    if (!scene.bounds.empty()) {
+    if (!scene.bounds.empty())
         json["extent"] = {{"min", vector_json(scene.bounds.lo)},
                           {"max", vector_json(scene.bounds.hi)},
                           {"size", vector_json(scene.bounds.hi - scene.bounds.lo)}};
-    }
     json["materials"] = json_list(scene.materials, material_json);
     json["textures"] = json_list(scene.textures, texture_json);
     json["file_scenes"] = scene.file_scenes;
@@ -116,10 +115,9 @@ void print_facts(const Json& f) {
                f["objects"].get<std::size_t>(), "nodes", f["nodes"].get<std::size_t>());
     fmt::print("{:<12} {} ({} skinned, {} with morph targets)\n", "meshes", f["meshes"].get<std::size_t>(),
                f["skinned_meshes"].get<int>(), f["morphed_meshes"].get<int>());
-    if (!f["extent"].is_null()) {
+    if (!f["extent"].is_null())
         fmt::print("{:<12} {} m, from {} to {}\n", "extent", triple(f["extent"]["size"]), triple(f["extent"]["min"]),
                    triple(f["extent"]["max"]));
-    }
     print_list("materials", f["materials"], [](const Json& m) {
         std::string line = fmt::format("{}: {}", name_or(m), m["alpha"].get<std::string>());
         if (m["double_sided"]) line += ", double-sided";

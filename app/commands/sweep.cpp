@@ -41,14 +41,6 @@ void print_result(const SweepResults& results, const fs::path& folder) {
     print_wrote(folder / "report.html");
 }
 
-std::vector<std::string> notes_on_times(const SweepState& state, const SweepTiming& timing) {
-    std::vector<std::string> notes;
-    if (timing.on && !state.runs.empty() && state.runs.back().load > kBusyLoad)
-        notes.push_back(fmt::format("the machine was busy before the sweep began (load {:.1f} a core): times are noisy",
-                                    state.runs.back().load));
-    return notes;
-}
-
 std::vector<std::string> notes_on_pictures(const fs::path& folder, const SweepResults& results) {
     std::vector<std::string> lacking;
     for (const SweepRow& row : results.rows)
@@ -106,7 +98,10 @@ void run_sweep(const SweepOptions& options) {
     print_result(results, folder);
     print_notes(notes);
     print_notes(sweep.state().notes);
-    print_notes(notes_on_times(sweep.state(), timing));
+    const std::vector<RunInfo>& runs = sweep.state().runs;
+    if (timing.on && !runs.empty() && runs.back().load > kBusyLoad)
+        print_notes({fmt::format("the machine was busy before the sweep began (load {:.1f} a core): times are noisy",
+                                 runs.back().load)});
     numbers.require_sound();
 }
 

@@ -30,10 +30,7 @@ void paste_image(ByteImage& to, const ByteImage& from, glm::ivec2 corner, int co
 ByteImage shrunk(const ByteImage& image, int width) {
     if (image.width <= width) return image;
     const double scale = double(image.width) / width;
-    ByteImage out;
-    out.width = width;
-    out.height = std::max(1, int(std::lround(image.height / scale)));
-    out.data.resize(std::size_t(out.width) * std::size_t(out.height) * 4);
+    ByteImage out = plain_image(width, std::max(1, int(std::lround(image.height / scale))), 0);
     const double scale_y = double(image.height) / out.height;
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {

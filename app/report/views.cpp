@@ -22,12 +22,10 @@ constexpr int kPaneGap = 2;  ///< pixels between two panes
 
 void require_map(const Settings& settings, const FrameResult& frame) {
     const std::size_t light = std::size_t(settings.view.light);
-    if (light >= frame.lights.size()) {
+    if (light >= frame.lights.size())
         throw Error(fmt::format("view.light is {}, but light.count is {}", light, frame.lights.size()));
-    }
-    if (!frame.lights[light].casts) {
+    if (!frame.lights[light].casts)
         throw Error(fmt::format("light {} has no shadow map: {}", light, frame.lights[light].reason));
-    }
 }
 
 void write_depth(Renderer& renderer, const Settings& settings, const FrameResult& frame, const std::string& path) {
@@ -100,35 +98,28 @@ View find_view(const std::string& key) {
 
 void check_view_file(const View& view, const std::string& path) {
     const std::string extension = lower_extension(path);
-    if (extension != ".png" && extension != ".pfm") {
+    if (extension != ".png" && extension != ".pfm")
         throw UsageError(fmt::format("{}: the file must end in .png (8 bit) or .pfm (float)", path));
-    }
-    if (extension == ".pfm" && !view.scalar) {
+    if (extension == ".pfm" && !view.scalar)
         throw UsageError(
             fmt::format("{}: the view '{}' is a picture, not one number a pixel; write it as .png", path, view.key));
-    }
 }
 
 PaneGrid picture_grid(const Settings& settings, int width, int height) {
     return pane_grid(settings.view.panes, width, height, kPaneGap);
 }
 
-void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
-                const std::string& path, FrameResult* frame, const Workers& workers) {
+FrameResult write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request,
+                       const View& view, const std::string& path, const Workers& workers) {
     const bool floats = lower_extension(path) == ".pfm";
     if (view.overlay > 0) settings.view.overlay = view.overlay;
     // Only the shaded picture has panes; every other view is a single picture.
     if (view.key != "shaded") settings.view.panes = Panes::One;
     const bool depth = view.key == "shadow-map" || view.key == "camera-depth";
     if (depth) settings.view.map_source = view.key == "camera-depth" ? MapSource::Camera : MapSource::Light;
-    request.outputs = {.colour = false};
-    if (view.key == "visibility") {
-        request.outputs.visibility = true;
-    } else if (depth) {
-        request.outputs.shadow_map = true;
-    } else {
-        (floats ? request.outputs.overlay : request.outputs.colour) = true;
-    }
+    const bool visibility = view.key == "visibility", picture = !depth && !visibility;
+    request.outputs = {
+        .colour = picture && !floats, .shadow_map = depth, .visibility = visibility, .overlay = picture && floats};
     const int width = request.width, height = request.height;
     const PaneGrid grid = picture_grid(settings, width, height);
     if (grid.count() > 1) {
@@ -138,11 +129,10 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     ReferenceCache references;
     // The frame may lack the reference that overlays need.
     const FrameResult result = render_with_reference(renderer, scene, settings, request, references, workers);
-    if (frame) *frame = result;
     if (depth) {
         if (view.key == "shadow-map") require_map(settings, result);
         write_depth(renderer, settings, result, path);
-    } else if (view.key == "visibility") {
+    } else if (visibility) {
         write_scalar_image(path, renderer.read_float(result.visibility, 1));
     } else if (floats) {
         write_pfm(path, overlay_values(renderer, result));
@@ -151,6 +141,7 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     } else {
         write_png(path, renderer.read_colour(result.colour));
     }
+    return result;
 }
 
 }  // namespace si

@@ -28,10 +28,10 @@ View find_view(const std::string& key);
 PaneGrid picture_grid(const Settings& settings, int width, int height);
 
 /// Draws a view into a PNG or PFM file, by extension. Several panes (view.panes) share the picture. @param workers for
-/// rays that the view's overlays need @param frame receives the facts of the frame @throws Error when the light has no
+/// rays that the view's overlays need Returns the facts of the frame. @throws Error when the light has no
 /// map, or the file cannot be written
-void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
-                const std::string& path, FrameResult* frame = nullptr, const Workers& workers = {});
+FrameResult write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request,
+                       const View& view, const std::string& path, const Workers& workers = {});
 
 /// Checks the extension of a view's output file: .png, or .pfm if the view is scalar. @throws UsageError
 void check_view_file(const View& view, const std::string& path);
