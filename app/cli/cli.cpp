@@ -32,7 +32,7 @@ struct EditOptions : CommandOptions {
 };
 
 void add_render(CLI::App& app, Run& run) {
-    auto& c = Command<RenderOptions>::add(app, run, "render", "Draw a scene into a file", run_render);
+    auto& c = add_command(app, run, "render", "Draw a scene into a file", run_render);
     RenderOptions& o = c.options;
     c.add_session();
     c.add_output("OUT", "The file: .png (8 bit), or .pfm (float) for views of one number a pixel")->required();
@@ -60,8 +60,8 @@ void add_render(CLI::App& app, Run& run) {
 }
 
 void add_reference(CLI::App& app, Run& run) {
-    auto& c = Command<ReferenceCommandOptions>::add(
-        app, run, "truth", "Trace the ray-traced reference of a light's shadows into a file", run_reference);
+    auto& c = add_command(app, run, "truth", "Trace the ray-traced reference of a light's shadows into a file",
+                          run_reference);
     ReferenceCommandOptions& o = c.options;
     c.add_session();
     c.add_output("OUT", "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")->required();
@@ -81,7 +81,7 @@ void add_reference(CLI::App& app, Run& run) {
 }
 
 void add_measure(CLI::App& app, Run& run) {
-    auto& c = Command<MeasureOptions>::add(
+    auto& c = add_command(
         app, run, "measure",
         "Measure the error of a light's shadows against the ray-traced reference, their time and memory", run_measure);
     c.add_session();
@@ -96,8 +96,7 @@ void add_measure(CLI::App& app, Run& run) {
 }
 
 void add_probe(CLI::App& app, Run& run) {
-    auto& c =
-        Command<ProbeOptions>::add(app, run, "probe", "Print the shadow test of one pixel, step by step", run_probe);
+    auto& c = add_command(app, run, "probe", "Print the shadow test of one pixel, step by step", run_probe);
     c.add_session();
     c.add_value("--pixel", c.options.pixel, "X,Y", "The pixel, counted from the top left")->required();
     c.add_size();
@@ -110,8 +109,8 @@ void add_probe(CLI::App& app, Run& run) {
 }
 
 void add_list(CLI::App& app, Run& run) {
-    auto& c = Command<ListOptions>::add(
-        app, run, "list", "List settings, presets, filters and other tables, with explanations", run_list);
+    auto& c =
+        add_command(app, run, "list", "List settings, presets, filters and other tables, with explanations", run_list);
     c.app().add_option("WHAT", c.options.kind, fmt::format("{}", fmt::join(list_kinds(), ", ")))->required();
     c.app().add_option(
         "KEY", c.options.prefix,
@@ -124,7 +123,7 @@ void add_presets(CLI::App& app, Run& run) {
     auto& group = *app.add_subcommand("preset", "Check, show and write presets");
     group.require_subcommand(1);
     const auto add = [&](const char* name, const char* about, void (*execute)(const PresetOptions&)) -> auto& {
-        return Command<PresetOptions>::add(group, run, name, about, execute);
+        return add_command(group, run, name, about, execute);
     };
     auto& check =
         add("check", "Check whether a preset can be loaded; print the first fault and its place", run_preset_check);
@@ -168,7 +167,7 @@ void start_editor(const EditOptions& o) {
 
 /// Adds the command `edit` and returns its options.
 EditOptions& add_edit(CLI::App& app, Run& run) {
-    auto& c = Command<EditOptions>::add(app, run, "edit", "Open the editor, or draw it into a file", start_editor);
+    auto& c = add_command(app, run, "edit", "Open the editor, or draw it into a file", start_editor);
     EditorOptions& o = c.options.editor;
     c.add_session(false);
     c.app().add_flag("--headless", o.headless, "Draw the editor through EGL, without a display");
@@ -192,13 +191,12 @@ EditOptions& add_edit(CLI::App& app, Run& run) {
 }
 
 void add_others(CLI::App& app, Run& run) {
-    Command<CommandOptions>::add(app, run, "info",
-                                 "Print the OpenGL driver, its limits, and the clock that measures times", run_info)
+    add_command(app, run, "info", "Print the OpenGL driver, its limits, and the clock that measures times", run_info)
         .add_json();
 
-    auto& scene = Command<SceneOptions>::add(
-        app, run, "scene", "Print the contents of a scene, and the parts of its file that were dropped and why",
-        run_scene);
+    auto& scene =
+        add_command(app, run, "scene",
+                    "Print the contents of a scene, and the parts of its file that were dropped and why", run_scene);
     scene.add_scene()->required();
     scene
         .add_value("--index", scene.options.file_scene, "N",
@@ -206,8 +204,8 @@ void add_others(CLI::App& app, Run& run) {
         ->check(CLI::Range(0, 9999));
     scene.add_json();
 
-    auto& sheet = Command<ContactSheetOptions>::add(
-        app, run, "contact-sheet", "Draw every model below a folder into one picture", run_contact_sheet);
+    auto& sheet =
+        add_command(app, run, "contact-sheet", "Draw every model below a folder into one picture", run_contact_sheet);
     sheet.app().add_option("FOLDER", sheet.options.folder, "The folder to search for .gltf and .glb files")->required();
     sheet.add_output("SHEET", "The sheet, .png; its index is written next to it as .txt")->required();
     sheet.app()
@@ -216,7 +214,7 @@ void add_others(CLI::App& app, Run& run) {
     sheet.add_numeric();
     sheet.add_size({256, 192});
 
-    auto& out = Command<CommandOptions>::add(
+    auto& out = add_command(
         app, run, "export",
         "Write a scene as glTF, in the pose that the settings choose; other settings of --preset and --set become its "
         "suggested settings",
@@ -224,7 +222,7 @@ void add_others(CLI::App& app, Run& run) {
     out.add_session();
     out.add_output("FILE", "The file: .gltf (one file, buffers inside) or .glb")->required();
 
-    auto& overview = Command<CommandOptions>::add(
+    auto& overview = add_command(
         app, run, "overview", "Draw editor, scene, shadow map and visibility into a folder, and print passes and times",
         run_overview);
     overview.options.output = kOverviewFolder;
@@ -233,7 +231,7 @@ void add_others(CLI::App& app, Run& run) {
     overview.add_numeric();
     overview.add_size();
 
-    auto& docs = Command<DocsOptions>::add(
+    auto& docs = add_command(
         app, run, "docs",
         "Write docs/settings.md, presets.md, metrics.md or techniques.md from the program's own tables", run_docs);
     docs.app().add_option("WHAT", docs.options.what,

@@ -8,8 +8,8 @@ namespace {
 constexpr PictureSize kSmallPicture{640, 360};  ///< for commands that draw many pictures
 
 void add_sweep(CLI::App& app, Run& run) {
-    auto& c = Command<SweepOptions>::add(
-        app, run, "sweep", "Measure error and time over combinations of settings, and report the frontier", run_sweep);
+    auto& c = add_command(app, run, "sweep",
+                          "Measure error and time over combinations of settings, and report the frontier", run_sweep);
     SweepOptions& o = c.options;
     c.add_session();
     c.add_value("--vary", o.vary, "KEY=VALUES",
@@ -38,18 +38,17 @@ void add_sweep(CLI::App& app, Run& run) {
 }
 
 void add_merge(CLI::App& app, Run& run) {
-    auto& c = Command<MergeOptions>::add(app, run, "merge", "Join the shards of a sweep", run_merge);
+    auto& c = add_command(app, run, "merge", "Join the shards of a sweep", run_merge);
     c.app().add_option("DIR", c.options.parts, "Folders of shards")->required();
     c.add_output("DIR", "The folder of the joined sweep; made if missing")->required();
     c.app().add_flag("--fresh", c.options.fresh, "Start again: remove the files of an earlier sweep from the folder");
 }
 
 void add_tune(CLI::App& app, Run& run) {
-    auto& c =
-        Command<TuneOptions>::add(app, run, "tune",
-                                  "Find the least bias that leaves no acne, and write it as a preset; with limits, "
-                                  "search kernel and resolution, too",
-                                  run_tune);
+    auto& c = add_command(app, run, "tune",
+                          "Find the least bias that leaves no acne, and write it as a preset; with limits, "
+                          "search kernel and resolution, too",
+                          run_tune);
     c.add_session();
     c.add_output("PRESET", "The preset, .json")->required();
     c.add_limits(c.options, "Search kernels and resolutions for the cheapest whose error (--error) is at most this",
@@ -63,10 +62,10 @@ void add_tune(CLI::App& app, Run& run) {
 }
 
 void add_plan(CLI::App& app, Run& run) {
-    auto& c = Command<PlanOptions>::add(app, run, "plan",
-                                        "Print what a frame draws, caches and skips, and why; with --measure the time "
-                                        "that each optimisation saves",
-                                        run_plan);
+    auto& c = add_command(app, run, "plan",
+                          "Print what a frame draws, caches and skips, and why; with --measure the time "
+                          "that each optimisation saves",
+                          run_plan);
     PlanOptions& o = c.options;
     c.add_session();
     auto* measure = c.app().add_flag("--measure", o.measure,
@@ -84,10 +83,10 @@ void add_plan(CLI::App& app, Run& run) {
 }
 
 void add_advise(CLI::App& app, Run& run) {
-    auto& c = Command<AdviseOptions>::add(app, run, "advise",
-                                          "Print changes of settings that save time at no or little loss, each "
-                                          "measured; with a limit, find the best effects within it (autopilot)",
-                                          run_advise);
+    auto& c = add_command(app, run, "advise",
+                          "Print changes of settings that save time at no or little loss, each "
+                          "measured; with a limit, find the best effects within it (autopilot)",
+                          run_advise);
     AdviseOptions& o = c.options;
     c.add_session();
     c.add_limits(o, "Autopilot: the cheapest effects whose error (--error) is at most this",
@@ -109,10 +108,10 @@ void add_advise(CLI::App& app, Run& run) {
 }
 
 void add_precision(CLI::App& app, Run& run) {
-    auto& c = Command<PrecisionOptions>::add(app, run, "precision",
-                                             "Print the error of single against double precision in map coordinates "
-                                             "and depths, for each way to compute them (map.origin, map.transform)",
-                                             run_precision);
+    auto& c = add_command(app, run, "precision",
+                          "Print the error of single against double precision in map coordinates "
+                          "and depths, for each way to compute them (map.origin, map.transform)",
+                          run_precision);
     c.add_session();
     c.add_value(
          "--over", c.options.over, "WHAT",
@@ -123,7 +122,7 @@ void add_precision(CLI::App& app, Run& run) {
 }
 
 void add_shimmer(CLI::App& app, Run& run) {
-    auto& c = Command<ShimmerCommandOptions>::add(
+    auto& c = add_command(
         app, run, "shimmer",
         "Measure how much shadow edges shimmer while camera or light move by parts of a texel, with and without "
         "snapping to whole texels",

@@ -21,7 +21,7 @@ CLI::Validator number_between(double min, double max);
 /// Makes a validator for one of these words; its message lists them.
 CLI::Validator one_of(const std::vector<std::string_view>& words);
 
-/// One command of the parser, to which options are added. Use Command, which holds the options' values.
+/// One command of the parser, to which options are added. Use add_command(), which holds the options' values, too.
 class CommandParser {
 public:
     /// Returns the parser's own object, for options that only this command has.
@@ -56,45 +56,45 @@ public:
                       "Compare with an area light (light.size), not a point or direction. As --set truth.area=true");
     /// Adds --max-error, --max-ms and --error. @param metric_help begin of the help of --error
     void add_limits(SearchLimits& limits, const char* error_help, const char* ms_help, const char* metric_help);
-
-protected:
-    CommandParser(CLI::App& parent, const char* name, const char* about) : app_(*parent.add_subcommand(name, about)) {}
     /// Applies the values that are parsed as text to the options. @throws UsageError
     void finish();
 
+protected:
+    CommandParser(CLI::App& parent, const char* name, const char* about) : app_(*parent.add_subcommand(name, about)) {}
+
     CLI::App& app_;
-    CommandOptions* options_ = nullptr;  ///< Command::options
+    CommandOptions* options_ = nullptr;  ///< ParsedCommand::options
 
 private:
     std::string size_;
     std::vector<std::string> sets_;  ///< KEY=VALUE
 };
 
-/// Command of the parser with the values of its options. Lives as long as the parser that it belongs to.
+/// Command of the parser with the values of its options.
 template <class Options>
-class Command : public CommandParser {
-public:
+struct ParsedCommand : CommandParser {
     Options options;
 
-    /// Adds a command to the parser. @param run receives the command's function when the command line names it
-    /// @param execute function that runs the command
-    static Command& add(CLI::App& parent, Run& run, const char* name, const char* about,
-                        void (*execute)(const Options&)) {
-        const auto made = std::shared_ptr<Command>(new Command(parent, name, about));
-        made->app_.callback([made, &run, execute] {
-            run = [made, execute] {
-                made->finish();
-                execute(made->options);
-            };
-        });
-        return *made;
-    }
-
-private:
-    Command(CLI::App& parent, const char* name, const char* about) : CommandParser(parent, name, about) {
+    ParsedCommand(CLI::App& parent, const char* name, const char* about) : CommandParser(parent, name, about) {
         options_ = &options;
     }
 };
+
+/// Adds a command to the parser. The returned object lives as long as the parser.
+/// @param run receives the command's function when the command line names it @param execute function that runs the
+/// command
+template <class Options>
+ParsedCommand<Options>& add_command(CLI::App& parent, Run& run, const char* name, const char* about,
+                                    void (*execute)(const Options&)) {
+    const auto made = std::make_shared<ParsedCommand<Options>>(parent, name, about);
+    made->app().callback([made, &run, execute] {
+        run = [made, execute] {
+            made->finish();
+            execute(made->options);
+        };
+    });
+    return *made;
+}
 
 /// Adds the commands that measure (sweep, merge, tune, plan, advise, precision, shimmer) to the parser.
 void add_measure_commands(CLI::App& app, Run& run);
