@@ -103,7 +103,7 @@ TEST(SceneLights, KeepAnyName) {
     lights[3].name = "\x1b[2J\n\xff\u202e";
     for (int i = 0; i < 43; ++i) lights[4].name += 'n';
     lights[4].name += "\U0001f4a1\u202e\u202e";
-    const Settings s = base_settings(lit_scene(lights));
+    Settings s = base_settings(lit_scene(lights));
     EXPECT_EQ(s.lights[0].name, "");
     EXPECT_EQ(s.lights[1].name, "Küchenlampe");
     EXPECT_EQ(s.lights[2].name, std::string(44, 'n') + "…");
