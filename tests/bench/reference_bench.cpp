@@ -133,19 +133,19 @@ void reference_against_bare(benchmark::State& state, test::AgreedSize size) {
     auto& bench = benches[size];
     if (!bench) bench = std::make_unique<Bench>(size);
     const Workers workers{.threads = int(state.range(0))};
-    struct Way {
+    struct Tracing {
         std::size_t at_once;
         RTCIntersectContextFlags flags;
         Taken ms, robust_ms;
     };
-    std::vector<Way> ways;
+    std::vector<Tracing> ways;
     for (const std::size_t n : {256, 1024, 4096})
         for (const auto flags : {RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, RTC_INTERSECT_CONTEXT_FLAG_COHERENT})
             ways.push_back({n, flags, {}, {}});
     std::map<std::size_t, Taken> prepared = {{256, {}}, {1024, {}}, {4096, {}}};
     Taken ours, place;
     for (auto _ : state) {
-        for (Way& w : ways) {
+        for (Tracing& w : ways) {
             w.ms.push_back(bench->bare_ms(bench->scene, w.at_once, w.flags, workers));
             w.robust_ms.push_back(bench->bare_ms(bench->robust, w.at_once, w.flags, workers));
         }
@@ -162,7 +162,7 @@ void reference_against_bare(benchmark::State& state, test::AgreedSize size) {
     for (const bool cpu : {false, true}) {
         const auto of = [cpu](const Taken& t) -> const std::vector<double>& { return cpu ? t.cpu : t.wall; };
         std::vector<const Taken*> bare, robust, made;
-        for (const Way& w : ways) {
+        for (const Tracing& w : ways) {
             bare.push_back(&w.ms);
             robust.push_back(&w.robust_ms);
         }

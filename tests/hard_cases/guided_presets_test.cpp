@@ -73,7 +73,7 @@ TEST_P(GuidedPresets, ShowsWhatItsSentenceClaims) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, GuidedPresets, testing::ValuesIn(preset_keys()),
-                         [](const auto& info) { return identifier(info.param); });
+                         [](const auto& preset) { return identifier(preset.param); });
 
 TEST(Claims, WithAnUnknownMetricFail) {
     Drawings drawings("hard-edges");

@@ -85,7 +85,7 @@ TEST(TuneControls, ButtonsRequestAndCancelASearch) {
 
     const auto limits = ui.find("/rows_", "bias", "Tune...");
     ASSERT_TRUE(limits);
-    ui.state.tune = {.bound_error = true, .bound_ms = true, .area = true, .max_error = 0.02, .max_ms = 7};
+    ui.state.tune = {{.bound_error = true, .bound_ms = true, .max_error = 0.02, .max_ms = 7}, true};
     ui.click(*limits);
     ui.click(ui.find("##Popup", "", "Search"));
     ASSERT_TRUE(ui.last_requests.tune);

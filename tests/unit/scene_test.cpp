@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <tuple>
 
@@ -341,7 +342,7 @@ TEST(Finalise, TakesFiftyThousandEqualNamesAndADeepChain) {
 }
 
 TEST(Shapes, ClosedOnesAreWatertightAndFaceOutwards) {
-    constexpr double kPi = 3.14159265358979323846;
+    using std::numbers::pi;
     struct Case {
         Mesh mesh;
         double volume, tolerance;  ///< volume of the smooth body; the polygons are inside
@@ -349,12 +350,12 @@ TEST(Shapes, ClosedOnesAreWatertightAndFaceOutwards) {
     const Case cases[] = {
         {make_box({1, 2, 3}), 6, 1e-6},
         {make_wedge({2, 1, 3}), 3, 1e-6},
-        {make_sphere(2), 4.0 / 3 * kPi * 8, 0.02},
-        {make_cylinder(0.5, 3), kPi * 0.25 * 3, 0.02},
-        {make_cylinder(1, 2, 64, 0.25), kPi * 2 / 3 * (1 + 0.25 + 0.0625), 0.02},
-        {make_capsule(0.5, 2, 32), kPi * 0.25 * 2 + 4.0 / 3 * kPi * 0.125, 0.03},
-        {make_torus(2, 0.5), 2 * kPi * kPi * 2 * 0.25, 0.03},
-        {transformed(make_torus(1, 0.25), turned(40, {1, 0, 0}) * scaled(3, 1, 1)), 3 * 2 * kPi * kPi * 0.0625, 0.03},
+        {make_sphere(2), 4.0 / 3 * pi * 8, 0.02},
+        {make_cylinder(0.5, 3), pi * 0.25 * 3, 0.02},
+        {make_cylinder(1, 2, 64, 0.25), pi * 2 / 3 * (1 + 0.25 + 0.0625), 0.02},
+        {make_capsule(0.5, 2, 32), pi * 0.25 * 2 + 4.0 / 3 * pi * 0.125, 0.03},
+        {make_torus(2, 0.5), 2 * pi * pi * 2 * 0.25, 0.03},
+        {transformed(make_torus(1, 0.25), turned(40, {1, 0, 0}) * scaled(3, 1, 1)), 3 * 2 * pi * pi * 0.0625, 0.03},
     };
     for (const Case& c : cases) {
         SCOPED_TRACE(c.mesh.name);

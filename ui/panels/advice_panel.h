@@ -16,7 +16,7 @@ struct AdviceReport;
 struct AutopilotResult;
 
 /// State of the panel Advice: largest error and longest frame time that the autopilot may reach.
-struct AdvicePanel : SearchLimits {};
+struct AdvicePanel : LimitFields {};
 
 /// Request for a search. With a limit on error or time the autopilot runs, without one the search for advice.
 struct AdviceRequest {

@@ -12,7 +12,7 @@
 namespace si {
 
 /// Limits of a search as typed.
-struct SearchLimits {
+struct LimitFields {
     bool bound_error = true;
     bool bound_ms = false;
     double max_error = 0.01;       ///< largest mean error of visibility
@@ -21,7 +21,7 @@ struct SearchLimits {
 };
 
 /// State of the controls of the bias search.
-struct TunePanel : SearchLimits {
+struct TunePanel : LimitFields {
     bool area = false;  ///< compares with an area light instead of a point
 };
 
