@@ -58,11 +58,12 @@ void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkC
     if (time) {
         const Spread& t = time->total_ms;
         fmt::print(
-            "{} ms a frame {} within this run ({} to {}: 95 % interval of the median of {} frames in {} "
+            "{} {} a frame {}{} within this run ({} to {}: 95 % interval of the median of {} frames in {} "
             "bursts over {:.1f} s, {}; 95 % of frames below {}; {})\n",
-            digits_text(t.median), cost_row(time->cost).when, digits_text(t.median_low), digits_text(t.median_high),
-            t.samples, t.bursts, time->seconds, time->settled ? "settled" : "not settled", digits_text(t.p95),
-            time->clock);
+            digits_text(t.median), time_unit(time->clock), cost_row(time->cost).when,
+            time->wall_ms ? fmt::format(" ({} ms of wall time)", digits_text(time->wall_ms->median)) : "",
+            digits_text(t.median_low), digits_text(t.median_high), t.samples, t.bursts, time->seconds,
+            time->settled ? "settled" : "not settled", digits_text(t.p95), time->clock);
         for (const PassTime& pass : time->passes)
             fmt::print("  {:<32} {:>9} ms   95 % below {}\n", pass.name, digits_text(pass.gpu_ms.median),
                        digits_text(pass.gpu_ms.p95));

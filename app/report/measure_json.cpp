@@ -37,6 +37,7 @@ Json time_json(const TimeMeasurement& time) {
     return {{"total_ms", spread_json(time.total_ms)},
             {"shadow_maps_ms", spread_json(time.maps_ms)},
             {"picture_ms", spread_json(time.picture_ms)},
+            {"wall_ms", time.wall_ms ? spread_json(*time.wall_ms) : Json()},
             {"frames", time.total_ms.samples},
             {"bursts", time.total_ms.bursts},
             {"spread", time.total_ms.relative()},

@@ -40,6 +40,9 @@ Turn turn_of(const Json& line) {
     for (const Json& pass : line.at("passes"))
         turn.samples.passes.push_back({pass.at("name").get<std::string>(), pass.at("gpu_ms").get<std::vector<double>>(),
                                        pass.at("cpu_ms").get<std::vector<double>>()});
+    // journals of a clock that is no processor time lack the list
+    turn.samples.wall_ms = line.value("wall_ms", std::vector<double>(turn.samples.total_ms.size(), 0.0));
+    if (turn.samples.wall_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
     if (turn.samples.maps_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
     return turn;
 }
@@ -214,6 +217,7 @@ Json turn_line(std::size_t case_number, const Turn& turn) {
             {"run", turn.run},
             {"total_ms", milliseconds(turn.samples.total_ms)},
             {"maps_ms", milliseconds(turn.samples.maps_ms)},
+            {"wall_ms", milliseconds(turn.samples.wall_ms)},
             {"passes", json_list(turn.samples.passes, pass_json)}};
 }
 

@@ -17,7 +17,7 @@ struct DriverInfo : RasterTraits {
     std::vector<int> map_samples;   ///< sample counts possible for depth textures, largest first
     bool software = false;          ///< a CPU rasteriser
     bool blocks_as_images = false;  ///< single numbers are read faster from images than from uniform blocks
-    std::string clock;              ///< "GPU timer queries" or "finished wall time (CPU rasteriser)"
+    std::string clock;              ///< name of the clock of passes, as gl::name() gives it
     double query_share = 0;         ///< query time / wall time of a known pass
 };
 

@@ -123,6 +123,7 @@ struct PassInfo {
     std::string needs;               ///< Pass::needs
     std::optional<Optimisation> by;  ///< Pass::by
     std::vector<PartInfo> parts;     ///< parts of the pass; empty: it is undivided
+    double wall_ms = 0;              ///< elapsed time where gpu_ms is processor time; otherwise 0
 };
 
 /// Texture of a frame: an OpenGL name that the user interface shows and the renderer reads back.

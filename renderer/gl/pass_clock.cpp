@@ -1,6 +1,8 @@
 #include "renderer/gl/pass_clock.h"
 
 #include <algorithm>
+#include <thread>
+#include <vector>
 
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
@@ -14,9 +16,64 @@ double elapsed_ms(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+double median(std::vector<double> values) {
+    std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+/// Processor time of each thread, in the order of a list of threads, milliseconds.
+std::vector<double> processor_times(const std::vector<ThreadId>& threads) {
+    std::vector<double> out;
+    for (const ThreadId thread : threads) out.push_back(processor_ms(thread));
+    return out;
+}
+
+/// Finds the threads that work while this one draws and rest while it waits. Threads that trace or load at the same
+/// time work during both.
+class WorkerSearch {
+public:
+    /// Notes the processor times before a round.
+    void begin() { before_ = processor_times(threads_); }
+    /// Notes the processor times after a round. @param drawing the round drew; false: it waited
+    void end(bool drawing) {
+        const std::vector<double> after = processor_times(threads_);
+        for (std::size_t i = 0; i < threads_.size(); ++i)
+            (drawing ? drawing_ : waiting_)[i].push_back(after[i] - before_[i]);
+    }
+    /// Returns the threads that spend at least 2 % of a drawing round's processor time, and ten times as much as in a
+    /// waiting round. @param own_ms processor time of the calling thread in a drawing round
+    std::vector<ThreadId> workers(double own_ms) const {
+        std::vector<ThreadId> out;
+        double all_ms = own_ms;
+        for (const std::vector<double>& ms : drawing_) all_ms += median(ms);
+        for (std::size_t i = 0; i < threads_.size(); ++i)
+            if (const double ms = median(drawing_[i]); ms > 0.02 * all_ms && ms > 10 * median(waiting_[i]))
+                out.push_back(threads_[i]);
+        return out;
+    }
+
+private:
+    std::vector<ThreadId> threads_ = other_threads();
+    std::vector<double> before_;
+    std::vector<std::vector<double>> drawing_{threads_.size()}, waiting_{threads_.size()};  ///< by thread and round
+};
+
 }  // namespace
 
-PassClock::PassClock() {
+std::string_view name(ClockKind kind) {
+    switch (kind) {
+        case ClockKind::Queries:
+            return "GPU timer queries";
+        case ClockKind::Processor:
+            return "processor time (CPU rasteriser)";
+        case ClockKind::Wall:
+            break;
+    }
+    return "finished wall time";
+}
+
+PassClock::PassClock(bool cpu_rasteriser) {
+    constexpr int kRounds = 5;
     Target target;
     target.ensure("clock calibration", GL_RGBA8, 512, 512);
     auto framebuffer = make_framebuffer("clock calibration", &target, nullptr);
@@ -30,34 +87,51 @@ PassClock::PassClock() {
     glDisable(GL_DEPTH_TEST);
     glUseProgram(program);
     glBindVertexArray(vao.id());
-    std::array<double, 5> shares{};
-    for (int i = -1; i < int(shares.size()); ++i) {  // the first round compiles and is discarded
-        glFinish();
+    // The first draw compiles, and starts threads that a driver starts late.
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glFinish();
+    WorkerSearch search;
+    std::vector<double> shares, walls, own;
+    for (int i = 0; i < kRounds; ++i) {
+        search.begin();
+        const double own_before = own_processor_ms();
         const auto start = Clock::now();
         glBeginQuery(GL_TIME_ELAPSED, query.id());
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glEndQuery(GL_TIME_ELAPSED);
         glFinish();
-        const double wall = elapsed_ms(start);
+        walls.push_back(elapsed_ms(start));
+        own.push_back(own_processor_ms() - own_before);
+        search.end(true);
         GLuint64 ns = 0;
         glGetQueryObjectui64v(query.id(), GL_QUERY_RESULT, &ns);
-        if (i >= 0) shares[std::size_t(i)] = double(ns) * 1e-6 / std::max(wall, 1e-6);
+        shares.push_back(double(ns) * 1e-6 / std::max(walls.back(), 1e-6));
+        if (!cpu_rasteriser) continue;
+        search.begin();
+        std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(walls.back()));
+        search.end(false);
     }
-    std::sort(shares.begin(), shares.end());
-    query_share_ = shares[2];
-    uses_queries_ = query_share_ > 0.5 && query_share_ < 2;
+    query_share_ = median(shares);
+    const bool honest = query_share_ > 0.5 && query_share_ < 2;
+    kind_ = honest ? ClockKind::Queries : ClockKind::Wall;
+    if (cpu_rasteriser) {
+        workers_ = search.workers(median(own));
+        kind_ = ClockKind::Processor;
+    }
     glUseProgram(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-std::string PassClock::name() const {
-    return uses_queries_ ? "GPU timer queries" : "finished wall time (CPU rasteriser)";
+double PassClock::drawing_ms() const {
+    double ms = own_processor_ms();
+    for (const ThreadId worker : workers_) ms += processor_ms(worker);
+    return ms;
 }
 
 void PassClock::begin() {
     if (used_ == slots_.size()) slots_.emplace_back();
     Slot& slot = slots_[used_];
-    if (uses_queries_) {
+    if (kind_ == ClockKind::Queries) {
         if (!slot.start) {
             slot.start = Query::create("pass start", GLenum(GL_TIMESTAMP));
             slot.stop = Query::create("pass stop", GLenum(GL_TIMESTAMP));
@@ -65,23 +139,26 @@ void PassClock::begin() {
         glQueryCounter(slot.start.id(), GL_TIMESTAMP);
     } else {
         glFinish();
+        started_processor_ms_ = drawing_ms();
         started_ = Clock::now();
     }
 }
 
 std::size_t PassClock::end() {
     Slot& slot = slots_[used_];
-    if (uses_queries_) {
+    if (kind_ == ClockKind::Queries) {
         glQueryCounter(slot.stop.id(), GL_TIMESTAMP);
     } else {
         glFinish();
         slot.wall_ms = elapsed_ms(started_);
+        slot.processor_ms = drawing_ms() - started_processor_ms_;
     }
     return used_++;
 }
 
 double PassClock::milliseconds(std::size_t slot) {
-    if (!uses_queries_) return slots_[slot].wall_ms;
+    if (kind_ == ClockKind::Wall) return slots_[slot].wall_ms;
+    if (kind_ == ClockKind::Processor) return slots_[slot].processor_ms;
     GLuint64 start = 0, stop = 0;
     glGetQueryObjectui64v(slots_[slot].start.id(), GL_QUERY_RESULT, &start);
     glGetQueryObjectui64v(slots_[slot].stop.id(), GL_QUERY_RESULT, &stop);

@@ -1,49 +1,69 @@
-// Timing of passes. On a GPU, timer queries are exact; a CPU rasteriser defers work past the queries, so wall time up
-// to glFinish() is used there. A calibration once per context chooses between the two.
+// Timing of passes. A GPU has timer queries. A driver that draws on the CPU is timed by the processor time of its
+// threads up to glFinish(), which other work of the machine does not change. A calibration once per context finds those
+// threads.
 #pragma once
 
 #include <array>
 #include <chrono>
-#include <string>
+#include <string_view>
 #include <vector>
 
+#include "renderer/base/processor_time.h"
 #include "renderer/gl/handle.h"
 
 namespace si::gl {
 
-/// Stopwatch for render passes, by OpenGL timer queries or by wall time, whichever is right for the driver.
+/// Way in which a PassClock measures.
+enum class ClockKind {
+    Queries,    ///< OpenGL timer queries
+    Processor,  ///< processor time of the drawing thread and the driver's workers
+    Wall,       ///< elapsed time
+};
+
+/// Returns the name of a clock for reports: "GPU timer queries".
+std::string_view name(ClockKind kind);
+
+/// Stopwatch for render passes of the current context, used on one thread.
 class PassClock {
 public:
-    /// Calibrates with a known pass: queries are used when they report 0.5 to 2 times its wall time.
-    PassClock();
-    /// Returns true when passes are timed by queries, false for wall time.
-    bool uses_queries() const { return uses_queries_; }
+    /// Calibrates with a known pass. The kind is Processor on a CPU rasteriser. Elsewhere it is Queries if they report
+    /// 0.5 to 2 times the pass's wall time, otherwise Wall.
+    /// @param cpu_rasteriser the driver draws on the CPU
+    explicit PassClock(bool cpu_rasteriser);
+    /// Returns the way in which passes are timed.
+    ClockKind kind() const { return kind_; }
     /// Returns query time over wall time of the calibration pass.
     double query_share() const { return query_share_; }
-    /// Returns the name of the clock that times passes (queries or wall time), for reports.
-    std::string name() const;
 
     /// Starts timing a render pass; end() stops it.
     void begin();
     /// Stops timing the render pass begun last. Returns its slot for milliseconds().
     std::size_t end();
-    /// Returns the time of a pass in milliseconds. Waits for the GPU when queries are used.
+    /// Returns the time of a pass in milliseconds, by kind(). Waits for the GPU when queries are used.
     /// @param slot the slot that end() returned
     double milliseconds(std::size_t slot);
+    /// Returns the elapsed time of a pass in milliseconds, up to its last pixel; 0 when queries are used.
+    /// @param slot the slot that end() returned
+    double wall_ms(std::size_t slot) const { return slots_[slot].wall_ms; }
     /// Makes all measured slots reusable. Call before the first pass of a frame.
     void reset() { used_ = 0; }
 
 private:
-    bool uses_queries_ = true;
+    ClockKind kind_ = ClockKind::Queries;
     double query_share_ = 0;
-    /// Queries or wall time of one timed pass.
+    std::vector<ThreadId> workers_;  ///< the driver's own threads that draw
+    /// Queries or times of one timed pass.
     struct Slot {
         Query start, stop;
-        double wall_ms = 0;
+        double processor_ms = 0, wall_ms = 0;
     };
+    /// Returns the processor time that this thread and the driver's workers have used, milliseconds.
+    double drawing_ms() const;
+
     std::vector<Slot> slots_;
     std::size_t used_ = 0;
     std::chrono::steady_clock::time_point started_;
+    double started_processor_ms_ = 0;
 };
 
 }  // namespace si::gl

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "renderer/gl/pass_clock.h"
 #include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
@@ -43,6 +44,9 @@ void TimeSamples::add(const FrameResult& frame) {
     if (burst_ended) bursts.push_back(total_ms.size());
     burst_ended = false;
     total_ms.push_back(drawn_ms(frame));
+    double wall = 0;
+    for (const PassInfo& info : frame.passes) wall += info.state == PassState::Drawn ? info.wall_ms : 0;
+    wall_ms.push_back(wall);
     maps_ms.push_back(drawn_ms(frame, PassCategory::Maps));
 }
 
@@ -54,11 +58,16 @@ void TimeSamples::add(const TimeSamples& more) {
     burst_ended = true;
     append(total_ms, more.total_ms);
     append(maps_ms, more.maps_ms);
+    append(wall_ms, more.wall_ms);
     for (const Pass& from : more.passes) {
         Pass& to = pass_of(*this, from.name);
         append(to.gpu_ms, from.gpu_ms);
         append(to.cpu_ms, from.cpu_ms);
     }
+}
+
+std::string_view time_unit(const std::string& clock) {
+    return clock == gl::name(gl::ClockKind::Processor) ? "ms of processor" : "ms";
 }
 
 TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below) {
@@ -71,6 +80,7 @@ TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below
     };
     m.total_ms = spread(samples.total_ms);
     m.maps_ms = spread(samples.maps_ms);
+    if (std::ranges::any_of(samples.wall_ms, [](double ms) { return ms > 0; })) m.wall_ms = spread(samples.wall_ms);
     std::vector<double> rest = samples.total_ms;
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= samples.maps_ms[i];
     m.picture_ms = spread(std::move(rest));

@@ -27,6 +27,7 @@ struct TimeSamples {
     };
     std::vector<double> total_ms;     ///< sum over all passes
     std::vector<double> maps_ms;      ///< sum over passes that draw or change shadow maps
+    std::vector<double> wall_ms;      ///< elapsed time where the others are processor time; otherwise 0
     std::vector<Pass> passes;         ///< passes that ran, in the frame's order
     std::string clock;                ///< name of the clock
     std::vector<std::size_t> bursts;  ///< index of the first frame of each burst
@@ -49,12 +50,16 @@ struct TimeMeasurement {
     Spread total_ms;                   ///< sum over all passes
     Spread maps_ms;                    ///< sum over passes that draw or change shadow maps
     Spread picture_ms;                 ///< sum over all other passes: visibility and shading
+    std::optional<Spread> wall_ms;     ///< elapsed time of all passes, where the others are processor time
     std::vector<PassTime> passes;      ///< passes that ran, in the frame's order
     bool settled = false;              ///< the confidence interval is below the limit, over several bursts
     double seconds = 0;                ///< time from the first frame to the last; 0: unknown
     std::string clock;                 ///< name of the clock
     CostCase cost = CostCase::Forced;  ///< kind of frames that were timed
 };
+
+/// Returns the unit of times by a clock: "ms of processor" or "ms".
+std::string_view time_unit(const std::string& clock);
 
 /// Limit of Spread::relative() of the total below which a time has settled.
 inline constexpr double kSettledSpread = 0.03;

@@ -419,8 +419,8 @@ RendererImpl::RendererImpl() : driver(query_driver()), number(next_number()) {
 
 gl::PassClock& RendererImpl::pass_clock() {
     if (!clock) {
-        clock = std::make_unique<gl::PassClock>();
-        driver.clock = clock->name();
+        clock = std::make_unique<gl::PassClock>(driver.software);
+        driver.clock = gl::name(clock->kind());
         driver.query_share = clock->query_share();
     }
     return *clock;
@@ -446,12 +446,22 @@ FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& setti
     if (seen.key == key && !request.force) {
         seen.info.state = PassState::Cached;
         seen.info.reason = "the visible surfaces are unchanged";
-        seen.info.cpu_ms = seen.info.gpu_ms = 0;
+        seen.info.cpu_ms = seen.info.gpu_ms = seen.info.wall_ms = 0;
         f.seen_m = seen.span;
         return f;
     }
     upload_blocks(f);
+    gl::PassClock* const timer = request.timing ? &pass_clock() : nullptr;
+    if (timer) {
+        timer->reset();
+        timer->begin();
+    }
     seen.span = measure_visible_depths(f, seen.info);
+    if (timer) {
+        const std::size_t slot = timer->end();
+        seen.info.gpu_ms = timer->milliseconds(slot);
+        seen.info.wall_ms = timer->wall_ms(slot);
+    }
     seen.key = key;
     FrameState measured = derive_frame_state(scene, settings, request);
     measured.camera_depth_renewed = true;  // once a frame, even if forced

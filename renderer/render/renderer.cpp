@@ -47,7 +47,10 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
         if (clock) timed.emplace_back(i, clock->end());
         if (f.driver.software) gl::throttle_background_drawing();
     }
-    for (const auto& [pass, slot] : timed) infos[pass].gpu_ms = clock->milliseconds(slot);
+    for (const auto& [pass, slot] : timed) {
+        infos[pass].gpu_ms = clock->milliseconds(slot);
+        infos[pass].wall_ms = clock->wall_ms(slot);
+    }
 }
 
 std::vector<ResultRef> wanted_results(const FrameState& f) {
@@ -174,7 +177,7 @@ FrameResult RendererImpl::run_plan(FrameState& f) {
     describe_frame(f, result);
     result.contents = contents_of(f, result.passes);
     result.contents.renderer = number;
-    if (f.request.timing) result.clock = pass_clock().name();
+    if (f.request.timing) result.clock = std::string(gl::name(pass_clock().kind()));
     return result;
 }
 

@@ -129,6 +129,30 @@ TEST(TimeSampler, NoiseIsMeasuredBetweenBursts) {
     EXPECT_FALSE(summarise_times(two).settled) << "two bursts tell nothing";
 }
 
+TEST(TimeSampler, WallTimeStandsBesideProcessorTime) {
+    TimeSamples samples;
+    for (const double wall_ms : {4, 6, 5}) {
+        FrameResult f = frame_of(2, 3);
+        f.passes[0].wall_ms = wall_ms;
+        f.passes[1].wall_ms = 10;
+        f.passes[2].wall_ms = 100;  // skipped
+        samples.add(f);
+    }
+    TimeSamples twice = samples;
+    twice.add(samples);
+    EXPECT_EQ(twice.wall_ms.size(), 6u);
+    const TimeMeasurement m = summarise_times(twice);
+    ASSERT_TRUE(m.wall_ms);
+    EXPECT_DOUBLE_EQ(m.wall_ms->median, 15);
+    EXPECT_DOUBLE_EQ(m.total_ms.median, 5);
+
+    TimeSamples other;
+    other.add(frame_of(2, 3));
+    EXPECT_FALSE(summarise_times(other).wall_ms) << "of a clock that is no processor time";
+    EXPECT_EQ(time_unit("processor time (CPU rasteriser)"), "ms of processor");
+    EXPECT_EQ(time_unit("GPU timer queries"), "ms");
+}
+
 TEST(TimeSampler, DepthBlurCountsAsMapTime) {
     FrameResult f = frame_of(2, 3);
     f.passes.push_back({"another change of the maps", PassState::Drawn, "", 7, 0, 0, 0, PassCategory::Maps});

@@ -1,0 +1,20 @@
+// Processor time of the threads of this process.
+#pragma once
+
+#include <vector>
+
+namespace si {
+
+/// Thread of this process, by the kernel's number.
+using ThreadId = int;
+
+/// Returns the threads of this process, the calling one left out. Empty where the kernel does not list them.
+std::vector<ThreadId> other_threads();
+
+/// Returns the processor time that a thread has used, milliseconds. 0 for a thread that has ended.
+double processor_ms(ThreadId thread);
+
+/// Returns the processor time that the calling thread has used, milliseconds.
+double own_processor_ms();
+
+}  // namespace si
