@@ -52,7 +52,8 @@ void add_tune(CLI::App& app, Run& run) {
     c.add_session();
     c.add_output("PRESET", "The preset, .json")->required();
     c.add_limits(c.options, "Search kernels and resolutions for the cheapest whose error (--error) is at most this",
-                 "Search kernels and resolutions for the most accurate whose frame takes at most this long",
+                 "Search kernels and resolutions for the most accurate whose frame takes at most this long, in ms of "
+                 "the clock that info names",
                  "Error that --max-error limits, named as in `measure --json` (1 minus the value if more is better)");
     c.add_area();
     c.add_size();
@@ -90,7 +91,8 @@ void add_advise(CLI::App& app, Run& run) {
     AdviseOptions& o = c.options;
     c.add_session();
     c.add_limits(o, "Autopilot: the cheapest effects whose error (--error) is at most this",
-                 "Autopilot: the most accurate effects whose frame takes at most this long (--cost)",
+                 "Autopilot: the most accurate effects whose frame takes at most this long (--cost), in ms of the "
+                 "clock that info names",
                  "Error to limit, named as in `measure --json`");
     c.add_value("--vary", o.vary, "KEY=VALUES",
                 "Setting and values that the autopilot tries, as in `sweep`; may be repeated (default: chosen from the "

@@ -59,10 +59,13 @@ Json report_json(const AdviceReport& r, const AdviseOptions& o) {
     return json;
 }
 
-Json autopilot_json(const AutopilotResult& r, const Settings& before, const AdviseOptions& o, const Metric& error) {
+/// @param clock name of the clock of all times
+Json autopilot_json(const AutopilotResult& r, const Settings& before, const AdviseOptions& o, const Metric& error,
+                    const std::string& clock) {
     Json json = head_json("shadow-inspector-autopilot", o, error);
     json["held"] = r.goals_met;
     json["summary"] = r.summary;
+    json["clock"] = clock;
     json["before"] = {{"error", r.before.error}, {"ms", r.before_ms}};
     json["best"] = {{"error", r.best.classified.error},
                     {"ms", r.best.ms ? Json(*r.best.ms) : Json()},
@@ -94,8 +97,8 @@ void print_advice(const TriedAdvice& t) {
 
 void print_report(const AdviceReport& r) {
     const CostRow& cost = cost_row(r.options.cost);
-    fmt::print("now {} {:.5g}, {} ms a frame {}\n", r.options.error->key, r.before.error,
-               digits_text(r.time.total_ms.median), cost.when);
+    fmt::print("now {} {:.5g}, {} {} a frame {}\n", r.options.error->key, r.before.error,
+               digits_text(r.time.total_ms.median), time_unit(r.time.clock), cost.when);
     for (const Finding& f : r.findings)
         fmt::print("{}: {}{}{}{}\n", severity_key(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
                    f.settings.empty() ? "" : "\n      " + set_options_text(f.settings));
@@ -106,12 +109,14 @@ void print_report(const AdviceReport& r) {
     for (const TriedAdvice& t : r.fails) print_advice(t);
 }
 
-void print_flight(const AutopilotResult& r) {
+/// @param clock name of the clock of all times
+void print_flight(const AutopilotResult& r, const std::string& clock) {
     for (const DroppedEffect& d : r.dropped)
         fmt::print("  {}={} instead of {}: {} would have cost {} (error {:.4g} with it)\n", d.key, d.now, d.before,
                    d.before, time_text(d.ms), d.error);
     for (const std::string& text : r.untried) fmt::print("  {}\n", text);
-    fmt::print("{} of {} combinations in {:.0f} s\n{}\n", r.cases.size(), r.combinations, r.seconds, r.summary);
+    fmt::print("{} of {} combinations in {:.0f} s\n{}\ntimes by {}\n", r.cases.size(), r.combinations, r.seconds,
+               r.summary, clock);
 }
 
 class Advisor {
@@ -144,9 +149,9 @@ public:
                                           goals, axes, cache_, workers, report);
         });
         if (o_.json)
-            fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error)));
+            fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error, renderer_.driver().clock)));
         else
-            print_flight(r);
+            print_flight(r, renderer_.driver().clock);
         if (!r.goals_met) numbers_.require_sound();
         if (!r.goals_met) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
         if (!o_.output.empty()) write(r);

@@ -105,9 +105,10 @@ void run_plan(const PlanOptions& options) {
         print_effects(plan.effects, plan.saved ? &*plan.saved : nullptr);
         if (plan.saved)
             fmt::print(
-                "\n{} ms a frame with all its passes; medians of {} alternating rounds, with their 95 % "
+                "\n{} {} a frame with all its passes; medians of {} alternating rounds, with their 95 % "
                 "intervals; {}\n",
-                digits_text(plan.saved->frame.total_ms.median), plan.saved->rounds, plan.saved->frame.clock);
+                digits_text(plan.saved->frame.total_ms.median), time_unit(plan.saved->frame.clock), plan.saved->rounds,
+                plan.saved->frame.clock);
         if (plan.waste) print_waste(*plan.waste);
     }
     print_notes(session.notes);

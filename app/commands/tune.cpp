@@ -136,10 +136,15 @@ void run_tune(const TuneOptions& options) {
     const std::optional<Settings> found = tuner.result();
     Settings after = session.settings;
     if (found) apply_tuning(after, *found);
-    if (options.json)
-        fmt::print("{}", json_text(tuned_json(tuner, session.settings, after, goals.cost, seconds)));
-    else
+    const std::string clock = goals.max_error || goals.max_ms ? renderer.driver().clock : std::string();
+    if (options.json) {
+        Json json = tuned_json(tuner, session.settings, after, goals.cost, seconds);
+        json["clock"] = clock.empty() ? Json() : Json(clock);
+        fmt::print("{}", json_text(json));
+    } else {
         print_tuned(tuner);
+        if (!clock.empty()) fmt::print("times by {}\n", clock);
+    }
     if (!found) numbers.require_sound();
     if (!found) throw Error(tuner.summary() + "; nothing was written");
     save_preset({"", "", tuner.summary(), session.scene_name, after}, options.output);

@@ -65,7 +65,9 @@ void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts
     ImGui::Spacing();
     bound("Error at most", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.", panel.bound_error,
           panel.max_error, 1e-6, "%.5f");
-    bound("Time at most, ms", "Of a frame, ms: without a bound on the error the most accurate effects that keep it.",
+    bound("Time at most, ms",
+          "Of a frame, in ms of the clock that the tab Effects names: without a bound on the error the most accurate "
+          "effects that keep it.",
           panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
     if (button_if(ready && (panel.bound_error || panel.bound_ms), "Autopilot")) {
         requests.find_advice = AdviceRequest{.cost = panel.cost};

@@ -263,15 +263,14 @@ void history(const FrameTimes& times) {
 
 void clock_line(const FrameResult& result, const DriverInfo* driver) {
     if (result.pages) ImGui::TextDisabled("%s", page_facts_text(*result.pages).c_str());
-    const std::string by = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
-    const bool software = driver && driver->software;
-    std::string clock = software ? "CPU rasteriser: times do not predict a GPU" : by;
+    std::string clock = result.clock.empty() ? std::string() : "Time by " + result.clock;
+    if (driver && driver->software)
+        clock =
+            clock.empty() ? "CPU rasteriser: times do not predict a GPU" : clock + ", which does not predict a GPU's";
     if (driver) clock += fmt::format("{}{}", clock.empty() ? "" : "   ", driver->renderer);
     const std::string shown = beginning_that_fits(clock, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
     ImGui::TextDisabled("%s", shown.c_str());
-    std::string tip = shown == clock ? std::string() : clock;
-    if (software && !by.empty()) tip += (tip.empty() ? "" : "\n") + by;
-    if (!tip.empty()) wrapped_tooltip(tip);
+    if (shown != clock) wrapped_tooltip(clock);
 }
 
 }  // namespace

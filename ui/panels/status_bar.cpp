@@ -19,7 +19,8 @@ std::string cost_text(const FrameTimes& times) {
     if (times.frames.empty()) return {};
     const auto text = [](double t) { return fmt::format("{:.{}f} ms", t, t < 10 ? 2 : t < 100 ? 1 : 0); };
     const TimedFrame& last = times.frames.back();
-    return fmt::format("{}frame {}, {}   ", times.newest_is_shown ? "" : "last timed: ", text(last.ms),
+    return fmt::format("{}frame {}{}, {}   ", times.newest_is_shown ? "" : "last timed: ", text(last.ms),
+                       time_unit(times.clock).substr(2),
                        last.drew_maps ? "maps " + text(last.maps_ms) : "no map drawn");
 }
 

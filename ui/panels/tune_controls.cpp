@@ -32,7 +32,8 @@ void limits_popup(TunePanel& panel, TuneRequests& requests) {
     limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
           panel.bound_error, panel.max_error, 1e-6, "%.5f");
     limit("Time at most, ms",
-          "Of a frame of this picture's size. Without a bound on the error the most accurate that is\n"
+          "Of a frame of this picture's size, by the clock that the tab Effects names. Without a bound on the error "
+          "the most accurate that is\n"
           "this fast is chosen.",
           panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
     choose_cost("Time", panel.cost);

@@ -15,6 +15,7 @@ void keep_times(FrameTimes& times, const FrameResult& shown, std::string_view sc
         }
     }
     times.newest_is_shown = frame.ms > 0;
+    if (times.newest_is_shown) times.clock = shown.clock;
     const bool stays = !times.frames.empty() && times.frames.back().ms == frame.ms;
     if (times.newest_is_shown && !stays) times.frames.push_back(frame);
     while (times.frames.size() > 1 && times.frames.front().at_s < now_s - FrameTimes::kKept_s) times.frames.pop_front();

@@ -22,6 +22,7 @@ struct TimedFrame {
 struct FrameTimes {
     static constexpr double kKept_s = 30;  ///< age up to which frames are kept
 
+    std::string clock;                      ///< name of the clock of all times; empty: none was taken
     std::string scene;                      ///< built-in scene key or path; another scene drops all times
     std::map<std::string, double> pass_ms;  ///< last time of each pass, by its name
     std::deque<TimedFrame> frames;          ///< frames of the last kKept_s, newest last; at least the newest
