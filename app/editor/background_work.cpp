@@ -16,10 +16,11 @@ namespace {
 
 BiasSearchResult search_bias(const SearchTools& t, const TuneRequest& request) {
     const auto began = std::chrono::steady_clock::now();
-    const TuningJob job{.settings = t.of.settings,
-                        .width = t.of.width,
-                        .height = t.of.height,
-                        .goals = {.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost}};
+    TuningJob job{.settings = t.of.settings,
+                  .width = t.of.width,
+                  .height = t.of.height,
+                  .goals = {.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost}};
+    job.settings.truth.area = request.area;
     const Tuner tuner = run_tuning(t.renderer, t.scene, job, t.workers,
                                    [&](const Tuner& now) { t.report(now.progress(), now.step_label()); });
     BiasSearchResult out;
@@ -156,8 +157,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     const auto start = [&](auto& search, const char* first, const auto& requested, const auto& work) {
         const Scene& scene = scenes.require();
         // A measurement needs a size, which a hidden picture does not have.
-        SearchSubject of{scene.id, state_.settings, shown.request.width, shown.request.height};
-        if constexpr (requires { requested.area; }) of.settings.truth.area = requested.area;
+        const SearchSubject of{scene.id, state_.settings, shown.request.width, shown.request.height};
         search.start(scene, of, first, [requested, work](const SearchTools& tools) { return work(tools, requested); });
     };
     request(requests.tune.has_value(), [&] { start(bias_search_, "the present bias", *requests.tune, search_bias); });

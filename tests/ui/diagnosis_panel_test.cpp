@@ -190,6 +190,22 @@ TEST(EditorTuning, FindsTheMinimumBiasInTheBackgroundAsOneUndoStep) {
     EXPECT_FALSE(model.facts().tuned_current);
 }
 
+TEST(EditorTuning, ComparesWithAnAreaOnRequestAndIsApplied) {
+    TestEditor editor(biased_boxes());
+    EditorModel& model = editor.model();
+    model.state.settings.lights[0].size = 1;
+    model.state.settings.truth.samples = 4;
+    const Settings before = model.state.settings;
+    ASSERT_FALSE(before.truth.area);
+    EditorRequests request = small_picture();
+    model.fulfil(request);
+    request.tune = TuneRequest{.area = true};
+    model.fulfil(request);
+    editor.settle();
+    EXPECT_NE(model.state.settings.bias, before.bias);
+    EXPECT_FALSE(model.state.settings.truth.area) << "the search's own setting";
+}
+
 TEST(EditorTuning, IsNotAppliedToOtherSettings) {
     TestEditor editor(biased_boxes());
     EditorModel& model = editor.model();
