@@ -135,10 +135,12 @@ private:
     }
 
     std::string right() const {
-        const std::string bias = d_.has.depth >= d_.least.depth
-                                     ? fmt::format("needs {} of bias, has {}", texels(d_.least), texels(d_.has))
+        const std::string needed = texels(d_.least), given = texels(d_.has);
+        // Amounts that differ by rounding alone print alike.
+        const std::string bias = d_.has.depth >= d_.least.depth || needed == given
+                                     ? fmt::format("needs {} of bias, has {}", needed, given)
                                      : fmt::format("needs {} of bias and has only {}, so neighbours may show acne",
-                                                   texels(d_.least), texels(d_.has));
+                                                   needed, given);
         if (faint_acne())
             return fmt::format(
                 "faint acne: lit, as in the reference, but {:.0f} % of the kernel is self-shadowed{}; {}",
