@@ -187,7 +187,8 @@ constexpr auto kLight = with_scope(
          .help = "Size of the light: angular radius in degrees for directional lights (the sun: 0.27), radius in "
                  "metres for spot and point lights. Larger lights make wider penumbrae.",
          .also =
-             "source radius, source angle, angular size, angular diameter, softness, soft falloff, light size, "
+             "source radius, source angle, contactHardeningLightSizeUVRatio, angular size, angular diameter, softness, "
+             "soft falloff, light size, "
              "penumbra, area light, angular distance, light radius, shadow soft size, shadowBulbRadius, penumbraScale"},
         {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          SI_IDLE(has_type(s, i, LightType::Directional), "without effect: a directional light reaches everywhere"),
@@ -241,7 +242,8 @@ constexpr auto kLight = with_scope(
          .help = "The projection of the shadow map.", .also = "orthographic, perspective, shadow camera"},
         {SI_LIGHT_FIELD(near_far), .label = "Near and far", SI_CHOICES(kNearFar), .idle = near_far_idle,
          .help = "The depth range of the map. Shorter ranges have finer steps.",
-         .also = "shadow near plane, near plane offset, pancaking, depth range, directional shadow pancake size"},
+         .also = "shadow near plane, near plane offset, pancaking, shadowPancaking, depth range, directional shadow "
+                 "pancake size"},
         {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .zero_is_auto = true, .idle = planes_idle,
          .help = "Distance of the map's near plane from the light; 0 is the fit's value. Casters nearer than this are "

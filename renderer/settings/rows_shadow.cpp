@@ -109,7 +109,7 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .idle = outside_idle,
      .help = "The lighting of surfaces that the map does not hold: beside it, behind its far plane with map.far_guard, "
              "or behind the light.",
-     .also = "border colour, border color", .shader = true},
+     .also = "border colour, border color, frustumEdgeFalloff", .shader = true},
     {SI_FIELD(map.far_guard), .label = "Far-plane test", .cost = Cost::Program,
      .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
              "farther away than anything stored, and turn dark.",
@@ -228,13 +228,14 @@ constexpr Choice kBlends[] = {
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", SI_CHOICES(kCulls),
      .help = "The faces that are left out of the shadow map. Objects may differ (object.PATH.cull).",
-     .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling, "
+     .also = "shadow side, shadowSide, cullFace, double sided, two-sided, cull mode, front face culling, back face "
+             "culling, "
              "shadow reverse cull face, face culling",
      .map_only = true, .read_by = ReadBy::Maps},
     {SI_FIELD(caster.blend), .label = "Blended casters", SI_CHOICES(kBlends),
      .help = "The shadow of materials whose alpha blends (glTF: BLEND). A shadow map holds one depth a texel, so there "
              "is no half shadow.",
-     .also = "transparent shadows, translucent, alpha blend"},
+     .also = "transparent shadows, translucent, alpha blend, foliage"},
 });
 static_assert(kCaster.size() == member_count<CasterSettings>(), "a member of CasterSettings has no row");
 
@@ -252,7 +253,7 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
      .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
              "comparison. Too little: acne. Too much: shadows detach from their casters (peter-panning).",
-     .also = "depth bias, shadow bias, constantBias, shadow.bias, shadow acne", .shader = true,
+     .also = "depth bias, shadow bias, constantBias, shadow.bias, shadow acne, r.Shadow.CSMDepthBias", .shader = true,
      .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
      SI_IDLE(s.bias.slope <= s.bias.constant,
@@ -269,17 +270,19 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .slider_max = 20,
      .help = "Shifts the point of the look-up along its normal by this many texels (normal-offset shadows). Cures acne "
              "at any angle of light; too much lets light in at inner edges.",
-     .also =
-         "normal bias, normalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, normal offset bias",
+     .also = "normal bias, normalBias, shadowNormalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, "
+             "normal offset bias",
      .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
-     .help = "The normal that slope bias and normal offset use.", .shader = true, .read_by = ReadBy::SurfacesSeen},
+     .help = "The normal that slope bias and normal offset use.", .also = "shadow terminator, smooth normals",
+     .shader = true, .read_by = ReadBy::SurfacesSeen},
     {SI_FIELD(bias.raster_slope), .label = "Polygon offset factor", .unit = "x depth slope", .min = -100, .max = 100,
      SI_IDLE(holds_distances(s.map.format), kNoOffset),
      .help = "glPolygonOffset factor while the map is drawn: depth per texel of the triangle's own slope, times this. "
              "Towards the far plane when positive, under reversed depth too.",
-     .also = "slope scale, slope-scaled depth bias, SlopeScaledDepthBias, glPolygonOffset, polygonOffset, "
+     .also = "slope scale, slope-scaled depth bias, SlopeScaledDepthBias, depthBiasSlopeScale, glPolygonOffset, "
+             "polygonOffset, "
              "polygonOffsetFactor, polygonOffsetSlope",
      .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(bias.raster_units), .label = "Polygon offset units", .unit = "depth steps", .min = -1e7, .max = 1e7,
@@ -305,7 +308,7 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .help = "The filter of the shadow test. Wider kernels blur the stair steps and need more bias.",
      .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
              "hard shadows, shadowMap.type, PCFSoftShadowMap, PCFShadowMap, BasicShadowMap, VSMShadowMap, "
-             "percentage-closer filtering",
+             "percentage-closer filtering, usePoissonSampling",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .cost = Cost::Program, SI_CHOICES(kMethods), .idle = method_idle,
      .help = "The way in which the kernel reads the map. All give the same picture at different cost.",
@@ -322,7 +325,7 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .cost = Cost::Program,
      .help = "Number of places of the disk that are compared. Few of them show as steps in each edge, or as noise if "
              "each pixel rotates the disk. The Poisson table ends at 64.",
-     .also = "samples, sample count, filter samples", .shader = true},
+     .also = "samples, sample count, SampleCount, filter samples", .shader = true},
     {SI_FIELD(filter.radius), .label = "Radius", .unit = "filter.radius_unit", .min = 0, .max = 32, .logarithmic = true,
      .help = "Radius of the disk of taps. A wider kernel is softer and needs more bias.",
      .also = "softness, filter radius, shadow radius, shadow blur, shadow.radius, shadow filter sharpen",
@@ -374,7 +377,7 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .logarithmic = true,
      .help = "Minimum variance of every texel, in squares of the map's depth range. It covers rounding: too little "
              "leaves acne, too much lets light in near contacts.",
-     .also = "minVarianceScale, variance bias", .shader = true},
+     .also = "minVarianceScale, variance bias, vsmBias", .shader = true},
     {SI_FIELD(filter.blur_shape), .label = "Blur shape", .cost = Cost::Program, SI_CHOICES(kBlurShapes),
      SI_IDLE(s.filter.blur == 0, "without effect: filter.blur is 0"), .help = "The weights of the blur's texels.",
      .shader = true, .read_by = ReadBy::Moments},

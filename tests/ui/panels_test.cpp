@@ -102,6 +102,18 @@ TEST(Panels, SettingsAreFoundByTermsOfOtherEngines) {
         {"screenSpaceContactShadows", "light.contact"},  // Filament
         {"cube size", "map.resolution"},                 // Blender
         {"bleed bias", "filter.bleed"},                  // Blender
+        {"shadowNormalBias", "bias.normal"},             // Unity
+        {"depthBiasSlopeScale", "bias.raster_slope"},    // WebGPU
+        {"r.Shadow.CSMDepthBias", "bias.constant"},      // Unreal
+        {"vsmBias", "filter.min_variance"},              // PlayCanvas
+        {"shadowPancaking", "light.near_far"},
+        {"cullFace", "caster.cull"},
+        {"usePoissonSampling", "filter.kernel"},             // Babylon
+        {"contactHardeningLightSizeUVRatio", "light.size"},  // Babylon
+        {"frustumEdgeFalloff", "map.outside"},               // Babylon
+        {"SampleCount", "filter.taps"},
+        {"foliage", "caster.blend"},
+        {"terminator", "bias.normal_source"},
         {"pcss", "filter.kernel"},
         {"lispsm", "light.fit"},
     };
