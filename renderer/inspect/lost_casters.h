@@ -25,7 +25,8 @@ struct LostCaster {
 /// map or nothing is culled.
 std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& settings, const FittedLight& light);
 
-/// Formats lost casters as warnings with the fix: one line per object, and one line for all above the limit.
+/// Formats casters that face culling removes from the map as warnings with the fix: one line per object, and one line
+/// for all above the limit.
 /// @param max_lines limit of objects that are named
 std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost,
                                              std::size_t max_lines = 5);

@@ -98,11 +98,11 @@ struct Section {
     double occluder_m = 0;               ///< distance to the occluder, metres along the light's ray
     bool occluder_in_map = true;         ///< false: removed by culling or the near plane
 
-    /// Finds the step of the texel with an index along the cut; null: the texel is not in the cut.
+    /// Returns the step of texel number `texel` along the cut; null: the cut lacks it.
     const Step* find_step(int texel) const;
     /// Returns the step of the texel that the look-up falls into; null: the map has no texel there.
     const Step* lookup_step() const { return find_step(lookup_texel); }
-    int lookup_texel = 0;  ///< index along the cut
+    int lookup_texel = 0;  ///< number along the cut of the texel that the look-up falls into
 };
 
 /// Chooses the row or column of texels that shows a pixel's shadow test best. Near a shadow edge that is the direction

@@ -93,7 +93,8 @@ struct SectionDrawing {
     bool broken = false;            ///< distant occluders are drawn in a separate strip at the top
 };
 
-/// Draws a cross-section. With captions the drawing may be higher than the page, by the length of the verdict.
+/// Draws a cross-section on a page of the given width. Without captions the drawing has the height of the page. With
+/// captions its height follows from the content, and a long verdict may make it higher than the page.
 SectionDrawing draw_section(const Section& section, const SectionPage& page);
 
 /// Makes the colour swatch of a legend entry.

@@ -43,7 +43,8 @@ public:
     std::uint32_t pixels(glm::ivec2 texel) const;
     /// Returns the largest number of pixels that read one texel.
     std::uint32_t max_pixels() const;
-    /// Returns an image of pixels() for each texel, one channel, top row first.
+    /// Returns an image with a pixel for each texel of the map: the number of picture pixels whose kernels read it. One
+    /// channel, top row first.
     FloatImage counts() const;
     /// Returns the pixels whose kernels read a texel, in reading order from the top left.
     std::vector<glm::ivec2> readers(glm::ivec2 texel) const;
