@@ -24,7 +24,7 @@ struct SavedTime {
     Spread ms;  ///< milliseconds
 };
 
-/// Times that several optimisations save in one frame.
+/// Time that each optimisation saves in one frame, measured one by one, with the time of the whole frame.
 struct SavedTimes {
     std::vector<SavedTime> optimisations;
     TimeMeasurement frame;  ///< frames with all optimisations, every pass drawn again
@@ -32,8 +32,8 @@ struct SavedTimes {
 
     /// Returns the time that an optimisation saves, in milliseconds; null: not measured.
     const Spread* find(Optimisation optimisation) const;
-    /// Returns the time in milliseconds that an effect saves by being skipped or cached: the time of its optimisation,
-    /// which other effects may share, or the time of its cached pass. Null: unknown.
+    /// Returns the time in milliseconds that an effect saves by being skipped or cached. For a skipped effect it is the
+    /// time that its optimisation saves in all effects together; for a cached one, the time of its pass. Null: unknown.
     const Spread* find(const Effect& effect) const;
 };
 

@@ -115,7 +115,7 @@ private:
 struct BurstClock {
     std::function<double()> now_s;       ///< present time, seconds
     std::function<void(double)> wait_s;  ///< waits so many seconds
-    /// Returns the machine's steady clock.
+    /// Makes a clock that reads the machine's steady clock and sleeps.
     static BurstClock steady();
 };
 
