@@ -10,7 +10,7 @@ namespace si {
 /// compares depths.
 bool compares_per_texel(const Settings& settings);
 /// Returns true when the kernel compares through a shadow sampler (sampler2DShadow). Conditions: filter.method requests
-/// it, the map's format supports it, and one depth serves all texels of a bilinear comparison.
+/// it, the map has a depth format and no pages, and a bilinear kernel compares all texels with one depth.
 bool uses_sampler(const Settings& settings);
 
 /// Returns the cost per pixel of the chosen kernel, by the comparison method in use (gathers or shadow sampler).

@@ -13,7 +13,8 @@
 
 namespace si {
 
-/// Largest distances from the receiver to the texels of a kernel, per axis, in texels, for three purposes.
+/// Largest distances from the receiver to the texels of a kernel, per axis, in texels: for the needed bias, for the
+/// widening of shadow edges, and for the texels that are read.
 struct Reach {
     double bias = 0.5;  ///< centres of texels compared with the receiver's own plane (kappa of the bias formula)
     double edge = 0.5;  ///< displacement or widening of a shadow edge
@@ -125,7 +126,8 @@ double stored_texel_bytes(const Settings& settings);
 /// Returns the moment that the map viewer shows, counted from 1. Returns 0 for depth, or if view.map_channel names no
 /// moment of the kernel.
 int shown_channel(const Settings& settings);
-/// Returns true when mip levels of the moments are made.
+/// Returns true when the moments have mip levels: filter.mips is on and the kernel reads moments, but not from a
+/// summed-area table.
 bool keeps_mips(const Settings& settings);
 /// Returns the requested mip level of the shown moment, which may exceed the coarsest; 0 without mip levels.
 int requested_mip(const Settings& settings);

@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Drawing method of an overlay.
+/// Drawing method of an overlay: a value for each visible fragment, the edges of triangles, or a count of fragments.
 enum class OverlayDraw {
     Fragments,  ///< one value for each visible fragment
     Edges,      ///< lines along the edges of all triangles

@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// Returns the reason for display why map.virtual has no effect; empty if it has. Kernels and blurs that process whole
-/// maps exclude pages.
+/// Returns a text for panels that explains why map.virtual has no effect; empty if it has an effect. Kernels and blurs
+/// that process whole maps exclude pages.
 std::string_view paging_idle_reason(const Settings& settings, int light);
 
 /// Returns true when shadow maps are drawn by pages (map.virtual is on and has an effect).

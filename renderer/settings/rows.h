@@ -18,13 +18,13 @@ namespace si {
 std::vector<Param> shadow_rows();
 /// Returns the rows of the settings table for lights: light.count and light.*.
 std::vector<Param> light_rows();
-/// Returns the rows of shadows that no map holds: volumes.*, contact.*, blob.*, light_map.*.
+/// Returns the rows of the settings table for shadows without a map: volumes.*, contact.*, blob.*, light_map.*.
 std::vector<Param> source_rows();
 /// Returns the rows of the settings table for picture, camera and scene: shading.*, camera.*, scene.*.
 std::vector<Param> picture_rows();
 /// Returns the rows of the settings table for map viewer, panes and overlays: view.*.
 std::vector<Param> view_rows();
-/// Returns the rows of the ray-traced reference and of single objects: truth.*, object.*.
+/// Returns the rows of the settings table for the ray-traced reference and for single objects: truth.*, object.*.
 std::vector<Param> reference_rows();
 
 namespace rows {

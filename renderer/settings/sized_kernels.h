@@ -16,7 +16,7 @@ struct SizedKernel {
     std::optional<bool> point;  ///< value of filter.point, for kernels that read it
 };
 
-/// Returns all short names of kernels.
+/// Returns the table of short names, each with the kernel and the size that it stands for.
 std::span<const SizedKernel> sized_kernels();
 /// Returns the sized kernel with the short name `name`; nullptr if there is none.
 const SizedKernel* find_sized_kernel(std::string_view name);

@@ -25,8 +25,8 @@ std::span<const SplitRow> splits();
 /// depth.
 std::array<double, kMaxCascades - 1> manual_splits(const LightSettings& light);
 
-/// Keeps manual splits in order after an edit: moves earlier splits down and later splits up to the split `changed`.
-/// Does nothing if `changed` is no manual split.
+/// Keeps manual splits in order after an edit of the split `changed`. Earlier splits above its value are lowered to it,
+/// and later splits below its value are raised to it. Does nothing if `changed` is no manual split.
 void push_splits(Settings& settings, const SettingRef& changed);
 
 /// Raises each manual split that is below the split before it to that one, for lights with manual cascades. Appends one
