@@ -44,7 +44,7 @@ public:
     void warn(const Place& place, std::string_view what);
     /// Records a warning about the whole glTF file; after the first hundred it only counts them.
     void warn(std::string_view what);
-    /// Appends the number of glTF warnings that were only counted. Call once, at the end.
+    /// Appends a last warning with the number of those that were counted but not listed. Call once, at the end.
     void close_warnings();
 
     /// Reports loading progress 0..1 to the caller's callback, never less than before.

@@ -11,8 +11,8 @@
 
 namespace si {
 
-/// Casters with one content key (CasterContent): same mesh, place and state, hence the same depths. Candidate for the
-/// cache of static casters.
+/// Group of casters with equal content keys (CasterContent): same mesh, place and state, hence the same depths.
+/// Candidate for the cache of static casters.
 struct StaticCandidate {
     std::uint64_t content = 0;    ///< CasterContent key
     std::uint64_t triangles = 0;  ///< triangles of all casters with the content

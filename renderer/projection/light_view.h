@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Lengths of a texel in metres, along its longest and shortest directions.
+/// Size of a texel in metres, measured across the light's ray, along its longest and shortest direction. Both are equal
+/// unless the view is warped.
 struct TexelSize {
     double longest = 0, shortest = 0;
 };

@@ -32,7 +32,8 @@ public:
     /// Returns true when the point (1-u-v) a + u b + v c of triangle abc passes the alpha test.
     /// A ray hits such points and passes through others.
     bool is_solid(std::uint32_t triangle, double u, double v) const;
-    /// Adds everything that the alpha test depends on, except the triangles, to a cache key.
+    /// Adds the mask's cutoff, texture coordinates and alpha to the content key of the ReferenceGeometry that it
+    /// belongs to. ReferenceGeometry::add_content() adds the triangles.
     void add_content(Key& key) const;
 
 private:

@@ -43,8 +43,8 @@ struct LightMap {
     std::string remark;  ///< reason why the file on disk could not be read or written; empty: none
 };
 
-/// Returns the cache key of a light's map within this process, from scene, casters, light and light_map.*, not the
-/// camera. 0 when there is no such light. @param light index of light.*
+/// Returns the cache key of a light's baked light map within this process. It depends on scene, casters, light and
+/// light_map.*, not on the camera. 0 when there is no such light. @param light index of light.*
 std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
                             int light);
 

@@ -63,7 +63,8 @@ struct ReferenceQuery {
 ReferenceQuery reference_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
                                int light, const ReferenceOptions& options = {});
 
-/// Numbers of light samples per counted pixel, above the surface's horizon or below.
+/// Light samples per pixel that the reference of an area light took: least, most and mean over all counted pixels
+/// (PixelState::Counted).
 struct SamplesUsed {
     int least = 0, most = 0;  ///< per pixel; 0: no area light was sampled
     double mean = 0;

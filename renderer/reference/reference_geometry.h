@@ -55,7 +55,8 @@ struct ReferenceGeometry {
     std::size_t caster_triangles() const;
     /// Returns the world-space corners of a triangle. @param primitive index within the object
     TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
-    /// Returns the unit frame of the scene's bounds.
+    /// Returns the coordinate frame in which rays are traced, so that single precision suffices: centred on the scene's
+    /// bounds and about one unit long.
     UnitFrame unit_frame() const;
     /// Adds the content of the geometry to a cache key that is the same in every process.
     void add_content(Key& key) const;

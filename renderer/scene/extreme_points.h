@@ -13,8 +13,8 @@ namespace si {
 /// usually some hundredths of the scene's size. Empty without a finite vertex or with a singular placement.
 std::vector<glm::dvec3> extreme_points(const Scene& scene);
 
-/// Stores the scene's present outermost points in Scene::framed and Scene::framed_bounds. The automatic camera frames
-/// these from then on, so that it does not follow an animation.
+/// Stores the outermost points of the scene's present pose in Scene::framed and Scene::framed_bounds. The automatic
+/// camera frames these from then on, so that it does not follow an animation.
 void store_framing_points(Scene& scene);
 
 }  // namespace si

@@ -18,7 +18,8 @@ glm::dmat4 placement_of(const SceneSettings& settings);
 /// @param from, to the scene settings with the placement before and after
 void carry_settings(Settings& settings, const SceneSettings& from, const SceneSettings& to);
 
-/// Returns the origin of the positions that shaders compute with, by map.origin: `nearby` or the world's origin.
+/// Returns the point that shaders compute positions relative to: the world's origin if map.origin is `world`, else
+/// `nearby`.
 /// @param nearby a point close to the positions, world
 glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby);
 

@@ -41,7 +41,8 @@ inline constexpr std::string_view kHardPrefix = "hard/", kFixedSuffix = "-fixed"
 struct HardCaseView {
     const HardCase* row = nullptr;
     bool fixed = false;
-    /// Returns the name of scene and preset: "hard/grazing" or "hard/grazing-fixed".
+    /// Returns the name that opens the case, as a scene or as a preset: "hard/" and its key, with "-fixed" for the
+    /// fixed view.
     std::string name() const;
     /// Returns a description of the hard case for people: which of both views is shown, and the sentences of its row in
     /// the table of hard cases.

@@ -15,7 +15,7 @@ Scene make_teapot_scene();
 Scene make_plane_scene();
 /// Makes two kilometres of hills, trees and a village, too large for one shadow map.
 Scene make_landscape_scene();
-/// Makes three jointed figures among simple objects.
+/// Makes three figures in fixed poses (walking, reaching, kneeling) among simple objects.
 Scene make_figures_scene();
 /// Makes flat surfaces whose cobbles are only a normal map.
 Scene make_relief_scene();

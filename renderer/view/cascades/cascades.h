@@ -34,24 +34,24 @@ public:
     /// @param box index into SceneShape::boxes
     std::vector<glm::dvec3> visible_points(const SceneShape& shape, std::size_t box) const;
     /// Returns points whose convex hull is the part of a world-space box inside this slice of the view frustum. The
-    /// points are in view space: x right, y up, z depth along the viewing direction, metres.
+    /// points are in the camera's space: x right, y up, z depth along the viewing direction, metres.
     std::vector<glm::dvec3> visible_points_in_view_space(const Box& box) const;
     /// Returns whether a world-space box lies inside or outside this slice of the view frustum; Crossing where neither
     /// is certain.
     BoxPlacement classify_box(const Box& box) const { return si::classify_box(in_view(box), planes_); }
 
 private:
-    /// Converts a world-space point to view space: x right, y up, z depth.
+    /// Converts a world-space point to the camera's space: x right, y up, z depth along the viewing direction.
     glm::dvec3 in_view(const glm::dvec3& p) const;
-    /// Converts a point from view space to world space.
+    /// Converts a point from the camera's space to world space.
     glm::dvec3 in_world(const glm::dvec3& p) const { return eye_ + axes_ * glm::dvec3(p.x, p.y, -p.z); }
-    /// Converts the corners of a world-space box to view space.
+    /// Converts the corners of a world-space box to the camera's space.
     Box in_view(const Box& box) const;
 
     glm::dvec3 eye_;
     glm::dmat3 axes_;
-    Box corners_;                      ///< view space
-    std::array<HalfSpace, 6> planes_;  ///< sides in view space, facing inwards
+    Box corners_;                      ///< the camera's space
+    std::array<HalfSpace, 6> planes_;  ///< sides in the camera's space, facing inwards
 };
 
 /// Returns the range of camera depths of the visible parts of boxes; empty if none is visible.
