@@ -24,13 +24,15 @@ struct BiasTrial {
     BiasNeeds needs;
     /// Returns the number of pixels with acne, faint acne of wide kernels included. More bias makes them right.
     std::size_t acne() const;
-    /// Returns the number of pixels that are wrong by too much bias: peter-panning and shadows by normal offset.
+    /// Returns the number of pixels that are wrong by too much bias: light that bias or normal offset lets in
+    /// (peter-panning), and shadow that normal offset casts (OffsetShadow).
     std::size_t lost() const;
     /// Returns the number of wrong pixels of all causes.
     std::size_t wrong() const;
 };
 
-/// Converts a measured frame to a trial for BiasSearch::add_trial(). @param settings settings of the measured frame
+/// Makes a trial for BiasSearch::add_trial() from a measured frame: its error metrics, and the bias that its pixels
+/// need. @param settings settings of the measured frame
 BiasTrial measure_bias_trial(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 /// Bias that a search found for one family, with the trial that confirmed it.

@@ -82,10 +82,11 @@ public:
 private:
     static constexpr int kMinResolution = 256;
 
-    /// Begins the next candidate: present kernel and resolution.
+    /// Begins the search for the bias of the kernel and resolution that kernel_ and resolution_ name, or ends all
+    /// searches after the last kernel.
     void open_candidate();
-    /// Ends the trial of the present kernel and resolution, and begins the next one. @param try_finer true: goes on
-    /// with twice the resolution, else with the next kernel
+    /// Ends the trial of the present kernel and resolution, and begins the next one. @param try_finer true: continues
+    /// with twice the resolution if goals_ allow it; else with the next kernel
     void close_candidate(bool try_finer);
     /// Takes the bias that was found, rates the candidate against the limits, and then requests its time or closes it.
     void finish_measured_run();

@@ -141,13 +141,15 @@ struct Pane {
     bool lacks_reference = false;            ///< overlay not drawn, as FrameRequest lacks its reference
 };
 
-/// Ray-traced reference that a frame needs, and whether FrameRequest brought it.
+/// Report of a drawn frame: the ray-traced reference that it depends on, and whether FrameRequest had it. If not, the
+/// caller traces that reference and draws again.
 struct ReferenceNeed {
     std::uint64_t key = 0;  ///< reference_key() of this frame; 0: not needed, or there is no light
     bool met = false;       ///< true: FrameRequest::reference has the needed key
 };
 
-/// Light map that a light needs, and whether FrameRequest brought it.
+/// Report of a drawn frame: the light map that a light depends on, and whether FrameRequest had it. If not, the caller
+/// bakes that map and draws again.
 struct LightMapNeed {
     std::uint64_t key = 0;        ///< light_map_key() of this frame; 0: the light's source is another
     bool met = false;             ///< true: FrameRequest::light_maps held the map with the needed key
@@ -226,7 +228,8 @@ struct FrameResult {
     FrameContents contents;
     /// Returns the report on the pass of this name; null if the frame has none.
     const PassInfo* pass(std::string_view name) const;
-    /// Returns the report on the first pass that makes a result; null if the frame has none.
+    /// Returns the report on the first pass that draws this result, such as Result::ShadowMaps; null if no pass of the
+    /// frame does.
     const PassInfo* pass(Result makes) const;
 };
 

@@ -46,7 +46,7 @@ enum class Result {
 /// Returns a result's name for people: "shadow maps".
 std::string_view result_name(Result result);
 
-/// Reference to a result. Results that every pane has are told apart by the pane's slot.
+/// Reference to a result. `slot` is the number of the pane, for results that every pane has, else 0.
 struct ResultRef {
     Result what;
     int slot = 0;

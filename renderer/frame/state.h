@@ -203,7 +203,7 @@ struct FrameState {
     /// Binds a framebuffer and sets the state for computing every pixel by one triangle. Follow with draw_fullscreen().
     /// @param width, height pixels
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
-    /// Creates a framebuffer over the image, or over one layer of it, and begins a pass over all its pixels.
+    /// Creates a framebuffer that draws into the image or into one layer of it, and begins a pass over all its pixels.
     gl::Framebuffer begin_fullscreen_pass(std::string_view label, const gl::Target& into, int layer = -1) const;
     /// Binds the program of a full-screen pass, see program(), and returns it for setting uniforms.
     GLuint use_fullscreen(std::string_view fragment, std::vector<gl::Define> extra = {}) const;

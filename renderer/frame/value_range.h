@@ -15,7 +15,8 @@ struct ValueRange {
 
 /// Fits a colour scale to overlay values: from the 1st to the 99th percentile of finite values. Extreme pixels
 /// therefore do not flatten the scale. The range is at least a thousandth of its largest value wide.
-/// @param values RGBA as in FrameResult::overlay: the value in x, a > 0 where drawn
+/// @param values RGBA as in FrameResult::overlay: the first channel is the value, the fourth is above 0 where something
+/// was drawn
 /// @param diverging true: the scale is centred on zero: the range is symmetric
 /// @return nullopt when no pixel has a value
 std::optional<ValueRange> fitted_range(const FloatImage& values, bool diverging);

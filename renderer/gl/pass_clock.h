@@ -26,8 +26,8 @@ std::string_view name(ClockKind kind);
 /// Stopwatch for render passes of the current context, used on one thread.
 class PassClock {
 public:
-    /// Calibrates with a known pass. The kind is Processor on a CPU rasteriser. Elsewhere it is Queries if they report
-    /// 0.5 to 2 times the pass's wall time, otherwise Wall.
+    /// Draws a known pass, and chooses the kind of clock. It is Processor on a CPU rasteriser. Elsewhere it is Queries
+    /// if they report 0.5 to 2 times the pass's wall time, otherwise Wall.
     /// @param cpu_rasteriser the driver draws on the CPU
     explicit PassClock(bool cpu_rasteriser);
     /// Returns the way in which passes are timed.

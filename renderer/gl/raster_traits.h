@@ -31,7 +31,8 @@ struct PolygonOffset {
     }
 };
 
-/// Properties of the driver's rasteriser that bias depends on.
+/// Properties of the driver's rasteriser that bias depends on: sub-pixel bits, and the effect of glPolygonOffset for
+/// each map format.
 struct RasterTraits {
     int subpixel_bits = 0;                            ///< GL_SUBPIXEL_BITS
     std::array<PolygonOffset, kMapFormats> offset{};  ///< by MapFormat

@@ -54,7 +54,7 @@ bool is_drawn_into_maps(const FrameState& f, const Batch& batch);
 /// @param framebuffer the bound framebuffer
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
 
-/// Counts of casters that a map skipped or drew in a cheaper way.
+/// Counts of casters that a map culled, or drew by front faces alone or without a fragment shader.
 struct SkippedCasters {
     std::uint64_t outside_map = 0;       ///< instances entirely outside the map
     std::uint64_t unread = 0;            ///< instances that cover no needed cell

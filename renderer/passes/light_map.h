@@ -20,8 +20,8 @@ public:
     };
 
     void declare(FrameState& f) override;
-    /// Binds the storage buffers from which shaders compute the light map atlas coordinates of a surface point. Also
-    /// updates the offset of the camera-relative origin.
+    /// Binds the storage buffers from which shaders compute the light map atlas coordinates of a surface point, and
+    /// updates the offset of the camera-relative origin. Call before visibility is drawn for a light with a light map.
     void bind_buffers(const FrameState& f) const;
 
 private:

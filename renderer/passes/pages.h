@@ -46,7 +46,8 @@ public:
     };
 
     void declare(FrameState& f) override;
-    /// Adds to the plan the pass that draws the pages without polygon offset and with masks at their finest level.
+    /// Adds to the plan the pass that draws the pages without polygon offset and with masks at their finest mip level.
+    /// Trials of wrong pixels read them to find the caster's true depth.
     /// @param pass pass with its name and reasons filled in
     void declare_unfiltered(FrameState& f, Pass pass);
 

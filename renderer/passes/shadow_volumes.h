@@ -44,7 +44,8 @@ public:
     Pass make_pass(FrameState& f, std::size_t light);
     /// Returns the visibility image: R8, a layer for each light, 1 where the visible surface lies in no volume.
     const gl::Target& lit() const { return lit_; }
-    /// Frees, after a frame's plan, the geometry of lights that draw no shadow volumes in the frame.
+    /// Frees the geometry of lights that draw no shadow volumes in this frame. Call once the frame is planned, before
+    /// its passes run.
     void release_unused();
 
 private:

@@ -61,8 +61,8 @@ public:
     /// @param wait true: waits for the GPU
     /// @throws Error when the frame has no such output or was overwritten
     std::shared_ptr<const NumericHealth> numeric_health(const FrameResult& frame, bool wait = true);
-    /// Evaluates the shadow test at one pixel of a frame in detail: inputs, taps, bias and result. Draws the maps that
-    /// the test needs; images of the last frame stay.
+    /// Evaluates the shadow test at one pixel of a frame in detail: inputs, taps, bias and result. Draws the maps and
+    /// surface ids that the test needs, and leaves the last frame's picture as it is.
     /// @param x, y pixel, row 0 at the top
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
 

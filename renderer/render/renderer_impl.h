@@ -47,7 +47,8 @@ struct RendererImpl {
     FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Derives the values of a frame as prepare_frame() does, from the visible depths measured so far.
     FrameState derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Draws one frame as Renderer::render() does, without the number watcher.
+    /// Draws one frame as Renderer::render() does, but does not call `watch`, the callback that receives invalid
+    /// numbers.
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Runs the passes of a planned frame, and returns its result.
     FrameResult run_plan(FrameState& f);
