@@ -93,7 +93,7 @@ struct ShimmerCommandOptions : CommandOptions {
 /// Runs the command `shimmer`: prints how many pixels flip while camera or light move by fractions of a texel.
 void run_shimmer(const ShimmerCommandOptions& options);
 
-/// Limits of the searches that `tune` and `advise` run.
+/// Limits of error and frame time for the searches that `tune` and `advise` run.
 struct SearchLimits {
     std::string error;  ///< metric that max_error limits, one of tuned_errors(); empty: the first
     std::optional<double> max_error, max_ms;

@@ -32,7 +32,9 @@ public:
         glm::dvec2 wheel{0};
     };
 
-    /// Adds a press or release of a mouse button.
+    /// Adds a press or release of a mouse button to the queue.
+    /// @param mods modifiers that are held (GLFW_MOD_*)
+    /// @param when interval of time in which the press or release happened
     void button(int button, bool down, int mods, const MouseQueue::When& when);
     /// Adds a move of the mouse to a place in the window, in screen coordinates.
     void move(glm::dvec2 to) { mouse_.move(to); }

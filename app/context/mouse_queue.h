@@ -21,7 +21,9 @@ public:
     struct When {
         double earliest_s = 0, latest_s = 0;
     };
-    /// Adds a press or release of a mouse button to the queue. @param mods modifiers that are held (GLFW_MOD_*)
+    /// Adds a press or release of a mouse button to the queue.
+    /// @param mods modifiers that are held (GLFW_MOD_*)
+    /// @param when interval of time in which the press or release happened
     void button(int button, bool down, int mods, const When& when);
     /// Adds a move of the mouse to a place in the window, in screen coordinates.
     void move(glm::dvec2 to) { at_ = to; }

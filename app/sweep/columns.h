@@ -15,7 +15,7 @@ struct Column {
     std::string key;  ///< "error.mae": group and field of a row of results.json
     std::string label, unit, help;
     std::function<double(const CaseNumbers&)> value;  ///< NaN if not measured
-    Better better = Better::Less;                     ///< direction of improvement; plots show shortfall()
+    Better better = Better::Less;                     ///< direction of improvement; plots show distance_from_best()
     std::string noise = {};  ///< key of the field that holds the noise; smaller differences are none; empty: exact
     std::function<double(const CaseNumbers&)> noise_value = {};
 };
@@ -28,7 +28,8 @@ const Column* find_column(std::string_view key);
 /// camera moves".
 std::string label_of(const Column& column, CostCase cost);
 
-/// Returns the value of a column as a plot shows it; NaN if it is not shown.
+/// Returns the number that a plot shows for a column: the distance of its value from the best one, so that less is
+/// better. NaN if the value was not measured, or has no best one (Better::Neither).
 double plotted_value(const Column& column, const CaseNumbers& numbers);
 /// Returns the noise of a column's value. Differences below the noise have no meaning.
 double noise_of(const Column& column, const CaseNumbers& numbers);

@@ -15,8 +15,10 @@ MeasuredCase measured_case(const SweepRow& row);
 /// Converts numbers measured outside a sweep (present or pinned settings) to a dot of the frontier plot.
 MeasuredCase measured_case(const CaseNumbers& numbers);
 
-/// Makes the frontier plot of a sweep: dots, Pareto front and advice. Failed rows are left out. @param present, before
-/// numbers of the present and the earlier settings; null: none @param cost, error keys of the columns on the axes
+/// Makes the frontier plot of a sweep: dots, Pareto front and advice. Failed rows are left out.
+/// @param present numbers of the present settings; null: none
+/// @param cost, error keys of the columns on the axes
+/// @param before numbers of the earlier settings; null: none
 FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers* present, const std::string& cost,
                            const std::string& error, const CaseNumbers* before = nullptr);
 

@@ -20,7 +20,7 @@ using RankedRounds = std::set<std::pair<std::string, int>>;  ///< run and round
 /// Selects the rounds of timed frames that rank the cases of a sweep: those of the kind of frames timed last, on the
 /// machine with most rounds (the latest if several have as many).
 RankedRounds ranked_rounds(const SweepState& state);
-/// Selects the rounds of timed frames whose times are comparable with those of `run`.
+/// Selects the rounds of timed frames whose times are comparable with those of the process `run`.
 RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 
 /// Collects the time samples of one case in rounds whose times are comparable (see ranked_rounds()).

@@ -33,7 +33,7 @@ struct SweepProgress {
     double seconds_left = 0;  ///< estimate for all phases; 0: unknown
 };
 
-/// Runs the steps of a sweep and appends each result to the journal.
+/// Runs the steps of a sweep and appends each result to the sweep's journal.
 class SweepRunner {
 public:
     /// Prepares the steps of a sweep: cases without results, then rounds of timed frames. @param retry_failed measures
@@ -54,9 +54,10 @@ private:
     bool step_timing();
     /// Begins a round of timed frames over all measured cases. The order of the cases alternates from round to round.
     void begin_round();
-    /// Returns the description of this process, for the journal.
+    /// Returns the description of this process (machine, driver, clock), for the sweep's journal.
     RunInfo this_run() const;
-    /// Writes the description of this process to the journal, once.
+    /// Writes the description of this process (machine, driver, clock) to the sweep's journal, unless it is there
+    /// already. Call before the first result.
     void announce_run();
     /// Updates the estimate of the seconds left.
     void estimate();

@@ -79,7 +79,8 @@ struct OtherMeaning : Error {
     using Error::Error;
 };
 
-/// State of a sweep: its specification, and the results of all its cases so far.
+/// State of a sweep as its journal records it: specification, and numbers of all cases so far. sweep_results() computes
+/// the results from it.
 struct SweepState {
     nlohmann::ordered_json spec;  ///< spec_json()
     std::string plan;             ///< plan_key()

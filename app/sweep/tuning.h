@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Inputs of a search for the least bias.
+/// Inputs of a search for the least bias besides the scene: settings, picture size, goals.
 struct TuningJob {
     Settings settings;  ///< truth.* choose the reference
     int width = 1280, height = 720;
