@@ -88,7 +88,8 @@ public:
 private:
     /// Applies the result of a finished bias search to the settings, and logs it. Returns true if a search has ended.
     bool poll_tuning(const Scene* scene);
-    /// Polls one background search and logs its error. Returns true if the search has ended.
+    /// Polls one background search (EditorSearch) and logs the error of a failed one. Returns true if the search has
+    /// ended.
     bool poll_found(auto& search);
     /// Applies the settings that all cases of the shown sweep share, as one step of undo.
     void apply_sweep_base();

@@ -30,7 +30,7 @@ public:
     /// Closes the dialog.
     ~FilePortal();
 
-    /// Opens the desktop's file dialog, and closes one that is open without an answer.
+    /// Opens the desktop's file dialog. An earlier dialog that is still open is closed first, and gives no answer.
     /// @param parent_window "x11:" and the window's id in hexadecimal digits; empty: unknown
     void open_dialog(const DesktopFileDialog& dialog, const std::string& parent_window);
     /// Returns the answer of the file dialog, once; nothing while the dialog is open.

@@ -41,8 +41,8 @@ public:
     bool under_way() const;
     /// Returns true while a frame is drawn, or a finished frame waits for poll().
     bool busy() const;
-    /// Fetches the facts of a finished frame from the drawing thread; its remarks go to the log. Returns true if the
-    /// editor has to be drawn again.
+    /// Fetches the facts of a finished frame from the drawing thread, and writes the frame's errors and remarks to the
+    /// log. Returns true if the editor has to be drawn again.
     bool poll();
     /// Starts to draw a frame if anything has changed and no frame is under way. Returns true if the editor has to be
     /// drawn again. @param scene must not change while under_way() @param comparison the settings that state.compare

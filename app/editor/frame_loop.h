@@ -65,12 +65,13 @@ public:
 private:
     /// Draws a frame if scene, settings or requests differ from those of the last frame. Returns true if it has drawn.
     bool draw(const Scene& scene, const PictureState& state, const EditorRequests& requests);
-    /// Adds one more sample per pixel to the picture of a static view (view.smooth). Returns true if a sample was
-    /// missing.
+    /// Adds one more sample per pixel to the picture of a static view (view.smooth). Returns true if the picture or the
+    /// log has changed; false: the picture has all its samples, or needs none.
     bool add_sample(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     /// Adds an error to the remarks for the log.
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
-    /// Copies the state of the smoothing pass into the shown frame's effects.
+    /// Copies state and reason of the smoothing pass into the report on the shown frame's passes.
+    /// @param more result of the frame that has added a sample
     void report_smoothing(const FrameResult& more);
     /// Queues shaders for background compilation that a hover, a click or the map viewer would need next.
     void queue_likely_shaders(const Scene& scene);

@@ -39,14 +39,15 @@ public:
     /// Opens a file that was dropped on the window: a preset (.json) or a scene. Reads a scene in the background; a
     /// later fulfil() switches to it. Errors go to the log.
     void open(const std::filesystem::path& path);
-    /// Saves the preset under a name from the desktop's dialog. A dialog asks first before a file is replaced that was
-    /// neither opened nor saved here. Errors go to the log.
+    /// Saves the settings as a preset in the file that the user chose in the desktop's file dialog. Before it replaces
+    /// a file that this editor has neither opened nor saved, the editor opens its own question and waits for the
+    /// answer. Errors go to the log.
     void save_as(const std::filesystem::path& path);
     /// Writes a screenshot of the window or a part of it into a file. Errors go to the log.
     /// @param window picture of the window, top row first @param pixels its pixels per unit of the screen
     void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
-    /// Writes the probed pixel's cross-section with verdict and legend into a file, drawn in a readable size. Returns
-    /// false if the request is for another picture.
+    /// Writes the probed pixel's cross-section with verdict and legend into a file, drawn in a readable size. Does
+    /// nothing and returns false if the request is for another picture, or no cross-section is shown.
     bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
@@ -88,7 +89,8 @@ public:
         frames_.wait();
         scenes_.finish();
     }
-    /// Checks that there is a scene. @throws Error if not, or (headless) the first one lacks something of the options
+    /// Checks that there is a scene. @throws Error if not. An editor without a window also throws if the first scene
+    /// lacks something that the options name
     void require_scene() const { scenes_.require(); }
     /// Remarks about the first scene.
     const std::vector<std::string>& notes() const { return scenes_.notes(); }

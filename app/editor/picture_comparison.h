@@ -1,4 +1,4 @@
-// The other side of the editor's picture comparison: the reference, or the same frame under other settings.
+// Picture that the editor compares the shown frame with: the reference, or the same frame under other settings.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,17 @@ namespace si {
 /// Returns true if two requests have the same picture size, references and light maps.
 bool same_inputs(const FrameRequest& a, const FrameRequest& b);
 
-/// Painter of the other side of a picture comparison (reference, or other settings) and of the difference image.
+/// Painter of the picture that the shown frame is compared with (the reference, or the frame under other settings), and
+/// of the difference image.
 class EditorPictureComparison {
 public:
-    /// Draws the other picture of the comparison if it is needed and has changed. Returns true if the facts have
-    /// changed. @param frame shown frame @param drawn the frame is a new one
+    /// Draws the picture that the shown frame is compared with, if it is needed and has changed. Returns true if the
+    /// facts have changed. @param frame shown frame @param drawn the frame is a new one
     /// @param comparison settings that state.compare names; null: not known @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
-    /// Drops the other picture, the difference image and the second renderer. Call when no frame is shown.
+    /// Drops the picture that the shown frame is compared with, the difference image and the second renderer. Call when
+    /// no frame is shown.
     void clear();
     const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 
@@ -29,10 +31,12 @@ private:
     /// Drops the facts shown for the comparison, and the difference image. The second renderer stays, with its cached
     /// maps.
     void hide();
-    /// Draws the other picture with the second renderer, if its settings, scene or size have changed.
+    /// Draws the picture under the settings that state.compare names, with the second renderer, if its settings, scene
+    /// or size have changed.
     void draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                     const ComparisonFacts* comparison);
-    /// Computes the difference image of both pictures and its mean.
+    /// Computes the difference image of the shown frame and the picture that it is compared with, and the mean of that
+    /// image.
     void find_difference(Renderer& renderer, const FrameResult& frame);
 
     std::optional<PictureComparisonFacts> facts_;
@@ -42,7 +46,7 @@ private:
     Settings other_drawn_;
     std::uint64_t other_scene_ = 0;
     FrameRequest other_request_;
-    std::string other_problem_;  ///< why there is no other picture
+    std::string other_problem_;  ///< reason why the second renderer has drawn no picture
 };
 
 }  // namespace si

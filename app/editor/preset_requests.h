@@ -20,12 +20,17 @@ public:
     void start(SessionPlan plan, std::string remark);
     /// Opens a built-in preset or a preset file, and starts to load its scene. @throws Error
     void open(const std::string& name_or_path);
-    /// Writes the present settings into a preset file. Opens a question (state.files.replace) before it replaces a
-    /// file of others. @param about sentence to store; none: the old one @throws Error
+    /// Writes the present settings into a preset file. A file that this editor has neither opened nor saved is not
+    /// replaced: a question opens instead (state.files.replace).
+    /// @param about sentence to store; none: the old one
+    /// @param replace true: replaces any file, without a question
+    /// @throws Error
     void save(const std::string& path, const std::optional<std::string>& about, bool replace);
     /// Restores the session that a crash has left: loads its scene and settings.
     void restore_lost();
-    /// Updates the mark of unsaved settings and the settings to compare with. Returns true if either has changed.
+    /// Compares the present settings with those opened or saved last, and updates the mark of unsaved settings. While a
+    /// comparison is shown, also loads the settings that state.compare names. Returns true if the mark or the choice of
+    /// settings has changed.
     bool compare();
     /// Settings that state.compare names, while they are shown; else null.
     const ComparisonFacts* comparison() const { return shows_comparison_ && comparison_ ? &*comparison_ : nullptr; }

@@ -35,13 +35,13 @@ public:
     /// scenes; empty: load_scene() @param strict true: options that the first scene lacks are errors; false: ignored
     SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
-    /// Sets the editor's settings until the first scene is loaded.
+    /// Sets the settings that the editor shows before the first scene is loaded, and starts the history with them.
     void set_initial_settings(const Settings& settings);
 
     /// Scene that is shown; null: none yet.
     const Scene* scene() const { return has_scene_ ? &scene_ : nullptr; }
-    /// Returns the shown scene. @throws Error if there is none, or (strict) the first scene lacks something that the
-    /// command line names
+    /// Returns the shown scene. @throws Error if there is none. With `strict` (see the constructor), also if the first
+    /// scene lacks something that the command line names
     const Scene& require() const;
     /// Reason why there is no scene; empty: it is loaded, or being read.
     const std::string& problem() const { return problem_; }
@@ -77,7 +77,8 @@ public:
     bool is_shown(const std::string& scene_name, int file_scene) const {
         return has_scene_ && scene_name == state_.scene_name && file_scene == file_scene_;
     }
-    /// Returns the shown scene's name if `name` is another path of the same file, else `name`.
+    /// Returns the name under which the editor knows a scene: the shown scene's name if `name` is another path of the
+    /// same file, else `name`. Compare scenes by this name, so that a shown file is not loaded again.
     std::string known_name(const std::string& name) const;
     /// Replaces the settings that the scene started with. Returns a message for each object or camera that the settings
     /// name and the scene lacks. @param what source of the settings, for these messages

@@ -18,7 +18,7 @@ public:
     /// Begins a session report. @param path file of the report; empty: none is written
     explicit SessionReport(std::filesystem::path path) : path_(std::move(path)) {}
 
-    /// Adds a message of the OpenGL driver to the report.
+    /// Adds a message of the OpenGL driver to the session report.
     void note_driver(const std::string& message);
     /// Keeps the description of the first invalid number; ignores later ones.
     void note_unsound(std::string_view what) {

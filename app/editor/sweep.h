@@ -83,7 +83,8 @@ private:
     };
     /// Returns the measurement to compare with: of the pinned settings, else of those measured last.
     Earlier earlier(const EditorState& state) const;
-    /// Lists the settings that differ from those of the shown sweep and are not varied by it.
+    /// Collects in facts_.other_settings the settings that differ from the shown sweep's and that it does not vary, and
+    /// notes in facts_.other_scene whether the scene differs. The panel warns of both.
     void compare_settings(const EditorState& state);
     /// Removes the folders that this run made for sweeps and in which no case was finished. A folder that cannot be
     /// removed yet, such as one whose sweep still holds its lock, is tried again at the next call.
