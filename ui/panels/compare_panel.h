@@ -1,4 +1,4 @@
-// The panel Compare, and the other side of the comparison of settings.
+// The panel Compare, and the settings that it compares the present ones with.
 #pragma once
 
 #include <optional>
@@ -39,13 +39,16 @@ struct ComparisonFacts {
 
 /// Returns the name of the settings to compare with: "the scene's own settings", or a preset's key or path.
 std::string reference_label(const CompareWith& with);
-/// Returns reference_label() with a guided preset's title, and a file without its folders.
+/// Returns the label for the panel: a built-in preset's title, a file's name without folders, else reference_label().
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets);
 
 /// Draws the panel Compare: the settings that differ from those of `other`.
-/// @param compare the choice, changed by the combo @param pinned true: the pinned settings are offered as a choice
+/// @param compare choice of the settings to compare with; the combo changes it
+/// @param settings present settings; a button replaces them by the compared ones
+/// @param pinned the pinned settings; nothing: they are no choice
 /// @param scene_name the name of the shown scene
-/// @param other settings that `compare` names; null or of another choice: not loaded yet
+/// @param other the settings that `compare` names. If it is null, or belongs to an earlier choice, they are not loaded
+/// yet
 void draw_compare(CompareWith& compare, Settings& settings, const std::optional<PinnedSettings>& pinned,
                   const std::string& scene_name, const ComparisonFacts* other, const PresetsFacts& presets,
                   PresetRequests& requests);

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Arrangement of the compared pictures. Alone: only the other picture, while a key is held.
+/// Arrangement of the shown picture and the one that it is compared with. Alone: only the latter, while a key is held.
 enum class ComparisonView { Off, Swipe, SideBySide, Difference, Alone };
 /// State of the comparison of the shown picture with another one.
 struct PictureComparison {
@@ -17,12 +17,12 @@ struct PictureComparison {
     bool held = false;  ///< the line is being dragged
 };
 
-/// Other picture of the comparison, and the difference image of both.
+/// Picture that the shown one is compared with, and the difference image of these two.
 struct PictureComparisonFacts {
     Image picture;        ///< without a texture: not there yet
     Image difference;     ///< without a texture: not there yet
-    std::string label;    ///< name of the other side: "Truth", "PCF 5x5"
-    std::string problem;  ///< reason why there is no picture
+    std::string label;    ///< name of the compared picture: "Truth", "PCF 5x5"
+    std::string problem;  ///< reason why there is no picture to compare with
     double mae = 0;       ///< mean |A - B| of the pictures' channels, 0..1; valid with `difference`
 };
 

@@ -26,7 +26,8 @@ public:
     /// Draws a world line with a dark edge, visible on any picture. @param from, to the ends, world @param width pixels
     /// at scale 1
     void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.4) const;
-    /// Draws a world line without an edge, for many or faint lines. @param from, to the ends, world
+    /// Draws a world line one pixel wide without the dark edge of line(), for many or faint lines. @param from, to the
+    /// ends, world
     void thin_line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour) const;
     /// Draws a dashed world line. @param from, to the ends, world @param width pixels at scale 1
     void dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.2) const;
@@ -39,8 +40,9 @@ public:
     void caption(const glm::dvec2& at, const std::string& text, ImU32 colour) const;
 
 private:
-    /// Clips a world-space line segment to the picture. Returns the ends of its visible part in pixels of the screen;
-    /// nothing if no part is visible.
+    /// Projects a world-space line segment to the screen, and clips it a few pixels outside the rectangle of the
+    /// picture. Occluders are ignored. Returns the ends in pixels of the screen; nothing if all of the segment is
+    /// outside.
     std::optional<std::pair<glm::dvec2, glm::dvec2>> visible(const glm::dvec3& from, const glm::dvec3& to) const;
 
     const PictureView& view_;

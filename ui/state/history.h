@@ -41,7 +41,8 @@ public:
     void amend_step(const Settings& before, const Settings& after);
     /// Records a step of undo if `settings` differ from the last step's.
     void commit(const Settings& settings);
-    /// Returns the name of each step of undo: the settings that it has changed. The first is the beginning.
+    /// Returns the name of each step of undo: the settings that it has changed, or its scene or preset. The first step,
+    /// which changes nothing, is named "the beginning".
     std::vector<std::string> names() const;
     /// Returns the index of the step that is shown.
     std::size_t index() const { return at_; }

@@ -63,7 +63,8 @@ void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left
 /// Draws the combo that chooses the view of the picture comparison (swipe, side by side, difference). @param width
 /// pixels
 void comparison_view_widget(EditorState& state, float width);
-/// Draws the combo that chooses the other side of the picture comparison. @param width pixels
+/// Draws the combo that chooses what the shown picture is compared with: the reference, or other settings.
+/// @param width pixels
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width);
 /// Returns the chosen view of the picture comparison, also while a held key shows another view.
 ComparisonView chosen_comparison(const EditorState& state);

@@ -31,10 +31,11 @@ struct TexelPlace {
 /// Shows the map's texels around a place as quads at their stored depths in the scene; hides the quads if they are
 /// shown at that place.
 void toggle_quads(Settings& settings, const TexelPlace& place);
-/// Returns true if depth quads are shown around that texel.
+/// Returns true if quads at stored depths are shown around that texel (toggle_quads()).
 bool shows_quads_at(const Settings& settings, const TexelPlace& place);
-/// Shows or hides the depth quads around the texel of the shown light's map that the pixel under the mouse reads, else
-/// the probed pixel. The log reports the result.
+/// Shows quads at the stored depths of the map's texels around one texel, or hides them if they are shown there. The
+/// texel is the one that the pixel under the mouse reads from the shown light's map. If the mouse is over no such
+/// pixel, the probed pixel takes its place. The log reports the result.
 void toggle_pointed_quads(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

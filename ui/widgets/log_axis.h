@@ -25,8 +25,8 @@ struct LogAxis {
     static constexpr double kZeroShare = 0.07;
 };
 
-/// Makes a logarithmic axis that spans all finite values; the default axis without any. @param bytes true: values are
-/// bytes: ticks are at powers of two, "512 KiB"
+/// Makes a logarithmic axis that spans all finite values. Without a finite value above 0 it has the default ends.
+/// @param bytes true: values are bytes, with ticks at powers of two ("512 KiB")
 LogAxis log_axis(std::span<const double> values, bool bytes = false);
 
 }  // namespace si
