@@ -21,7 +21,7 @@
 
 namespace si {
 
-/// Message of an exception; empty for a null pointer.
+/// Returns the message of an exception; empty for a null pointer.
 inline std::string exception_message(const std::exception_ptr& problem) {
     if (!problem) return {};
     try {

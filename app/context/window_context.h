@@ -53,7 +53,7 @@ public:
     float content_scale() const;
     /// Returns true if input, a resize or an uncovered window arrived since the last call.
     bool take_input() { return std::exchange(events_.input, false); }
-    /// Queue of input that no frame has shown yet. ImGui's backend receives input only from this queue.
+    /// Returns the queue of input that no frame has shown yet. ImGui's backend receives input only from this queue.
     InputQueue& input() { return events_.queue; }
     /// Key that was pressed, perhaps released already. ImGui 1.86 sees only keys that are held when its frame starts.
     struct KeyPress {
@@ -94,11 +94,11 @@ private:
     /// Replaces ImGui's GLFW callbacks by ones that fill the input queue, and keeps ImGui's for take_keys(). Called
     /// before each poll, since ImGui may install its callbacks again.
     void intercept_backend();
-    /// GLFW callback: queues a press or release of a key.
+    /// Queues a press or release of a key. GLFW callback.
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
-    /// GLFW callback: queues a typed character (Unicode).
+    /// Queues a typed character (Unicode). GLFW callback.
     static void on_character(GLFWwindow* window, unsigned code) { note_input(window).queue.character(code); }
-    /// GLFW callback: queues a turn of the mouse wheel.
+    /// Queues a turn of the mouse wheel. GLFW callback.
     static void on_scroll(GLFWwindow* window, double x, double y) { note_input(window).queue.wheel({x, y}); }
     /// Records that the window has received input, so that the next frame is drawn. Returns the events of the
     /// WindowContext that owns the window.

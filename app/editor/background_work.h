@@ -47,7 +47,7 @@ struct ShimmerFound {
 
 /// Background measurements of one editor (sweeps, searches, Lab), connected with the panels that show them.
 class BackgroundWork {
-    /// All background measurements.
+    /// Returns references to all background measurements, for calls to each of them.
     auto all() const {
         return std::tie(sweep_, bias_search_, fixes_, optimisation_times_, advice_, pipelines_, shimmer_);
     }

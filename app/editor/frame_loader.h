@@ -81,7 +81,7 @@ public:
         wait();
         loop_->read_back().finish_tracing();
     }
-    /// Background compilation of shaders; null: switched off.
+    /// Returns the background compilation of shaders; null: switched off.
     const ShaderWarmup* warmup() const { return loop_->warmup(); }
 
 private:

@@ -55,11 +55,11 @@ public:
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
 
-    /// Numbers read back from the frames, with the diagnosis of the probed pixel.
+    /// Returns the numbers read back from the frames, with the diagnosis of the probed pixel.
     const EditorReadBack& read_back() const { return read_back_; }
-    /// Rays of the picture that are traced in the background.
+    /// Returns the references and light maps that are traced in the background for the picture.
     const EditorReference& reference() const { return reference_; }
-    /// Background compilation of shaders; null: switched off.
+    /// Returns the background compilation of shaders; null: switched off.
     const ShaderWarmup* warmup() const { return warmup_.get(); }
 
 private:

@@ -82,7 +82,7 @@ public:
         frames_.wait();
         return frames_.poll();
     }
-    /// Background compilation of shaders; null without a thread for frames.
+    /// Returns the background compilation of shaders; null without a thread for frames.
     const ShaderWarmup* warmup() const { return frames_.warmup(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading() {
@@ -92,7 +92,7 @@ public:
     /// Checks that there is a scene. @throws Error if not. An editor without a window also throws if the first scene
     /// lacks something that the options name
     void require_scene() const { scenes_.require(); }
-    /// Remarks about the first scene.
+    /// Returns the remarks about the first scene.
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
     /// Writes autosave, workspace and session report, each when it is due. Call regularly, also while nothing is drawn.
     void write_when_due();
@@ -105,7 +105,7 @@ public:
         persistence_.end(state, presets_.would_be_lost());
         session_.write(state.log);
     }
-    /// Report of this session.
+    /// Returns the session report (`edit --report`).
     SessionReport& session() { return session_; }
 
 private:

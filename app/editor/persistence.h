@@ -35,7 +35,7 @@ public:
     /// Writes recent files and the session that a crash has left into `frame`. Pointers in it stay valid until the next
     /// non-const call.
     void fill(EditorFrame& frame) const;
-    /// Session that a crash has left; null: none.
+    /// Returns the session that a crash has left; null: none.
     const Autosave::Lost* lost() const { return autosave_.lost(); }
     /// Deletes the session that a crash has left.
     void forget_lost() { autosave_.forget_lost(); }

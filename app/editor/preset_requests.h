@@ -32,7 +32,7 @@ public:
     /// comparison is shown, also loads the settings that state.compare names. Returns true if the mark or the choice of
     /// settings has changed.
     bool compare();
-    /// Settings that state.compare names, while they are shown; else null.
+    /// Returns the settings that state.compare names, while they are shown; else null.
     const ComparisonFacts* comparison() const { return shows_comparison_ && comparison_ ? &*comparison_ : nullptr; }
     /// Writes the lists of presets and the comparison into `frame`. Pointers in it stay valid until the next non-const
     /// call.

@@ -21,10 +21,10 @@ public:
     /// Returns the last ray-traced reference of a light, for FrameRequest::reference; null: none. @param light the
     /// index of the light
     std::shared_ptr<const ReferencePicture> picture(int light) const;
-    /// References by light, for FrameRequest::traced.
+    /// Returns the last ray-traced references by light, for FrameRequest::traced.
     const std::vector<std::shared_ptr<const ReferencePicture>>& pictures() const { return pictures_; }
 
-    /// Light maps by light, for FrameRequest::light_maps.
+    /// Returns the last baked light maps by light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
     /// Stores finished references and light maps, and starts to compute those that `frame` lacks. Returns true if the
@@ -42,7 +42,7 @@ public:
     bool busy() const { return job_.busy(); }
     /// Returns true if the next update() will find a finished result, or the progress has changed.
     bool moved() const { return job_.moved(); }
-    /// Waits for the job.
+    /// Waits until no ray is being traced.
     void wait() const { job_.wait(); }
     /// Returns the message after ReferenceRequests::save_error once: "Wrote F.json".
     std::string take_remark() { return std::exchange(remark_, {}); }

@@ -38,14 +38,14 @@ public:
     /// Sets the settings that the editor shows before the first scene is loaded, and starts the history with them.
     void set_initial_settings(const Settings& settings);
 
-    /// Scene that is shown; null: none yet.
+    /// Returns the scene that is shown; null: none yet.
     const Scene* scene() const { return has_scene_ ? &scene_ : nullptr; }
     /// Returns the shown scene. @throws Error if there is none. With `strict` (see the constructor), also if the first
     /// scene lacks something that the command line names
     const Scene& require() const;
-    /// Reason why there is no scene; empty: it is loaded, or being read.
+    /// Returns the reason why there is no scene; empty: it is loaded, or being read.
     const std::string& problem() const { return problem_; }
-    /// Remarks about the first scene.
+    /// Returns the remarks about the first scene.
     const std::vector<std::string>& notes() const { return notes_; }
 
     /// Starts to load a scene in the background. A later poll() shows it.
@@ -85,7 +85,7 @@ public:
     std::vector<std::string> apply_settings(const Settings& settings, const std::string& what);
     /// Resets all settings to those that the scene or preset started with.
     void reset();
-    /// Settings as the scene or preset brought them.
+    /// Returns the settings that the scene or preset began with, without changes by the user.
     const Settings& original_settings() const { return given_; }
 
 private:

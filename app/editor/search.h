@@ -82,14 +82,14 @@ public:
                            : outcome->cancelled ? cancelled_
                                                 : std::string()};
     }
-    /// Drops the last result.
+    /// Drops the result of the last search.
     void forget() { found_.reset(); }
 
-    /// Result of the last search that found one; null: none.
+    /// Returns the result of the last search that found one; null: none.
     const T* found() const { return found_ ? &*found_ : nullptr; }
-    /// Result of the last search if it is about this scene, else null. @param scene Scene::id
+    /// Returns the result of the last search if it is about this scene, else null. @param scene Scene::id
     const T* found_in(std::uint64_t scene) const { return of_.scene == scene ? found() : nullptr; }
-    /// Subject of found().
+    /// Returns scene, settings and picture size that the result of found() is about.
     const SearchSubject& subject() const { return of_; }
 
 private:

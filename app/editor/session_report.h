@@ -30,7 +30,7 @@ public:
     /// Samples the process's memory and writes the report when it is due, with the errors of the log.
     /// @param now_s time of a steady clock, seconds @throws Error
     void write_when_due(double now_s, const Log& log);
-    /// Stops writing, after a failure.
+    /// Stops writing the session report. Call when a write has failed.
     void stop_writing() { path_.clear(); }
     /// Writes the session report to the file given to the constructor; does nothing without one. @param log the
     /// editor's log, whose errors go into the report @throws Error

@@ -36,7 +36,8 @@ public:
     std::size_t done() const;
 
 private:
-    /// Loop of the warm-up thread: draws queued frames one by one until `end`, only to compile their shaders.
+    /// Draws queued frames one by one until `end` is requested, only to compile their shaders. Loop of the warm-up
+    /// thread.
     void run(const std::stop_token& end);
     /// Waits for a queued frame and removes it from the queue; null once `end` is requested.
     std::unique_ptr<WarmupFrame> next_frame(const std::stop_token& end);

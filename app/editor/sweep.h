@@ -51,7 +51,7 @@ public:
     /// changed.
     bool update(const EditorState& state);
     const SweepFacts& facts() const { return facts_; }
-    /// Settings that all cases of the shown sweep share; null: no sweep is shown.
+    /// Returns the settings that all cases of the shown sweep share; null: no sweep is shown.
     const Settings* base() const { return shown_ ? &shown_->spec.base : nullptr; }
 
 private:
@@ -65,7 +65,7 @@ private:
     MeasuringThread& thread();
     /// Returns a copy of the scene for the measuring thread; copies a scene only once.
     std::shared_ptr<const Scene> copy_of(const Scene& scene);
-    /// Makes another sweep the shown one.
+    /// Shows another sweep in the panel Frontier, in place of the shown one.
     void show(Shown shown);
     /// Complete measurement of one set of settings.
     struct Finished {

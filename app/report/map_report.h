@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Statistics of one light's shadow map.
+/// Statistics of one light's shadow map: which texels the picture reads, and which depths the map holds.
 struct MapReport {
     int light = 0, face = 0, resolution = 0;
     TexelUsage usage;                  ///< texels of the shown face that the picture reads

@@ -31,9 +31,9 @@ public:
     /// Cancels the loading; poll() then reports nothing.
     void cancel() { drop(); }
 
-    /// Name of the scene that is being loaded; empty: none.
+    /// Returns the name of the scene that is being loaded; empty: none.
     std::string wanted() const { return Job::wanted() ? name_ : std::string(); }
-    /// Progress of the scene that is being loaded, 0..1.
+    /// Returns the progress of the scene that is being loaded, 0..1.
     double progress() const { return Job::progress().value_or(0); }
     /// Returns the estimated seconds until the scene is loaded; 0: too early to say.
     double seconds_left() const;

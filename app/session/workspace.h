@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Contents of the workspace file.
+/// Contents of the workspace file, which the editor keeps between runs: layout, window and recent files.
 struct WorkspaceData {
     EditorLayout layout;
     int window_width = 0, window_height = 0;  ///< screen coordinates at scale 1; 0: unknown

@@ -22,7 +22,7 @@ public:
         loaded_.insert_or_assign(as.index, Loaded{std::move(scene), as, {}});
     }
 
-    /// Scene and settings of one case.
+    /// Scene and settings with which one case of a sweep is drawn.
     struct Prepared {
         const Scene& scene;  ///< valid until the next call of prepare()
         Settings settings;

@@ -62,7 +62,7 @@ public:
     std::uint64_t version() const;
     /// Returns true while a sweep or a measurement runs.
     bool busy() const;
-    /// Blocks until no work is left.
+    /// Blocks until neither a sweep nor a measurement runs or waits.
     void wait() const;
     /// Blocks until no sweep runs.
     void wait_for_sweep() const;
@@ -82,8 +82,8 @@ private:
         std::chrono::steady_clock::time_point due;
     };
     struct Bench;
-    /// Loop of the thread: measures pictures and steps of the sweep until `end`. @param kept the time for which the
-    /// OpenGL context stays in memory after the last measurement
+    /// Measures pictures and steps of the sweep until `end` is requested. Loop of the thread. @param kept the time for
+    /// which the OpenGL context stays in memory after the last measurement
     void run(const std::stop_token& end, std::chrono::milliseconds kept);
     /// Starts the waiting sweep.
     void begin_sweep(Bench& bench);

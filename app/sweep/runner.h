@@ -24,7 +24,7 @@ public:
     virtual TimeSamples time(const SweepCase& c, int frames, CostCase cost) = 0;
 };
 
-/// Progress of a sweep.
+/// Progress of a sweep: phase, steps done, and the seconds left.
 struct SweepProgress {
     bool timing = false;              ///< phase: timed rounds; false: errors and costs
     std::size_t done = 0, total = 0;  ///< steps of this phase

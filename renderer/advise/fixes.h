@@ -95,7 +95,7 @@ struct FixTable {
     std::array<std::size_t, kArtefacts> wrong_of{};  ///< wrong pixels by cause
 };
 
-/// Options of a search for fixes.
+/// Options of find_fixes(): pixel to cure, timing, reference, and further candidates.
 struct FixOptions {
     std::optional<glm::ivec2> pixel;  ///< pixel to cure, from the top left
     bool time = false;                ///< times each fix, too

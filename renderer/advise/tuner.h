@@ -17,7 +17,7 @@ namespace si {
 /// @param light index of light.*
 std::string reason_not_tunable(std::span<const FittedLight> lights, int light);
 
-/// Goals and limits of a tuner.
+/// Goals of a Tuner: limits of error and frame time, and the largest resolution.
 struct TuneGoals {
     std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither

@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// A right-handed orthonormal basis whose third column is unit vector n, without branches on near-parallel axes.
-/// Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
+/// Returns a right-handed orthonormal basis whose third column is the unit vector `n`, without branches on
+/// near-parallel axes. Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
 glm::dmat3 orthonormal_basis(const glm::dvec3& n);
 
 /// Returns the unit normal of a triangle, by winding; 0 for a triangle without area.
@@ -17,8 +17,8 @@ inline glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const gl
     return length > 0 && std::isfinite(length) ? cross / length : glm::dvec3(0);
 }
 
-/// Unit vector of an azimuth (degrees about +y, 0 = +z, 90 = +x) and elevation (degrees above the horizon); exact at
-/// multiples of 90.
+/// Returns the unit vector of an azimuth (degrees about +y, 0 = +z, 90 = +x) and elevation (degrees above the horizon).
+/// It is exact at multiples of 90.
 glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg);
 
 }  // namespace si

@@ -14,8 +14,9 @@ inline constexpr int kDiskTable = 64;
 /// Optimal Sampling for Distribution Ray Tracing, 1991). @param n at most kDiskTable
 std::vector<glm::vec2> poisson_places(int n);
 
-/// n places along a spiral over the unit disk, each a golden angle on: even whatever n is.
-/// Vogel, A Better Way to Construct the Sunflower Head, Mathematical Biosciences 44, 1979.
+/// Returns `n` evenly spread points of the unit disk. They lie on a spiral, each turned by the golden angle from the
+/// one before, which is even for every `n`. Vogel, A Better Way to Construct the Sunflower Head, Mathematical
+/// Biosciences 44, 1979.
 std::vector<glm::vec2> spiral_places(int n);
 
 }  // namespace si

@@ -88,7 +88,7 @@ private:
     gl::VertexArray vao_;
     gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
     gl::Buffer indices_, faced_indices_;  ///< for lights, and for the camera: see face_normals.h
-    /// One uploaded texture.
+    /// Texture of the scene as uploaded, with a view of its finest mip level.
     struct SceneTexture {
         gl::Texture whole;
         gl::Texture finest;  ///< view of the finest mip level; empty if it has only one

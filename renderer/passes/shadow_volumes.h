@@ -49,7 +49,7 @@ public:
     void release_unused();
 
 private:
-    /// Volume triangles of one caster instance.
+    /// Index ranges of the shadow volume of one caster instance: caps, reversed caps and sides.
     struct Part {
         std::uint32_t instance = 0;  ///< index into SceneGpu's transforms
         std::uint32_t mesh = 0;

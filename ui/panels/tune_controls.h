@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Limits of a search as typed.
+/// Limits of error and frame time for a search, as the user typed them.
 struct LimitFields {
     bool bound_error = true;
     bool bound_ms = false;

@@ -26,7 +26,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);
-/// Draws the welcome, while state.window.show_welcome.
+/// Draws the welcome window, while state.window.show_welcome is set.
 void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the animation's controls. Call only while time_bar_height() is not 0.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
