@@ -47,7 +47,7 @@ public:
     /// @param window picture of the window, top row first @param pixels its pixels per unit of the screen
     void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
     /// Writes the probed pixel's cross-section with verdict and legend into a file, drawn in a readable size. Does
-    /// nothing and returns false if the request is for another picture, or no cross-section is shown.
+    /// nothing and returns false if the request is for another kind of screenshot, or no cross-section is shown.
     bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
