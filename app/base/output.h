@@ -22,7 +22,7 @@ void require_writable(const std::filesystem::path& path);
 void require_distinct(const std::filesystem::path& a, std::string_view one, const std::filesystem::path& b,
                       std::string_view other);
 
-/// Checks before long work that a file can be written at `path` and that its extension is one of these.
+/// Checks before long work that a file can be written at `path` and that its extension is one of `extensions`.
 /// @param what the file in the message: "the sheet" @throws UsageError, Error
 void require_output(const std::filesystem::path& path, std::string_view what,
                     std::initializer_list<std::string_view> extensions);

@@ -18,7 +18,7 @@ using Run = std::function<void()>;
 
 /// Makes a validator for an option that takes a finite number within [min, max]. CLI::Range accepts NaN and garbage.
 CLI::Validator number_between(double min, double max);
-/// Makes a validator for an option that takes one of these words. The error message for another word lists them.
+/// Makes a validator for an option that takes one of `words`. The error message for another word lists them.
 CLI::Validator one_of(const std::vector<std::string_view>& words);
 
 /// One command of the parser, to which options are added. Use add_command(), which holds the options' values, too.

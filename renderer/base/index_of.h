@@ -12,7 +12,7 @@ constexpr int index_of(E enumerator) {
     return static_cast<int>(enumerator);
 }
 
-/// Returns the enumerator after this one, and after the last of `count` the first.
+/// Returns the next enumerator; after the last of `count` enumerators, the first.
 template <typename E>
 requires std::is_enum_v<E>
 constexpr E next_of(E enumerator, int count) {

@@ -235,8 +235,8 @@ void finalise(Scene& scene);
 void refresh(Scene& scene);
 
 /// Hides the objects of the nodes with these paths and shows all others. Hidden objects are not drawn and cast no
-/// shadow, but still count in Scene::bounds, so that views of the scene stay. Gives the scene a new id if anything
-/// changes.
+/// shadow, but still count in Scene::bounds, so that cameras that frame the scene do not move. Gives the scene a new id
+/// if anything changes.
 void hide_objects(Scene& scene, const std::set<std::string>& paths);
 
 /// Returns the settings of an object; defaults where the settings do not name it.

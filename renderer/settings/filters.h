@@ -119,8 +119,8 @@ struct PrefilterBytes {
 };
 /// Returns the memory for prepared data (moments, mip levels, tables) of the chosen kernel, in bytes per texel.
 PrefilterBytes prefilter_bytes(const Settings& settings);
-/// Returns the bytes per texel of a map with the data kept beside it: 4 for depth in any format, 4 more for the blurred
-/// depth (map.blur_texels), and those of the prefiltered moments. Temporary images do not count.
+/// Returns the bytes per texel of a map and of the data that is stored for it: 4 for depth in any format, 4 more for
+/// the blurred depth (map.blur_texels), and those of the prefiltered moments. Temporary images do not count.
 double stored_texel_bytes(const Settings& settings);
 
 /// Returns the moment that the map viewer shows, counted from 1. Returns 0 for depth, or if view.map_channel names no

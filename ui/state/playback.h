@@ -18,9 +18,10 @@ void stop_playing(EditorState& state);
 /// Undoes the last step of the history. Stops a playing animation first, so that its change can be undone, too. A step
 /// of another scene sets state.between_steps and is shown once that scene is loaded.
 void undo(EditorState& state);
-/// Redoes the next step of the history, as undo() undoes the last.
+/// Redoes the next step of the history. A step of another scene is shown once that scene is loaded, as in undo().
 void redo(EditorState& state);
-/// Goes to any step of the history, as undo() goes to the one before. @param step the index of the step
+/// Goes to any step of the history, back or forward. Stops a playing animation first. A step of another scene is shown
+/// once that scene is loaded, as in undo(). @param step the index of the step
 void go_to_step(EditorState& state, std::size_t step);
 
 /// Advances scene.time by `seconds` while the animation plays. Call once a frame, before the panels are drawn.

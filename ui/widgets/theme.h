@@ -9,8 +9,8 @@
 
 namespace si::theme {
 
-/// Colours of a theme, except those of hovered or pressed widgets, which set_colours() has. Every text is readable on
-/// its background (tests/ui/theme_test.cpp).
+/// Colours of a theme. Hovered and pressed widgets have greys of their own, which are not among the members. Every text
+/// is readable on its background (tests/ui/theme_test.cpp).
 struct Colours {
     ImU32 text, muted, faint;
     ImU32 panel, popup, title, well;  ///< grounds; well: behind pictures and inputs

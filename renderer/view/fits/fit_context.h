@@ -45,8 +45,8 @@ struct FitContext {
 void add_note(PlacedLight& light, std::string text);
 
 /// Returns the distance in metres by which a parallel view moves its eye forward so that near and far stay exact in
-/// single precision: `near` if the range is tiny beside its distance, else 0. Parallel rays look the same from anywhere
-/// along them.
+/// single precision: `near` if the range is tiny compared with its distance, else 0. Parallel rays look the same from
+/// anywhere along them.
 double eye_advance_m(double near, double far);
 
 /// Returns the half extent of a map after adding a margin in texels at each side. The half extent before the margin
