@@ -101,7 +101,8 @@ void apply_pose(Scene& scene, int animation, double time_s);
 /// @param animation index; -1 clears the bounds
 void measure_animation_bounds(Scene& scene, int animation);
 
-/// Returns true when the scene has animation `animation` and it lasts longer than 0 s.
+/// Returns true when the scene has animation `animation` and it lasts longer than 0 s, so that casters can move and
+/// caching the static ones may save time.
 bool is_animated(const Scene& scene, int animation);
 
 /// Interpolates an animation channel at a time in seconds. Returns its `width` numbers; rotations are normalised
