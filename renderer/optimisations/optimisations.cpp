@@ -1,12 +1,8 @@
 #include "renderer/optimisations/optimisations.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
-#include "renderer/base/error.h"
 
 namespace si {
 namespace {
@@ -78,13 +74,6 @@ std::span<const OptimisationRow> optimisation_rows() {
 
 const OptimisationRow& row_of(Optimisation optimisation) {
     return kRows[std::size_t(optimisation)];
-}
-
-Optimisation parse_optimisation(std::string_view key) {
-    const auto row = std::ranges::find(kRows, key, &OptimisationRow::key);
-    if (row != std::end(kRows)) return Optimisation(row - kRows);
-    throw Error(fmt::format("unknown optimisation \"{}\"; known keys: {}", key,
-                            fmt::join(kRows | std::views::transform(&OptimisationRow::key), ", ")));
 }
 
 }  // namespace si

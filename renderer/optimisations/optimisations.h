@@ -20,8 +20,5 @@ struct OptimisationRow {
 std::span<const OptimisationRow> optimisation_rows();
 /// Returns the table row of an optimisation.
 const OptimisationRow& row_of(Optimisation optimisation);
-/// Returns the optimisation whose table row has this key.
-/// @throws Error naming the known keys if the key is unknown
-Optimisation parse_optimisation(std::string_view key);
 
 }  // namespace si

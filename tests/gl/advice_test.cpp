@@ -67,6 +67,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, AdviceTest);
 SI_TESTS_ARE(Repeated, AdviceTest);
+SI_TEST_IS(Slow, AdviceTest, ItsPredictionsHoldOnBuiltInScenes);
 TEST_F(AdviceTest, ItsPredictionsHoldOnBuiltInScenes) {
     for (const char* name : {"boxes", "teapot"}) {
         SCOPED_TRACE(name);

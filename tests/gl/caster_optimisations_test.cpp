@@ -57,6 +57,7 @@ Scene displaced_by(Scene scene, const glm::dmat4& by) {
 
 SI_TESTS_ARE(DriverIndependent, CasterOptimisationsTest);
 SI_TESTS_ARE(Repeated, CasterOptimisationsTest);
+SI_TEST_IS(Slow, CasterOptimisationsTest, KeepEveryTexelOfBuiltInScenes);
 TEST_F(CasterOptimisationsTest, KeepEveryTexelOfBuiltInScenes) {
     for (const BuiltinScene& row : builtin_scenes())
         for (const Sets& sets : kinds_of_maps())

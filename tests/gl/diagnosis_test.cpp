@@ -86,6 +86,7 @@ TEST_F(DiagnosisTest, AnswersConcernTheChosenLight) {
 }
 
 SI_TEST_IS(Repeated, DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu);
+SI_TEST_IS(Slow, DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu);
 TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr std::pair<const char*, const char*> kUnder[] = {{"d16", "receiver-plane"},

@@ -64,6 +64,7 @@ const std::vector<Sets>& varied() {
 
 SI_TEST_IS(DriverIndependent, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
 SI_TEST_IS(Repeated, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
+SI_TEST_IS(Slow, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
 TEST_F(EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence) {
     FrameRequest request = small_request();
     request.outputs.shadow_map = request.outputs.surface_ids = request.outputs.texels_read = true;

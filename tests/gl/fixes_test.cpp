@@ -77,6 +77,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, FixesTest);
 SI_TESTS_ARE(Repeated, FixesTest);
+SI_TEST_IS(Slow, FixesTest, TheLeastBiasRemovesPeterPanning);
 TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);
@@ -87,6 +88,7 @@ TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
               0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
 }
 
+SI_TEST_IS(Slow, FixesTest, ASmallerNormalOffsetRemovesItsStrip);
 TEST_F(FixesTest, ASmallerNormalOffsetRemovesItsStrip) {
     Settings s = test::texel_settings("pcf3", 2048, 2);
     s.bias.normal = 60;
@@ -106,6 +108,7 @@ TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
     expect_fixes(stage, under({"caster.cull=front"}), {Artefact::LostCaster}, 120);
 }
 
+SI_TEST_IS(Slow, FixesTest, TheNeededResolutionRestoresAFence);
 TEST_F(FixesTest, TheNeededResolutionRestoresAFence) {
     const Scene scene = test::fence(16, 0.05, 0.4);
     Settings s = test::texel_settings("hard", 128, 3);
@@ -115,6 +118,7 @@ TEST_F(FixesTest, TheNeededResolutionRestoresAFence) {
     expect_fixes(scene, s, {Artefact::Undersampled}, 300);
 }
 
+SI_TEST_IS(Slow, FixesTest, APixelsFixesAndUntriedFixesAreListed);
 TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 512, 0);
@@ -207,6 +211,7 @@ TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
 }
 
 // The least bias of each row of the table clears flat ground entirely.
+SI_TEST_IS(Slow, FixesTest, TheLeastBiasOfEachRowLeavesNoAcne);
 TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     width = 240;
     height = 180;
@@ -245,6 +250,7 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     EXPECT_EQ(numbers, 4);
 }
 
+SI_TEST_IS(Slow, FixesTest, CascadesRestoreShadowsTooFineForOneMap);
 TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     width = 320;
     height = 180;

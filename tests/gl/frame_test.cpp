@@ -58,6 +58,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
 }
 
 SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePicture);
+SI_TEST_IS(Slow, FrameTest, GatherAndShadowSamplerGiveOnePicture);
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     const Scene scene = load_scene("stage");
     for (const Filter& filter : filters()) {
@@ -327,6 +328,7 @@ void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const 
 
 SI_TEST_IS(DriverIndependent, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings);
 SI_TEST_IS(Repeated, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings);
+SI_TEST_IS(Slow, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings);
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
     const Scene scene = load_scene("stage");
     expect_cached_as_fresh(context, renderer, scene, settings_for(scene),

@@ -60,6 +60,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, LeastBiasTwins);
+SI_TEST_IS(Slow, LeastBiasTwins, CpuAndGpuAgreeOnRandomPlanes);
 TEST_F(LeastBiasTwins, CpuAndGpuAgreeOnRandomPlanes) {
     int compared = 0, perspective = 0, warped = 0, grazing = 0;
     std::size_t next = 0;

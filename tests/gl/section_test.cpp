@@ -258,6 +258,7 @@ TEST_F(SectionTest, TheWindowOfAcneWithAnOffsetCountsFromTheSurface) {
     }
 }
 
+SI_TEST_IS(Slow, SectionTest, WindowAndScaleHoldUnderEveryLightWithAnOffsetAndWithout);
 TEST_F(SectionTest, WindowAndScaleHoldUnderEveryLightWithAnOffsetAndWithout) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
     int aslant = 0, leave_the_cut = 0;

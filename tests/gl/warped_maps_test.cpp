@@ -131,6 +131,7 @@ TEST_F(WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference) {
 
 SI_TEST_IS(DriverIndependent, WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes);
 SI_TEST_IS(Product, WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes);
+SI_TEST_IS(Slow, WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes);
 TEST_F(WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes) {
     struct Angles {
         double azimuth, elevation;
