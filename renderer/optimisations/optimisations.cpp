@@ -1,8 +1,6 @@
 #include "renderer/optimisations/optimisations.h"
 
-#include <algorithm>
 #include <iterator>
-
 
 namespace si {
 namespace {
