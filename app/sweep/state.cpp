@@ -40,8 +40,9 @@ Turn turn_of(const Json& line) {
     for (const Json& pass : line.at("passes"))
         turn.samples.passes.push_back({pass.at("name").get<std::string>(), pass.at("gpu_ms").get<std::vector<double>>(),
                                        pass.at("cpu_ms").get<std::vector<double>>()});
-    // journals of a clock that is no processor time lack the list
-    turn.samples.wall_ms = line.value("wall_ms", std::vector<double>(turn.samples.total_ms.size(), 0.0));
+    // Other clocks have no wall time of their own, and journals from before the list lack it.
+    turn.samples.wall_ms = line.value("wall_ms", std::vector<double>());
+    if (turn.samples.wall_ms.empty()) turn.samples.wall_ms.resize(turn.samples.total_ms.size());
     if (turn.samples.wall_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
     if (turn.samples.maps_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
     return turn;

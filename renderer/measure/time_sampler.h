@@ -27,11 +27,11 @@ struct TimeSamples {
     };
     std::vector<double> total_ms;     ///< sum over all passes
     std::vector<double> maps_ms;      ///< sum over passes that draw or change shadow maps
-    std::vector<double> wall_ms;      ///< elapsed time where the others are processor time; otherwise 0
     std::vector<Pass> passes;         ///< passes that ran, in the frame's order
     std::string clock;                ///< name of the clock
     std::vector<std::size_t> bursts;  ///< index of the first frame of each burst
     bool burst_ended = true;          ///< the next frame begins a new burst
+    std::vector<double> wall_ms;      ///< elapsed time where the others are processor time; otherwise 0
 
     /// Appends the pass times of a frame.
     void add(const FrameResult& frame);
