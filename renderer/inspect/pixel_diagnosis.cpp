@@ -137,10 +137,10 @@ private:
     std::string right() const {
         const std::string needed = texels(d_.least), given = texels(d_.has);
         // Amounts that differ by rounding alone print alike.
-        const std::string bias = d_.has.depth >= d_.least.depth || needed == given
-                                     ? fmt::format("needs {} of bias, has {}", needed, given)
-                                     : fmt::format("needs {} of bias and has only {}, so neighbours may show acne",
-                                                   needed, given);
+        const std::string bias =
+            d_.has.depth >= d_.least.depth || needed == given
+                ? fmt::format("needs {} of bias, has {}", needed, given)
+                : fmt::format("needs {} of bias and has only {}, so neighbours may show acne", needed, given);
         if (faint_acne())
             return fmt::format(
                 "faint acne: lit, as in the reference, but {:.0f} % of the kernel is self-shadowed{}; {}",
@@ -216,6 +216,11 @@ private:
                     return fmt::format(
                         "{}, should be {}: this sun is drawn in perspective (light.projection), as if its rays came "
                         "from one place, which moves its shadows",
+                        state_text(), reference_text());
+                if (p_.fitted.type == LightType::Spot && !view().curve.perspective)
+                    return fmt::format(
+                        "{}, should be {}: this spot light is drawn without perspective (light.projection), as if its "
+                        "rays were parallel, which moves its shadows",
                         state_text(), reference_text());
                 return fmt::format(
                     "edge aliasing: {}, should be {}; neither {} nor the nearest texel alone changes that: the "

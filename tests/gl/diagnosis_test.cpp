@@ -2,6 +2,7 @@
 // `measure`, verdicts, and working fixes.
 #include <bit>
 #include <cstring>
+#include <tuple>
 
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/measured_error.h"
@@ -311,6 +312,21 @@ TEST_F(DiagnosisTest, NamesTheBlurWhereTheUnblurredMapIsRight) {
     EXPECT_NE(d.verdict.find("depth blur (map.blur_texels)"), std::string::npos) << d.verdict;
     s.map.blur_texels = 0;
     EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "the verdict's change";
+}
+
+TEST_F(DiagnosisTest, NamesAProjectionThatIsNotTheLights) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const auto& [type, projection, words] : {std::tuple{"directional", "perspective", "in perspective"},
+                                                  {"spot", "orthographic", "without perspective"}}) {
+        SCOPED_TRACE(type);
+        Settings s = settings_with(
+            plain("hard", 3),
+            {{"light.type", type}, {"light.projection", projection}, {"light.distance", "9"}, {"light.cone", "100"}});
+        const auto pixel = find(measure(scene, s), Artefact::EdgeAliasing);
+        ASSERT_TRUE(pixel);
+        EXPECT_NE(diagnosis(scene, s, *pixel).verdict.find(words), std::string::npos)
+            << diagnosis(scene, s, *pixel).verdict;
+    }
 }
 
 TEST_F(DiagnosisTest, ValuesOfFixesAreShortDecimals) {

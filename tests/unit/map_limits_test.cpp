@@ -103,6 +103,16 @@ TEST(MapLimits, FlatSceneHasNoDepthLimit) {
     EXPECT_FALSE(light.limits.one_depth_step);
 }
 
+TEST(MapLimits, AnExtentOfNextToNothingIsReported) {
+    for (const char* type : {"directional", "spot"}) {
+        Sets sets = {{"light.type", type}, {"light.projection", "orthographic"}, {"light.fit", "manual"}};
+        sets.push_back({"light.extent", "1e-30"});
+        EXPECT_TRUE(reports(fitted(sets), "light.extent")) << type;
+        sets.back() = {"light.extent", "0.01"};
+        EXPECT_FALSE(reports(fitted(sets), "light.extent")) << type;
+    }
+}
+
 TEST(MapLimits, OnlyLightsWithAMapHaveSome) {
     EXPECT_TRUE(fitted({"map.resolution=1", "light.cast=false"}).notes.empty());
 }

@@ -1,8 +1,11 @@
 // Fits of a single map of a directional or spot light, orthographic or perspective.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "renderer/base/directions.h"
 #include "renderer/base/finite.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/fits.h"
 #include "renderer/view/cascades/cascades.h"
 #include "renderer/view/fits/fit_context.h"
@@ -11,6 +14,9 @@
 
 namespace si {
 namespace {
+
+/// Smallest manual half extent without a note, as a share of the scene's radius.
+constexpr double kMinManualShare = 1e-6;
 
 /// Returns the manual half extent in metres, or 0.
 double manual_half_extent(const LightSettings& s) {
@@ -21,6 +27,10 @@ double manual_half_extent(const LightSettings& s) {
 void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, double half, bool in_front_only) {
     const double manual = manual_half_extent(c.settings);
     if (manual > 0) half = manual;
+    if (manual > 0 && manual < kMinManualShare * c.shape.radius)
+        add_note(light, fmt::format("light.extent ({}) is below a millionth of the scene ({} across): the map holds "
+                                    "next to nothing; raise it, or set 0 for the fit's own",
+                                    metres_text(manual), metres_text(2 * c.shape.radius)));
     ViewExtent e = extent_in_view(c.shape, view);
     if (half <= 0) {
         const glm::dvec3 middle = 0.5 * (e.lo + e.hi);
