@@ -117,6 +117,10 @@ int main(int argc, char** argv) {
     // The driver keeps compiled shaders here, also for commands and windows, because compiling takes half of the time.
     setenv("MESA_SHADER_CACHE_DIR", SI_TEST_OUTPUT_DIR "/shader-cache", 0);
     if (!add_patterns("SI_ONLY", only) || !add_patterns("SI_LEAVE_OUT", without)) return 1;
+    if (std::getenv("SI_ONLY") && only.empty()) {
+        std::fprintf(stderr, "SI_ONLY=%s: no test has such a trait\n", std::getenv("SI_ONLY"));
+        return 1;
+    }
     if (filter == "*" && !only.empty()) filter = only;
     if (!without.empty()) filter += (filter.find('-') == std::string::npos ? "-" : ":") + without;
     testing::GTEST_FLAG(filter) = filter;
