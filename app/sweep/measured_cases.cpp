@@ -38,8 +38,11 @@ std::vector<MeasuredColumn> measured_columns(CostCase cost) {
 
 MeasuredCase measured_case(const CaseNumbers& numbers) {
     MeasuredCase out;
-    for (const Column& c : columns())
-        if (c.better != Better::Neither) out.values.push_back(plotted_value(c, numbers));
+    for (const Column& c : columns()) {
+        if (c.better == Better::Neither) continue;
+        out.values.push_back(plotted_value(c, numbers));
+        out.signed_values.push_back(c.better == Better::NearZero ? c.value(numbers) : out.values.back());
+    }
     return out;
 }
 

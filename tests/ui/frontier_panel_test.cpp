@@ -20,6 +20,7 @@ SweepFacts made_up_sweep() {
     const auto numbers = [](double ms, double mae) {
         CaseNumbers n{.error = CaseErrors{}, .time = TimeMeasurement{}};
         n.error->metrics.mae = mae;
+        n.error->metrics.signed_mean = -0.5 * mae;
         n.time->total_ms = {.median = ms, .p95 = ms, .median_low = ms - 0.1, .median_high = ms + 0.1};
         return n;
     };
@@ -89,6 +90,15 @@ TEST(FrontierPanel, ClickOnADotAppliesItsSettingsAndIsUndone) {
     EXPECT_EQ(p.ui.state.sweep.chosen, 1);
     undo(p.ui.state);
     EXPECT_EQ(p.ui.state.settings, before) << "one step of undo takes it back";
+}
+
+TEST(FrontierPanel, TooltipsShowTheSignOfTheMeanError) {
+    Panel p;
+    const std::vector<glm::vec2> dots = dots_of_colour(kBest);
+    ASSERT_EQ(dots.size(), 2u);
+    p.ui.move(dots[0].x > dots[1].x ? dots[0] : dots[1]);
+    p.ui.frames(3);
+    EXPECT_TRUE(p.ui.drawn().shows(U"Meansignederror(+toolight):−0.005"));
 }
 
 TEST(FrontierPanel, AdviceNamesTheCostOfABetterDot) {

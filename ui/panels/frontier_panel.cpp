@@ -236,9 +236,9 @@ void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
     ImGui::BeginTooltip();
     for (const std::string& text : c.setting_texts) ImGui::TextUnformatted(text.c_str());
     ImGui::Separator();
-    for (std::size_t i = 0; i < facts.columns.size() && i < c.values.size(); ++i)
-        if (std::isfinite(c.values[i]))
-            ImGui::Text("%s: %s", facts.columns[i].label.c_str(), number_text(c.values[i], facts.columns[i]).c_str());
+    for (std::size_t i = 0; i < facts.columns.size() && i < c.signed_values.size(); ++i)
+        if (const double v = c.signed_values[i]; std::isfinite(v))
+            ImGui::Text("%s: %s", facts.columns[i].label.c_str(), number_text(v, facts.columns[i]).c_str());
     if (c.number >= 0) ImGui::TextDisabled("Click to use these settings");
     ImGui::EndTooltip();
 }
