@@ -265,8 +265,7 @@ void clock_line(const FrameResult& result, const DriverInfo* driver) {
     if (result.pages) ImGui::TextDisabled("%s", page_facts_text(*result.pages).c_str());
     std::string clock = result.clock.empty() ? std::string() : "Clock: " + result.clock;
     if (driver && driver->software)
-        clock =
-            clock.empty() ? "CPU rasteriser: times do not predict a GPU" : clock + ", no prediction of a GPU";
+        clock = clock.empty() ? "CPU rasteriser: times do not predict a GPU" : clock + ", no prediction of a GPU";
     if (driver) clock += fmt::format("{}{}", clock.empty() ? "" : "   ", driver->renderer);
     const std::string shown = beginning_that_fits(clock, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
     ImGui::TextDisabled("%s", shown.c_str());
