@@ -189,9 +189,7 @@ TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
     const Bytes before = drawn_again(s);
     std::size_t seen = 0;
     // Each of the four states changes a quarter of the settings; the full product changes all in each.
-    std::vector<SettingRef> changed_here = all_settings(s);
-    std::rotate(changed_here.begin(), changed_here.begin() + std::ptrdiff_t(GetParam()), changed_here.end());
-    for (const SettingRef& ref : test::portion(changed_here, busy_states().size())) {
+    for (const SettingRef& ref : test::portion(all_settings(s), busy_states().size(), GetParam())) {
         // The last of several lights is changed: states with one light cover the first.
         const bool of_light = ref.param->key.starts_with("light.X");
         if (of_light && ref.light != s.light_count - 1) continue;

@@ -8,7 +8,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/environment_number.h"
+#include "tests/support/combinations.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -200,7 +200,7 @@ SI_TEST_IS(Product, RandomWalkTest, CachedFramesEqualColdOnesAfterAnySteps);
 TEST_F(RandomWalkTest, CachedFramesEqualColdOnesAfterAnySteps) {
     const char* seeds = std::getenv("SI_LONG_WALK");
     if (!seeds) {
-        const bool full = test::environment_number("SI_FULL_PRODUCTS", 0) != 0;
+        const bool full = test::full_products();
         walk(1, full ? 250 : 125, 25);
         EXPECT_GE(kept_apart, full ? 5 : 1) << "the walk lacks maps drawn over static casters";
         return;

@@ -28,8 +28,8 @@ struct FitCase {
 
 std::vector<FitCase> fit_cases() {
     std::vector<FitCase> out;
-    std::size_t turn = 0;
-    // By default a row meets one place, seen whole and in part, and in the full product all of them.
+    std::size_t turn = 0, row_number = 0;
+    // Rows meet one place each by default, seen whole and in part, and all places in the full product.
     std::vector<std::pair<Place, bool>> ways;
     for (const bool part : {false, true})
         for (const Place& place : kPlaces) ways.emplace_back(place, part);
@@ -38,12 +38,10 @@ std::vector<FitCase> fit_cases() {
             // Kernels with radii in metres or by depth meet varying texels and ranges over a warped map.
             const bool all = row.warps && light == LightType::Directional;
             const std::size_t first = turn++ * 5 % filters().size(), count = all ? filters().size() : 1;
-            for (std::size_t i = 0; i < count; ++i) {
-                for (const auto& [place, part] : portion(ways, 3))
+            for (std::size_t i = 0; i < count; ++i, ++row_number)
+                for (const auto& [place, part] : portion(ways, 3, row_number))
                     out.push_back({std::string(row.key), light,
                                    std::string(filters()[(first + i) % filters().size()].key), place, part});
-                std::rotate(ways.begin(), ways.begin() + 1, ways.end());
-            }
         }
     return out;
 }

@@ -28,6 +28,11 @@ std::vector<Combination> pairwise_table(
 /// @param sizes number of values of each factor
 std::vector<Combination> full_product(const std::vector<std::size_t>& sizes);
 
+/// Returns true in the run over full products (SI_FULL_PRODUCTS=1).
+inline bool full_products() {
+    return environment_number("SI_FULL_PRODUCTS", 0) != 0;
+}
+
 /// Returns the combinations of values of several factors that a test runs over: with SI_FULL_PRODUCTS=1 every
 /// combination, otherwise a pairwise table. A test that uses it has the trait Product.
 template <typename... Values>
@@ -38,19 +43,18 @@ std::vector<std::tuple<Values...>> combinations(const std::vector<Values>&... fa
         return std::tuple<Values...>{factors[row[factor]]...};
     };
     std::vector<std::tuple<Values...>> out;
-    for (const Combination& row :
-         environment_number("SI_FULL_PRODUCTS", 0) != 0 ? full_product(sizes) : pairwise_table(sizes, 1))
+    for (const Combination& row : full_products() ? full_product(sizes) : pairwise_table(sizes, 1))
         out.push_back(row_values(row, std::index_sequence_for<Values...>{}));
     return out;
 }
 
-/// Returns every n-th element of a list, beginning with the first; with SI_FULL_PRODUCTS=1 the whole list. A test that
-/// uses it has the trait Product.
+/// Returns a part of a list: every n-th element, beginning with number `first` modulo n. With SI_FULL_PRODUCTS=1
+/// returns the whole list. A test that uses it has the trait Product.
 template <typename Value>
-std::vector<Value> portion(const std::vector<Value>& list, std::size_t n) {
-    if (environment_number("SI_FULL_PRODUCTS", 0) != 0) return list;
+std::vector<Value> portion(const std::vector<Value>& list, std::size_t n, std::size_t first = 0) {
+    if (full_products()) return list;
     std::vector<Value> out;
-    for (std::size_t i = 0; i < list.size(); i += n) out.push_back(list[i]);
+    for (std::size_t i = first % n; i < list.size(); i += n) out.push_back(list[i]);
     return out;
 }
 
