@@ -17,11 +17,11 @@ namespace {
 /// Returns the times of the last timed frame. Frames are timed while the tab Effects is shown.
 std::string cost_text(const FrameTimes& times) {
     if (times.frames.empty()) return {};
-    const auto text = [](double t) { return fmt::format("{:.{}f} ms", t, t < 10 ? 2 : t < 100 ? 1 : 0); };
+    const auto number = [](double t) { return fmt::format("{:.{}f}", t, t < 10 ? 2 : t < 100 ? 1 : 0); };
     const TimedFrame& last = times.frames.back();
-    return fmt::format("{}frame {}{}, {}   ", times.newest_is_shown ? "" : "last timed: ", text(last.ms),
-                       time_unit(times.clock).substr(2),
-                       last.drew_maps ? "maps " + text(last.maps_ms) : "no map drawn");
+    return fmt::format("{}frame {} {}, {}   ", times.newest_is_shown ? "" : "last timed: ", number(last.ms),
+                       time_unit(times.clock),
+                       last.drew_maps ? "maps " + number(last.maps_ms) + " ms" : "no map drawn");
 }
 
 std::string facts_text(const EditorState& state, const EditorFrame& frame) {
