@@ -38,11 +38,9 @@ std::vector<MeasuredColumn> measured_columns(CostCase cost) {
 
 MeasuredCase measured_case(const CaseNumbers& numbers) {
     MeasuredCase out;
-    for (const Column& c : columns()) {
-        if (c.better == Better::Neither) continue;
-        out.values.push_back(plotted_value(c, numbers));
-        out.signed_values.push_back(c.better == Better::NearZero ? c.value(numbers) : out.values.back());
-    }
+    for (const Column& c : columns())
+        if (c.better != Better::Neither)
+            out.values.push_back(c.better == Better::NearZero ? c.value(numbers) : plotted_value(c, numbers));
     return out;
 }
 

@@ -223,7 +223,7 @@ std::string number_text(double value, const MeasuredColumn& column) {
 
 double value_of(const SweepFacts& facts, const MeasuredCase& c, const MeasuredColumn& column) {
     const auto at = std::size_t(&column - facts.columns.data());
-    return at < c.values.size() ? c.values[at] : NAN;
+    return at < c.values.size() ? std::abs(c.values[at]) : NAN;
 }
 
 /// Applies a case's values of the varied settings, as a step of undo.
@@ -236,9 +236,9 @@ void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
     ImGui::BeginTooltip();
     for (const std::string& text : c.setting_texts) ImGui::TextUnformatted(text.c_str());
     ImGui::Separator();
-    for (std::size_t i = 0; i < facts.columns.size() && i < c.signed_values.size(); ++i)
-        if (const double v = c.signed_values[i]; std::isfinite(v))
-            ImGui::Text("%s: %s", facts.columns[i].label.c_str(), number_text(v, facts.columns[i]).c_str());
+    for (std::size_t i = 0; i < facts.columns.size() && i < c.values.size(); ++i)
+        if (std::isfinite(c.values[i]))
+            ImGui::Text("%s: %s", facts.columns[i].label.c_str(), number_text(c.values[i], facts.columns[i]).c_str());
     if (c.number >= 0) ImGui::TextDisabled("Click to use these settings");
     ImGui::EndTooltip();
 }

@@ -28,8 +28,8 @@ struct MeasuredCase {
     std::string name;                                           ///< "1024 · PCF 3×3"
     std::vector<std::pair<std::string, std::string>> settings;  ///< varied settings: key and value
     std::vector<std::string> setting_texts;                     ///< "Kernel: PCF 3×3", one a setting
-    std::vector<double> values;                                 ///< one a column, as plotted; NaN: not known
-    std::vector<double> signed_values;                          ///< the same with the sign that was measured
+    /// Distance from the best value, one a column, with the sign that was measured; NaN: not known.
+    std::vector<double> values;
     std::string failed;  ///< reason why there are no values; empty: it did not fail
 };
 
