@@ -4,6 +4,7 @@
 #include <thread>
 #include <vector>
 
+#include "renderer/base/median.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
 
@@ -14,11 +15,6 @@ using Clock = std::chrono::steady_clock;
 
 double elapsed_ms(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 /// Processor time of each thread, in the order of a list of threads, milliseconds.

@@ -26,10 +26,10 @@ void append(std::vector<double>& to, const std::vector<double>& from) {
 
 }  // namespace
 
-double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of) {
+double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of, double PassInfo::*time) {
     double ms = 0;
     for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Drawn && pass.category == of.value_or(pass.category)) ms += pass.gpu_ms;
+        if (pass.state == PassState::Drawn && pass.category == of.value_or(pass.category)) ms += pass.*time;
     return ms;
 }
 
@@ -44,9 +44,7 @@ void TimeSamples::add(const FrameResult& frame) {
     if (burst_ended) bursts.push_back(total_ms.size());
     burst_ended = false;
     total_ms.push_back(drawn_ms(frame));
-    double wall = 0;
-    for (const PassInfo& info : frame.passes) wall += info.state == PassState::Drawn ? info.wall_ms : 0;
-    wall_ms.push_back(wall);
+    wall_ms.push_back(drawn_ms(frame, {}, &PassInfo::wall_ms));
     maps_ms.push_back(drawn_ms(frame, PassCategory::Maps));
 }
 

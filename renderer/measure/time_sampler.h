@@ -15,8 +15,10 @@
 
 namespace si {
 
-/// Returns the GPU time of a frame's drawn passes, milliseconds. @param of passes to count; nullopt: all
-double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of = {});
+/// Returns the time of a frame's drawn passes, milliseconds. @param of passes to count; nullopt: all @param time which
+/// of a pass's times
+double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of = {},
+                double PassInfo::*time = &PassInfo::gpu_ms);
 
 /// Times of several frames in milliseconds: the total, the maps and each pass, one number per frame.
 struct TimeSamples {

@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "app/context/headless_context.h"
+#include "renderer/base/median.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "tests/bench/median.h"
 #include "tests/support/sets.h"
 
 namespace si {

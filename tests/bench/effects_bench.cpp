@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "app/context/headless_context.h"
+#include "renderer/base/median.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "tests/bench/median.h"
 #include "tests/bench/rotation.h"
 #include "tests/support/agreed_scene.h"
 

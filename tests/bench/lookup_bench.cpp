@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "app/context/headless_context.h"
+#include "renderer/base/median.h"
 #include "renderer/optimisations/optimisations.h"
 #include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/load_bench.h"
-#include "tests/bench/median.h"
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"

@@ -11,11 +11,11 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
+#include "renderer/base/median.h"
 #include "renderer/reference/embree.h"
 #include "renderer/reference/reference_task.h"
 #include "renderer/render/reference_frames.h"
 #include "renderer/render/renderer.h"
-#include "tests/bench/median.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
 

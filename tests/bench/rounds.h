@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "tests/bench/median.h"
+#include "renderer/base/median.h"
 
 namespace si {
 
