@@ -25,25 +25,26 @@ std::vector<double> processor_times(const std::vector<ThreadId>& threads) {
 }
 
 /// Finds the threads that work while this one draws and rest while it waits. Threads that trace or load at the same
-/// time work during both.
+/// time work as much during both. Workers that draw for another context meanwhile rest at least half of the time.
 class WorkerSearch {
 public:
     /// Notes the processor times before a round.
     void begin() { before_ = processor_times(threads_); }
-    /// Notes the processor times after a round. @param drawing the round drew; false: it waited
-    void end(bool drawing) {
+    /// Notes the processor times after a round. @param drawing the round drew; false: it waited @param round_ms its
+    /// length, milliseconds
+    void end(bool drawing, double round_ms) {
         const std::vector<double> after = processor_times(threads_);
         for (std::size_t i = 0; i < threads_.size(); ++i)
-            (drawing ? drawing_ : waiting_)[i].push_back(after[i] - before_[i]);
+            (drawing ? drawing_ : waiting_)[i].push_back((after[i] - before_[i]) / round_ms);
     }
-    /// Returns the threads that spend at least 2 % of a drawing round's processor time, and ten times as much as in a
-    /// waiting round. @param own_ms processor time of the calling thread in a drawing round
-    std::vector<ThreadId> workers(double own_ms) const {
+    /// Returns the threads that do at least 2 % of a drawing round's work, and twice as much as in a waiting round.
+    /// @param own processor time of the calling thread over the length of a drawing round
+    std::vector<ThreadId> workers(double own) const {
         std::vector<ThreadId> out;
-        double all_ms = own_ms;
-        for (const std::vector<double>& ms : drawing_) all_ms += median(ms);
+        double all = own;
+        for (const std::vector<double>& shares : drawing_) all += median(shares);
         for (std::size_t i = 0; i < threads_.size(); ++i)
-            if (const double ms = median(drawing_[i]); ms > 0.02 * all_ms && ms > 10 * median(waiting_[i]))
+            if (const double share = median(drawing_[i]); share > 0.02 * all && share > 2 * median(waiting_[i]))
                 out.push_back(threads_[i]);
         return out;
     }
@@ -51,7 +52,8 @@ public:
 private:
     std::vector<ThreadId> threads_ = other_threads();
     std::vector<double> before_;
-    std::vector<std::vector<double>> drawing_{threads_.size()}, waiting_{threads_.size()};  ///< by thread and round
+    /// Processor time over the length of a round, by thread and round.
+    std::vector<std::vector<double>> drawing_{threads_.size()}, waiting_{threads_.size()};
 };
 
 }  // namespace
@@ -87,7 +89,7 @@ PassClock::PassClock(bool cpu_rasteriser) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
     WorkerSearch search;
-    std::vector<double> shares, walls, own;
+    std::vector<double> shares, own;
     for (int i = 0; i < kRounds; ++i) {
         search.begin();
         const double own_before = own_processor_ms();
@@ -96,16 +98,18 @@ PassClock::PassClock(bool cpu_rasteriser) {
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glEndQuery(GL_TIME_ELAPSED);
         glFinish();
-        walls.push_back(elapsed_ms(start));
-        own.push_back(own_processor_ms() - own_before);
-        search.end(true);
+        const double wall = elapsed_ms(start);
+        own.push_back((own_processor_ms() - own_before) / wall);
+        search.end(true, wall);
         GLuint64 ns = 0;
         glGetQueryObjectui64v(query.id(), GL_QUERY_RESULT, &ns);
-        shares.push_back(double(ns) * 1e-6 / std::max(walls.back(), 1e-6));
+        shares.push_back(double(ns) * 1e-6 / std::max(wall, 1e-6));
         if (!cpu_rasteriser) continue;
+        // A wait as long as the draw would make the calibration twice as long.
+        const double wait = wall / 4;
         search.begin();
-        std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(walls.back()));
-        search.end(false);
+        std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(wait));
+        search.end(false, wait);
     }
     query_share_ = median(shares);
     const bool honest = query_share_ > 0.5 && query_share_ < 2;
