@@ -28,7 +28,7 @@ ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const 
     classified.outputs = {.colour = false, .classified = true};
     classified.timing = classified.force = false;
     const FrameResult frame = renderer.render(scene, settings, classified);
-    const MeasuredError measured = read_classified_pixels(renderer, frame, *request.reference, settings.view.light);
+    const MeasuredError measured = read_classified_pixels(renderer, frame, *request.reference, settings);
     const Receivers& receivers = *measured.traced.receivers;
     const int step = request.reference->step;
     ArtefactSpots out{.number = wanted.number, .spots = {}, .camera = frame.camera, .height = request.height};

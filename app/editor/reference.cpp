@@ -114,12 +114,12 @@ void EditorReference::start_save(Renderer& renderer, const Scene& scene, const S
     classified.outputs = {.colour = false, .classified = true};
     classified.timing = classified.force = false;
     const FrameResult frame = renderer.render(scene, settings, classified);
-    auto measured = std::make_shared<MeasuredError>(
-        read_classified_pixels(renderer, frame, *request.reference, settings.view.light));
+    auto measured =
+        std::make_shared<MeasuredError>(read_classified_pixels(renderer, frame, *request.reference, settings));
     doing_ = "Measuring";
     doing_key_ = request.reference->key;
-    job_.start([path, measured = std::move(measured)](const Workers&, const auto&) {
-        sum_error_metrics(*measured);
+    job_.start([path, measured = std::move(measured)](const Workers& workers, const auto&) {
+        sum_error_metrics(*measured, workers);
         write_file(path, json_text(saved_error(*measured)));
         return Found{.remark = "Saved " + path};
     });

@@ -1,21 +1,45 @@
 #include "renderer/measure/measured_error.h"
 
+#include "renderer/reference/umbra.h"
+#include "renderer/view/lights/kernel_reach.h"
+
 namespace si {
+namespace {
+
+/// Marks the pixels that are lit in the umbra.
+void find_leaks(MeasuredError& measured, const Workers& workers) {
+    const Reference& reference = *measured.traced.reference;
+    std::vector<std::size_t> bright;
+    for (std::size_t i = 0; i < measured.classified.size(); ++i)
+        if (reference.state[i] == PixelState::Counted && reference.visibility.data[i] == 0 &&
+            measured.classified[i].visibility > shared::VISIBLE_ERROR)
+            bright.push_back(i);
+    const std::vector<std::uint8_t> in_umbra =
+        umbra_of(measured.traced, measured.lights[std::size_t(measured.light)], measured.map_resolution,
+                 measured.reach_texels, bright, workers);
+    for (std::size_t k = 0; k < bright.size(); ++k) measured.classified[bright[k]].any_leak = in_umbra[k] != 0;
+}
+
+}  // namespace
 
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
-                                     int light) {
+                                     const Settings& settings) {
     MeasuredError out;
     out.traced = picture.traced;
     out.classified = classified_pixels(subsample(renderer.read_float(frame.classified, 2), picture.step));
     out.lights = frame.lights;
     out.camera = frame.camera;
-    out.light = light;
+    out.light = settings.view.light;
     out.picture = {frame.classified.width, frame.classified.height};
     out.map_resolution = frame.map_resolution;
+    const FittedLight& light = frame.lights[std::size_t(out.light)];
+    if (light.casts)
+        out.reach_texels = kernel_reach_in_light(settings, light, frame.map_resolution).edge + settings.map.blur_texels;
     return out;
 }
 
-void sum_error_metrics(MeasuredError& measured) {
+void sum_error_metrics(MeasuredError& measured, const Workers& workers) {
+    find_leaks(measured, workers);
     measured.metrics =
         error_metrics(measured.classified, *measured.traced.reference, same_surface_bits(*measured.traced.receivers));
 }
@@ -31,8 +55,8 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
     classified.outputs = {.colour = false, .classified = true};
     classified.timing = classified.force = false;
     const FrameResult frame = render_with_reference(renderer, scene, shown, classified, cache, workers, wanted);
-    MeasuredError out = read_classified_pixels(renderer, frame, *classified.reference, light);
-    sum_error_metrics(out);
+    MeasuredError out = read_classified_pixels(renderer, frame, *classified.reference, shown);
+    sum_error_metrics(out, workers);
     return out;
 }
 

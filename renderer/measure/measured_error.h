@@ -18,7 +18,8 @@ struct MeasuredError {
     std::vector<FittedLight> lights;          ///< lights of the frame
     Camera camera;
     int light = 0, map_resolution = 0;
-    glm::ivec2 picture{0};  ///< size of the frame; the reference may have fewer pixels
+    double reach_texels = 0;  ///< reach of the kernel and of the depth blur (map.blur_texels); 0 without a map
+    glm::ivec2 picture{0};    ///< size of the frame; the reference may have fewer pixels
 };
 
 /// Measures a light's shadow error in a frame: traces the reference unless `cache` has it, draws the frame, classifies
@@ -31,9 +32,11 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
 
 /// Reads back the classified pixels of a frame that was drawn with `picture` and Outputs::classified, without metrics:
 /// sum_error_metrics() computes those, on any thread.
+/// @param settings settings of the frame, whose view.light is classified
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
-                                     int light);
-/// Computes MeasuredError::metrics from the classified pixels.
-void sum_error_metrics(MeasuredError& measured);
+                                     const Settings& settings);
+/// Finds light in the umbra by rays (ClassifiedPixel::any_leak), and computes MeasuredError::metrics from the
+/// classified pixels. @throws Cancelled
+void sum_error_metrics(MeasuredError& measured, const Workers& workers = {});
 
 }  // namespace si

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "renderer/base/index_of.h"
@@ -205,6 +206,8 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     };
     moves(sums.bright, Artefact::Acne, Artefact::PeterPanningRaster);
     moves(sums.dark, Artefact::Leak, Artefact::Contact);
+    sums.visible_acne = std::exchange(sums.bright[std::size_t(Artefact::OffsetShadow)], 0);
+    sums.any_leak = std::numeric_limits<double>::quiet_NaN();
     const glm::dvec4 &noted = layers[shared::TILE_NOTED], &means = layers[shared::TILE_SUMS];
     sums.outside = noted[0];
     sums.any_acne = noted[1];

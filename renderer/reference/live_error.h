@@ -7,7 +7,7 @@ namespace si {
 
 /// Shadow error of a frame by the GPU's own sums, available when the frame has a reference.
 struct LiveError {
-    /// Equal to error_metrics(), except boundary_px_*, which are NaN.
+    /// Equal to error_metrics(), except boundary_px_* and any_leak, which are NaN.
     ErrorMetrics metrics;
 };
 

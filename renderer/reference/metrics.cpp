@@ -123,6 +123,19 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .formula = "#{R = 1, V < 1 - 0.001, and more bias lights it: to one half or more where it is wrong, wholly where "
                 "it is not} / n",
      .member = &M::any_acne},
+    {.key = "visible_acne",
+     .label = "Visible acne",
+     .help = "Any acne that is seen: more than 2 % darker than the reference.",
+     .formula = "#{as any_acne, and V < 0.98} / n",
+     .member = &M::visible_acne},
+    {.key = "any_leak",
+     .label = "Any leak",
+     .help = "Light in full shadow, where no true edge lies within the kernel's reach: includes faint light that is "
+             "not wrong. The program counts it by rays, so the live error lacks it.",
+     .formula = "#{V > 0.02, and R = 0 at the pixel and at 8 points on its plane, at the reach of the kernel and of "
+                "map.blur_texels} / n",
+     .member = &M::any_leak,
+     .cpu_only = true},
     {.key = "offset_false_shadow",
      .label = "Shadow by normal offset",
      .help = "False shadow that is right without the normal offset.",
@@ -272,7 +285,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .formula = "mean distance in pixels of the picture (whatever `truth.step`) from each pixel of the contour V = 1/2 "
                 "to the nearest of R = 1/2, and the reverse; none when only one of the two has a contour",
      .member = &M::boundary_px_mean,
-     .contours = true},
+     .cpu_only = true},
     {.key = "boundary_px_p95",
      .label = "Edge displacement, 95 %",
      .unit = "px",
@@ -280,7 +293,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .formula = "their 95th percentile",
      .paper = kHausdorff,
      .member = &M::boundary_px_p95,
-     .contours = true},
+     .cpu_only = true},
     {.key = "boundary_px_max",
      .label = "Edge displacement, maximum",
      .unit = "px",
@@ -288,7 +301,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .formula = "the largest of them",
      .paper = kHausdorff,
      .member = &M::boundary_px_max,
-     .contours = true},
+     .cpu_only = true},
     {.key = "outside_map",
      .label = "Outside the map",
      .help = "The map does not cover them, right or wrong.",
@@ -397,6 +410,8 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference) {
     for (const Metric& metric : metrics())
         if (metric.counts != Counts::Otherwise) m.*metric.member = counted_by(metric, sums) / n;
     m.any_acne = sums.any_acne / n;
+    m.visible_acne = sums.visible_acne / n;
+    m.any_leak = sums.any_leak / n;
     m.within_noise = sums.within_noise / n;
     m.outside_map = sums.outside / n;
     m.mae = sums.absolute / n;
@@ -431,6 +446,8 @@ ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const
         sums.bright[std::size_t(p.artefact)] += p.has(J::kFalseLight);
         sums.outside += p.has(J::kOutside);
         sums.any_acne += p.has(J::kAnyAcne);
+        sums.visible_acne += p.has(J::kAnyAcne) && p.visibility < 1 - shared::VISIBLE_ERROR;
+        sums.any_leak += p.any_leak;
         sums.within_noise += p.has(J::kWithinNoise);
     }
     ErrorMetrics m = metrics_of(sums, reference);

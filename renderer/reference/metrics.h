@@ -31,6 +31,7 @@ struct ClassifiedPixel {
     Artefact artefact = Artefact::None;
     std::uint32_t bits = 0;
     float visibility = 1;
+    bool any_leak = false;  ///< light in the umbra: umbra_of(), and `visibility` above VISIBLE_ERROR
     /// Returns further causes of the pixel's error: bits as in Cause::also.
     std::uint32_t also() const { return bits >> kAlsoShift; }
     /// Returns true when the classified pixel has flag `b`.
@@ -59,8 +60,9 @@ struct ErrorMetrics {
     std::size_t counted = 0;
     double false_shadow = 0, false_light = 0, acne = 0, leak = 0, bias_false_light = 0, lost_false_light = 0,
            offset_false_shadow = 0, contact_false_shadow = 0, boundary_false_shadow = 0, boundary_false_light = 0,
-           outside_false_shadow = 0, outside_false_light = 0, any_acne = 0, within_noise = 0, mae = 0, rmse = 0,
-           signed_mean = 0, iou = 1, boundary_px_mean = 0, boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0;
+           outside_false_shadow = 0, outside_false_light = 0, any_acne = 0, visible_acne = 0, any_leak = 0,
+           within_noise = 0, mae = 0, rmse = 0, signed_mean = 0, iou = 1, boundary_px_mean = 0, boundary_px_p95 = 0,
+           boundary_px_max = 0, outside_map = 0;
     std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState
     std::size_t ground_pixels = 0;                    ///< counted pixels on the ground disc under a model
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
@@ -96,7 +98,7 @@ struct Metric {
     Counts counts = Counts::Otherwise;
     std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause
     bool rare = false;         ///< shown to people only when not 0
-    bool contours = false;     ///< distance between contours, which the GPU's sums cannot provide: NaN in LiveError
+    bool cpu_only = false;     ///< needs rays or contours, which the GPU's sums cannot provide: NaN in LiveError
 
     /// Returns the value of this error metric in a measurement.
     double value(const ErrorMetrics& m) const;
@@ -111,7 +113,7 @@ const Metric* find_metric(std::string_view key);
 /// (shaders/passes/error_tiles.frag.glsl).
 struct PixelSums {
     std::array<double, kArtefacts> dark{}, bright{};  ///< false shadow and false light by cause; None: without one
-    double outside = 0, any_acne = 0, within_noise = 0;
+    double outside = 0, any_acne = 0, visible_acne = 0, any_leak = 0, within_noise = 0;
     double absolute = 0, squares = 0, sum = 0;  ///< sums of |V - R|, its square, V - R
     double both = 0, either = 0;                ///< pixels in shadow by V and R, and by at least one of them
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "renderer/reference/ray_scenes.h"
+#include "renderer/reference/umbra.h"
 
 namespace si {
 namespace {
@@ -120,7 +121,11 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
     auto found =
         std::find_if(references_.begin(), references_.end(), [&](const Known& t) { return t.key == task.key; });
     if (found == references_.end()) {
-        Known known{.key = task.key, .reference = {}, .runs = {}};
+        Known known{.key = task.key,
+                    .reference = {},
+                    .runs = {},
+                    .query = std::make_shared<ReferenceQuery>(task.query),
+                    .umbra = std::make_shared<UmbraCache>()};
         known.reference = timed(out.trace_ms, [&] {
             return std::make_shared<Reference>(
                 trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9)));
@@ -136,6 +141,8 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
     out.receivers = receivers_;
     out.reference = references_.front().reference;
     out.runs = references_.front().runs;
+    out.query = references_.front().query;
+    out.umbra = references_.front().umbra;
     return out;
 }
 

@@ -44,12 +44,16 @@ FloatImage subsample(const FloatImage& image, int step);
 ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,
                              const SurfaceIds& ids, int width, int height, int light, const ReferenceOptions& options);
 
+class UmbraCache;
+
 /// Traced reference with everything it was computed from, and the times that took.
 struct TracedReference {
     std::shared_ptr<const ReferenceScene> scene;
     std::shared_ptr<const Receivers> receivers;
     std::shared_ptr<const Reference> reference;
     std::shared_ptr<const ShadowRuns> runs;
+    std::shared_ptr<const ReferenceQuery> query;      ///< sizes of its views may be those of an earlier frame
+    std::shared_ptr<UmbraCache> umbra;                ///< memory of umbra_of()
     double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
@@ -74,6 +78,8 @@ private:
         std::uint64_t key = 0;
         std::shared_ptr<const Reference> reference;
         std::shared_ptr<const ShadowRuns> runs;
+        std::shared_ptr<const ReferenceQuery> query;
+        std::shared_ptr<UmbraCache> umbra;
     };
     std::list<Known> references_;  ///< latest first
 };

@@ -1,7 +1,7 @@
 // Counts and sums of wrong pixels in each tile of TILE x TILE reference pixels. The CPU adds the tiles.
 #include "lib/truth.glsl"
 layout(location = TILE_DARK) out vec4 dark_out[ARTEFACT_LAYERS];      // false shadow: a count for each artefact
-layout(location = TILE_BRIGHT) out vec4 bright_out[ARTEFACT_LAYERS];  // false light
+layout(location = TILE_BRIGHT) out vec4 bright_out[ARTEFACT_LAYERS];  // false light; for OFFSET_SHADOW, never light: visible acne
 layout(location = TILE_NOTED) out vec4 noted_out;  // counts: outside the map, any acne, within noise, in shadow by either
 layout(location = TILE_SUMS) out vec4 sums_out;    // sums of |d|, d^2, d; count in shadow by both map and reference
 
@@ -31,6 +31,8 @@ void main() {
                 dark[i] += fs * of;
                 bright[i] += fl * of;
             }
+            float visible_acne = float(bits / ANY_ACNE & 1) * float(v < 1.0 - VISIBLE_ERROR);
+            bright[ARTEFACT_OFFSET_SHADOW / 4][ARTEFACT_OFFSET_SHADOW % 4] += visible_acne;
             noted += vec4(bits / OUTSIDE & 1, bits / ANY_ACNE & 1, bits / WITHIN_NOISE & 1, max(v_dark, r_dark));
             sums += vec4(abs(d), d * d, d, v_dark * r_dark);
         }

@@ -9,6 +9,8 @@ namespace si::shared {
 // Bits of a pixel's classification; meaning in renderer/reference/metrics.h.
 const int FALSE_SHADOW = 1, FALSE_LIGHT = 2, OUTSIDE = 4, ANY_ACNE = 8;
 const int WITHIN_NOISE = 16, FAINT = 32, COUNTS = 64, SEAM = 128;
+// Errors of visibility above this are seen: light in full shadow, acne of a lit surface.
+const float VISIBLE_ERROR = 0.02;
 // First bit of further causes, bits 1 << artefact.
 const int ALSO_SHIFT = 8;
 // Bits for the artefact. The classification bits are above, in one number that fits single precision.

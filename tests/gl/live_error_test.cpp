@@ -49,6 +49,9 @@ protected:
         same_count(gpu.outside_false_shadow, cpu.outside_false_shadow, "outside false shadow");
         same_count(gpu.outside_false_light, cpu.outside_false_light, "outside false light");
         same_count(gpu.any_acne, cpu.any_acne, "any acne");
+        same_count(gpu.visible_acne, cpu.visible_acne, "visible acne");
+        EXPECT_TRUE(std::isnan(gpu.any_leak)) << "it takes rays";
+        EXPECT_TRUE(cpu.any_leak >= 0);
         same_count(gpu.offset_false_shadow, cpu.offset_false_shadow, "offset false shadow");
         same_count(gpu.bias_false_light, cpu.bias_false_light, "bias false light");
         same_count(gpu.lost_false_light, cpu.lost_false_light, "lost false light");
@@ -72,7 +75,7 @@ TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     set_all(s, {"light.fit=manual", "light.extent=1.2"});
     EXPECT_GT(agree(s, "outside of the map").outside_map, 0.3);
     s = settings_with(hard(512, 0), {"light.type=spot", "bias.normal=0.1", "bias.slope=0.05"});
-    EXPECT_GT(agree(s, "spot light, too little of each bias").any_acne, 0.001);
+    EXPECT_GT(agree(s, "spot light, too little of each bias").visible_acne, 0.001);
     s.lights[0].type = LightType::Point;
     EXPECT_GT(agree(s, "point light").counted, 1000u);
 

@@ -74,8 +74,9 @@ TEST(Metrics, AreZeroForEqualPictures) {
     EXPECT_EQ(m.counted, 10u);
     EXPECT_EQ(m.pixels[std::size_t(PixelState::Background)], 1u);
     EXPECT_EQ(m.pixels[std::size_t(PixelState::FacesAway)], 1u);
-    for (const double v : {m.false_shadow, m.false_light, m.acne, m.leak, m.any_acne, m.mae, m.rmse, m.signed_mean,
-                           m.outside_map, m.boundary_px_mean, m.boundary_px_p95, m.boundary_px_max})
+    for (const double v :
+         {m.false_shadow, m.false_light, m.acne, m.leak, m.any_acne, m.visible_acne, m.any_leak, m.mae, m.rmse,
+          m.signed_mean, m.outside_map, m.boundary_px_mean, m.boundary_px_p95, m.boundary_px_max})
         EXPECT_EQ(v, 0);
     EXPECT_EQ(m.iou, 1);
     EXPECT_EQ(m.artefacts[0], 12u);
@@ -129,6 +130,21 @@ TEST(Metrics, CountNoErrorWithinTheNoiseOfTheReference) {
     EXPECT_EQ(m.false_light, 0);
     EXPECT_DOUBLE_EQ(m.signed_mean, m.mae == 0 ? 1 : m.signed_mean);
     EXPECT_NEAR(m.mae, (0.1 * 3 + 0.55 + 0.1 + 0.1) / 6, 1e-6);
+}
+
+TEST(Metrics, CountErrorsThatAreSeen) {
+    const Reference reference = reference_of({"....####"});
+    std::vector<ClassifiedPixel> classified(8);
+    const float v[] = {1.f, 0.985f, 0.975f, 0.2f, 0.f, 0.01f, 0.03f, 0.9f};
+    for (std::size_t i = 0; i < 8; ++i) {
+        classified[i] = {Artefact::None, compared_bits(v[i], true_pixel(reference, i), false), v[i]};
+        if (i == 1 || i == 2) classified[i].bits |= ClassifiedPixel::kAnyAcne;
+        classified[i].any_leak = i == 6;
+    }
+    const ErrorMetrics m = error_metrics(classified, reference);
+    EXPECT_DOUBLE_EQ(m.any_acne, 2.0 / 8);
+    EXPECT_DOUBLE_EQ(m.visible_acne, 1.0 / 8) << "0.985 is not seen, and 0.2 is not acne";
+    EXPECT_DOUBLE_EQ(m.any_leak, 1.0 / 8);
 }
 
 TEST(Metrics, MeasureContourDistance) {

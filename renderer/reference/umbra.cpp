@@ -1,0 +1,153 @@
+#include "renderer/reference/umbra.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "renderer/projection/projection.h"
+
+namespace si {
+namespace {
+
+constexpr std::size_t kPoints = 8;
+/// Samples of an area light per point: as many as the reference takes at first.
+constexpr int kAreaSamples = 64;
+
+using Points = std::array<glm::dvec3, kPoints>;
+
+/// Returns the coarser of the views in which a point is looked up.
+const LightView& coarser_view(const FittedLight& light, const glm::dvec3& point_ws, int resolution) {
+    const ChosenView chosen = light.chooser.choose(light.views, point_ws);
+    const LightView &view = light.views[chosen.view], &other = light.views[chosen.other];
+    const auto texel_m = [&](const LightView& v) { return v.texel_size_at(point_ws, resolution).longest; };
+    return chosen.share > 0 && texel_m(other) > texel_m(view) ? other : view;
+}
+
+/// Returns the points around a receiver on its plane; none where the plane does not meet the light's ray.
+std::optional<Points> points_around(const Receiver& r, const FittedLight& light, int resolution, double reach_texels) {
+    Points points;
+    points.fill(r.position_ws);
+    if (light.views.empty()) return points;
+    const LightView& view = coarser_view(light, r.position_ws, resolution);
+    const glm::dvec4 clip = view.clip_from_relative(r.position_ws) * glm::dvec4(0, 0, 0, 1);
+    const glm::dvec2 at = uvd_from_ndc(view.curve.convention, glm::dvec3(clip) / clip.w);
+    const double reach = reach_texels / resolution;
+    std::size_t i = 0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            if (x == 0 && y == 0) continue;
+            const glm::dvec2 uv = at + reach * glm::dvec2(x, y);
+            const glm::dvec3 first = view.position_ws(uv, view.curve.near), last = view.position_ws(uv, view.curve.far);
+            const double along = glm::dot(r.normal_ws, last - first);
+            const glm::dvec3 point = first + (last - first) * (glm::dot(r.normal_ws, r.position_ws - first) / along);
+            const bool behind = view.curve.perspective && !(glm::dot(view.eye - point, view.axes[2]) > 0);
+            if (behind || !std::isfinite(point.x + point.y + point.z)) return {};
+            points[i++] = point;
+        }
+    return points;
+}
+
+/// Adds one receiver per point to a row of receivers.
+void add_points(Receivers& to, Receiver r, const Points& points) {
+    for (const glm::dvec3& point : points) {
+        r.position_ws = point;
+        to.pixels.push_back(r);
+    }
+    ++to.height;
+}
+
+std::uint64_t umbra_key(const FittedLight& light, int resolution, double reach_texels) {
+    Key key;
+    key.add(reach_texels)
+        .add(resolution)
+        .add(light.chooser.choice)
+        .add(light.chooser.from_ws)
+        .add(light.chooser.forward);
+    for (const LightView& view : light.views) key.add(view.clip_from_relative(glm::dvec3(0)));
+    for (const ViewSpan& span : light.chooser.spans) key.add(span.ends).add(span.blends_from);
+    return key.value();
+}
+
+bool all_dark(const Reference& row, std::size_t first) {
+    const auto begin = row.visibility.data.begin() + std::ptrdiff_t(first);
+    return std::all_of(begin, begin + kPoints, [](float v) { return v == 0; });
+}
+
+/// Traces the listed pixels of the reference.
+/// @returns one number per element of `pixels`: 1 in the umbra, else 0
+std::vector<std::uint8_t> trace_umbra(const TracedReference& traced, const FittedLight& light, int resolution,
+                                      double reach_texels, std::span<const std::size_t> pixels,
+                                      const Workers& workers) {
+    std::vector<std::uint8_t> umbra(pixels.size(), 0);
+    const Reference& reference = *traced.reference;
+    std::vector<std::size_t> tested;  // indices into `pixels`
+    Receivers around{.width = int(kPoints), .height = 0, .pixels = {}};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (reference.state[pixels[i]] != PixelState::Counted || reference.visibility.data[pixels[i]] != 0) continue;
+        const Receiver& r = traced.receivers->pixels[pixels[i]];
+        const auto points = points_around(r, light, resolution, reach_texels);
+        if (!points) continue;
+        add_points(around, r, *points);
+        tested.push_back(i);
+    }
+    if (tested.empty()) return umbra;
+    ReferenceQuery query = *traced.query;
+    query.options.nearest = query.options.area = false;
+    query.options.step = 1;
+    const bool area = reference.is_area();
+    const Reference hard =
+        trace_visibility(*traced.scene, around, query, workers.with_progress_range(0, area ? 0.2 : 1));
+    std::vector<std::size_t> dark;  // indices into `tested`
+    for (std::size_t k = 0; k < tested.size(); ++k)
+        if (all_dark(hard, k * kPoints)) dark.push_back(k);
+    for (const std::size_t k : dark) umbra[tested[k]] = 1;
+    if (!area) return umbra;
+    query.options.area = true;
+    query.options.samples = std::min(query.options.samples, kAreaSamples);
+    // Samples on the light depend on a point's place in its image. A row of its own makes them the same in every call.
+    Workers here;
+    here.threads = 1;
+    parallel_for_blocks(dark.size(), workers.with_progress_range(0.2, 1), [&](std::size_t d) {
+        const std::size_t k = dark[d];
+        Receivers row{.width = int(kPoints), .height = 1, .pixels = {}};
+        row.pixels.assign(around.pixels.begin() + std::ptrdiff_t(k * kPoints),
+                          around.pixels.begin() + std::ptrdiff_t((k + 1) * kPoints));
+        umbra[tested[k]] = all_dark(trace_visibility(*traced.scene, row, query, here), 0);
+    });
+    return umbra;
+}
+
+}  // namespace
+
+std::vector<UmbraCache::State> UmbraCache::find(std::uint64_t key, std::size_t pixels) const {
+    const std::lock_guard guard(lock_);
+    for (const Known& k : known_)
+        if (k.key == key) return k.states;
+    return std::vector<State>(pixels, State::Unknown);
+}
+
+void UmbraCache::store(std::uint64_t key, std::vector<State> states) {
+    const std::lock_guard guard(lock_);
+    std::erase_if(known_, [&](const Known& k) { return k.key == key; });
+    known_.push_back({key, std::move(states)});
+    if (known_.size() > kMaxReaches) known_.erase(known_.begin());
+}
+
+std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, int resolution,
+                                   double reach_texels, std::span<const std::size_t> pixels, const Workers& workers) {
+    using State = UmbraCache::State;
+    const std::uint64_t key = umbra_key(light, resolution, reach_texels);
+    std::vector<State> states = traced.umbra->find(key, traced.reference->state.size());
+    std::vector<std::size_t> unknown;
+    for (const std::size_t p : pixels)
+        if (states[p] == State::Unknown) unknown.push_back(p);
+    const std::vector<std::uint8_t> found = trace_umbra(traced, light, resolution, reach_texels, unknown, workers);
+    for (std::size_t i = 0; i < unknown.size(); ++i) states[unknown[i]] = found[i] ? State::Inside : State::Outside;
+    std::vector<std::uint8_t> out;
+    for (const std::size_t p : pixels) out.push_back(states[p] == State::Inside);
+    if (!unknown.empty()) traced.umbra->store(key, std::move(states));
+    return out;
+}
+
+}  // namespace si

@@ -1,0 +1,45 @@
+// Pixels in full shadow together with everything that a shadow kernel reads around them: light there is a leak.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "renderer/reference/reference_task.h"
+
+namespace si {
+
+/// Finds the pixels of a traced reference that lie in the umbra at a kernel's reach: R = 0 at the pixel, and at 8
+/// points around it on the plane of its surface. The points lie at the corners and side centres of a square of
+/// `reach_texels` to either side, along the axes of the light's map; in a blend of two maps those of the coarser one.
+/// Rays decide, as in the reference. Pixels that were traced before come from TracedReference::umbra.
+/// @param light the light of the frame; without views only the pixel itself is tested
+/// @param resolution texels a side of its maps
+/// @param pixels indices into the reference
+/// @returns one number per element of `pixels`: 1 in the umbra, else 0 @throws Cancelled
+std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, int resolution,
+                                   double reach_texels, std::span<const std::size_t> pixels, const Workers& workers);
+
+/// Umbra of one reference, as far as it is traced, for the last few reaches and maps. Any thread may use it.
+class UmbraCache {
+public:
+    /// Pixel of the umbra's image.
+    enum class State : std::uint8_t { Unknown, Outside, Inside };
+    /// Returns the known states of all pixels under `key`, Unknown where not traced.
+    std::vector<State> find(std::uint64_t key, std::size_t pixels) const;
+    /// Stores the states of all pixels under `key`.
+    void store(std::uint64_t key, std::vector<State> states);
+
+private:
+    static constexpr std::size_t kMaxReaches = 4;
+    /// States of all pixels for one reach and map.
+    struct Known {
+        std::uint64_t key = 0;
+        std::vector<State> states;
+    };
+    mutable std::mutex lock_;
+    std::vector<Known> known_;  ///< latest last
+};
+
+}  // namespace si
