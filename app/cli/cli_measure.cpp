@@ -46,8 +46,8 @@ void add_merge(CLI::App& app, Run& run) {
 
 void add_tune(CLI::App& app, Run& run) {
     auto& c = add_command(app, run, "tune",
-                          "Find the least bias that leaves no acne, and write it as a preset; with limits, "
-                          "search kernel and resolution, too",
+                          "Find the bias with the fewest wrong pixels, of all kinds, and write it as a preset; with "
+                          "limits, search kernel and resolution, too",
                           run_tune);
     c.add_session();
     c.add_output("PRESET", "The preset, .json")->required();
@@ -55,6 +55,11 @@ void add_tune(CLI::App& app, Run& run) {
                  "Search kernels and resolutions for the most accurate whose frame takes at most this long, in ms of "
                  "the clock that info names",
                  "Error that --max-error limits, named as in `measure --json` (1 minus the value if more is better)");
+    c.app().add_flag("--no-acne", c.options.no_acne,
+                     "Choose among biases that leave acne in at most 0.01 % of the pixels; fail where there is none");
+    c.add_value("--max-gap", c.options.max_gap, "M",
+                "Largest lit gap at casters that touch their receiver, in metres, for 95 % of the lit surface")
+        ->check(CLI::PositiveNumber);
     c.add_area();
     c.add_size();
     c.add_cost();

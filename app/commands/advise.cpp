@@ -18,17 +18,17 @@
 namespace si {
 namespace {
 
-Json advice_json(const TriedAdvice& t) {
+Json advice_json(const Trial& t) {
     static constexpr const char* kClaims[] = {"same", "right", "trade"};
-    return {{"rule", t.idea.rule},
-            {"claim", kClaims[std::size_t(t.idea.claim)]},
-            {"text", t.idea.sentence},
-            {"light", t.idea.light},
-            {"settings", changes_json(t.settings)},
+    return {{"rule", t.candidate.rule.empty() ? "fix" : t.candidate.rule},
+            {"claim", kClaims[std::size_t(t.candidate.claim)]},
+            {"text", t.candidate.shown_name()},
+            {"light", t.candidate.light},
+            {"settings", changes_json(t.changes)},
             {"holds", t.why_not.empty()},
             {"why_not", t.why_not.empty() ? Json() : Json(t.why_not)},
             {"error", {{"before", t.before.error}, {"after", t.after.error}, {"tolerance", t.tolerance()}}},
-            {"ms", change_json(t.ms)},
+            {"ms", t.ms ? change_json(*t.ms) : Json()},
             {"cost", {{"before", cost_json(t.before.work)}, {"after", cost_json(t.after.work)}}}};
 }
 
@@ -56,6 +56,7 @@ Json report_json(const AdviceReport& r, const AdviseOptions& o) {
     json["advice"] = json_list(r.holds, advice_json);
     json["tried"] = json_list(r.fails, advice_json);
     json["findings"] = json_list(r.findings, finding_json);
+    json["stopped"] = r.stopped;
     return json;
 }
 
@@ -73,6 +74,7 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
                     {"settings", changes_json(setting_changes(measured_settings(before), r.best.settings))}};
     json["combinations"] = r.combinations;
     json["seconds"] = r.seconds;
+    json["stopped"] = r.stopped;
     json["untried"] = r.untried;
     json["dropped"] = json_list(r.dropped, [](const DroppedEffect& d) -> Json {
         return {{"setting", d.key},
@@ -85,14 +87,14 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
         return {{"settings", changes_json(setting_changes(measured_settings(before), c.settings))},
                 {"error", c.classified.error},
                 {"ms", c.ms ? Json(*c.ms) : Json()},
-                {"holds", c.holds}};
+                {"holds", c.holds ? Json(*c.holds) : Json()}};
     });
     return json;
 }
 
-void print_advice(const TriedAdvice& t) {
-    fmt::print("  {:>10} {:>+11.3g}  {}{}\n      {}\n", time_text(t.ms), t.added_error(), t.idea.sentence,
-               t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.settings));
+void print_advice(const Trial& t) {
+    fmt::print("  {:>10} {:>+11.3g}  {}{}\n      {}\n", time_text(t.ms), t.added_error(), t.candidate.shown_name(),
+               t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.changes));
 }
 
 void print_report(const AdviceReport& r) {
@@ -104,9 +106,10 @@ void print_report(const AdviceReport& r) {
                    f.settings.empty() ? "" : "\n      " + set_options_text(f.settings));
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
-    for (const TriedAdvice& t : r.holds) print_advice(t);
+    for (const Trial& t : r.holds) print_advice(t);
+    if (r.stopped) fmt::print("stopped before all changes were tried\n");
     if (!r.fails.empty()) fmt::print("tried, does not hold:\n");
-    for (const TriedAdvice& t : r.fails) print_advice(t);
+    for (const Trial& t : r.fails) print_advice(t);
 }
 
 /// @param clock name of the clock of all times

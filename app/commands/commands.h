@@ -100,9 +100,12 @@ struct SearchLimits {
 };
 
 /// Options of the command `tune`.
-struct TuneOptions : CommandOptions, SearchLimits {};
-/// Runs the command `tune`: writes a preset with the least bias that leaves no acne. With limits the search also picks
-/// kernel and resolution.
+struct TuneOptions : CommandOptions, SearchLimits {
+    bool no_acne = false;           ///< least bias among those without acne
+    std::optional<double> max_gap;  ///< largest gap at casters, metres
+};
+/// Runs the command `tune`: writes a preset with the least bias of all rows of the bias table. With limits the search
+/// also picks kernel and resolution.
 void run_tune(const TuneOptions& options);
 /// Returns the keys of the metrics that `tune --error` accepts.
 std::vector<std::string_view> tuned_errors();

@@ -8,12 +8,12 @@
 
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
+#include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
-#include "app/sweep/progress_line.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/reference/artefact_picture.h"
 
@@ -85,12 +85,11 @@ void run_measure(const MeasureOptions& options) {
     std::optional<FixTable> fixes;
     if (options.fixes) {
         ReferenceCache cache;
-        ProgressLine line;
-        fixes = find_fixes(renderer, session.scene, session.settings, options.size.width, options.size.height,
-                           {.time = options.time, .reference = reference_options(session.settings)}, cache, {},
-                           [&](double share, const std::string& what) {
-                               line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
-                           });
+        const FixOptions wanted{.time = options.time, .reference = reference_options(session.settings)};
+        fixes = interruptible("nothing was tried", [&](const Workers& workers, const auto& report) {
+            return find_fixes(renderer, session.scene, session.settings, options.size.width, options.size.height,
+                              wanted, cache, workers, report);
+        });
     }
     std::shared_ptr<const NumericHealth> health;
     if (options.check_numeric)

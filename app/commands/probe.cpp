@@ -9,6 +9,7 @@
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
+#include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
@@ -88,9 +89,6 @@ void print_amount(const char* name, const DepthShift& a, const char* about = "",
 
 void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Settings& settings) {
     fmt::print("  verdict: {}\n", d.verdict);
-    if (d.fix)
-        fmt::print("  fix: {}{} ({})\n", fix_text(*d.fix, settings), equivalent_bias_text(*d.fix),
-                   set_options_text(d.fix->settings));
     if (!p.casts) return;
     const BiasBreakdown& a = p.account;
     fmt::print("  bias\n");
@@ -131,15 +129,18 @@ std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, co
     return out;
 }
 
-/// Searches fixes of the probed pixel under view.light, if the pixel is wrong.
+/// Searches a fix of the probed pixel under view.light, if the pixel is wrong. Stops at the first one.
 std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const Probe& probe,
                               const std::vector<PixelDiagnosis>& found) {
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
     if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
-    FixOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
+    FixOptions options{.pixel = glm::ivec2(probe.x, probe.y), .first = true, .list = FixList::Whole};
     if (const auto& fix = found[light].fix) options.more.push_back(suggested_candidate(*fix, session.settings));
     ReferenceCache cache;
-    return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
+    return interruptible("no change was tried", [&](const Workers& workers, const auto& report) {
+        return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache, workers,
+                          report);
+    });
 }
 
 }  // namespace
@@ -187,7 +188,7 @@ void run_probe(const ProbeOptions& options) {
     shown.y = y;  // pixel of the whole picture, as on the command line
     if (options.json) {
         find_fixes();
-        nlohmann::ordered_json json = probe_json(shown, found);
+        nlohmann::ordered_json json = probe_json(shown, found, table ? table->fix() : nullptr);
         if (probe.hit && options.reference && section.empty())
             json["cures"] = table ? fixes_json(*table) : nlohmann::ordered_json::array();
         fmt::print("{}", json_text(json));

@@ -13,63 +13,79 @@
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "app/session/setting_json.h"
-#include "app/sweep/tuning.h"
+#include "renderer/advise/tuning.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
 namespace si {
 namespace {
 
 Json bias_json(const BiasSettings& b) {
+    Settings with;
+    with.bias = b;
+    Json json = {{"kind", bias_of(with).key}};
     static constexpr const char* kUnits[] = {"depth", "texels", "metres"};
-    return {{"unit", kUnits[std::size_t(b.unit)]}, {"constant", b.constant}, {"slope", b.slope}, {"normal", b.normal}};
+    json["unit"] = kUnits[std::size_t(b.unit)];
+    for (const auto& [name, value] : {std::pair("constant", b.constant),
+                                      {"slope", b.slope},
+                                      {"normal", b.normal},
+                                      {"raster_slope", b.raster_slope},
+                                      {"raster_units", b.raster_units}})
+        json[name] = value;
+    return json;
 }
 
 Json trial_json(const BiasTrial& t) {
-    return {{"acne_px", t.acne()},
+    return {{"score", t.score},
+            {"acne_px", t.acne()},
+            {"faint_px", t.needs.faint_acne},
             {"corner_px", t.needs.folds},
             {"lost_px", t.lost()},
             {"leak_px", t.error.artefacts[std::size_t(Artefact::Leak)]},
-            {"wrong_px", t.wrong()},
+            {"wrong_px", wrong_pixels(t.error)},
             {"gap_median_m", t.needs.gap_median_m},
             {"gap_p95_m", t.needs.gap_p95_m},
             {"shift_p95_m", t.needs.shift_p95_m},
             {"error", error_json(t.error)}};
 }
 
-Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& after, CostCase cost, double seconds) {
-    const BiasSearch& search = tuner.bias();
-    const auto family = [&](const BiasFound& f) {
-        Json row = {{"family", family_label(f.family)},
-                    {"chosen", search.best() && search.best()->family == f.family},
-                    {"no_acne", f.trial.acne() == 0},
-                    {"of_theory", f.factor},
-                    {"bias", bias_json(f.bias)}};
-        row.update(trial_json(f.trial));
-        return row;
+Json tuned_json(const Tuned& tuned, const TuneGoals& goals, const Settings& before, const Settings& after,
+                double seconds) {
+    const auto rows = [](const std::vector<TriedBias>& list, const TriedBias* chosen) {
+        return json_list(list, [&](const TriedBias& t) {
+            Json row = {{"row", t.row->key},
+                        {"chosen", &t == chosen},
+                        {"no_acne", t.trial.has_no_acne()},
+                        {"of_theory", t.strength},
+                        {"bias", bias_json(t.bias)}};
+            row.update(trial_json(t.trial));
+            return row;
+        });
     };
-    const auto candidate = [&](const TuneCandidate& c) -> Json {
-        return {{"kernel", c.kernel},
+    const auto case_json = [&](const AutopilotCase& c) -> Json {
+        return {{"kernel", kernel_label(c.settings)},
                 {"resolution", c.settings.map.resolution},
-                {"chosen", &c == tuner.best()},
-                {"within_limits", c.meets},
-                {"no_acne", c.clear},
-                {"error", c.trial ? Json(c.error) : Json()},
+                {"chosen", tuned.limits->goals_met && c.axis_values == tuned.limits->best.axis_values},
+                {"within_limits", c.holds ? Json(*c.holds) : Json()},
+                {"error", c.classified.error},
                 {"ms", c.ms ? Json(*c.ms) : Json()},
                 {"bias", bias_json(c.settings.bias)}};
     };
     Json json = {{"format", "shadow-inspector-tuning"},
-                 {"version", 1},
-                 {"found", tuner.result().has_value()},
-                 {"summary", tuner.summary()},
-                 {"timed", cost_row(cost).key},
-                 {"trials", tuner.trials()},
+                 {"version", 2},
+                 {"found", tuned.result.has_value()},
+                 {"summary", tuned.summary},
+                 {"timed", cost_row(goals.cost).key},
+                 {"trials", tuned.bias.trials},
+                 {"stopped", tuned.bias.stopped || (tuned.limits && tuned.limits->stopped)},
                  {"seconds", seconds},
-                 {"before", trial_json(search.before())},
-                 {"lit_pixels", search.before().needs.pixels},
-                 {"families", json_list(search.tried(), family)},
-                 {"candidates", json_list(tuner.candidates(), candidate)},
+                 {"before", trial_json(tuned.bias.before)},
+                 {"lit_pixels", tuned.bias.before.needs.pixels},
+                 {"biases", rows(tuned.bias.rows, tuned.bias.best())},
+                 {"without_acne", rows(tuned.bias.clean, tuned.bias.best_without_acne())},
+                 {"candidates", tuned.limits ? json_list(tuned.limits->cases, case_json) : Json::array()},
                  {"settings", Json::object()}};
     for (const SettingRef& ref : all_settings(after))
         if (get_value(after, ref) != get_value(before, ref))
@@ -77,26 +93,27 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
     return json;
 }
 
-void print_tuned(const Tuner& tuner) {
-    const BiasSearch& search = tuner.bias();
-    if (!search.tried().empty())
-        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "wrong px", "lost px", "acne px", "strip",
+void print_tuned(const Tuned& tuned) {
+    const FoundBias& found = tuned.bias;
+    if (!found.rows.empty())
+        fmt::print("  {:<28} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "score", "wrong px", "acne px", "gap",
                    "edge shift");
-    for (const BiasFound& f : search.tried())
-        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}  {}{}\n", family_label(f.family), f.trial.wrong(),
-                   f.trial.lost(), f.trial.acne(), metres_text(f.trial.needs.gap_p95_m),
-                   metres_text(f.trial.needs.shift_p95_m), bias_text(f.bias),
-                   search.best() && search.best()->family == f.family ? "  chosen" : "");
-    for (const TuneCandidate& c : tuner.candidates()) {
-        const std::string error = c.trial ? fmt::format("{:.5f}", c.error) : "-";
-        const std::string ms = c.ms ? digits_text(*c.ms) + " ms" : "-";
-        fmt::print("  {:<14} {:>5}²  error {:>8}  {:>9}  {}\n", c.kernel, c.settings.map.resolution, error, ms,
-                   &c == tuner.best()    ? "chosen"
-                   : c.meets             ? "within the limits"
-                   : c.trial && !c.clear ? "acne remains"
-                                         : "");
-    }
-    fmt::print("{}\n", tuner.summary());
+    const auto print_row = [](const TriedBias& t, const char* note) {
+        fmt::print("  {:<28} {:>9.1f} {:>9} {:>9} {:>11} {:>11}  {}{}\n", t.row->label, t.trial.score,
+                   wrong_pixels(t.trial.error), t.trial.acne(), metres_text(t.trial.needs.gap_p95_m),
+                   metres_text(t.trial.needs.shift_p95_m), bias_text(t.bias), note);
+    };
+    for (const TriedBias& t : found.rows) print_row(t, &t == found.best() ? "  least score" : "");
+    if (const TriedBias* clean = found.best_without_acne()) print_row(*clean, "  least score without acne");
+    if (!tuned.limits) return;
+    for (const AutopilotCase& c : tuned.limits->cases)
+        if (c.ms)
+            fmt::print("  {:<14} {:>5}²  error {:>8.5f}  {:>9}  {}\n", kernel_label(c.settings),
+                       c.settings.map.resolution, c.classified.error, digits_text(*c.ms) + " ms",
+                       tuned.limits->goals_met && c.axis_values == tuned.limits->best.axis_values ? "chosen"
+                       : !c.holds ? "undecided within noise"
+                       : *c.holds ? "within the limits"
+                                  : "");
 }
 
 }  // namespace
@@ -120,34 +137,40 @@ void run_tune(const TuneOptions& options) {
     const TuneGoals goals{.max_error = options.max_error,
                           .max_ms = options.max_ms,
                           .error = &tuned_error(options.error),
-                          .cost = options.cost};
+                          .cost = options.cost,
+                          .no_acne = options.no_acne,
+                          .max_gap_m = options.max_gap};
     Session session = open_session(options.session);
     const HeadlessContext context;
     Renderer renderer;
+    ReferenceCache cache;
     const NumberWatch numbers(renderer, session.settings, options.check_numeric);
-    const TuningJob job{session.settings, options.size.width, options.size.height, goals};
     const auto began = std::chrono::steady_clock::now();
-    const Tuner tuner =
+    const Tuned tuned =
         interruptible(options.output + " was not written", [&](const Workers& workers, const auto& report) {
-            return run_tuning(renderer, session.scene, job, workers,
-                              [&](const Tuner& t) { report(t.progress(), t.step_label()); });
+            return tune(renderer, session.scene, session.settings, options.size.width, options.size.height, goals,
+                        cache, workers, report);
         });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    const std::optional<Settings> found = tuner.result();
     Settings after = session.settings;
-    if (found) apply_tuning(after, *found);
-    const std::string clock = goals.max_error || goals.max_ms ? renderer.driver().clock : std::string();
+    if (tuned.result) apply_tuning(after, *tuned.result);
+    const std::string clock = goals.any() ? renderer.driver().clock : std::string();
     if (options.json) {
-        Json json = tuned_json(tuner, session.settings, after, goals.cost, seconds);
+        Json json = tuned_json(tuned, goals, session.settings, after, seconds);
         json["clock"] = clock.empty() ? Json() : Json(clock);
         fmt::print("{}", json_text(json));
     } else {
-        print_tuned(tuner);
+        print_tuned(tuned);
+        fmt::print("{}\n", tuned.summary);
         if (!clock.empty()) fmt::print("times by {}\n", clock);
     }
-    if (!found) numbers.require_sound();
-    if (!found) throw Error(tuner.summary() + "; nothing was written");
-    save_preset({"", "", tuner.summary(), session.scene_name, after}, options.output);
+    // A picture without lit pixels needs no bias, so that there is nothing to find.
+    const bool nothing_lit = tuned.bias.before.needs.pixels == 0 && !goals.any();
+    if (!tuned.result && !nothing_lit) {
+        numbers.require_sound();
+        throw Error(tuned.summary + "; nothing was written");
+    }
+    save_preset({"", "", tuned.summary, session.scene_name, after}, options.output);
     if (!options.json) print_wrote(options.output);
     print_notes(session.notes);
     numbers.require_sound();

@@ -39,14 +39,14 @@ bool listed(const char* extensions, std::string_view name) {
 }
 
 /// Candidate for an EGL display, in the order in which they are tried.
-struct Candidate {
+struct DisplayCandidate {
     EGLenum platform;
     void* native;
     std::string name;
 };
 
-std::vector<Candidate> candidates(const char* client_extensions) {
-    std::vector<Candidate> hardware, software;
+std::vector<DisplayCandidate> candidates(const char* client_extensions) {
+    std::vector<DisplayCandidate> hardware, software;
     if (listed(client_extensions, "EGL_EXT_platform_device") &&
         (listed(client_extensions, "EGL_EXT_device_enumeration") || listed(client_extensions, "EGL_EXT_device_base"))) {
         std::array<EGLDeviceEXT, 32> devices{};
@@ -66,7 +66,7 @@ std::vector<Candidate> candidates(const char* client_extensions) {
             }
         }
     }
-    std::vector<Candidate> all = std::move(hardware);
+    std::vector<DisplayCandidate> all = std::move(hardware);
     all.insert(all.end(), software.begin(), software.end());
     if (listed(client_extensions, "EGL_MESA_platform_surfaceless"))
         all.push_back({EGL_PLATFORM_SURFACELESS_MESA, nullptr, "EGL surfaceless platform"});
@@ -96,14 +96,14 @@ struct HeadlessContext::Impl {
     }
 
     /// Opens the candidate's EGL display and makes a context. Returns an empty text on success, else the failure.
-    std::string open(const Candidate& candidate);
+    std::string open(const DisplayCandidate& candidate);
     /// Makes a context on the chosen display and configuration. Returns an empty text on success, else the failure.
     std::string make_context(EGLContext shared);
     /// Returns the driver's version text if its OpenGL is older than 4.5; else empty.
     std::string older_version();
 };
 
-std::string HeadlessContext::Impl::open(const Candidate& candidate) {
+std::string HeadlessContext::Impl::open(const DisplayCandidate& candidate) {
     display = eglGetPlatformDisplayEXT(candidate.platform, candidate.native, nullptr);
     if (display == EGL_NO_DISPLAY) return failed("eglGetPlatformDisplayEXT");
     EGLint major = 0, minor = 0;
@@ -172,14 +172,14 @@ HeadlessContext::HeadlessContext() {
     if (!client)
         throw Error(failed("eglQueryString(EGL_EXTENSIONS)") +
                     ": this libEGL knows no client extensions; install libegl1 and libegl-mesa0");
-    const std::vector<Candidate> ways = candidates(client);
+    const std::vector<DisplayCandidate> ways = candidates(client);
     if (ways.empty())
         throw Error(
             "no OpenGL without a display: EGL offers neither EGL_EXT_platform_device nor "
             "EGL_MESA_platform_surfaceless; install libegl-mesa0 and libgl1-mesa-dri");
     std::string attempts;
     bool too_old = false;
-    for (const Candidate& way : ways) {
+    for (const DisplayCandidate& way : ways) {
         auto attempt = std::make_unique<Impl>();
         const std::string problem = attempt->open(way);
         if (problem.empty()) {

@@ -4,43 +4,54 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 #include "app/editor/requests.h"
-#include "app/sweep/tuning.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/reference/reference.h"
+#include "ui/state/panels.h"
 
 namespace si {
 namespace {
 
-BiasSearchResult search_bias(const SearchTools& t, const TuneRequest& request) {
-    const auto began = std::chrono::steady_clock::now();
-    TuningJob job{.settings = t.of.settings,
-                  .width = t.of.width,
-                  .height = t.of.height,
-                  .goals = {.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost}};
-    job.settings.truth.area = request.area;
-    const Tuner tuner = run_tuning(t.renderer, t.scene, job, t.workers,
-                                   [&](const Tuner& now) { t.report(now.progress(), now.step_label()); });
-    BiasSearchResult out;
-    out.best = tuner.result();
-    const BiasSearch& search = tuner.bias();
-    for (const BiasFound& f : search.tried())
-        out.families.push_back({std::string(family_label(f.family)), bias_text(f.bias), f.bias, f.trial.acne(),
-                                f.trial.wrong(), f.trial.lost(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m,
-                                search.best() && search.best()->family == f.family});
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    out.text = fmt::format("{}; {} trials in {:.1f} s", tuner.summary(), tuner.trials(), seconds);
+std::vector<TunedBias> tuned_biases(const FoundBias& found) {
+    std::vector<TunedBias> out;
+    const auto add = [&](const TriedBias& t, bool least, bool clean) {
+        out.push_back({std::string(t.row->label), bias_text(t.bias), t.bias, t.trial.score, t.trial.acne(),
+                       wrong_pixels(t.trial.error), t.trial.lost(), t.trial.needs.gap_p95_m, t.trial.needs.shift_p95_m,
+                       least, clean});
+    };
+    const TriedBias* const clean = found.best_without_acne();
+    for (const TriedBias& t : found.rows) add(t, &t == found.best(), clean && clean->bias == t.bias);
+    if (clean && std::ranges::none_of(out, &TunedBias::clean)) add(*clean, false, true);
     return out;
 }
 
-AdviceFound search_advice(const SearchTools& t, const AdviceRequest& request) {
+BiasSearchResult search_bias(const SearchTools& t, const TuneRequest& request,
+                             const std::function<void(BiasSearchResult)>& show) {
+    const auto began = std::chrono::steady_clock::now();
+    const TuneGoals goals{.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost};
+    Settings settings = t.of.settings;
+    settings.truth.area = request.area;
+    const Tuned tuned = tune(t.renderer, t.scene, settings, t.of.width, t.of.height, goals, t.cache, t.workers,
+                             t.report, [&](const FoundBias& found) {
+                                 show({{}, tuned_biases(found), {}});
+                             });
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return {tuned.result, tuned_biases(tuned.bias),
+            fmt::format("{}; {} trials in {:.1f} s", tuned.summary, tuned.bias.trials, seconds)};
+}
+
+AdviceFound search_advice(const SearchTools& t, const AdviceRequest& request,
+                          const std::function<void(AdviceFound)>& show) {
     const SearchSubject& of = t.of;
     AdviceFound out;
     if (!request.max_error && !request.max_ms) {
         out.what = find_advice(t.renderer, t.scene, of.settings, of.width, of.height, {.cost = request.cost}, t.cache,
-                               t.workers, t.report);
+                               t.workers, t.report, [&](const AdviceReport& so_far) {
+                                   show({so_far, {}});
+                               });
         return out;
     }
     const AutopilotGoals goals{.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost};
@@ -77,7 +88,8 @@ SavedTimes search_saved_times(const SearchTools& t, FrameRequest unforced) {
 FixOptions fix_options(const Settings& settings, std::span<const PixelDiagnosis> diagnoses, const FixRequest& request) {
     FixOptions options;
     options.pixel = request.pixel;
-    options.time = true;
+    options.first = request.first;
+    options.list = request.pixel ? FixList::Whole : FixList::Short;
     const auto light = std::size_t(std::max(settings.view.light, 0));
     if (!request.pixel)
         options.reference = reference_options(settings);  // a pixel diagnosis uses a light without size
@@ -120,20 +132,20 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
     } else {
         const BiasSearchResult& found = *bias_search_.found();
         const SearchSubject& of = bias_search_.subject();
-        if (!found.families.empty()) {
-            tuning_ = found;
-            tuning_of_ = of;
-        }
         // The result is valid for its scene, camera and light only.
         Settings now = state_.settings;
         apply_tuning(now, of.settings);
         now.view = of.settings.view;
         const bool same = scene && scene->id == of.scene && now == of.settings;
         if (found.best && !same) {
-            state_.log.add(LogKind::Warning, "Not applied, as scene or settings changed meanwhile: " + found.text);
+            state_.log.add(LogKind::Warning, "Not shown, as scene or settings changed meanwhile: " + found.text);
             return true;
         }
-        if (found.best) apply_tuning(state_.settings, *found.best);
+        if (found.best) {
+            Settings tried = state_.settings;
+            apply_tuning(tried, *found.best);
+            show_tried(state_, tried);
+        }
         state_.log.add(LogKind::Info, found.text);
     }
     return true;
@@ -158,7 +170,12 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
         const Scene& scene = scenes.require();
         // A measurement needs a size, which a hidden picture does not have.
         const SearchSubject of{scene.id, state_.settings, shown.request.width, shown.request.height};
-        search.start(scene, of, first, [requested, work](const SearchTools& tools) { return work(tools, requested); });
+        search.start(scene, of, first, [requested, work](const SearchTools& tools, const auto& show) {
+            if constexpr (requires { work(tools, requested, show); })
+                return work(tools, requested, show);
+            else
+                return work(tools, requested);
+        });
     };
     request(requests.tune.has_value(), [&] { start(bias_search_, "the present bias", *requests.tune, search_bias); });
     if (requests.cancel_tune) bias_search_.cancel();
@@ -166,9 +183,12 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
         fixes_.forget();
         start(fixes_, "the present settings",
               fix_options(state_.settings, shown.readings.diagnoses, *requests.find_fixes),
-              [](const SearchTools& t, const FixOptions& options) {
+              [](const SearchTools& t, const FixOptions& options, const auto& show) {
                   return FixesFound{find_fixes(t.renderer, t.scene, t.of.settings, t.of.width, t.of.height, options,
-                                               t.cache, t.workers, t.report),
+                                               t.cache, t.workers, t.report,
+                                               [&](const FixTable& so_far) {
+                                                   show(FixesFound{so_far, options.pixel});
+                                               }),
                                     options.pixel};
               });
     });
@@ -216,9 +236,9 @@ bool BackgroundWork::update(const Scene* scene, const EditorRequests& requests) 
 void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) const {
     const SearchSubject present{scene ? scene->id : 0, state_.settings, size.x, size.y};
     f.tuning = bias_search_.progress();
-    if (scene && tuning_of_.scene == scene->id) {
-        f.tuned = tuning_.families;
-        f.tuned_current = is_current(tuning_, tuning_of_, present);
+    if (const BiasSearchResult* found = bias_search_.found_in(present.scene)) {
+        f.tuned = found->biases;
+        f.tuned_current = is_current(*found, bias_search_.subject(), present);
     }
     f.fixes.running = fixes_.progress();
     if (const FixesFound* found = fixes_.found_in(present.scene)) {

@@ -15,6 +15,7 @@
 #include "app/editor/sweep.h"
 #include "renderer/advise/autopilot.h"
 #include "renderer/advise/fixes.h"
+#include "renderer/advise/tuning.h"
 #include "renderer/measure/optimisation_times.h"
 #include "ui/state/editor_ui.h"
 
@@ -23,8 +24,8 @@ namespace si {
 /// Result of a finished search for the least bias.
 struct BiasSearchResult {
     std::optional<Settings> best;
-    std::vector<TunedFamily> families;  ///< result of each kind of bias
-    std::string text;                   ///< the bias and its cost, or the reason why there is none
+    std::vector<TunedBias> biases;  ///< result of each row of the bias table
+    std::string text;               ///< the bias and its cost, or the reason why there is none
 };
 
 /// Result of a finished search for fixes.
@@ -86,7 +87,8 @@ public:
     }
 
 private:
-    /// Applies the result of a finished bias search to the settings, and logs it. Returns true if a search has ended.
+    /// Shows the result of a finished bias search beside the present picture, and logs it. Returns true if a search has
+    /// ended.
     bool poll_tuning(const Scene* scene);
     /// Polls one background search (EditorSearch) and logs the error of a failed one. Returns true if the search has
     /// ended.
@@ -97,8 +99,6 @@ private:
     EditorState& state_;
     EditorSweep sweep_;
     EditorSearch<BiasSearchResult> bias_search_{"The search for the smallest bias was cancelled"};
-    BiasSearchResult tuning_;  ///< result of the last search that compared kinds of bias
-    SearchSubject tuning_of_;  ///< subject of `tuning_`
     EditorSearch<FixesFound> fixes_{"The search for fixes was cancelled"};
     EditorSearch<SavedTimes> optimisation_times_{"The measurement of optimisations was cancelled"};
     EditorSearch<AdviceFound> advice_{"The search for advice was cancelled"};

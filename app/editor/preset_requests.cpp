@@ -118,6 +118,10 @@ void PresetRequestHandler::load_comparison(const Scene& scene) {
             compare_with(load_preset(with.preset));
         else if (with.kind == CompareKind::Pinned && state_.pinned)
             compare_with(*state_.pinned);
+        else if (with.kind == CompareKind::Tried && state_.tried)
+            compare_with(*state_.tried);
+        else if (with.kind == CompareKind::Tried)
+            throw Error("Nothing is tried; Auto bias tries every kind of bias");
         else if (with.kind == CompareKind::Pinned)
             throw Error(
                 fmt::format("Nothing is pinned; {} pins the present settings as A", key_text(Command::PinSettings)));

@@ -1,8 +1,10 @@
 // Background searches and measurements of the editor. Each has a copy of the scene, an OpenGL context and a renderer.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,12 +41,16 @@ struct SearchTools {
     std::function<void(double share, const std::string& about)> report;  ///< reports the progress, 0..1
 };
 
-/// Background search: one at a time, and the result of the last one with its subject. @tparam T result of a search
+/// Background search: one at a time, and the result of the last one with its subject. Results appear while it runs, and
+/// stay when it is cancelled. @tparam T result of a search
 template <typename T>
 class EditorSearch : public Job<T, SearchProgress> {
     using Base = Job<T, SearchProgress>;
 
 public:
+    /// Function that shows the results of a search so far.
+    using Show = std::function<void(T)>;
+
     /// End of a search: a result, or the reason why there is none.
     struct End {
         bool failed = false;  ///< neither a result nor cancelled
@@ -55,22 +61,31 @@ public:
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
     /// Starts a search with a copy of the scene, and cancels the search under way. @param first first step of the work
     void start(const Scene& scene, const SearchSubject& of, const char* first,
-               std::function<T(const SearchTools&)> work) {
+               std::function<T(const SearchTools&, const Show&)> work) {
         started_ = of;
+        partial_ = std::make_shared<Partial>();
         Base::start(
-            [copy = std::make_shared<const Scene>(scene), of, work = std::move(work)](const Workers& workers,
-                                                                                      const auto& report) {
+            [copy = std::make_shared<const Scene>(scene), of, work = std::move(work), partial = partial_](
+                const Workers& workers, const auto& report) {
                 const HeadlessContext context;
                 Renderer renderer;
                 ReferenceCache cache;
-                return work({*copy, of, renderer, cache, workers, [&](double share, const std::string& about) {
-                                 report({about, share});
-                             }});
+                using Clock = std::chrono::steady_clock;
+                const Clock::time_point began = Clock::now();
+                const auto report_step = [&](double share, const std::string& about) {
+                    const double spent_s = std::chrono::duration<double>(Clock::now() - began).count();
+                    report({about, share, share > 0 ? spent_s * (1 - share) / share : 0});
+                };
+                return work({*copy, of, renderer, cache, workers, report_step}, [&](T so_far) {
+                    const std::lock_guard lock(partial->mutex);
+                    partial->value = std::move(so_far);
+                });
             },
             {first, 0});
     }
     /// Stores the result of a search that has ended. Returns its end, once; nothing while it runs.
     std::optional<End> poll() {
+        take_partial();
         auto outcome = Base::poll();
         if (!outcome) return {};
         if (outcome->value) {
@@ -83,7 +98,10 @@ public:
                                                 : std::string()};
     }
     /// Drops the result of the last search.
-    void forget() { found_.reset(); }
+    void forget() {
+        found_.reset();
+        partial_ = std::make_shared<Partial>();
+    }
 
     /// Returns the result of the last search that found one; null: none.
     const T* found() const { return found_ ? &*found_ : nullptr; }
@@ -93,7 +111,20 @@ public:
     const SearchSubject& subject() const { return of_; }
 
 private:
+    /// Results so far of the search under way, written by its thread.
+    struct Partial {
+        std::mutex mutex;
+        std::optional<T> value;
+    };
+    void take_partial() {
+        const std::lock_guard lock(partial_->mutex);
+        if (!partial_->value) return;
+        found_ = std::exchange(partial_->value, std::nullopt);
+        of_ = started_;
+    }
+
     std::string cancelled_;
+    std::shared_ptr<Partial> partial_ = std::make_shared<Partial>();
     SearchSubject started_;  ///< subject of the search under way
     SearchSubject of_;
     std::optional<T> found_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "renderer/base/command_text.h"
 #include "renderer/reference/artefact_picture.h"
 
@@ -18,40 +20,67 @@ Json change_json(const CostChange& ms) {
 }
 
 Json fixes_json(const FixTable& table) {
-    return json_list(table.rows, [&](const MeasuredFix& fix) {
-        Json row = {{"name", fix.name}, {"settings", changes_json(fix.settings)}, {"tried", fix.untried.empty()}};
-        if (!fix.untried.empty()) {
-            row["reason"] = fix.untried;
+    return json_list(table.rows, [&](const Trial& t) {
+        Json row = {
+            {"name", t.candidate.name}, {"settings", changes_json(t.changes)}, {"tried", t.is_drawn()}, {"fix", false}};
+        if (!t.is_drawn()) {
+            row["reason"] = t.candidate.untried;
             return row;
         }
-        row["cured_px"] = fix.cured;
-        row["broken_px"] = fix.broken;
+        row["fix"] = t.why_not.empty();
+        row["why_not"] = t.why_not.empty() ? Json() : Json(t.why_not);
+        row["cured_px"] = t.cured;
+        row["broken_px"] = t.broken;
+        row["wrong_px"] = wrong_pixels(t.metrics);
+        row["error"] = {{"before", t.before.error}, {"after", t.after.error}};
+        row["any_acne"] = t.metrics.any_acne;
+        row["any_leak"] = t.metrics.any_leak;
         row["cured_of"] = Json::object();
         for (const ArtefactStyle& style : artefact_styles())
             if (table.wrong_of[std::size_t(style.artefact)] > 0)
-                row["cured_of"][std::string(style.key)] = fix.cured_of[std::size_t(style.artefact)];
-        if (fix.pixel_right) row["pixel_right"] = *fix.pixel_right;
-        row["ms"] = fix.ms ? change_json(*fix.ms) : Json();
-        row["map_bytes"] = fix.map_bytes;
+                row["cured_of"][std::string(style.key)] = t.cured_of[std::size_t(style.artefact)];
+        if (t.pixel) {
+            row["pixel_right"] = t.pixel->right;
+            row["visibility"] = t.pixel->visibility;
+        }
+        row["ms"] = t.ms ? change_json(*t.ms) : Json();
+        row["map_bytes"] = t.map_bytes();
         return row;
     });
 }
 
 void print_fixes(const FixTable& table, std::size_t rows) {
     if (table.rows.empty()) return;
-    fmt::print("fixes, each drawn and measured ({} pixels are wrong now):\n", table.wrong);
-    fmt::print("  {:>8} {:>8} {:>10} {:>9}\n", "cured", "broken", "time", "map");
-    for (const MeasuredFix& fix : table.rows) {
-        if (!fix.untried.empty()) {
-            fmt::print("  {:>38}  {}: not tried, {}\n", "", fix.shown_name(), fix.untried);
+    if (const Trial* fix = table.fix())
+        fmt::print("fix: {}{}: {} px wrong instead of {}, mean error {:.4g} instead of {:.4g}\n      {}\n",
+                   fix->candidate.shown_name(),
+                   fix->pixel ? fmt::format(": visibility {:.2f}, {:.2f} is right", fix->pixel->visibility,
+                                            fix->pixel->reference)
+                              : "",
+                   wrong_pixels(fix->metrics), table.wrong, fix->after.error, fix->before.error,
+                   set_options_text(fix->changes));
+    else
+        fmt::print("no fix: none of {} changes that were tried {} and makes nothing worse\n", table.drawn(),
+                   table.rows.front().pixel ? "makes this pixel right" : "lowers the error");
+    if (table.stopped) fmt::print("stopped: {} of {} changes were tried\n", table.drawn(), table.candidates);
+    const auto helps = [](const Trial& t) {
+        return t.is_drawn() && t.added_error() < 0 && t.pixel.value_or(PixelTrial()).right;
+    };
+    if (std::ranges::any_of(table.rows, helps) && rows > 0)
+        fmt::print(
+            "changes that help, each drawn and measured ({} pixels are wrong now):\n  {:>8} {:>8} {:>10} {:>10} "
+            "{:>9}\n",
+            table.wrong, "cured", "broken", "error", "time", "map");
+    for (const Trial& t : table.rows) {
+        if (!t.is_drawn()) {
+            fmt::print("  {:>49}  {}: not tried, {}\n", "", t.candidate.shown_name(), t.candidate.untried);
             continue;
         }
-        if (rows == 0) continue;
+        if (rows == 0 || !helps(t)) continue;
         --rows;
-        fmt::print("  {:>8} {:>8} {:>10} {:>9}  {}{}\n      {}\n", fix.cured, fix.broken, time_text(fix.ms),
-                   map_bytes_text(fix.map_bytes), fix.shown_name(),
-                   fix.pixel_right ? *fix.pixel_right ? ": this pixel is right" : ": this pixel stays wrong" : "",
-                   set_options_text(fix.settings));
+        fmt::print("  {:>8} {:>8} {:>+10.3g} {:>10} {:>9}  {}{}\n      {}\n", t.cured, t.broken, t.added_error(),
+                   time_text(t.ms), map_bytes_text(t.map_bytes()), t.candidate.shown_name(),
+                   t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.changes));
     }
 }
 

@@ -95,7 +95,8 @@ Json per_light_json(const Probe::PerLight& p) {
     return json;
 }
 
-Json diagnosis_json(const PixelDiagnosis& d) {
+/// @param fix the fix of this light that was drawn; null: none
+Json diagnosis_json(const PixelDiagnosis& d, const Trial* fix) {
     Json json = {{"verdict", d.verdict},
                  {"right", d.right},
                  {"artefact", "none"},
@@ -113,10 +114,12 @@ Json diagnosis_json(const PixelDiagnosis& d) {
                  {"remedy", nullptr}};
     for (const ArtefactStyle& style : artefact_styles())
         if (style.artefact == d.reference.cause.artefact) json["artefact"] = style.key;
-    if (d.fix) {
-        const auto& [key, value] = d.fix->settings.front();
-        json["remedy"] = {
-            {"key", key}, {"value", value}, {"text", d.fix->text}, {"settings", changes_json(d.fix->settings)}};
+    if (fix) {
+        const auto& [key, value] = fix->changes.front();
+        json["remedy"] = {{"key", key},
+                          {"value", value},
+                          {"text", fix->candidate.shown_name()},
+                          {"settings", changes_json(fix->changes)}};
     }
     json["also"] = Json::array();
     for (const ArtefactStyle& style : artefact_styles())
@@ -127,7 +130,7 @@ Json diagnosis_json(const PixelDiagnosis& d) {
 
 }  // namespace
 
-Json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses) {
+Json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses, const Trial* fix) {
     Json json = {{"hit", probe.hit}, {"x", probe.x}, {"y", probe.y}};
     if (!probe.hit) return json;
     json["object"] = probe.object;
@@ -137,7 +140,9 @@ Json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses) {
     for (const auto& light : probe.lights) {
         json["lights"].push_back(per_light_json(light));
         for (const PixelDiagnosis& d : diagnoses)
-            if (d.light == light.light) json["lights"].back()["dossier"] = diagnosis_json(d);
+            if (d.light == light.light)
+                json["lights"].back()["dossier"] =
+                    diagnosis_json(d, fix && fix->candidate.light == d.light ? fix : nullptr);
     }
     return json;
 }

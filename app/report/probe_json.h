@@ -4,11 +4,14 @@
 #include <span>
 
 #include "app/base/json_text.h"
+#include "renderer/advise/trial.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 
 namespace si {
 
 /// Converts a probe of a pixel to JSON. @param diagnoses one for each light of the probe; empty without a reference
-nlohmann::ordered_json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses);
+/// @param fix the fix that was drawn, of the light Candidate::light; null: none
+nlohmann::ordered_json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses,
+                                  const Trial* fix = nullptr);
 
 }  // namespace si

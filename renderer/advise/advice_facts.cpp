@@ -73,7 +73,7 @@ AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings&
     f.map_resolution = m.map_resolution;
     add_pixel_facts(f, m, s, renderer.driver());
     const FittedLight& light = m.lights[std::size_t(m.light)];
-    if (light.casts) f.needs = bias_needs(m, s, renderer.driver());
+    if (light.casts) f.starts = fix_facts(m, s, renderer.driver()).starts;
     f.shadowed.assign(f.lights.size(), kUnknown);
     f.shadowed[std::size_t(m.light)] = shadowed_share(*m.traced.reference);
     for (std::size_t i = 0; i < f.lights.size(); ++i) {

@@ -9,7 +9,7 @@ namespace si {
 /// stated otherwise. Unknown numbers are NaN.
 struct AdviceFacts {
     ErrorMetrics error;
-    BiasNeeds needs;  ///< without pixels when the light has no map
+    std::vector<BiasStart> starts;  ///< rows of the bias table; empty when no pixel needs bias
     std::vector<FittedLight> lights;
     int light = 0;                         ///< view.light
     int map_resolution = 0;                ///< texels per side

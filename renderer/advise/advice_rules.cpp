@@ -159,37 +159,16 @@ void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& 
               with_kernel(s, kernel), f.light);
 }
 
-BiasFamily family_in_use(const BiasSettings& b) {
-    return b.normal > 0 ? BiasFamily::Normal : b.slope > 0 ? BiasFamily::Slope : BiasFamily::Constant;
-}
-
-/// Setting that a bias family raises, by BiasFamily: its member and its key.
-struct FamilyAmount {
-    double BiasSettings::*amount;
-    const char* key;
-};
-constexpr FamilyAmount kAmounts[kBiasFamilies] = {{&BiasSettings::constant, "bias.constant"},
-                                                  {&BiasSettings::slope, "bias.slope"},
-                                                  {&BiasSettings::normal, "bias.normal"}};
-
 void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
-    if (!has_map(f) || f.needs.pixels == 0) return;
+    if (!has_map(f)) return;
     const std::size_t acne = f.error.artefacts[std::size_t(Artefact::Acne)];
-    for (const BiasFamily family : {BiasFamily::Normal, BiasFamily::Slope, BiasFamily::Constant}) {
+    for (const BiasStart& start : f.starts) {
         Settings least = s;
-        least.bias = least_bias_of(f.needs, family);
-        const auto [amount, key] = kAmounts[std::size_t(family)];
-        const double now = s.bias.*amount, need = least.bias.*amount;
-        const bool in_use = family == family_in_use(s.bias) && s.bias.unit == BiasUnit::Texels;
-        if (!(need < find_setting(key)->param->max)) continue;  // above the limit of the setting
-        if (acne > 0)
-            offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_label(family),
-                              texels_text(need)),
-                  std::move(least), f.light);
-        else if (in_use && now > 1.1 * need)
-            offer(fmt::format("{} of {} is more than the {} that visible surfaces need", family_label(family),
-                              texels_text(now), texels_text(need)),
-                  std::move(least), f.light);
+        least.bias = start.row->gives_needed_bias ? start.at_strength(0) : start.least;
+        offer(acne > 0 ? fmt::format("pixels that shadow themselves: {}; by theory {} is enough on planes", acne,
+                                     bias_text(least.bias))
+                       : fmt::format("visible surfaces need no more than {} by theory", bias_text(least.bias)),
+              std::move(least), f.light);
     }
 }
 
@@ -334,15 +313,19 @@ std::span<const AdviceRule> advice_rules() {
     return kRules;
 }
 
-std::vector<AdviceIdea> advice_ideas(const Settings& settings, const AdviceFacts& facts) {
-    std::vector<AdviceIdea> ideas;
+std::vector<Candidate> advice_candidates(const Settings& settings, const AdviceFacts& facts) {
+    std::vector<Candidate> out;
     for (const AdviceRule& rule : advice_rules())
         rule.propose(settings, facts, [&](std::string sentence, Settings changed, int light) {
-            const auto same = [&](const AdviceIdea& i) { return i.claim == rule.claim && i.settings == changed; };
-            if (changed == settings || std::any_of(ideas.begin(), ideas.end(), same)) return;
-            ideas.push_back({rule.key, rule.claim, std::move(sentence), std::move(changed), light});
+            const auto same = [&](const Candidate& c) { return c.claim == rule.claim && c.settings == changed; };
+            if (changed == settings || std::ranges::any_of(out, same)) return;
+            out.push_back({.name = std::move(sentence),
+                           .settings = std::move(changed),
+                           .rule = rule.key,
+                           .claim = rule.claim,
+                           .light = light});
         });
-    return ideas;
+    return out;
 }
 
 }  // namespace si

@@ -19,6 +19,7 @@ using AxisChoice = std::vector<std::size_t>;
 
 constexpr double kMaxTieShare = 0.1;  ///< cases within this share of the least time are timed against each other
 constexpr std::size_t kFinalists = 3;
+constexpr int kMaxTimings = 3;
 // Shares of the search time: measuring errors ends after the first; the second is kept for timing dropped settings.
 constexpr double kMeasuringShare = 0.6, kTimingShare = 0.15;
 
@@ -30,22 +31,30 @@ std::string value_of(const Settings& s, const std::string& key) {
 class AutopilotSearch {
 public:
     AutopilotSearch(const Settings& start, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-                    const AutopilotMeter& meter, const std::function<void(double, const std::string&)>& report)
+                    const TrialMeter& meter, const TrialReport& report)
         : start_(start), axes_(axes), goals_(goals), meter_(meter), report_(report), begun_s_(meter.now_s()) {}
 
     AutopilotResult run() {
         AutopilotResult out;
-        out.before = meter_.classify(start_, start_.view.light);
-        out.before_ms = meter_.ms(start_);
-        out.combinations = 1;
-        for (const SweepAxis& axis : axes_) out.combinations *= axis.values.size();
+        out.before = meter_.measure(start_, start_.view.light);
+        out.before.frame.reset();
+        out.before_ms = meter_.ms(start_).value;
+        for (const SweepAxis& axis : axes_) combinations_ *= axis.values.size();
+        out.combinations = combinations_;
         at_.assign(axes_.size(), 0);
         if (settings_at(at_) == start_)
             known_[at_] = {.axis_values = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
-        if (out.combinations <= goals_.max_combinations) {
-            search_block(all_axes());
-        } else {
-            search_by_parts();
+        const bool all = out.combinations <= goals_.max_combinations;
+        try {
+            if (all)
+                search_block(all_axes());
+            else
+                search_by_parts();
+        } catch (const Cancelled&) {
+            out.stopped = true;
+            out.untried.push_back("stopped before all combinations were tried");
+        }
+        if (!all) {
             out.untried.push_back(
                 fmt::format("{} of {} combinations were not tried: two settings were searched at a time",
                             out.combinations - known_.size(), out.combinations));
@@ -58,13 +67,14 @@ private:
     const Settings& start_;
     const std::vector<SweepAxis>& axes_;
     const AutopilotGoals& goals_;
-    const AutopilotMeter& meter_;
-    const std::function<void(double, const std::string&)>& report_;
+    const TrialMeter& meter_;
+    const TrialReport& report_;
     double begun_s_;
     std::map<AxisChoice, AutopilotCase> known_;
     AxisChoice at_;
     std::set<AxisChoice> unmeasured_;
     std::size_t untimed_ = 0;
+    std::size_t combinations_ = 1;
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
     bool late() const { return spent_s() > goals_.max_seconds; }
@@ -73,7 +83,8 @@ private:
     /// Returns true when the remaining time is kept for timing measured cases.
     bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.max_seconds; }
     void report_progress(const std::string& what) const {
-        if (report_) report_(std::min(spent_s() / goals_.max_seconds, 0.99), what);
+        const double cases = double(known_.size()) / double(std::max<std::size_t>(combinations_, 1));
+        if (report_) report_(std::min(std::max(spent_s() / goals_.max_seconds, cases), 0.99), what);
     }
 
     Settings settings_at(const AxisChoice& at) const {
@@ -104,7 +115,8 @@ private:
         if (out_of_measuring_time()) return nullptr;
         report_progress(name_of(at));
         AutopilotCase c{.axis_values = at, .settings = settings_at(at), .classified = {}, .ms = {}};
-        c.classified = meter_.classify(c.settings, start_.view.light);
+        c.classified = meter_.measure(c.settings, start_.view.light);
+        c.classified.frame.reset();
         return &known_.emplace(at, std::move(c)).first->second;
     }
 
@@ -114,10 +126,24 @@ private:
         if (!c.ms) {
             if (late_to_search()) return ++untimed_, false;
             report_progress(name_of(c.axis_values) + ", timing");
-            c.ms = meter_.ms(c.settings);
+            time_until_decided(c);
         }
-        c.holds = accurate(c) && (!goals_.max_ms || *c.ms <= *goals_.max_ms);
-        return c.holds;
+        if (!accurate(c) || !goals_.max_ms || *c.ms + c.ms_noise <= *goals_.max_ms)
+            c.holds = accurate(c);
+        else if (*c.ms - c.ms_noise > *goals_.max_ms)
+            c.holds = false;
+        return c.holds.value_or(false);
+    }
+    /// Times a case again while the limit lies within the noise of its time.
+    void time_until_decided(AutopilotCase& c) const {
+        double sum = 0;
+        for (int n = 1; n <= kMaxTimings; ++n) {
+            const CostChange time = meter_.ms(c.settings);
+            sum += time.value;
+            c.ms = sum / n;
+            c.ms_noise = time.noise / std::sqrt(n);
+            if (!goals_.max_ms || std::abs(*c.ms - *goals_.max_ms) >= c.ms_noise || late_to_search()) return;
+        }
     }
 
     /// Returns true when another case with the same kernel does less work and no more of any kind.
@@ -166,7 +192,7 @@ private:
         if (!best) return nullptr;
         std::vector<AutopilotCase*> close;
         for (AutopilotCase* c : cases)
-            if (c != best && c->holds && *c->ms < (1 + kMaxTieShare) * *best->ms) close.push_back(c);
+            if (c != best && c->holds.value_or(false) && *c->ms < (1 + kMaxTieShare) * *best->ms) close.push_back(c);
         std::sort(close.begin(), close.end(), [](const auto* a, const auto* b) { return *a->ms < *b->ms; });
         if (close.size() > kFinalists) close.resize(kFinalists);
         for (AutopilotCase* c : close) {
@@ -206,7 +232,7 @@ private:
         const AutopilotCase* best = best_of(cases);
         if (!best && !cases.empty()) best = nearest(cases);
         if (best) at_ = best->axis_values;
-        return best && best->holds;
+        return best && best->holds.value_or(false);
     }
 
     /// Returns the case nearest to the limits.
@@ -263,7 +289,7 @@ private:
             with.filter = start_.filter;
             with.bias = start_.bias;
         }
-        d.error = meter_.classify(with, start_.view.light).error;
+        d.error = meter_.measure(with, start_.view.light).error;
         if (late()) return false;
         d.ms = meter_.time(best, with);
         return true;
@@ -273,12 +299,12 @@ private:
         std::vector<AutopilotCase*> cases;
         for (auto& [at, c] : known_) cases.push_back(&c);
         const auto best = known_.find(at_);
-        if (best != known_.end() && best->second.holds) {
+        if (best != known_.end() && best->second.holds.value_or(false)) {
             out.best = best->second;
             out.goals_met = true;
         } else if (!cases.empty())
             out.best = *nearest(cases);
-        if (out.goals_met) find_dropped(out);
+        if (out.goals_met && !out.stopped) find_dropped(out);
         if (!unmeasured_.empty())
             out.untried.push_back(fmt::format("{} combinations were not measured: no time left", unmeasured_.size()));
         if (untimed_ > 0)
@@ -343,15 +369,13 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
 }
 
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-                              const AutopilotMeter& meter,
-                              const std::function<void(double, const std::string&)>& report) {
+                              const TrialMeter& meter, const TrialReport& report) {
     return AutopilotSearch(settings, axes, goals, meter, report).run();
 }
 
 AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
                                        int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
-                                       ReferenceCache& cache, const Workers& workers,
-                                       const std::function<void(double, const std::string&)>& report) {
+                                       ReferenceCache& cache, const Workers& workers, const TrialReport& report) {
     const auto report_progress = [&](double share, const std::string& what) {
         if (workers.stop.stop_requested()) throw Cancelled();
         if (report) report(share, what);
@@ -362,14 +386,8 @@ AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, c
     if (axes.empty())
         axes = autopilot_axes(base, advice_facts(renderer, scene, base, width, height, cache, quiet),
                               renderer.driver().max_texture_size);
-    const AdviceOptions options{.error = goals.error, .cost = goals.cost};
-    AutopilotMeter meter{renderer_advice_meter(renderer, scene, width, height, options, cache, quiet), {}, {}};
-    Measurer measurer(renderer, width, height, quiet);
-    meter.ms = [&](const Settings& s) {
-        return measurer.time(scene, s, goals.cost, {.least = 3, .most = 6, .bursts = 2, .over_s = 0.15})
-            .total_ms.median;
-    };
-    meter.now_s = BurstClock::steady().now_s;
+    const TrialMeter meter =
+        renderer_trial_meter(renderer, scene, width, height, {.error = goals.error, .cost = goals.cost}, cache, quiet);
     return run_autopilot(base, axes, goals, meter, report_progress);
 }
 

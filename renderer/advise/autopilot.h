@@ -25,19 +25,14 @@ struct AutopilotGoals {
 /// of each axis is empty and keeps the present setting.
 std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
 
-/// Functions that measure settings for the autopilot: an advice meter with frame times and a clock.
-struct AutopilotMeter : AdviceMeter {
-    std::function<double(const Settings&)> ms;  ///< frame time, milliseconds
-    std::function<double()> now_s;              ///< time in seconds, by any clock
-};
-
 /// One combination of settings that the autopilot measured.
 struct AutopilotCase {
     std::vector<std::size_t> axis_values;  ///< index of the value on each axis
     Settings settings;
     MeasuredSettings classified;  ///< error and work
     std::optional<double> ms;     ///< frame time; none: not timed, since not needed
-    bool holds = false;           ///< within the limits, as far as timed
+    double ms_noise = 0;          ///< half the confidence interval of the frame time
+    std::optional<bool> holds;    ///< within the limits; none: not timed, or undecided within noise
 };
 
 /// Setting that the autopilot changed, with error and time of its best result if this setting kept its old value.
@@ -59,14 +54,14 @@ struct AutopilotResult {
     std::vector<std::string> untried;    ///< sentences about parts of the search that were left out
     std::string summary;                 ///< a sentence
     double seconds = 0;                  ///< duration of the search
+    bool stopped = false;                ///< stopped before its end
 };
 
 /// Searches combinations of settings for the best within the goals: the cheapest under an error limit, else the most
 /// accurate under a time limit. Draws nothing; the meter does.
-/// @param report receives the share done, 0..1, and the present case; may throw Cancelled
+/// @returns the result so far when the meter or the report throws Cancelled after the present settings were measured
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-                              const AutopilotMeter& meter,
-                              const std::function<void(double, const std::string&)>& report = {});
+                              const TrialMeter& meter, const TrialReport& report = {});
 
 /// Runs the autopilot with a renderer, on the renderer's thread. Without axes, chooses them by autopilot_axes().
 /// @param width, height of the picture in pixels
@@ -74,6 +69,6 @@ AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepA
 AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
                                        int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
                                        ReferenceCache& cache, const Workers& workers = {},
-                                       const std::function<void(double, const std::string&)>& report = {});
+                                       const TrialReport& report = {});
 
 }  // namespace si

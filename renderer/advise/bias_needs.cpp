@@ -15,9 +15,7 @@ namespace {
 /// Bias that one pixel needs, in texels.
 struct Need {
     double total = 0;  ///< least bias
-    double step = 0;   ///< part of it that does not grow with the slope
     double n_dot_l = 1;
-    double per_normal = 0;     ///< equivalent depth bias of one texel of normal offset: 1 / |n . ray|
     double gap_per_texel = 0;  ///< contact gap per texel of bias, metres
     double gap(double bias_texels) const { return bias_texels * gap_per_texel; }
 };
@@ -28,21 +26,24 @@ double worst(const std::vector<Need>& needs, auto&& amount) {
     return most;
 }
 
-BiasSettings in_texels(double constant, double slope, double normal) {
-    BiasSettings b;
-    b.unit = BiasUnit::Texels;
-    b.constant = constant;
-    b.slope = slope;
-    b.normal = normal;
-    b.normal_source = NormalSource::Geometric;
-    return b;
+/// Makes bias settings of one row without any amount. Rows that act beside bias.kind get the constant kind.
+BiasSettings without_amounts(const Bias& row) {
+    Settings s;
+    set_setting(s, "bias.kind", row.stage == BiasStage::Compare ? row.key : "constant");
+    s.bias.unit = BiasUnit::Texels;
+    s.bias.constant = s.bias.slope = s.bias.normal = 0;
+    s.bias.raster_slope = s.bias.raster_units = s.bias.raster_clamp = 0;
+    s.bias.normal_source = NormalSource::Geometric;
+    return s.bias;
 }
 
 /// Finds the pair of constant and slope bias with the least mean contact gap among pairs without acne on any plane. The
 /// slope term 1 - n.l is small at moderate slopes, so a constant covers those; for each constant the least slope
 /// follows.
-BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
-    BiasSettings best = in_texels(largest, 0, 0);
+BiasSettings cheapest_slope(const std::vector<Need>& needs, const BiasSettings& none) {
+    const double largest = worst(needs, [](const Need& n) { return n.total; });
+    BiasSettings best = none;
+    best.constant = largest;
     double least_cost = std::numeric_limits<double>::infinity();
     constexpr int kSteps = 40;
     for (int i = 0; i <= kSteps; ++i) {
@@ -51,7 +52,9 @@ BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
             return n.total <= constant ? 0 : n.n_dot_l < 1 - 1e-9 ? n.total / (1 - n.n_dot_l) : 1e9;
         });
         double cost = 0;
-        const BiasSettings pair = in_texels(constant, slope, 0);
+        BiasSettings pair = none;
+        pair.constant = constant;
+        pair.slope = slope;
         for (const Need& n : needs) cost += n.gap(slope_amount(pair, n.n_dot_l));
         if (cost < least_cost) {
             least_cost = cost;
@@ -64,6 +67,22 @@ BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
 constexpr double kCleared = 0.999;  // share of pixels; a few almost edge-on ones need any amount
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
+/// Leaves out the pixels that need the most, the share above kCleared.
+std::vector<Need> cleared(std::vector<Need> needs) {
+    std::ranges::sort(needs, {}, &Need::total);
+    needs.resize(std::min(needs.size(), std::size_t(std::ceil(kCleared * double(needs.size())))));
+    return needs;
+}
+
+BiasSettings rounded_up(BiasSettings b) {
+    b.constant = round_up_3_digits(b.constant * 1.001);
+    b.slope = round_up_3_digits(b.slope * 1.001);
+    return scale_bias(b, 1);  // clamps to the limits of the settings
+}
+
+/// Largest number of pixels from which quantiles are computed.
+constexpr std::size_t kSample = 20000;
+
 /// Calls `use` with index and receiver of each counted pixel that is lit in the reference and covered by the map.
 template <class Use>
 void each_lit_receiver(const MeasuredError& measured, Use use) {
@@ -75,12 +94,26 @@ void each_lit_receiver(const MeasuredError& measured, Use use) {
             use(i, measured.traced.receivers->pixels[i]);
 }
 
-/// Lists the settings that set the amount of a row's bias: its own, and bias.constant for rows of the comparison.
+/// Returns an even sample of the receivers of each_lit_receiver(), kSample at most.
+std::vector<const Receiver*> sampled_receivers(const MeasuredError& measured) {
+    std::vector<const Receiver*> all, sample;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) { all.push_back(&r); });
+    const std::size_t stride = all.size() / kSample + 1;
+    for (std::size_t i = 0; i < all.size(); i += stride) sample.push_back(all[i]);
+    return sample;
+}
+
+/// Lists the settings that set the amount of a row's bias. The first ones cover the part that grows with the slope.
 std::vector<SettingRef> amounts_of(const Bias& row) {
-    std::vector<SettingRef> refs;
-    for (const std::string_view key : row.settings) refs.push_back(*find_setting(key));
-    if (row.stage == BiasStage::Compare) refs.push_back(*find_setting("bias.constant"));
-    return refs;
+    switch (row.stage) {
+        case BiasStage::Compare:
+            return {*find_setting("bias.constant")};
+        case BiasStage::LookUp:
+            return {*find_setting("bias.normal"), *find_setting("bias.constant")};
+        case BiasStage::Raster:
+            return {*find_setting("bias.raster_slope"), *find_setting("bias.raster_units")};
+    }
+    return {};
 }
 
 }  // namespace
@@ -92,65 +125,40 @@ BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Setti
                           driver);
 }
 
-const Bias& family_row(BiasFamily family) {
-    if (family == BiasFamily::Normal) return bias_of_stage(BiasStage::LookUp);
-    if (family == BiasFamily::Slope) return biases()[std::size_t(default_bias())];
-    return *std::ranges::find(biases(), "constant", &Bias::key);
-}
-
-std::string_view family_label(BiasFamily family) {
-    static constexpr std::string_view kLabels[kBiasFamilies] = {"constant bias", "slope bias", "normal offset"};
-    return kLabels[std::size_t(family)];
-}
-
 BiasSettings scale_bias(const BiasSettings& bias, double factor) {
     BiasSettings out = bias;
     const auto scale = [&](double& value, const char* key) {
-        value = std::clamp(value * factor, 0.0, find_setting(key)->param->max);
+        const Param& p = *find_setting(key)->param;
+        value = std::clamp(value * factor, p.min, p.max);
     };
     scale(out.constant, "bias.constant");
     scale(out.slope, "bias.slope");
     scale(out.normal, "bias.normal");
+    scale(out.raster_slope, "bias.raster_slope");
+    scale(out.raster_units, "bias.raster_units");
     return out;
 }
 
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver) {
     BiasNeeds out;
-    const FittedLight& light = measured.lights[std::size_t(measured.light)];
-    if (!light.casts) return out;
-    Settings searched = settings;  // families use the default kind of bias
-    searched.bias.kind = default_bias();
-    std::vector<Need> needs;
-    std::vector<double> gaps, shifts;
+    if (!measured.lights[std::size_t(measured.light)].casts) return out;
     each_lit_receiver(measured, [&](std::size_t i, const Receiver& r) {
+        ++out.pixels;
+        const ClassifiedPixel& pixel = measured.classified[i];
+        if (!pixel.has(ClassifiedPixel::kAnyAcne) || pixel.visibility < 0.5f) return;
         const BiasBreakdown a = measured_bias_breakdown(measured, settings, r, driver);
-        const LeastBias least = a.per_texel ? measured_bias_breakdown(measured, searched, r, driver).least : a.least;
-        const double b = least.total();
-        const double step = a.amount(least.quantum + least.rounding).texels, total = a.amount(b).texels;
-        const LightView& view = light.views[a.receiver.view];
-        const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
-        if (!std::isfinite(total) || !(offset_m > 0)) return;  // edge-on
-        needs.push_back({total, step, std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
-                         contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
+        ++(a.equivalent_depth() >= a.least.total() ? out.folds : out.faint_acne);
+    });
+    std::vector<double> gaps, shifts;
+    for (const Receiver* r : sampled_receivers(measured)) {
+        const BiasBreakdown a = measured_bias_breakdown(measured, settings, *r, driver);
+        if (a.plane.edge_on()) continue;
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
-        if (!measured.classified[i].has(ClassifiedPixel::kAnyAcne)) return;
-        if (a.equivalent_depth() >= a.least.total())
-            out.folds += measured.classified[i].visibility >= 0.5f;
-        else
-            out.faint_acne += measured.classified[i].visibility >= 0.5f;
-    });
-    out.pixels = needs.size();
-    if (needs.empty()) return out;
+    }
     out.gap_median_m = lower_quantile(gaps, 0.5, 0);
     out.gap_p95_m = lower_quantile(std::move(gaps), 0.95, 0);
     out.shift_p95_m = lower_quantile(std::move(shifts), 0.95, 0);
-    const double largest = worst(needs, [](const Need& n) { return n.total; });
-    const double step = worst(needs, [](const Need& n) { return n.step; });
-    out.least[std::size_t(BiasFamily::Constant)] = in_texels(largest, 0, 0);
-    out.least[std::size_t(BiasFamily::Slope)] = cheapest_slope(needs, largest);
-    out.least[std::size_t(BiasFamily::Normal)] =
-        in_texels(step, 0, worst(needs, [&](const Need& n) { return std::max(n.total - step, 0.0) / n.per_normal; }));
     return out;
 }
 
@@ -158,10 +166,21 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
                                               const RasterTraits& driver) {
     if (!measured.lights[std::size_t(measured.light)].casts) return std::nullopt;
     Settings least = settings;
-    least.bias = in_texels(0, 0, 0);
-    if (row.stage == BiasStage::Compare) set_setting(least, "bias.kind", row.key);
+    least.bias = without_amounts(row);
     // The row computes the needed bias itself, up to a clamp for almost edge-on surfaces.
     if (row.gives_needed_bias) return least.bias;
+    const std::vector<const Receiver*> receivers = sampled_receivers(measured);
+    if (std::ranges::find(row.settings, "bias.slope") != row.settings.end()) {
+        std::vector<Need> needs;
+        for (const Receiver* r : receivers) {
+            const BiasBreakdown a = measured_bias_breakdown(measured, least, *r, driver);
+            const double total = a.amount(a.least.total()).texels;
+            if (std::isfinite(total) && !a.plane.edge_on())
+                needs.push_back({total, std::clamp(a.receiver.n_dot_l, 0.0, 1.0),
+                                 contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
+        }
+        return rounded_up(cheapest_slope(cleared(std::move(needs)), least.bias));
+    }
     const std::vector<SettingRef> amounts = amounts_of(row);
     // Amounts add up. Each covers the part that grows with the slope; the last effective one covers the remainder.
     std::vector<double> max_effect(amounts.size());
@@ -172,17 +191,17 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
         std::vector<double> effect;
     };
     std::vector<At> pixels;
-    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
-        const BiasBreakdown none = measured_bias_breakdown(measured, least, r, driver);
+    for (const Receiver* r : receivers) {
+        const BiasBreakdown none = measured_bias_breakdown(measured, least, *r, driver);
         At at{none.least.total() - none.equivalent_depth(), none.least.kernel, {}};
-        if (!std::isfinite(at.need) || none.plane.edge_on()) return;
+        if (!std::isfinite(at.need) || none.plane.edge_on()) continue;
         for (std::size_t k = 0; k < amounts.size(); ++k) {
-            at.effect.push_back(measured_bias_breakdown(measured, one[k], r, driver).equivalent_depth() -
+            at.effect.push_back(measured_bias_breakdown(measured, one[k], *r, driver).equivalent_depth() -
                                 none.equivalent_depth());
             max_effect[k] = std::max(max_effect[k], at.effect.back());
         }
         pixels.push_back(std::move(at));
-    });
+    }
     const auto last = std::ranges::find_if(max_effect.rbegin(), max_effect.rend(), [](double w) { return w > 0; });
     const bool needed = std::ranges::any_of(pixels, [](const At& at) { return at.need > 0; });
     if (needed && last == max_effect.rend()) return std::nullopt;

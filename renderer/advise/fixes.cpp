@@ -4,15 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <limits>
-#include <set>
-#include <span>
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/axes.h"
-#include "renderer/measure/time_sampler.h"
-#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
@@ -50,20 +45,11 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
     return std::exp2(std::ceil(std::log2(std::max(*at, 1.0)) - 1e-9));  // a power of two
 }
 
-constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal, "least bias, normal offset"},
-                                                            {BiasFamily::Slope, "least bias, slope over constant"},
-                                                            {BiasFamily::Constant, "least bias, constant alone"}};
-
 /// Converts a label for use in a sentence: "Receiver plane" becomes "receiver plane".
 std::string in_a_sentence(std::string_view label) {
     std::string out(label);
     if (!out.empty()) out[0] = char(std::tolower(static_cast<unsigned char>(out[0])));
     return out;
-}
-
-void cast_from_both_sides(Settings& s) {
-    s.caster.cull = Cull::None;
-    for (auto& [path, object] : s.objects) object.cull = ObjectCull::Inherit;
 }
 
 /// Proposes other fits of a light's map, and other numbers of cascades.
@@ -94,81 +80,169 @@ void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
         idea(fmt::format("{} cascades", n), [&](Settings& s) { s.lights[light].cascades = n; });
 }
 
-/// Timer of the difference between two settings: frames are drawn alternately, and only affected passes count.
-class Stopwatch {
-public:
-    Stopwatch(Renderer& renderer, const Scene& scene, FrameRequest request, int frames)
-        : renderer_(renderer), scene_(scene), request_(std::move(request)), frames_(frames) {
-        request_.timing = request_.force = true;
-        request_.reference.reset();
-        request_.outputs = {};
-    }
+/// Settings whose value alone may put pixels right, for maps of any kind. LIGHT stands for the light's prefix.
+struct SingleChange {
+    std::string_view key, value;
+    bool moments = false;  ///< for kernels by moments only
+};
+constexpr SingleChange kSingleChanges[] = {
+    {"caster.cull", "none"},
+    {"caster.cull", "back"},
+    {"caster.cull", "front"},
+    {"LIGHT.near_far", "fitted"},
+    {"LIGHT.near_far", "pancaking"},
+    {"LIGHT.near", "0"},
+    {"LIGHT.contact", "0"},
+    {"LIGHT.size", "0"},
+    {"LIGHT.projection", "auto"},
+    {"LIGHT.cascade_blend", "0"},
+    {"LIGHT.cascade_choice", "interval"},
+    {"bias.normal", "0"},
+    {"bias.normal_source", "geometric"},
+    {"map.format", "d32f"},
+    {"map.origin", "near"},
+    {"map.reversed_z", "false"},
+    {"map.outside", "lit"},
+    {"map.outside", "unlit"},
+    {"map.far_guard", "true"},
+    {"map.wrap", "border"},
+    {"map.compare", "lequal"},
+    {"map.compare", "less"},
+    {"map.blur_texels", "0"},
+    {"map.virtual", "false"},
+    {"caster.blend", "mask"},
+    {"filter.radius_unit", "texels"},
+    {"filter.blur", "0", true},
+    {"filter.blur", "1", true},
+    {"filter.bleed", "0", true},
+    {"filter.bleed", "0.5", true},
+    {"filter.bleed", "0.8", true},
+    {"filter.min_variance", "1e-09", true},
+    {"filter.min_variance", "1e-07", true},
+    {"filter.min_variance", "1e-05", true},
+    {"filter.moment_format", "32-bit", true},
+    {"filter.moment_bias", "3e-06", true},
+    {"filter.exponent", "20", true},
+    {"filter.exponent", "40", true},
+    {"filter.exponent", "80", true},
+    {"filter.mips", "false", true},
+};
+constexpr double kShortStrengths[] = {1, 0.25};
+constexpr double kWholeStrengths[] = {1, 0.5, 0.25, 0.125, 0.0625, 2};
+constexpr std::string_view kShortKernels[] = {"hard", "pcf3", "pcf5", "evsm4", "msm_hamburger"};
 
-    CostChange difference(const Settings& before, const Settings& with, const Workers& workers) {
-        const std::set<std::string> changed = changed_passes(before, with);
-        std::vector<double> a, b;
-        const auto start = std::chrono::steady_clock::now();
-        for (int i = -1; i < frames_; ++i) {
-            if (workers.stop.stop_requested()) throw Cancelled();
-            if (i >= kMinFrames && std::chrono::steady_clock::now() - start > kMaxDuration) break;
-            const double first = time(before, changed), second = time(with, changed);
-            if (i < 0) continue;  // warms up
-            a.push_back(first), b.push_back(second);
-        }
-        const Spread x = spread_of(std::move(a)), y = spread_of(std::move(b));
-        return {y.median - x.median, x.noise() + y.noise()};
+/// Collects candidates without those that change nothing, repeat another one, or set a value at its limit.
+class CandidateList {
+public:
+    explicit CandidateList(const Settings& base, int light)
+        : base_(base), light_(light), known_{without_ineffective_settings(base)} {}
+
+    void add(std::string name, const Settings& s, std::string untried = {}) {
+        if (untried.empty() && is_known(s)) return;
+        if (untried.empty() && at_limit(s)) untried = "a setting would be at its limit";
+        list.push_back({.name = std::move(name), .settings = s, .untried = std::move(untried), .light = light_});
     }
+    std::vector<Candidate> list;
 
 private:
-    Renderer& renderer_;
-    const Scene& scene_;
-    // Slow frames scatter little, so a few are enough.
-    static constexpr int kMinFrames = 2;
-    static constexpr std::chrono::seconds kMaxDuration{2};
+    const Settings& base_;
+    int light_;
+    std::vector<Settings> known_;
 
-    FrameRequest request_;
-    int frames_;
+    bool is_known(const Settings& s) {
+        Settings effective = without_ineffective_settings(s);
+        if (std::ranges::find(known_, effective) != known_.end()) return true;
+        known_.push_back(std::move(effective));
+        return false;
+    }
+    /// Returns true when an amount of bias is at the largest value that the settings allow.
+    bool at_limit(const Settings& s) const {
+        return std::ranges::any_of(differing_settings(base_, s), [&](const SettingRef& ref) {
+            const Value value = get_value(s, ref);
+            return ref.param->key.starts_with("bias.") && std::holds_alternative<double>(value) &&
+                   std::get<double>(value) >= ref.param->max;
+        });
+    }
+};
 
-    /// Returns the passes that must run again when one setting replaces the other.
-    std::set<std::string> changed_passes(const Settings& before, const Settings& with) {
-        FrameRequest quiet = request_;
-        quiet.timing = quiet.force = false;
-        std::set<std::string> out;
-        const auto draw = [&](const Settings& s) {
-            for (const PassInfo& pass : renderer_.render(scene_, s, quiet).passes)
-                if (pass.state == PassState::Drawn) out.insert(pass.name);
-        };
-        draw(before);
-        out.clear();  // passes that depend on earlier frames do not count
-        draw(with);
-        draw(before);
-        return out;
+/// Returns the reason why a drawn trial is no fix, all but its time considered; empty: it may be one.
+std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
+    if (t.pixel && (!t.pixel->right || std::abs(t.pixel->visibility - t.pixel->reference) > kRightVisibilityError))
+        return fmt::format("this pixel stays wrong: visibility {:.2f} instead of {:.2f}", t.pixel->visibility,
+                           t.pixel->reference);
+    const double n = std::max<double>(double(before.counted), 1);
+    const double noise_px = before.within_noise * n;  // 0 for a light without size
+    const double noise = std::isfinite(t.before.noise) ? t.before.noise / std::sqrt(n) : 0;
+    const auto rises = [](double was, double is, double tolerance) { return is > was + tolerance + 1e-12; };
+    const std::size_t wrong = wrong_pixels(before), now = wrong_pixels(t.metrics);
+    if (rises(double(wrong), double(now), noise_px)) return fmt::format("wrong pixels rise from {} to {}", wrong, now);
+    if (rises(before.mae, t.metrics.mae, noise))
+        return fmt::format("the mean error rises from {:.4g} to {:.4g}", before.mae, t.metrics.mae);
+    const auto pixels = [&](double share) { return std::llround(share * n); };
+    if (rises(before.any_acne, t.metrics.any_acne, noise_px / n))
+        return fmt::format("pixels with any acne rise from {} to {}", pixels(before.any_acne),
+                           pixels(t.metrics.any_acne));
+    if (rises(before.any_leak, t.metrics.any_leak, noise_px / n))
+        return fmt::format("pixels with any leak rise from {} to {}", pixels(before.any_leak),
+                           pixels(t.metrics.any_leak));
+    if (!t.pixel && !(t.metrics.mae < before.mae - noise)) return "the mean error does not fall";
+    const auto same_source = [&](const auto& change) { return !change.first.ends_with(".source"); };
+    if (!std::ranges::all_of(t.changes, same_source)) return "light.source would change";
+    if (t.before.work.map_bytes > 0 && t.after.work.map_bytes > 2 * t.before.work.map_bytes)
+        return fmt::format("maps take more than twice the bytes ({})", map_bytes_text(t.map_bytes()));
+    return {};
+}
+
+/// Search of find_fixes().
+class FixSearcher {
+public:
+    FixSearcher(const Settings& base, const TrialMeter& meter, const FixOptions& options)
+        : base_(base), meter_(meter), options_(options) {}
+
+    /// Rates a trial and keeps it. Times it if it may be the best fix.
+    void add(Trial t, const ErrorMetrics& before) {
+        if (t.is_drawn()) {
+            t.why_not = why_no_fix(t, before);
+            const Trial* const best = table.fix();
+            if (options_.time || (t.why_not.empty() && (!best || is_better(t, *best)))) limit_time(t);
+            if (t.why_not.empty() && !t.ms) t.why_not = "another fix leaves less error; not timed";
+        }
+        const auto at = std::ranges::find_if(table.rows, [&](const Trial& other) { return is_better(t, other); });
+        table.rows.insert(at, std::move(t));
+    }
+    FixTable table;
+
+private:
+    const Settings& base_;
+    const TrialMeter& meter_;
+    const FixOptions& options_;
+    std::optional<CostChange> shadow_;  ///< time of the shadow, once measured
+
+    /// Times a trial. A change that costs more than the shadow does is no fix.
+    void limit_time(Trial& t) {
+        t.ms = meter_.time(base_, t.candidate.settings);
+        if (!t.why_not.empty()) return;
+        if (!shadow_) {
+            Settings unshadowed = base_;
+            unshadowed.lights[std::size_t(t.candidate.light)].cast = false;
+            shadow_ = meter_.time(unshadowed, base_);
+        }
+        const double limit = std::max(shadow_->value, 0.0) + shadow_->noise + t.ms->noise;
+        if (t.ms->value > limit)
+            t.why_not = fmt::format("the shadow takes {} ms, and {} ms more with it", digits_text(shadow_->value),
+                                    digits_text(t.ms->value));
     }
 
-    double time(const Settings& s, const std::set<std::string>& passes) {
-        double ms = 0;
-        for (const PassInfo& pass : renderer_.render(scene_, s, request_).passes)
-            if (passes.contains(pass.name)) ms += pass.gpu_ms;
-        return ms;
+    static bool is_better(const Trial& a, const Trial& b) {
+        const auto rank = [](const Trial& t) {
+            const int kind = !t.is_drawn() ? 3 : t.why_not.empty() ? 0 : t.pixel && !t.pixel->right ? 2 : 1;
+            return std::tuple(kind, t.metrics.mae, wrong_pixels(t.metrics), t.ms ? t.ms->value : 0, t.map_bytes());
+        };
+        return rank(a) < rank(b);
     }
 };
 
 }  // namespace
-
-std::vector<std::pair<std::string, std::string>> setting_changes(const Settings& base, const Settings& with) {
-    std::vector<std::pair<std::string, std::string>> out;
-    for (const SettingRef& ref : differing_settings(base, with))
-        out.emplace_back(setting_key(ref), value_text(*ref.param, get_value(with, ref)));
-    return out;
-}
-
-BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family) {
-    BiasSettings b = needs.least_of(family);
-    b.constant = round_up_3_digits(b.constant * 1.001);
-    b.slope = round_up_3_digits(b.slope * 1.001);
-    b.normal = round_up_3_digits(b.normal * 1.001);
-    return scale_bias(b, 1);  // clamps to the limits of the settings
-}
 
 std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings) {
     const auto edge = [](const Settings& s) {
@@ -197,193 +271,168 @@ std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& s
 
 FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
     FixFacts f;
-    f.needs = bias_needs(measured, settings, driver);
+    if (bias_needs(measured, settings, driver).pixels > 0) f.starts = bias_starts(measured, settings, driver);
     f.lights = measured.lights;
     f.light = measured.light;
     f.map_resolution = measured.map_resolution;
     f.max_resolution = driver.max_texture_size;
     f.sampling_resolution = sampling_resolution(measured, settings, driver);
-    for (const Bias& row : biases()) {
-        if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &family_row(family.first) == &row; }))
-            continue;
-        if (const auto least = least_bias_of_row(row, measured, settings, driver))
-            f.least_of_rows.emplace_back(&row, *least);
-    }
     return f;
 }
 
-std::vector<FixCandidate> fix_candidates(const Settings& base, const FixFacts& f) {
-    std::vector<FixCandidate> out;
+std::vector<Candidate> fix_candidates(const Settings& base, const FixFacts& f, FixList length) {
+    CandidateList out(base, f.light);
     const auto idea = [&](std::string name, auto&& change, std::string untried = {}) {
         Settings s = base;
         change(s);
-        if (untried.empty() && s == base) return;
-        out.push_back({std::move(name), std::move(s), std::move(untried)});
+        out.add(std::move(name), s, std::move(untried));
     };
     if (!source_of(base, f.light).needs.map) {
         idea("a shadow map", [&](Settings& s) { s.lights[std::size_t(f.light)].source = LightSettings{}.source; });
-        return out;
+        return out.list;
     }
-    const bool any = f.needs.pixels > 0;
-    const auto bias = [&](BiasFamily family) { return least_bias_of(f.needs, family); };
-    for (const auto& [family, name] : kFamilies)
-        if (any) idea(name, [&, fam = family](Settings& s) { s.bias = bias(fam); });
-    for (const auto& [row, least] : f.least_of_rows)
-        if (any)
-            idea(fmt::format("least bias, {}", in_a_sentence(row->label)),
-                 [&, bias = least](Settings& s) { s.bias = bias; });
-    idea("no normal offset", [](Settings& s) { s.bias.normal = 0; });
-    idea("no polygon offset", [](Settings& s) { s.bias.raster_slope = s.bias.raster_units = 0; });
-    idea("no contact shadows", [&](Settings& s) { s.lights[std::size_t(f.light)].contact = 0; });
-
-    idea("both sides cast", cast_from_both_sides);
-    Settings sided = base;
-    cast_from_both_sides(sided);
-    if (any && !(sided == base))
-        for (const auto& [family, name] : kFamilies)
-            idea(fmt::format("both sides cast, {}", name), [&, fam = family](Settings& s) {
-                cast_from_both_sides(s);
-                s.bias = bias(fam);
+    // Rows of the bias table that compute the needed bias by themselves go with every other change.
+    std::vector<std::pair<std::string, BiasSettings>> automatic;
+    for (const BiasStart& start : f.starts) {
+        if (!start.row->gives_needed_bias) continue;
+        automatic.emplace_back(in_a_sentence(start.row->label), start.at_strength(0));
+        idea("least bias, " + automatic.back().first, [&](Settings& s) { s.bias = automatic.back().second; });
+    }
+    const auto combined = std::span(automatic).last(
+        length == FixList::Whole ? automatic.size() : std::min<std::size_t>(automatic.size(), 1));
+    const auto with_biases = [&](const std::string& name, auto&& change) {
+        idea(name, change);
+        for (const auto& [label, bias] : combined)
+            idea(fmt::format("{}, least bias, {}", name, label), [&](Settings& s) {
+                change(s);
+                s.bias = bias;
             });
-
-    const auto [down, up] = adjacent_kernels(base);
+    };
+    const auto strengths = [&](std::span<const double> list) {
+        for (const BiasStart& start : f.starts) {
+            if (!start.has_strength()) continue;
+            for (const double strength : list)
+                idea(strength == 1 && !start.row->gives_needed_bias
+                         ? "least bias, " + in_a_sentence(start.row->label)
+                         : fmt::format("{:g} of the least bias, {}", strength, in_a_sentence(start.row->label)),
+                     [&](Settings& s) { s.bias = start.at_strength(strength); });
+        }
+    };
+    strengths(kShortStrengths);
+    idea("no polygon offset", [](Settings& s) { s.bias.raster_slope = s.bias.raster_units = 0; });
+    with_biases("no culling by objects", [](Settings& s) {
+        for (auto& [path, object] : s.objects) object.cull = ObjectCull::Inherit;
+    });
+    with_biases("both sides cast", [](Settings& s) {
+        s.caster.cull = Cull::None;
+        for (auto& [path, object] : s.objects) object.cull = ObjectCull::Inherit;
+    });
+    const bool moments = filter_of(base).samples() == Samples::Moments;
+    for (const SingleChange& c : kSingleChanges) {
+        if (c.moments && !moments) continue;
+        std::string key(c.key);
+        if (key.starts_with("LIGHT")) key = fmt::format("light.{}{}", f.light, key.substr(5));
+        with_biases(fmt::format("{}={}", key, c.value), [&](Settings& s) { set_setting(s, key, c.value); });
+    }
     const auto kernel = [](std::string_view text) {
         return [=](Settings& s) { set_setting(s, "filter.kernel", text); };
     };
-    if (!down.empty()) idea("narrower kernel", kernel(down));
-    if (!up.empty()) idea("wider kernel", kernel(up));
-    idea("no depth blur", [](Settings& s) { s.map.blur_texels = 0; });
+    const auto [down, up] = adjacent_kernels(base);
+    if (!down.empty()) with_biases("narrower kernel", kernel(down));
+    if (!up.empty()) with_biases("wider kernel", kernel(up));
+    const std::span<const std::string_view> kernels =
+        length == FixList::Whole ? sweep_kernels() : std::span<const std::string_view>(kShortKernels);
+    for (const std::string_view k : kernels) with_biases(fmt::format("kernel: {}", k), kernel(k));
 
-    const int limit = f.max_resolution;
-    const auto finer = [&](double n, const char* name, auto families) {
+    const auto resolution = [&](double n, const std::string& name) {
         const std::string title = fmt::format("{} ({:.0f}²)", name, n);
-        const auto change = [&](Settings& s) { s.map.resolution = int(n); };
-        const double most = find_setting("map.resolution")->param->max;
-        if (n > std::min(double(limit), most)) {
+        const double most = std::min(double(f.max_resolution), find_setting("map.resolution")->param->max);
+        if (n > most)
             idea(
-                title, [](Settings&) {}, fmt::format("above the limit of {:.0f}²", std::min(double(limit), most)));
-            return;
-        }
-        idea(title, change);
-        for (const auto& [family, least] : families) {
-            if (!any) break;
-            const auto with_bias = [&, fam = family](Settings& s) {
-                change(s);
-                s.bias = bias(fam);
-            };
-            idea(fmt::format("{}, {}", title, least), with_bias);
-            if (sided == base) continue;
-            idea(fmt::format("both sides cast, {}, {}", title, least), [&](Settings& s) {
-                cast_from_both_sides(s);
-                with_bias(s);
-            });
-        }
+                title, [](Settings&) {}, fmt::format("above the limit of {:.0f}²", most));
+        else
+            with_biases(title, [&](Settings& s) { s.map.resolution = int(n); });
     };
-    finer(2.0 * f.map_resolution, "twice the resolution", std::span(kFamilies));
-    // Large maps take seconds to draw, so only the family with the smallest gap is tried.
+    resolution(2.0 * f.map_resolution, "twice the resolution");
     if (f.sampling_resolution > 2.0 * f.map_resolution)
-        finer(f.sampling_resolution, "the resolution that is needed", std::span(kFamilies).first(1));
-
-    add_fits(base, f, idea);
-    return out;
+        resolution(f.sampling_resolution, "the resolution that is needed");
+    if (length == FixList::Whole) {
+        resolution(0.5 * f.map_resolution, "half the resolution");
+        resolution(4.0 * f.map_resolution, "four times the resolution");
+    }
+    add_fits(base, f, [&](const std::string& name, auto&& change, const std::string& untried = {}) {
+        if (untried.empty())
+            with_biases(name, change);
+        else
+            idea(name, change, untried);
+    });
+    if (length == FixList::Whole) strengths(kWholeStrengths);
+    return out.list;
 }
 
-FixCandidate suggested_candidate(const SuggestedFix& fix, const Settings& settings) {
-    FixCandidate idea{.name = fix.text,
-                      .settings = settings,
-                      .untried = {},
-                      .label = fix_text(fix, settings) + equivalent_bias_text(fix)};
-    for (const auto& [key, value] : fix.settings) set_setting(idea.settings, key, value);
-    return idea;
+Candidate suggested_candidate(const SuggestedFix& fix, const Settings& settings) {
+    Candidate c{.name = fix.text, .settings = settings, .label = fix_text(fix, settings) + equivalent_bias_text(fix)};
+    for (const auto& [key, value] : fix.settings) set_setting(c.settings, key, value);
+    return c;
 }
 
-std::string time_text(const std::optional<CostChange>& ms) {
-    if (!ms) return "-";
-    return ms->is_significant() ? signed_text(ms->value) + " ms" : "< noise";
+const Trial* FixTable::fix() const {
+    return rows.empty() || !rows.front().is_drawn() || !rows.front().why_not.empty() ? nullptr : &rows.front();
 }
 
-std::string map_bytes_text(long long bytes) {
-    if (bytes == 0) return "same";
-    const bool large = std::abs(bytes) >= 1 << 20;
-    return fmt::format("{:+.0f} {}", double(bytes) / (large ? 1 << 20 : 1 << 10), large ? "MiB" : "KiB");
+std::size_t FixTable::drawn() const {
+    return std::size_t(std::ranges::count_if(rows, &Trial::is_drawn));
 }
 
-FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                    const FixOptions& options, ReferenceCache& cache, const Workers& workers,
-                    const std::function<void(double, const std::string&)>& report) {
-    const Settings base = measured_settings(settings);
-    const FrameRequest request{.width = width, .height = height};
-    const int light = base.view.light;
-    const auto report_progress = [&](double share, const std::string& what) {
-        if (workers.stop.stop_requested()) throw Cancelled();
-        if (report) report(share, what);
-    };
-    report_progress(0, "the present settings");
-    const auto measure = [&](const Settings& s) {
-        return measure_error(renderer, scene, s, request, light, options.reference, cache,
-                             workers.with_progress_range(0, 0));
-    };
-    const auto bytes = [](const Settings& s, const MeasuredError& measured) {
-        FrameResult maps;
-        maps.lights = measured.lights;
-        maps.map_resolution = measured.map_resolution;
-        return (long long)work_cost(s, maps).map_bytes;
-    };
-    const MeasuredError before = measure(base);
-    const auto wrong = [](const MeasuredError& m, std::size_t i) { return m.classified[i].artefact != Artefact::None; };
-    FixTable table;
-    for (std::size_t a = 1; a < kArtefacts; ++a) table.wrong += table.wrong_of[a] = before.metrics.artefacts[a];
-    if (table.wrong == 0) return table;
+FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std::vector<Candidate> list,
+                      const TrialMeter& meter, const FixOptions& options, const TrialReport& report,
+                      const std::function<void(const FixTable&)>& shown) {
+    FixSearcher search(base, meter, options);
+    FixTable& table = search.table;
+    const ErrorMetrics& error = before.frame->metrics;
+    std::ranges::copy(error.artefacts, table.wrong_of.begin());
+    table.wrong_of[std::size_t(Artefact::None)] = 0;
+    table.wrong = wrong_pixels(error);
+    table.candidates = list.size();
     std::optional<std::size_t> pixel;
     if (options.pixel) {
         const glm::ivec2 at = *options.pixel / std::max(options.reference.step, 1);
-        pixel = std::size_t(at.y) * std::size_t(before.traced.reference->width) + std::size_t(at.x);
+        pixel = std::size_t(at.y) * std::size_t(before.frame->traced.reference->width) + std::size_t(at.x);
     }
-    std::vector<FixCandidate> ideas = fix_candidates(base, fix_facts(before, base, renderer.driver()));
-    for (const FixCandidate& more : options.more) {
-        FixCandidate own = more;
-        own.settings = measured_settings(own.settings);
-        const bool known =
-            std::any_of(ideas.begin(), ideas.end(), [&](const FixCandidate& i) { return i.settings == own.settings; });
-        if (!known && !(own.settings == base)) ideas.insert(ideas.begin(), std::move(own));
-    }
-    const long long bytes_before = bytes(base, before);
-    Stopwatch stopwatch(renderer, scene, request, options.frames);
-    for (std::size_t k = 0; k < ideas.size(); ++k) {
-        const FixCandidate& idea = ideas[k];
-        MeasuredFix row{.name = idea.name, .settings = setting_changes(base, idea.settings), .untried = idea.untried};
-        row.label = idea.label;
-        if (row.untried.empty()) {
-            report_progress((double(k) + 1) / (double(ideas.size()) + 1), row.shown_name());
-            const MeasuredError after = measure(idea.settings);
-            if (after.camera.eye != before.camera.eye || after.camera.clip_from_relative(after.camera.eye) !=
-                                                             before.camera.clip_from_relative(before.camera.eye)) {
-                row.untried = "the camera looks through this light and would move with it";
-            } else if (after.map_resolution != idea.settings.map.resolution &&
-                       idea.settings.map.resolution != base.map.resolution) {
-                row.untried =
-                    fmt::format("maps of that size need too much memory; {}² would be drawn", after.map_resolution);
-            } else {
-                for (std::size_t i = 0; i < before.classified.size(); ++i) {
-                    const bool was = wrong(before, i), is = wrong(after, i);
-                    row.cured += was && !is;
-                    row.cured_of[std::size_t(before.classified[i].artefact)] += was && !is;
-                    row.broken += !was && is;
-                }
-                if (pixel) row.pixel_right = !wrong(after, *pixel);
-                row.map_bytes = bytes(idea.settings, after) - bytes_before;
-                if (options.time) row.ms = stopwatch.difference(base, idea.settings, workers);
-            }
+    try {
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            if (report && list[k].untried.empty())
+                report((double(k) + 1) / (double(list.size()) + 1), list[k].shown_name());
+            search.add(try_candidate(base, before, std::move(list[k]), meter, pixel), error);
+            if (shown) shown(table);
+            if (options.first && table.fix()) break;
         }
-        table.rows.push_back(std::move(row));
+    } catch (const Cancelled&) {
+        table.stopped = true;
     }
-    std::stable_sort(table.rows.begin(), table.rows.end(), [](const MeasuredFix& a, const MeasuredFix& b) {
-        if (a.untried.empty() != b.untried.empty()) return a.untried.empty();
-        if (a.pixel_right != b.pixel_right) return a.pixel_right.value_or(false);
-        if (a.gain() != b.gain()) return a.gain() > b.gain();
-        return (a.ms ? a.ms->value : 0) < (b.ms ? b.ms->value : 0);
-    });
     return table;
+}
+
+FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                    const FixOptions& options, ReferenceCache& cache, const Workers& workers, const TrialReport& report,
+                    const std::function<void(const FixTable&)>& shown) {
+    const Settings base = measured_settings(settings);
+    const Workers quiet = workers.with_progress_range(0, 0);
+    const TrialMeter meter = renderer_trial_meter(renderer, scene, width, height,
+                                                  {.work = false, .reference = options.reference}, cache, quiet);
+    if (report) report(0, "the present settings");
+    const MeasuredSettings before = meter.measure(base, base.view.light);
+    const ErrorMetrics& error = before.frame->metrics;
+    if (wrong_pixels(error) == 0 && !(error.any_acne + error.any_leak > 0)) return {};
+    std::vector<Candidate> list = fix_candidates(base, fix_facts(*before.frame, base, renderer.driver()), options.list);
+    for (const Candidate& more : options.more) {
+        Candidate own = more;
+        own.settings = measured_settings(own.settings);
+        own.light = base.view.light;
+        std::erase_if(list, [&](const Candidate& c) { return c.untried.empty() && c.settings == own.settings; });
+        if (!(own.settings == base)) list.insert(list.begin(), std::move(own));
+    }
+    return search_fixes(base, before, std::move(list), meter, options, report, shown);
 }
 
 }  // namespace si

@@ -29,8 +29,8 @@ enum class ComparedBy {
 };
 
 /// Frame without one piece of work.
-struct Trial {
-    Trial(std::string name, const Settings& s) : settings(s) { about.name = std::move(name); }
+struct WorkTrial {
+    WorkTrial(std::string name, const Settings& s) : settings(s) { about.name = std::move(name); }
     WasteTrial about;
     Settings settings;
     std::optional<MapOfLight> map;
@@ -48,21 +48,22 @@ std::uint64_t map_triangles(const FrameResult& frame) {
     return n;
 }
 
-std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame) {
-    std::vector<Trial> out;
+std::vector<WorkTrial> map_trials(const Settings& settings, const FrameResult& frame) {
+    std::vector<WorkTrial> out;
     for (std::size_t i = 0; i < frame.lights.size(); ++i) {
         const FittedLight& light = frame.lights[i];
         if (!light.casts) continue;
         if (draws_pages(settings)) {
             // The light's contact shadows stay, as they do not depend on the source.
-            Trial& trial = out.emplace_back(fmt::format("pages of light {}", i), settings);
+            WorkTrial& trial = out.emplace_back(fmt::format("pages of light {}", i), settings);
             set_setting(trial.settings, fmt::format("light.{}.source", i), "none");
             trial.is_drawn_into_maps = trial.takes_map_time = true;
             continue;
         }
         for (std::size_t v = 0; v < light.views.size(); ++v) {
             const std::string view = view_name(light.chooser.choice, v, light.views.size());
-            Trial& trial = out.emplace_back(fmt::format("{} of light {}", view.empty() ? "map" : view, i), settings);
+            WorkTrial& trial =
+                out.emplace_back(fmt::format("{} of light {}", view.empty() ? "map" : view, i), settings);
             trial.settings.view.light = int(i);
             trial.settings.view.face = int(v);
             trial.map = MapOfLight{int(i), int(v)};
@@ -80,10 +81,10 @@ bool casts_with(const Scene& scene, const Settings& settings, AlphaMode alpha) {
 }
 
 /// Lists frames with one setting switched off.
-std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
-    std::vector<Trial> out;
+std::vector<WorkTrial> setting_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
+    std::vector<WorkTrial> out;
     const auto without = [&](std::string name, const auto& change, bool takes_map_time = false) {
-        Trial trial(std::move(name), settings);
+        WorkTrial trial(std::move(name), settings);
         change(trial.settings);
         trial.takes_map_time = takes_map_time;
         if (!(without_ineffective_settings(trial.settings) == without_ineffective_settings(settings)))
@@ -117,8 +118,8 @@ std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, 
 }
 
 /// Lists frames with a changed scene: without alpha test, or without the ground disc.
-std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
-    std::vector<Trial> out;
+std::vector<WorkTrial> scene_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
+    std::vector<WorkTrial> out;
     const bool has_map = std::ranges::any_of(frame.lights, [](const FittedLight& light) { return light.casts; });
     if (has_map && casts_with(scene, settings, AlphaMode::Mask)) {
         const auto opaque = std::make_shared<Scene>(scene);
@@ -126,7 +127,7 @@ std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, co
             if (m.alpha == AlphaMode::Mask) m.alpha = AlphaMode::Opaque;
         refresh(*opaque);
         // The camera sees no holes either, so only pixels with the same surface are compared.
-        Trial& trial = out.emplace_back("alpha test in maps", settings);
+        WorkTrial& trial = out.emplace_back("alpha test in maps", settings);
         trial.scene = opaque;
         trial.by = ComparedBy::SameSurfaces;
         trial.takes_map_time = true;
@@ -144,21 +145,21 @@ std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, co
 }
 
 /// Lists frames without one overlay of the panes.
-std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& shown) {
-    std::vector<Trial> out;
+std::vector<WorkTrial> shown_trials(const Settings& settings, const FrameResult& shown) {
+    std::vector<WorkTrial> out;
     for (std::size_t pane = 0; pane < shown.panes.size(); ++pane) {
         // Panes without a reference have no overlay.
         if (shown.panes[pane].overlay == 0 || shown.panes[pane].lacks_reference) continue;
         const std::string_view key = overlays()[std::size_t(shown.panes[pane].overlay - 1)].key;
-        Trial& trial = out.emplace_back(shown.panes.size() > 1 ? fmt::format("overlay {} in pane {}", key, pane + 1)
-                                                               : fmt::format("overlay {}", key),
-                                        settings);
+        WorkTrial& trial = out.emplace_back(shown.panes.size() > 1 ? fmt::format("overlay {} in pane {}", key, pane + 1)
+                                                                   : fmt::format("overlay {}", key),
+                                            settings);
         overlay_of_pane(trial.settings.view, pane) = 0;
         trial.by = ComparedBy::Shown;
     }
     const auto has_slabs = [](const PassInfo& p) { return p.state == PassState::Drawn && p.makes == Result::Slabs; };
     if (std::ranges::any_of(shown.passes, has_slabs)) {
-        Trial& trial = out.emplace_back("stored-depth quads", settings);
+        WorkTrial& trial = out.emplace_back("stored-depth quads", settings);
         trial.settings.view.slabs = Slabs::None;
         trial.by = ComparedBy::Shown;
     }
@@ -196,9 +197,9 @@ public:
     }
 
     Waste find(bool timed, const std::function<void(double)>& report) {
-        std::vector<Trial> trials = all_trials();
+        std::vector<WorkTrial> trials = all_trials();
         Waste waste;
-        for (Trial& trial : trials) {
+        for (WorkTrial& trial : trials) {
             if (report) report(double(waste.tried.size()) / double(trials.size()));
             try_it(trial);
             some_map_needed_ |= trial.is_drawn_into_maps && trial.about.changes;  // maps are tried first
@@ -225,7 +226,7 @@ private:
         if (workers_.stop.stop_requested()) throw Cancelled();
         return renderer_.render(scene, settings, request);
     }
-    FrameResult draw(const Trial& trial, FrameRequest request) {
+    FrameResult draw(const WorkTrial& trial, FrameRequest request) {
         request.emptied = trial.map;
         return draw(trial.scene ? *trial.scene : scene_, trial.settings, request);
     }
@@ -236,12 +237,12 @@ private:
         return out;
     }
 
-    std::vector<Trial> all_trials() {
+    std::vector<WorkTrial> all_trials() {
         const FrameResult whole = draw(scene_, measured_, request_);
         picture_ = pictures_of(whole);
         triangles_ = map_triangles(whole);
-        std::vector<Trial> trials = map_trials(measured_, whole);
-        const auto add = [&](std::vector<Trial> more) { std::ranges::move(more, std::back_inserter(trials)); };
+        std::vector<WorkTrial> trials = map_trials(measured_, whole);
+        const auto add = [&](std::vector<WorkTrial> more) { std::ranges::move(more, std::back_inserter(trials)); };
         add(setting_trials(scene_, measured_, whole));
         add(scene_trials(scene_, measured_, whole));
         const bool shows = settings_.view.slabs != Slabs::None ||
@@ -254,7 +255,7 @@ private:
         return trials;
     }
 
-    void try_it(Trial& trial) {
+    void try_it(WorkTrial& trial) {
         if (trial.by == ComparedBy::SameSurfaces) {
             trial.about.changes = changes_same_surfaces(trial);
             return;
@@ -265,7 +266,7 @@ private:
         if (trial.map) trial.about.read = share_read(trial);
     }
 
-    bool changes_same_surfaces(const Trial& trial) {
+    bool changes_same_surfaces(const WorkTrial& trial) {
         FrameRequest request = request_;
         request.outputs.surface_ids = true;
         const FrameResult with = draw(scene_, measured_, request);
@@ -276,7 +277,7 @@ private:
                                        ids_without);
     }
 
-    double share_read(const Trial& trial) {
+    double share_read(const WorkTrial& trial) {
         FrameRequest request = request_;
         request.outputs = {.colour = false, .texels_read = true};
         const FrameResult frame = draw(scene_, trial.settings, request);
@@ -286,7 +287,7 @@ private:
 
     /// Returns true when the time of a trial is measured. Needed work is not timed, nor are maps without triangles.
     /// Work on maps that are all waste is a part of the maps' time, which counts once.
-    bool is_timed(const Trial& trial) const {
+    bool is_timed(const WorkTrial& trial) const {
         const bool counts = trial.is_drawn_into_maps ? trial.about.triangles > 0 : some_map_needed_;
         return trial.takes_map_time && !trial.about.changes && counts;
     }
@@ -299,7 +300,7 @@ private:
 
     /// Returns the milliseconds that maps save without a trial's work. Frames with and without the work alternate, and
     /// each kind is first every other turn.
-    double saved_ms(const Trial& trial) {
+    double saved_ms(const WorkTrial& trial) {
         const FrameRequest request = timed_request();
         std::vector<double> saved;
         for (int turn = 0; turn < kTimedTurns; ++turn) {

@@ -17,7 +17,7 @@ struct Query {
 };
 
 /// Candidate hit of an Embree filter call.
-struct Candidate {
+struct HitCandidate {
     const Caster* caster = nullptr;
     bool instanced = false;
     unsigned primitive = 0, ray = 0;
@@ -25,7 +25,7 @@ struct Candidate {
     float t = 0;
 };
 
-bool culled(const Candidate& c, const HitRules& rules) {
+bool culled(const HitCandidate& c, const HitRules& rules) {
     const Cull cull = rules.culls[c.caster->object].cull;
     if (cull == Cull::None) return false;
     // Rays run towards the light, so a front face points along them. In an instance's space winding is that of the
@@ -36,7 +36,7 @@ bool culled(const Candidate& c, const HitRules& rules) {
 }
 
 /// Tests a candidate hit again in double precision, without the receiver's own triangle.
-bool hits_exactly(const Candidate& c, const ExactRay& ray, const RayHierarchy& scene) {
+bool hits_exactly(const HitCandidate& c, const ExactRay& ray, const RayHierarchy& scene) {
     if (c.caster->object == ray.object && c.primitive == ray.primitive) return false;
     const TriangleWs t = scene.geometry->triangle(c.caster->object, c.primitive);
     const glm::dvec3 a = scene.to_unit(t[0]), e1 = scene.to_unit(t[1]) - a, e2 = scene.to_unit(t[2]) - a;
@@ -56,7 +56,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
     const unsigned n = args->N;
     for (unsigned i = 0; i < n; ++i) {
         if (args->valid[i] == 0) continue;
-        Candidate c;
+        HitCandidate c;
         const unsigned instance = RTCHitN_instID(args->hit, n, i, 0);
         c.instanced = instance != RTC_INVALID_GEOMETRY_ID;
         c.caster = &query.scene->casters[c.instanced ? instance : RTCHitN_geomID(args->hit, n, i)];

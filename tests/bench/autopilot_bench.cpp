@@ -47,11 +47,9 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
     settings = measured_settings(settings);
     ReferenceCache cache;
-    const AdviceOptions options;
     const Workers workers;
-    AutopilotMeter counted{
-        renderer_advice_meter(renderer, scene, kPilotWidth, kPilotHeight, options, cache, workers), {}, {}};
-    counted.ms = [](const Settings&) { return 1.0; };
+    TrialMeter counted = renderer_trial_meter(renderer, scene, kPilotWidth, kPilotHeight, {}, cache, workers);
+    counted.ms = [](const Settings&) { return CostChange{1, 0}; };
     counted.time = [](const Settings&, const Settings&) { return CostChange{}; };
     counted.now_s = [] { return 0.0; };
     std::vector<AutopilotCase> all = run_autopilot(settings, searched_axes(), {.max_error = 1}, counted).cases;

@@ -12,9 +12,10 @@ namespace {
 using Json = nlohmann::json;
 
 Json run(const char* command, const Words& more) {
-    return program_json(
-        command + Words("boxes --set map.resolution=512 --set bias.normal=0 --set bias.constant=0 --size 320x180") +
-        more);
+    return program_json(command +
+                        Words("boxes --set map.resolution=512 --set bias.kind=constant --set bias.normal=0 --set "
+                              "bias.constant=0 --size 320x180") +
+                        more);
 }
 
 long long wrong_pixel_count(const Json& measured) {
@@ -30,7 +31,13 @@ TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
     ASSERT_TRUE(all["cures"].is_array());
     const Json& first = all["cures"][0];
     EXPECT_GT(first["cured_px"], 1000);
-    EXPECT_TRUE(first["ms"].is_null()) << "nothing was timed";
+    EXPECT_TRUE(first["fix"].get<bool>());
+    EXPECT_TRUE(first["ms"].is_object()) << "the price of a fix is known";
+    EXPECT_LT(first["error"]["after"], first["error"]["before"]);
+    for (const Json& row : all["cures"])
+        if (row["tried"].get<bool>()) {
+            EXPECT_EQ(row["fix"].get<bool>(), row["why_not"].is_null());
+        }
     EXPECT_EQ(wrong_pixel_count(run("measure", "--no-time" + set_words(first["settings"]))),
               wrong_pixel_count(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
 }
@@ -49,6 +56,8 @@ TEST(FixesInJson, CureTheProbedPixel) {
         }
         ASSERT_FALSE(probe["cures"].empty());
         EXPECT_TRUE(probe["cures"][0]["pixel_right"].get<bool>());
+        EXPECT_TRUE(probe["cures"][0]["fix"].get<bool>());
+        EXPECT_EQ(probe["lights"][0]["dossier"]["remedy"]["settings"], probe["cures"][0]["settings"]);
         EXPECT_TRUE(probe["cures"][0]["ms"].is_object());
         const Json cured = run("probe", pixel + set_words(probe["cures"][0]["settings"]));
         EXPECT_EQ(cured["lights"][0]["dossier"]["artefact"], "none");

@@ -24,20 +24,22 @@ protected:
     MeasuredError measure(const Scene& scene, const Settings& s) {
         return measure_error(renderer, scene, s, {.width = width, .height = height}, 0, {}, cache);
     }
-    static Settings with(Settings s, const MeasuredFix& fix) {
-        for (const auto& [key, value] : fix.settings) set_setting(s, key, value);
+    static Settings with(Settings s, const Trial& t) {
+        for (const auto& [key, value] : t.changes) set_setting(s, key, value);
         return s;
     }
 
-    /// Finds fixes and expects each row to have the effect that it reports. One row fixes nine of ten pixels with one
-    /// of the causes, and the first row eight of ten. @returns the fixes
+    /// Finds fixes and expects each row to have the effect that it reports. Expects the first to be a fix that puts
+    /// eight of ten pixels with one of the causes right and makes nothing worse. @returns the fixes
     FixTable expect_fixes(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
         const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
         const MeasuredError before = measure(scene, s);
-        for (const MeasuredFix& row : table.rows) {
-            if (!row.untried.empty()) continue;
-            SCOPED_TRACE(row.name);
-            EXPECT_FALSE(row.settings.empty());
+        int checked = 0;
+        for (const Trial& row : table.rows) {
+            // A measurement of each row would take as long as the search.
+            if (!row.is_drawn() || (!row.why_not.empty() && ++checked % 9 != 0)) continue;
+            SCOPED_TRACE(row.candidate.name);
+            EXPECT_FALSE(row.changes.empty());
             const MeasuredError after = measure(scene, with(s, row));
             std::size_t cured = 0, broken = 0, of = 0;
             for (std::size_t i = 0; i < before.classified.size(); ++i) {
@@ -50,27 +52,32 @@ protected:
             EXPECT_EQ(row.cured, cured) << "exactly as predicted";
             EXPECT_EQ(row.broken, broken);
             EXPECT_EQ(row.cured, of);
+            EXPECT_EQ(row.metrics.mae, after.metrics.mae);
+            if (row.why_not.empty()) expect_nothing_worse(before.metrics, after.metrics);
         }
-        for (std::size_t i = 1; i < table.rows.size(); ++i)
-            if (table.rows[i].untried.empty()) {
-                EXPECT_GE(table.rows[i - 1].gain(), table.rows[i].gain());
-            }
-        std::size_t wrong = 0, most = 0;
+        const Trial* const fix = table.fix();
+        std::size_t wrong = 0, right = 0;
         for (const Artefact a : causes) wrong += table.wrong_of[std::size_t(a)];
-        const auto cured_by = [&](const MeasuredFix& row) {
-            std::size_t right = 0;
-            for (const Artefact a : causes) right += row.cured_of[std::size_t(a)];
-            return right;
-        };
-        for (const MeasuredFix& row : table.rows) most = std::max(most, cured_by(row));
         EXPECT_GE(wrong, least);
-        EXPECT_GE(double(most), 0.9 * double(wrong));
-        EXPECT_GE(double(cured_by(table.rows.at(0))), 0.8 * double(wrong)) << table.rows[0].name;
+        EXPECT_TRUE(fix);
+        if (!fix) return table;
+        for (const Artefact a : causes) right += fix->cured_of[std::size_t(a)];
+        EXPECT_GE(double(right), 0.8 * double(wrong)) << fix->candidate.name;
+        for (const Trial& t : table.rows)
+            if (t.is_drawn() && t.why_not.empty()) {
+                EXPECT_GE(t.metrics.mae, fix->metrics.mae) << "the fix leaves the least error";
+            }
         return table;
     }
-    static const MeasuredFix* row(const FixTable& table, std::string_view name) {
-        for (const MeasuredFix& r : table.rows)
-            if (r.name == name) return &r;
+    static void expect_nothing_worse(const ErrorMetrics& before, const ErrorMetrics& after) {
+        EXPECT_LE(wrong_pixels(after), wrong_pixels(before));
+        EXPECT_LE(after.mae, before.mae);
+        EXPECT_LE(after.any_acne, before.any_acne);
+        EXPECT_LE(after.any_leak, before.any_leak);
+    }
+    static const Trial* row(const FixTable& table, std::string_view name) {
+        for (const Trial& t : table.rows)
+            if (t.candidate.name == name) return &t;
         return nullptr;
     }
 };
@@ -82,7 +89,7 @@ TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);
     const FixTable table = expect_fixes(scene, s, {Artefact::PeterPanning}, 100);
-    const MeasuredFix* least = row(table, "least bias, constant alone");
+    const Trial* least = row(table, "least bias, constant");
     ASSERT_TRUE(least);
     EXPECT_GT(least->cured_of[std::size_t(Artefact::PeterPanning)],
               0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
@@ -129,26 +136,40 @@ TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
             pixel = {(i + width * height / 2) % width, (i + width * height / 2) / width};
     ASSERT_GE(pixel.x, 0);
     s.lights[0].type = LightType::Directional;
-    const FixTable table =
-        find_fixes(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
-    ASSERT_FALSE(table.rows.empty());
-    EXPECT_TRUE(table.rows[0].pixel_right.value());
-    EXPECT_TRUE(table.rows[0].ms);
+    const FixTable table = find_fixes(renderer, scene, s, width, height, {.pixel = pixel}, cache);
+    ASSERT_TRUE(table.fix());
+    EXPECT_TRUE(table.fix()->ms) << "its price is known";
+    const std::size_t at = std::size_t(pixel.y * width + pixel.x);
     bool stays = false;
-    for (const MeasuredFix& r : table.rows)
-        if (r.untried.empty()) {
-            const MeasuredError after = measure(scene, with(s, r));
-            const std::size_t at = std::size_t(pixel.y * width + pixel.x);
-            EXPECT_EQ(*r.pixel_right, after.classified[at].artefact == Artefact::None) << r.name;
-            stays |= !*r.pixel_right;
-        }
+    int checked = 0;
+    for (const Trial& t : table.rows) {
+        if (!t.is_drawn()) continue;
+        stays |= !t.pixel->right;
+        if (++checked % 7 != 1) continue;
+        const MeasuredError after = measure(scene, with(s, t));
+        EXPECT_EQ(t.pixel->right, after.classified[at].artefact == Artefact::None) << t.candidate.name;
+        EXPECT_EQ(t.pixel->visibility, after.classified[at].visibility);
+    }
     EXPECT_TRUE(stays) << "not everything helps";
+    const FixTable first = find_fixes(renderer, scene, s, width, height, {.pixel = pixel, .first = true}, cache);
+    ASSERT_TRUE(first.fix());
+    EXPECT_LT(first.drawn(), table.drawn());
+    std::stop_source stop;
+    int steps = 0;
+    const FixTable stopped = find_fixes(renderer, scene, s, width, height, {.pixel = pixel}, cache,
+                                        {.stop = stop.get_token()}, [&](double, const std::string&) {
+                                            if (++steps == 5) stop.request_stop();
+                                        });
+    EXPECT_TRUE(stopped.stopped);
+    EXPECT_EQ(stopped.drawn(), 3u) << "what is there stays";
     s.lights[0].type = LightType::Point;
     const FixTable point = find_fixes(renderer, scene, s, width, height, {}, cache);
-    const MeasuredFix* fit = row(point, "tighter fit");
+    const Trial* fit = row(point, "tighter fit");
     ASSERT_TRUE(fit);
-    EXPECT_FALSE(fit->untried.empty());
-    EXPECT_EQ(&point.rows.back(), fit) << "what was not tried stands last";
+    EXPECT_FALSE(fit->is_drawn());
+    const auto undrawn = std::ranges::find_if_not(point.rows, &Trial::is_drawn);
+    EXPECT_TRUE(std::none_of(undrawn, point.rows.end(), [](const Trial& t) { return t.is_drawn(); }))
+        << "what was not tried stands last";
 }
 
 // The candidates are all rows of the tables of fits and biases that suit the light, and cascades.
@@ -175,10 +196,10 @@ TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
         s.lights[0].fit = kind.fit;
         s.lights[0].projection = kind.projection;
         const MeasuredError m = measure(scene, s);
-        const std::vector<FixCandidate> ideas = fix_candidates(s, fix_facts(m, s, renderer.driver()));
+        const std::vector<Candidate> ideas = fix_candidates(s, fix_facts(m, s, renderer.driver()), FixList::Short);
         const auto tried = [&](auto&& like) {
             return std::ranges::count_if(ideas,
-                                         [&](const FixCandidate& i) { return i.untried.empty() && like(i.settings); });
+                                         [&](const Candidate& i) { return i.untried.empty() && like(i.settings); });
         };
         for (std::size_t i = 0; i < fits().size(); ++i) {
             const auto fit = LightFit(i);
@@ -186,10 +207,10 @@ TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
             const bool suits = kind.narrows || (kind.fit == LightFit::Manual && !fits()[i].narrows);
             const auto count =
                 tried([&](const Settings& t) { return t.lights[0].fit == fit && t.lights[0].fit != s.lights[0].fit; });
-            EXPECT_EQ(count, other && suits ? 1 : 0) << fits()[i].key;
+            EXPECT_EQ(count > 0, other && suits) << fits()[i].key;
         }
         for (int n = 2; n <= kMaxCascades; n *= 2)
-            EXPECT_EQ(tried([&](const Settings& t) { return t.lights[0].cascades == n; }), kind.cascades ? 1 : 0);
+            EXPECT_EQ(tried([&](const Settings& t) { return t.lights[0].cascades == n; }) > 0, kind.cascades);
         for (const Choice& bias : bias_choices())
             if (bias.key != "constant") {  // the slope row gains as much by its constant
                 EXPECT_GT(tried([&](const Settings& t) { return bias_of(t).key == bias.key && !(t.bias == s.bias); }),
@@ -201,12 +222,14 @@ TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
     }
     Settings s = test::texel_settings("pcf3", 256, 0);
     s.lights[0].cascades = 3;
-    const std::vector<FixCandidate> ideas = fix_candidates(s, fix_facts(measure(scene, s), s, renderer.driver()));
+    const std::vector<Candidate> ideas =
+        fix_candidates(s, fix_facts(measure(scene, s), s, renderer.driver()), FixList::Short);
     const auto of = [&](int n) {
-        return std::ranges::count_if(ideas, [&](const FixCandidate& i) { return i.settings.lights[0].cascades == n; });
+        return std::ranges::count_if(ideas, [&](const Candidate& i) { return i.settings.lights[0].cascades == n; });
     };
-    EXPECT_EQ(of(2) + of(4), 2);
-    EXPECT_EQ(std::ranges::count_if(ideas, [](const FixCandidate& i) { return i.name.starts_with("fit: "); }), 0)
+    EXPECT_GT(of(2), 0);
+    EXPECT_GT(of(4), 0);
+    EXPECT_EQ(std::ranges::count_if(ideas, [](const Candidate& i) { return i.name.starts_with("fit: "); }), 0)
         << "cascades are fitted by what they are";
 }
 
@@ -224,20 +247,20 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
             s.lights[0].elevation = 35;
             const MeasuredError before = measure(scene, s);
             ASSERT_GT(before.metrics.artefacts[std::size_t(Artefact::Acne)], 1000u);
-            const FixFacts facts = fix_facts(before, s, renderer.driver());
-            ASSERT_EQ(facts.least_of_rows.size() + kBiasFamilies, biases().size());
-            for (const auto& [bias, least] : facts.least_of_rows) {
-                SCOPED_TRACE(std::string(bias->key) + " " + kernel);
+            for (const Bias& bias : biases()) {
+                SCOPED_TRACE(std::string(bias.key) + " " + kernel);
+                const auto least = least_bias_of_row(bias, before, s, renderer.driver());
+                ASSERT_TRUE(least);
                 Settings with = s;
-                with.bias = least;
+                with.bias = *least;
                 const ErrorMetrics after = measure(scene, with).metrics;
                 EXPECT_EQ(after.artefacts[std::size_t(Artefact::Acne)], 0u);
                 EXPECT_LT(after.any_acne, 1e-3) << "but where the kernel reaches over the box's edges";
-                if (bias->gives_needed_bias) {
-                    EXPECT_EQ(least.constant + least.slope + least.normal, 0) << "it needs no numbers";
+                if (bias.gives_needed_bias) {
+                    EXPECT_EQ(least->constant + least->slope + least->normal, 0) << "it needs no numbers";
                 }
                 Settings less = with;
-                for (const std::string_view key : bias->settings)
+                for (const std::string_view key : bias.settings)
                     if (key == "bias.raster_slope") {
                         less.bias.raster_slope *= 0.5;
                         ++numbers;
@@ -257,10 +280,10 @@ TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     const Scene scene = load_scene("landscape");
     const Settings s = settings_for(scene, {"map.resolution=512", "light.fit=scene"});
     const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
-    const MeasuredFix* four = row(table, "4 cascades");
+    const Trial* four = row(table, "4 cascades");
     ASSERT_TRUE(four);
     EXPECT_GT(four->gain(), 0.3 * double(table.wrong));
-    EXPECT_EQ(four->map_bytes, 3 * 512 * 512 * 4);
+    EXPECT_EQ(four->map_bytes(), 3 * 512 * 512 * 4);
     const MeasuredError after = measure(scene, with(s, *four));
     EXPECT_EQ(after.lights[0].views.size(), 4u);
     std::size_t left = 0;
@@ -272,10 +295,10 @@ TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = settings_with(test::texel_settings("hard", 256, 3), {"camera.distance=4", "light.fit=scene"});
     const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
-    const MeasuredFix* fit = row(table, "fit: view frustum");
+    const Trial* fit = row(table, "fit: view frustum");
     ASSERT_TRUE(fit);
     EXPECT_GT(fit->gain(), 0);
-    EXPECT_EQ(fit->map_bytes, 0);
+    EXPECT_EQ(fit->map_bytes(), 0);
     const MeasuredError after = measure(scene, with(s, *fit));
     EXPECT_EQ(after.metrics.outside_map, 0);
     EXPECT_LT(after.lights[0].views[0].half_width, 0.5 * measure(scene, s).lights[0].views[0].half_width);

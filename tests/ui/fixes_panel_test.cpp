@@ -17,53 +17,60 @@ FixTable made_up_fixes() {
     FixTable table;
     table.wrong = 1234;
     table.wrong_of[std::size_t(Artefact::Acne)] = 1234;
-    MeasuredFix least{
-        .name = "least bias", .settings = {{"bias.constant", "2.5"}, {"bias.unit", "texels"}}, .untried = {}};
+    table.candidates = 4;
+    Trial least{.candidate = {.name = "least bias"}, .changes = {{"bias.constant", "2.5"}, {"bias.unit", "texels"}}};
+    least.before.error = 0.1;
+    least.after.error = 0.02;
     least.cured = 1200;
     least.broken = 3;
     least.ms = CostChange{0.1, 0.4};
     least.cured_of[std::size_t(Artefact::Acne)] = 1200;
-    MeasuredFix finer{.name = "twice the resolution", .settings = {{"map.resolution", "4096"}}, .untried = {}};
+    Trial finer = least;
+    finer.candidate.name = "twice the resolution";
+    finer.changes = {{"map.resolution", "4096"}};
     finer.cured = 600;
     finer.ms = CostChange{12.5, 0.4};
-    finer.map_bytes = 48 << 20;
-    table.rows = {least, finer, {.name = "tighter fit", .settings = {}, .untried = "only for a directional light"}};
+    finer.after.work.map_bytes = 48 << 20;
+    finer.why_not = "maps take more than twice the bytes";
+    Trial worse = finer;
+    worse.candidate.name = "no bias";
+    worse.after.error = 0.2;
+    Trial undrawn{.candidate = {.name = "tighter fit", .untried = "only for a directional light"}};
+    table.rows = {least, finer, worse, undrawn};
     return table;
 }
 
 TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     const FixTable table = made_up_fixes();
     UiHarness ui(1600, 900);
-    ui.state.window.open_tab = BottomTab::Error;
-    ui.reference = ReferenceFacts{.current = true, .wanted = true};
-    ui.error = LiveError();
-    ui.error->metrics.counted = 5000;
-    ui.error->metrics.false_shadow = 0.2;
+    ui.state.window.open_tab = BottomTab::Improve;
     ui.state.layout.bottom_height = 32;
     ui.frames(4);
-    ui.click(ui.find("Error", "", "Find fixes"));
+    ui.click(ui.find("controls", "", "Find fixes"));
     ASSERT_TRUE(ui.last_requests.find_fixes);
     EXPECT_FALSE(ui.last_requests.find_fixes->pixel) << "of the picture";
 
     ui.fixes.running = SearchProgress{"least bias, normal offset", 0.4};
     ui.frames(3);
-    ui.click(ui.find("Error", "", "Cancel##cures"));
+    ui.click(ui.find("controls", "", "Cancel##cures"));
     EXPECT_TRUE(ui.last_requests.cancel_fixes);
 
     ui.fixes = {.running = {}, .table = &table, .pixel = {}, .current = true};
     ui.frames(3);
-    EXPECT_EQ(
-        ui.lacking({"least bias", "1200", "< noise", "+12.5 ms", "+48 MiB", "not tried, only for a directional light"}),
-        "");
-    ui.click(ui.find("Error", "", "Close##cures"));
+    EXPECT_EQ(ui.lacking({"Fix: least bias", "twice the resolution", "1200", "< noise", "+12.5 ms", "+48 MiB", "-0.08",
+                          "3 of 4 changes tried", "2 others do not help"}),
+              "");
+    EXPECT_FALSE(ui.prints("Fix: twice")) << "it costs too much";
+    EXPECT_FALSE(ui.prints("no bias")) << "folded away";
+    ui.click(ui.find("found", "", "Close##cures"));
     EXPECT_TRUE(ui.last_requests.forget_fixes);
     const Settings before = ui.state.settings;
     // The row spans the table; its name is below the button.
-    const auto button = ui.find("Error", "", "Find fixes");
+    const auto button = ui.find("found", "", "Close##cures");
     ASSERT_TRUE(button);
     bool applied = false;
     for (float y = 2; y < 50 && !applied; ++y) {
-        ui.click({button->x, button->y + y * 8});
+        ui.click({button->x - 60, button->y + y * 8});
         applied = ui.state.settings.bias.constant == 2.5;
     }
     ASSERT_TRUE(applied);
@@ -78,32 +85,46 @@ TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     EXPECT_FALSE(ui.prints("< noise")) << "a pixel's table is not the picture's";
 }
 
-TEST(TunedFamilies, AreShownSideBySideAndAClickAppliesOne) {
+TEST(TunedBiases, AreShownSideBySideAndTakenByAButton) {
     UiHarness ui(1600, 900);
-    TunedFamily normal{.name = "normal offset",
-                       .bias_text = "bias.normal 3 texels",
-                       .bias = {},
-                       .acne = 0,
-                       .wrong = 321,
-                       .lost = 20,
-                       .gap_p95_m = 0.012,
-                       .shift_p95_m = 0.034,
-                       .chosen = true};
+    TunedBias normal{.name = "Normal offset",
+                     .bias_text = "bias.normal 3 texels",
+                     .bias = {},
+                     .score = 325.4,
+                     .acne = 2,
+                     .wrong = 321,
+                     .lost = 20,
+                     .gap_p95_m = 0.012,
+                     .shift_p95_m = 0.034,
+                     .least = true};
     normal.bias.normal = 3;
-    TunedFamily constant = normal;
-    constant.name = "constant bias";
+    TunedBias constant = normal;
+    constant.name = "Constant";
     constant.bias.normal = 0;
     constant.bias.constant = 9;
     constant.wrong = 654;
+    constant.score = 700;
     constant.shift_p95_m = 0;
-    constant.chosen = false;
+    constant.least = false;
     ui.tuned = {normal, constant};
-    ui.state.settings_panel.search = "bias.";
+    ui.state.window.open_tab = BottomTab::Improve;
+    ui.state.layout.bottom_height = 32;
     ui.frames(5);
-    ui.state.settings_panel.search.clear();
-    ui.frames(5);
-    EXPECT_EQ(ui.lacking({"normal offset", "constant bias", "321", "654", "34 mm"}), "");
+    EXPECT_EQ(ui.lacking({"Normal offset", "Constant", "325 *", "321", "654", "34 mm"}), "");
     EXPECT_FALSE(ui.prints("of other settings"));
+    const Settings before = ui.state.settings;
+    const std::string second = std::string("\1\0\0\0", 4);
+    ui.click(ui.find("controls", second, "Constant"));
+    ASSERT_TRUE(ui.state.tried);
+    EXPECT_EQ(ui.state.tried->settings.bias.constant, 9);
+    EXPECT_EQ(ui.state.settings, before) << "shown before it is taken";
+    EXPECT_EQ(ui.state.comparison.view, ComparisonView::Swipe);
+    ui.click(ui.find("controls", second, "Take"));
+    EXPECT_EQ(ui.state.settings.bias.constant, 9);
+    EXPECT_FALSE(ui.state.tried);
+    EXPECT_EQ(ui.state.comparison.view, ComparisonView::Off);
+    ui.frames(3);
+    EXPECT_EQ(ui.state.history.undo(), before) << "one step";
     ui.tuned_current = false;
     ui.frames(3);
     EXPECT_EQ(ui.lacking({"of other settings"}), "");
@@ -112,8 +133,12 @@ TEST(TunedFamilies, AreShownSideBySideAndAClickAppliesOne) {
 TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     TestEditor editor(editor_options("boxes", {"bias.constant=0", "bias.normal=0", "map.resolution=512"}, {960, 600}));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Error;
+    model.state.window.open_tab = BottomTab::Improve;
     model.state.layout.bottom_height = 27;
+    editor.settle();
+    EditorRequests with_error = editor.requests();
+    with_error.want_error = true;
+    model.fulfil(with_error);
     editor.settle();
     ASSERT_TRUE(model.facts().error);
     const auto wrong_pixels = [&] {
@@ -143,9 +168,10 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     model.fulfil(same_size);
     EXPECT_TRUE(model.facts().fixes.current);
     EXPECT_EQ(search.table->wrong, wrong);
-    const MeasuredFix first = search.table->rows.at(0);
-    EXPECT_GT(double(first.cured), 0.9 * double(wrong));
-    for (const auto& [key, value] : first.settings) set_setting(model.state.settings, key, value);
+    ASSERT_TRUE(search.table->fix());
+    const Trial first = *search.table->fix();
+    EXPECT_GT(double(first.cured), 0.8 * double(wrong));
+    for (const auto& [key, value] : first.changes) set_setting(model.state.settings, key, value);
     editor.settle();
     EXPECT_FALSE(model.facts().fixes.current) << "other settings now";
     ASSERT_TRUE(model.facts().error);

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "renderer/advise/fixes.h"
 #include "renderer/settings/param.h"
 #include "tests/support/text.h"
 #include "tests/ui/ui_harness.h"
@@ -10,8 +11,27 @@
 namespace si::test {
 namespace {
 
+/// Table with one fix.
+FixTable fix_of(SettingChanges changes) {
+    FixTable table;
+    table.rows = {{.candidate = {.name = "made up"}, .changes = std::move(changes)}};
+    return table;
+}
+PixelDiagnosis wrong_pixel(int light = 0) {
+    PixelDiagnosis d;
+    d.light = light;
+    d.right = false;
+    d.reference.cause.artefact = Artefact::Acne;
+    return d;
+}
+
 struct Keys : testing::Test {
     UiHarness ui{1280, 720};
+    FixTable table;
+    void find_fix(SettingChanges changes) {
+        table = fix_of(std::move(changes));
+        ui.fixes = {.running = {}, .table = &table, .pixel = ui.state.probe_pixel, .current = true};
+    }
     Keys() { ui.frames(3); }
     void key(int code) { ui.key(code); }
     std::string last_line() const {
@@ -20,21 +40,31 @@ struct Keys : testing::Test {
     Settings& settings() { return ui.state.settings; }
 };
 
-TEST_F(Keys, CAppliesOnlyTheFixOfTheShownLight) {
-    settings().light_count = 2;
-    PixelDiagnosis of_other;
-    of_other.light = 1;
-    of_other.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
-    PixelDiagnosis d;
-    d.fix = SuggestedFix{{{"bias.slope", "4.5"}, {"bias.normal", "1"}}, ""};
-    ui.diagnoses = {of_other, d};
+TEST_F(Keys, CAppliesTheFixThatWasTried) {
+    ui.diagnoses = {wrong_pixel()};
     ui.state.probe_pixel = glm::ivec2(3, 4);
+    find_fix({{"bias.slope", "4.5"}, {"bias.normal", "1"}});
     ui.frames(2);
     const Settings before = settings();
     key('C');
     EXPECT_EQ(settings().bias.slope, 4.5);
     EXPECT_EQ(settings().bias.normal, 1);
     EXPECT_EQ(ui.state.history.undo(), before) << "one step";
+}
+
+TEST_F(Keys, CAppliesNoFixOfAnotherPixelOrOtherSettings) {
+    ui.diagnoses = {wrong_pixel()};
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    find_fix({{"bias.slope", "4.5"}});
+    ui.fixes.pixel = glm::ivec2(5, 6);
+    ui.frames(2);
+    const Settings before = settings();
+    key('C');
+    EXPECT_EQ(settings(), before);
+    ui.fixes.pixel = ui.state.probe_pixel;
+    ui.fixes.current = false;
+    key('C');
+    EXPECT_EQ(settings(), before);
 }
 
 TEST_F(Keys, CWithoutAFixChangesNothing) {
@@ -44,15 +74,21 @@ TEST_F(Keys, CWithoutAFixChangesNothing) {
     const Settings before = settings();
     key('C');
     EXPECT_EQ(settings(), before);
-    EXPECT_EQ(test::lacking(last_line(), {"names none"}), "") << "but it is said";
+    EXPECT_EQ(test::lacking(last_line(), {"this pixel is right"}), "") << "but it is said";
+    ui.diagnoses = {wrong_pixel()};
+    find_fix({{"bias.slope", "4.5"}});
+    table.rows[0].why_not = "the mean error rises";
+    ui.frames(2);
+    key('C');
+    EXPECT_EQ(settings(), before);
+    EXPECT_EQ(test::lacking(last_line(), {"no tried change"}), "");
 }
 
 TEST_F(Keys, CPressedBeforeTheVerdictAppliesLater) {
-    PixelDiagnosis stale;
-    stale.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
-    ui.diagnoses = {stale};  // diagnosis of the previous picture
+    ui.diagnoses = {wrong_pixel()};  // diagnosis of the previous picture
     ui.verdict_follows = true;
     ui.state.probe_pixel = glm::ivec2(3, 4);
+    find_fix({{"bias.slope", "7"}});
     ui.frames(2);
     const Settings before = settings();
     key('C');
@@ -62,10 +98,12 @@ TEST_F(Keys, CPressedBeforeTheVerdictAppliesLater) {
     ui.diagnoses.clear();
     ui.frames(3);
     EXPECT_EQ(settings(), before);
-    PixelDiagnosis d;
-    d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, ""};
     ui.tracing_probe = false;
-    ui.diagnoses = {d};
+    ui.diagnoses = {wrong_pixel()};
+    ui.fixes = {.running = SearchProgress{"least bias", 0.1}};
+    ui.frames(2);
+    EXPECT_EQ(settings(), before) << "changes are being tried";
+    find_fix({{"bias.slope", "4.5"}});
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;

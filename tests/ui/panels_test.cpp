@@ -131,8 +131,9 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
     int drawn = 0;
     // A choice meets one tab by default, and all tabs in the full product.
     std::size_t choice = 0;
-    const std::vector<BottomTab> tabs = {BottomTab::Effects, BottomTab::Probe,    BottomTab::Error,  BottomTab::Objects,
-                                         BottomTab::Compare, BottomTab::Frontier, BottomTab::Advice, BottomTab::Log};
+    const std::vector<BottomTab> tabs = {BottomTab::Effects, BottomTab::Probe,   BottomTab::Error,
+                                         BottomTab::Objects, BottomTab::Compare, BottomTab::Frontier,
+                                         BottomTab::Improve, BottomTab::Log};
     for (const SettingRef& ref : every_setting()) {
         for (const Value& value : values_of(ref)) {
             ui.state.settings = Settings{};

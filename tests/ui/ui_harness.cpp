@@ -139,7 +139,7 @@ EditorRequests UiHarness::frame() {
         facts.fixes = fixes;
         static_cast<EffectsFacts&>(facts) = effects;
         if (effects.effects.empty()) facts.effects = effects_;
-        static_cast<AdvicePanelFacts&>(facts) = advice;
+        static_cast<ImproveFacts&>(facts) = advice;
         static_cast<LabFacts&>(facts) = lab;
         facts.health = health;
         facts.memory = memory;

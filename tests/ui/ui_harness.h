@@ -56,11 +56,11 @@ public:
     bool tracing_probe = false;
     bool verdict_follows = false;  ///< whether the probe belongs to an earlier picture
     std::optional<SearchProgress> tuning;
-    std::vector<TunedFamily> tuned;
+    std::vector<TunedBias> tuned;
     bool tuned_current = true;
     FixSearch fixes;
     EffectsFacts effects;  ///< effects to show; an empty list is replaced by the made-up frame's
-    AdvicePanelFacts advice;
+    ImproveFacts advice;
     LabFacts lab;
     const NumericHealth* health = nullptr;
     const MemoryReport* memory = nullptr;

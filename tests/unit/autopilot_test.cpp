@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/settings/depth_compare.h"
@@ -18,6 +19,7 @@ struct World {
     double now = 0;
     double seconds_each = 0;  ///< seconds a measured error or time
     double seconds_pair = 0;  ///< additional seconds of a paired time
+    double ms_noise = 0;      ///< noise of a frame time
     int classified = 0, timed = 0;
 
     static double ms(const Settings& s) {
@@ -30,9 +32,9 @@ struct World {
                    std::sqrt(double(s.lights[0].cascades)) +
                (s.map.format == MapFormat::D16 ? 1e-5 : 0) + (s.lights[0].contact > 0 ? 0 : 1e-5);
     }
-    AutopilotMeter meter() {
-        AutopilotMeter m;
-        m.classify = [this](const Settings& s, int) {
+    TrialMeter meter() {
+        TrialMeter m;
+        m.measure = [this](const Settings& s, int) {
             ++classified;
             now += seconds_each;
             const auto texels =
@@ -43,7 +45,7 @@ struct World {
                                              .map_bytes = texels * (s.map.format == MapFormat::D16 ? 2 : 4),
                                              .bytes_touched = texels * 4 + std::uint64_t(cost_of(s).texels) * 1000}};
         };
-        m.ms = [this](const Settings& s) { return ++timed, now += seconds_each, ms(s); };
+        m.ms = [this](const Settings& s) { return ++timed, now += seconds_each, CostChange{ms(s), ms_noise}; };
         m.time = [this](const Settings& a, const Settings& b) {
             now += seconds_each + seconds_pair;
             return CostChange{ms(b) - ms(a), 1e-6};
@@ -209,6 +211,33 @@ TEST(Autopilot, TurnsOffOnlyActiveEffects) {
     EXPECT_TRUE(has(autopilot_axes(with_contact(), f), "light.0.cast"));
     EXPECT_TRUE(has(autopilot_axes(with_contact(), f), "light.0.contact"));
     for (const SweepAxis& axis : plain) EXPECT_EQ(axis.values.front(), "") << "as it is";
+}
+
+/// A time within noise of the limit decides nothing.
+TEST(Autopilot, HoldsIsUnknownWithinNoiseAndWithoutATime) {
+    World world{.ms_noise = 1e9};
+    const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.max_ms = 4}, world.meter());
+    EXPECT_FALSE(r.goals_met);
+    for (const AutopilotCase& c : r.cases) EXPECT_FALSE(c.holds);
+    World sure;
+    const AutopilotResult known = run_autopilot(Settings{}, axes_of(false), {.max_error = 0.001}, sure.meter());
+    for (const AutopilotCase& c : known.cases) EXPECT_EQ(c.holds.has_value(), c.ms.has_value());
+    EXPECT_TRUE(std::ranges::any_of(known.cases, [](const AutopilotCase& c) { return !c.holds; }));
+}
+
+/// A search that is stopped keeps the best case so far.
+TEST(Autopilot, StopsWithWhatIsThere) {
+    World world;
+    int measured = 0;
+    TrialMeter meter = world.meter();
+    meter.measure = [&, measure = meter.measure](const Settings& s, int light) {
+        if (++measured > 20) throw Cancelled();
+        return measure(s, light);
+    };
+    const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.max_error = 0.01}, meter);
+    EXPECT_TRUE(r.stopped);
+    EXPECT_EQ(r.cases.size(), 20u);
+    EXPECT_FALSE(r.untried.empty());
 }
 
 }  // namespace

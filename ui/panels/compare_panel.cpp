@@ -22,6 +22,7 @@ std::string reference_label(const CompareWith& with) {
     if (with.kind == CompareKind::Preset) return with.preset;
     return with.kind == CompareKind::Scene      ? "the scene's own settings"
            : with.kind == CompareKind::Defaults ? "the program's defaults"
+           : with.kind == CompareKind::Tried    ? "the tried settings"
                                                 : "pinned A";
 }
 

@@ -13,8 +13,9 @@ struct PresetEntry;
 struct PresetRequests;
 struct PresetsFacts;
 
-/// Source of the settings that the panel Compare compares with. Pinned: PictureState::pinned.
-enum class CompareKind { Scene, Defaults, Preset, Pinned };
+/// Source of the settings that the panel Compare compares with. Pinned: PictureState::pinned. Tried:
+/// PictureState::tried.
+enum class CompareKind { Scene, Defaults, Preset, Pinned, Tried };
 /// Choice of the settings that the panel Compare compares with.
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;

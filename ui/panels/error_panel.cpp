@@ -8,7 +8,6 @@
 
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
-#include "ui/panels/fixes_table.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/setting_widgets.h"
@@ -163,9 +162,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     labelled("Every n-th pixel", "truth.step", em * 4);
     same_line_if_fits(em * 4);
     save_button(state, frame, requests);
-    same_line_if_fits(em * 6);
-    draw_fixes_button(frame.fixes, requests, {}, frame.result && frame.scene,
-                      frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
+    same_line_if_fits(button_width("Improve..."));
+    if (ImGui::Button("Improve...")) state.window.open_tab = BottomTab::Improve;
+    plain_tooltip("Fixes of the picture, the least bias, and settings that it can do without: tab Improve");
     const std::string tour = artefact_tour_text(state), status = reference_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     same_line_if_fits(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
@@ -177,7 +176,6 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) requests.cancel_reference = true;
     }
-    draw_fixes_table(s, frame.fixes, requests, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;

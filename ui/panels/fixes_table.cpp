@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 
 #include "renderer/advise/fixes.h"
@@ -16,35 +17,61 @@
 namespace si {
 namespace {
 
-std::string about(const MeasuredFix& fix, const FixTable& table) {
+void apply(const SettingChanges& changes, Settings& settings) {
+    for (const auto& [key, value] : changes) set_setting(settings, key, value);
+}
+
+std::string about(const Trial& t, const FixTable& table) {
     std::string text;
-    for (const auto& [key, value] : fix.settings) text += fmt::format("{} = {}\n", key, value);
+    for (const auto& [key, value] : t.changes) text += fmt::format("{} = {}\n", key, value);
+    if (!t.why_not.empty()) text += fmt::format("No fix: {}\n", t.why_not);
+    text += fmt::format("{} px wrong, {} now; mean error {:.4g}, {:.4g} now\n", wrong_pixels(t.metrics), table.wrong,
+                        t.after.error, t.before.error);
     for (const ArtefactStyle& style : artefact_styles())
         if (const std::size_t all = table.wrong_of[std::size_t(style.artefact)]; all > 0)
-            text +=
-                fmt::format("{}: {} of {} made right\n", style.label, fix.cured_of[std::size_t(style.artefact)], all);
-    if (fix.ms)
-        text += fmt::format("time {} ms, noise {} ms, of the passes that it changes\n", signed_text(fix.ms->value),
-                            digits_text(fix.ms->noise));
+            text += fmt::format("{}: {} of {} put right\n", style.label, t.cured_of[std::size_t(style.artefact)], all);
+    if (t.pixel)
+        text +=
+            fmt::format("this pixel: visibility {:.2f}, {:.2f} is right\n", t.pixel->visibility, t.pixel->reference);
+    if (t.ms)
+        text += fmt::format("time {} ms a frame, noise {} ms\n", signed_text(t.ms->value), digits_text(t.ms->noise));
     return text + fmt::format("A click applies it; {} takes it back.", key_text(Command::Undo));
 }
 
-void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& settings) {
+/// Returns true when a trial helps: it lowers the error, and puts the watched pixel right.
+bool helps(const Trial& t) {
+    return t.is_drawn() && (t.why_not.empty() || (t.added_error() < 0 && t.pixel.value_or(PixelTrial()).right));
+}
+
+void row(const Trial& t, const FixTable& table, bool current, Settings& settings) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (!fix.untried.empty())
-        return ImGui::TextDisabled("%s: not tried, %s", fix.shown_name().c_str(), fix.untried.c_str());
-    const std::string mark = fix.pixel_right.value_or(true) ? "" : "  (this pixel stays wrong)";
+    const std::string name = t.candidate.shown_name();
+    if (!t.is_drawn()) return ImGui::TextDisabled("%s: not tried, %s", name.c_str(), t.candidate.untried.c_str());
     ImGui::BeginDisabled(!current);
-    if (ImGui::Selectable((fix.shown_name() + mark).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
-        for (const auto& [key, value] : fix.settings) set_setting(settings, key, value);
+    const std::string label = (t.why_not.empty() ? "Fix: " : "") + name;
+    if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) apply(t.changes, settings);
     ImGui::EndDisabled();
-    plain_tooltip(about(fix, table), ImGuiHoveredFlags_AllowWhenDisabled);
+    plain_tooltip(about(t, table), ImGuiHoveredFlags_AllowWhenDisabled);
     const ImU32 plain = current ? theme::text() : theme::muted();
-    text_cell(std::to_string(fix.cured), plain);
-    text_cell(std::to_string(fix.broken), fix.broken == 0 ? theme::muted() : plain);
-    text_cell(time_text(fix.ms), plain);
-    text_cell(map_bytes_text(fix.map_bytes), plain);
+    text_cell(std::to_string(t.cured), plain);
+    text_cell(std::to_string(t.broken), t.broken == 0 ? theme::muted() : plain);
+    text_cell(fmt::format("{:+.2g}", t.added_error()), plain);
+    text_cell(time_text(t.ms), plain);
+    text_cell(map_bytes_text(t.map_bytes()), plain);
+}
+
+void rows(const char* id, const FixSearch& search, bool helping, Settings& settings) {
+    if (!begin_table(id, ImGuiTableFlags_SizingFixedFit,
+                     {{"change"}, {"right"}, {"broken"}, {"error"}, {"time"}, {"maps"}}))
+        return;
+    int number = 0;
+    for (const Trial& t : search.table->rows) {
+        ImGui::PushID(number++);
+        if (helps(t) == helping) row(t, *search.table, search.current, settings);
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
 }
 
 }  // namespace
@@ -52,37 +79,42 @@ void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& 
 void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                        bool wrong) {
     if (search.running) {
-        const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
+        const std::string text = fmt::format("{}  {}", progress_text(*search.running), search.running->about);
         ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
         ImGui::SameLine();
         if (ImGui::Button("Cancel##cures")) requests.cancel_fixes = true;
         return;
     }
     if (button_if(ready && wrong, "Find fixes")) requests.find_fixes = FixRequest{pixel};
-    plain_tooltip(
-        wrong ? "Measures each change that may help: pixels made right, pixels broken, time and bytes of the maps."
-              : "Nothing is wrong here.",
-        ImGuiHoveredFlags_AllowWhenDisabled);
+    plain_tooltip(wrong ? "Draws and measures each change that may help: pixels put right and broken, error, time and "
+                          "bytes. A fix\n"
+                          "makes nothing worse and costs at most twice the shadow's time and bytes."
+                        : "Nothing is wrong here.",
+                  ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel) {
+    return search.table && search.current && search.pixel == pixel ? search.table->fix() : nullptr;
 }
 
 void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& requests,
                       std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
-    if (search.current)
-        ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);
-    else
+    const FixTable& table = *search.table;
+    if (!search.current)
         ImGui::TextDisabled("of other settings: search again");
+    else if (table.fix())
+        ImGui::TextDisabled("%zu pixels are wrong now; %zu of %zu changes tried", table.wrong, table.drawn(),
+                            table.candidates);
+    else
+        ImGui::TextDisabled("No fix among %zu of %zu changes: none %s and makes nothing worse", table.drawn(),
+                            table.candidates, pixel ? "puts this pixel right" : "lowers the error");
     ImGui::SameLine();
     if (ImGui::SmallButton("Close##cures")) requests.forget_fixes = true;
-    if (!begin_table("cures", ImGuiTableFlags_SizingFixedFit, {{"fix"}, {"right"}, {"broken"}, {"time"}, {"maps"}}))
-        return;
-    int id = 0;
-    for (const MeasuredFix& fix : search.table->rows) {
-        ImGui::PushID(id++);
-        row(fix, *search.table, search.current, settings);
-        ImGui::PopID();
-    }
-    ImGui::EndTable();
+    if (std::ranges::any_of(table.rows, helps)) rows("cures", search, true, settings);
+    const auto others = std::ranges::count_if(table.rows, [](const Trial& t) { return !helps(t); });
+    if (others > 0 && ImGui::CollapsingHeader(fmt::format("{} others do not help###others", others).c_str()))
+        rows("others", search, false, settings);
 }
 
 }  // namespace si

@@ -10,10 +10,12 @@
 namespace si {
 
 struct FixTable;
+struct Trial;
 
 /// Request for a search for fixes of wrong pixels.
 struct FixRequest {
-    std::optional<glm::ivec2> pixel;  ///< pixel to make right; none: the whole picture
+    std::optional<glm::ivec2> pixel;  ///< pixel to put right; none: the whole picture
+    bool first = false;               ///< stops at the first fix
 };
 
 /// State and result of the search for fixes.
@@ -30,6 +32,9 @@ struct FixRequests {
     bool cancel_fixes = false;
     bool forget_fixes = false;  ///< drop the last result
 };
+
+/// Returns the fix that was found for a pixel under the present settings; null: none, or not yet.
+const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel);
 
 /// Draws the button that starts the search for fixes, or the progress of the search. @param pixel pixel to make right;
 /// none: the picture @param ready true: there is a picture @param wrong true: some pixel is wrong

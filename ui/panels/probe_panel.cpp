@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/advise/fixes.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/param.h"
@@ -191,25 +192,35 @@ void reference_column(const PixelDiagnosis& d) {
     ImGui::TextUnformatted(reference.c_str());
 }
 
-/// Formats the proposed fix with its equivalent depth bias: "Fix: Normal offset 0.445 texels (...)", the part in
-/// parentheses only if it fits.
-std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
-    const std::string brief = "Fix: " + fix_text(fix, settings);
-    const std::string whole = brief + equivalent_bias_text(fix);
-    return button_width(whole.c_str()) <= ImGui::GetContentRegionAvail().x ? whole : brief;
+/// Draws the fix of the probed pixel: a button once a tried change is one, else the state of the search.
+void fix_line(EditorState& state, const EditorFrame& frame) {
+    const FixSearch& search = frame.fixes;
+    if (const Trial* fix = found_fix(search, state.probe_pixel)) {
+        if (ImGui::SmallButton(fmt::format("Fix: {}", fix->candidate.shown_name()).c_str())) {
+            for (const auto& [key, value] : fix->changes) set_setting(state.settings, key, value);
+            return;
+        }
+        std::string text;
+        for (const auto& [key, value] : fix->changes) text += fmt::format("{} = {}\n", key, value);
+        plain_tooltip(fmt::format(
+            "{}Tried: this pixel gets visibility {:.2f}, {:.2f} is right; {} px are wrong then, {} "
+            "now.\nKey {}; {} takes it back",
+            text, fix->pixel ? fix->pixel->visibility : 0, fix->pixel ? fix->pixel->reference : 0,
+            wrong_pixels(fix->metrics), search.table->wrong, key_text(Command::ApplyFix), key_text(Command::Undo)));
+    } else if (search.running) {
+        ImGui::TextDisabled("trying %s...", search.running->about.c_str());
+    } else if (search.table && search.current && search.pixel == state.probe_pixel) {
+        ImGui::TextDisabled("No fix among %zu changes that were tried", search.table->drawn());
+    }
 }
 
-void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
+void classification(const Probe::PerLight& p, const PixelDiagnosis* d, EditorState& state, const EditorFrame& frame) {
     verdict(d ? d->verdict : p.verdict);
     if (d)
         coloured_wrapped(p.verdict, theme::muted());
-    else if (tracing)
+    else if (frame.tracing_probe)
         ImGui::TextDisabled("tracing the reference...");
-    if (!d || !d->fix) return;
-    if (ImGui::SmallButton(fix_label(*d->fix, settings).c_str()))
-        for (const auto& [key, value] : d->fix->settings) set_setting(settings, key, value);
-    plain_tooltip(fmt::format("Puts this pixel right: {}{}.\nKey {}; {} takes it back", fix_text(*d->fix, settings),
-                              equivalent_bias_text(*d->fix), key_text(Command::ApplyFix), key_text(Command::Undo)));
+    if (d && d->cause().artefact != Artefact::None && p.light == shown_light(state.settings)) fix_line(state, frame);
 }
 
 /// Layout of blocks in columns, as many as fit into the width.
@@ -266,9 +277,10 @@ void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& reque
 }
 
 /// Draws the verdict of one light's shadow test.
-void heading(const EditorFrame& frame, const Probe::PerLight& p, Settings& settings) {
-    if (p.casts) return classification(p, diagnosis_of(frame, p.light), frame.tracing_probe, settings);
-    verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(settings, p.light)) : p.verdict);
+void heading(EditorState& state, const EditorFrame& frame, const Probe::PerLight& p) {
+    if (p.casts) return classification(p, diagnosis_of(frame, p.light), state, frame);
+    verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(state.settings, p.light))
+                              : p.verdict);
 }
 
 /// Returns the width of the drawing left of the verdict, pixels; 0: too narrow for both.
@@ -315,7 +327,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
         ImGui::BeginGroup();
     }
     ImGui::PushID(probe->lights[first].light);
-    heading(frame, probe->lights[first], state.settings);
+    heading(state, frame, probe->lights[first]);
     ImGui::PopID();
     ImGui::BeginChild("reasons");
     for (std::size_t k = 0; k < probe->lights.size(); ++k) {
@@ -328,7 +340,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
             if (width > 0 && drawn > 0)
                 draw_section_view(state.probe_panel.section_views, frame.sections, i,
                                   {std::min(width, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize() * 15});
-            heading(frame, light, state.settings);
+            heading(state, frame, light);
         }
         if (light.casts) reasons(state, frame, requests, light);
         ImGui::PopID();

@@ -1,11 +1,14 @@
 // The panel Probe: facts about the probed pixel.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "renderer/inspect/section_drawing.h"
+#include "renderer/settings/settings.h"
 #include "ui/scene_view/probe_anchor.h"
 
 namespace si {
@@ -42,7 +45,14 @@ struct SectionViews {
 /// State of the panel Probe: its drawings, and a fix that waits for the pixel's verdict.
 struct ProbePanel {
     SectionViews section_views;
-    bool fix_waits = false;  ///< the fix was requested before its verdict was known
+    bool fix_waits = false;  ///< the fix was requested before it was found
+    /// Probed pixel and settings for which a fix was searched.
+    struct Searched {
+        glm::ivec2 pixel{0};
+        Settings settings;
+        bool operator==(const Searched&) const = default;
+    };
+    std::optional<Searched> searched;
 };
 
 }  // namespace si

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "renderer/advise/tuner.h"
+#include "renderer/advise/least_bias.h"
 #include "renderer/base/words_match.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/idle_reason.h"
@@ -183,9 +183,9 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
     if (table) ImGui::EndTable();
     if (group.prefix == "bias" && !filtered) {
         const std::string why_not = frame.result && frame.scene
-                                        ? reason_not_tunable(frame.result->lights, state.settings.view.light)
+                                        ? reason_without_bias(frame.result->lights, state.settings.view.light)
                                         : "there is no picture yet";
-        draw_tune_controls(state.tune, state.settings, frame, why_not, requests);
+        draw_tune_controls(state, frame, why_not, requests);
     }
     ImGui::PopID();
 }

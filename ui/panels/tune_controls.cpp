@@ -5,11 +5,13 @@
 
 #include <algorithm>
 
-#include "renderer/advise/tuner.h"
 #include "renderer/base/lengths_text.h"
+#include "ui/state/editor_ui.h"
+#include "ui/state/panels.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/text.h"
 
 namespace si {
@@ -54,50 +56,74 @@ std::string shown_length(double m) {
     return m == 0 ? "0" : metres_text(m);
 }
 
-/// Draws the table of all kinds of bias that the search tried.
-void families_table(std::span<const TunedFamily> families, bool current, Settings& settings) {
-    if (families.empty()) return;
+/// Draws the table of all rows of the bias table that the search tried.
+void biases_table(std::span<const TunedBias> biases, bool current, EditorState& state) {
+    if (biases.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");
-    if (!begin_table("tuned", ImGuiTableFlags_SizingStretchProp,
-                     {{.heading = "tried", .share = 2}, {"wrong px"}, {"strip"}, {"shift"}}))
+    if (!begin_table(
+            "tuned", ImGuiTableFlags_SizingStretchProp,
+            {{"##take"}, {.heading = "tried", .share = 2}, {"score"}, {"wrong"}, {"acne"}, {"gap"}, {"shift"}}))
         return;
-    for (const TunedFamily& f : families) {
+    int id = 0;
+    for (const TunedBias& b : biases) {
+        ImGui::PushID(id++);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        const bool taken = settings.bias == f.bias;
         ImGui::BeginDisabled(!current);
-        if (ImGui::Selectable(f.name.c_str(), taken, ImGuiSelectableFlags_SpanAllColumns)) settings.bias = f.bias;
+        if (ImGui::SmallButton("Take")) {
+            state.settings.bias = b.bias;
+            hide_tried(state);
+        }
+        plain_tooltip(fmt::format("Sets {}; {} takes it back", b.bias_text, key_text(Command::Undo)));
+        ImGui::TableNextColumn();
+        Settings with = state.settings;
+        with.bias = b.bias;
+        const bool seen = state.tried && state.tried->settings == with;
+        if (ImGui::Selectable(b.name.c_str(), seen || state.settings.bias == b.bias)) {
+            if (seen)
+                hide_tried(state);
+            else
+                show_tried(state, with);
+        }
         ImGui::EndDisabled();
         plain_tooltip(
-            fmt::format("{}{}\n{} pixels wrong, {} of them by the price of bias; {} px of acne\n"
-                        "lit strip at contacts {}, edges moved by {} (95 % of the lit surface)\nA click takes it; {} "
-                        "takes it back.",
-                        f.bias_text, f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
-                        shown_length(f.gap_p95_m), shown_length(f.shift_p95_m), key_text(Command::Undo)),
+            fmt::format("{}{}{}\n{:.1f} score: pixels wrong by more than a half, and the error of all others\n"
+                        "off the shadows' edges; {} px wrong, {} of them by the price of bias; {} px of acne\n"
+                        "lit gap at contacts {}, edges moved by {} (95 % of the lit surface)\n"
+                        "A click shows it right of the line in the picture; again: hides it",
+                        b.bias_text, b.least ? ": the least score" : "",
+                        b.clean ? ": the least score without acne" : "", b.score, b.wrong, b.lost, b.acne,
+                        shown_length(b.gap_p95_m), shown_length(b.shift_p95_m)),
             ImGuiHoveredFlags_AllowWhenDisabled);
-        ImGui::TableNextColumn();
-        if (f.acne > 0)
-            ImGui::TextDisabled("acne");
-        else
-            ImGui::Text("%zu", f.wrong);
-        text_cell(shown_length(f.gap_p95_m));
-        text_cell(shown_length(f.shift_p95_m));
+        text_cell(fmt::format("{:.0f}{}", b.score, b.least ? " *" : ""));
+        text_cell(std::to_string(b.wrong));
+        text_cell(std::to_string(b.acne));
+        text_cell(shown_length(b.gap_p95_m));
+        text_cell(shown_length(b.shift_p95_m));
+        ImGui::PopID();
     }
     ImGui::EndTable();
 }
 
 }  // namespace
 
-void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFacts& shown, const std::string& why_not,
+std::string progress_text(const SearchProgress& progress) {
+    const std::string share = fmt::format("{:.0f} %", 100 * progress.progress);
+    return progress.seconds_left > 0 ? fmt::format("{}, {} left", share, seconds_text(progress.seconds_left)) : share;
+}
+
+void draw_tune_controls(EditorState& state, const TunePanelFacts& shown, const std::string& why_not,
                         TuneRequests& requests) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     if (shown.tuning) {
-        const std::string text = fmt::format("{:.0f} %", 100 * shown.tuning->progress);
+        const std::string text = progress_text(*shown.tuning);
         ImGui::ProgressBar(float(shown.tuning->progress), {std::max(room - button_width("Cancel") - gap, 20.f), 0},
                            text.c_str());
         plain_tooltip("Trying " + shown.tuning->about);
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) requests.cancel_tune = true;
+        plain_tooltip("Stops with what is there");
+        biases_table(shown.tuned, shown.tuned_current, state);
         return;
     }
     ImGui::BeginDisabled(!why_not.empty());
@@ -106,11 +132,11 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
     const bool narrow = room - others < button_width("Auto bias");
     if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = TuneRequest{};
     plain_tooltip(
-        "Compares this picture with the ray-traced reference and sets the smallest constant bias, slope bias or\n"
-        "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
-        "One step of undo; the log says what it costs.");
+        "Compares this picture with the ray-traced reference under every kind of bias, at several strengths. Each\n"
+        "appears below as it is measured. The one with the least score is shown right of the line in the picture.\n"
+        "Take sets it.");
     if (!narrow) ImGui::SameLine();
-    if (ImGui::Button("No bias")) remove_bias(settings);
+    if (ImGui::Button("No bias")) remove_bias(state.settings);
     plain_tooltip(with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias));
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
@@ -118,8 +144,8 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
     ImGui::EndGroup();
     ImGui::EndDisabled();
     if (!why_not.empty()) plain_tooltip(why_not, ImGuiHoveredFlags_AllowWhenDisabled);
-    limits_popup(panel, requests);
-    families_table(shown.tuned, shown.tuned_current, settings);
+    limits_popup(state.tune, requests);
+    biases_table(shown.tuned, shown.tuned_current, state);
 }
 
 }  // namespace si

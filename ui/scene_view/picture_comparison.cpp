@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
@@ -42,6 +43,20 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 }
 
 }  // namespace
+
+void show_tried(EditorState& state, const Settings& settings) {
+    if (state.flicker) return;
+    state.tried = PinnedSettings{settings, state.scene_name};
+    state.compare = {CompareKind::Tried, {}};
+    state.comparison.reference = false;
+    state.comparison.view = ComparisonView::Swipe;
+}
+
+void hide_tried(EditorState& state) {
+    if (!std::exchange(state.tried, std::nullopt) || state.compare.kind != CompareKind::Tried) return;
+    state.compare = {};
+    state.comparison = {.view = ComparisonView::Off, .at = state.comparison.at};
+}
 
 ComparisonView chosen_comparison(const EditorState& state) {
     return (state.flicker ? state.flicker->picture_comparison : state.comparison).view;

@@ -120,8 +120,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
         draw_compare(state.compare, state.settings, state.pinned, state.scene_name, frame.comparison, frame, requests);
     });
     tab(state, BottomTab::Frontier, [&] { draw_frontier(state.sweep, state.settings, frame.sweep, requests); });
-    tab(state, BottomTab::Advice,
-        [&] { draw_advice_panel(state.advice, state.settings, frame.scene != nullptr, frame, requests); });
+    tab(state, BottomTab::Improve, [&] { draw_improve_panel(state, frame, requests); });
     tab(state, BottomTab::Lab,
         [&] { draw_lab(state.lab, state.settings, frame.scene, frame.result, frame, requests); });
     tab(state, BottomTab::Numbers, [&] { numbers_tab(state, frame, requests); });
@@ -288,6 +287,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     if (!keys_wait) dispatch_shortcuts(state, frame, requests);
     state.lights.listed = false;
     apply_waiting_fix(state, frame);
+    request_pixel_fix(state, frame, requests);
     const bool waits = follow_artefact_tour(state, frame);
 
     const ImGuiIO& io = ImGui::GetIO();

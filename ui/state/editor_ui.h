@@ -11,13 +11,13 @@
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/render/renderer.h"
 #include "ui/map_view/map_panel.h"
-#include "ui/panels/advice_panel.h"
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
+#include "ui/panels/improve_panel.h"
 #include "ui/panels/lab_panel.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/objects_panel.h"
@@ -54,6 +54,7 @@ struct PictureState {
     CompareWith compare;
     PictureComparison comparison;
     std::optional<PinnedSettings> pinned;
+    std::optional<PinnedSettings> tried;  ///< settings that a search proposes, shown before they are taken
     EffectsPanel effects;
     std::optional<glm::ivec2> probe_pixel;    ///< probed pixel of the scene picture, row 0 at the top
     std::optional<ProbeAnchor> probe_anchor;  ///< surface point that the probe follows, once it is known
@@ -91,7 +92,7 @@ struct EditorState : PictureState {
     ProbePanel probe_panel;
     SweepPanel sweep;
     TunePanel tune;
-    AdvicePanel advice;
+    ImprovePanel improve;
     LabPanel lab;
 };
 
@@ -115,7 +116,7 @@ struct EditorFrame : ProbeFacts,
                      MapPanelFacts,
                      PresetsFacts,
                      EffectsFacts,
-                     AdvicePanelFacts,
+                     ImproveFacts,
                      LabFacts,
                      HealthFacts {
     const FrameResult* result = nullptr;
@@ -148,7 +149,7 @@ struct EditorRequests : MapRequests,
                         TuneRequests,
                         FixRequests,
                         EffectsRequests,
-                        AdviceRequests,
+                        ImproveRequests,
                         LabRequests,
                         HealthRequests {
     int scene_width = 0;               ///< wanted width of the scene picture, pixels; 0: it is not shown

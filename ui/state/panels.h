@@ -80,6 +80,10 @@ void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::ve
 /// that the next comparison shows. Removes the pin if the present settings are pinned already. Does nothing during the
 /// flicker comparison.
 void pin_settings(EditorState& state);
+/// Shows settings right of the swipe's line, before they are taken.
+void show_tried(EditorState& state, const Settings& settings);
+/// Ends show_tried(), and the comparison that it began.
+void hide_tried(EditorState& state);
 /// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
 void begin_flicker(EditorState& state);
 /// Shows the present settings again, with the comparison that begin_flicker() has replaced.

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/advise/fixes.h"
 #include "renderer/base/index_of.h"
 #include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/measure/axes.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
@@ -67,26 +69,46 @@ void scale_resolution(Settings& settings, bool twice) {
 }
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
-    state.probe_panel.fix_waits = frame.result && verdict_follows(state, frame);
-    if (state.probe_panel.fix_waits)
-        return state.log.add(LogKind::Info, "The fix is made once the pixel's verdict is known");
-    for (const PixelDiagnosis& d : frame.diagnoses) {
-        if (d.light != shown_light(state.settings) || !d.fix) continue;
-        for (const auto& [key, value] : d.fix->settings) set_setting(state.settings, key, value);
+    const bool wrong = std::ranges::any_of(frame.diagnoses, [&](const PixelDiagnosis& d) {
+        return d.light == shown_light(state.settings) && d.cause().artefact != Artefact::None;
+    });
+    const FixSearch& search = frame.fixes;
+    const bool known = search.table && search.current && search.pixel == state.probe_pixel && !search.running;
+    const Trial* const fix = verdict_follows(state, frame) ? nullptr : found_fix(search, state.probe_pixel);
+    state.probe_panel.fix_waits = frame.result && !fix && (verdict_follows(state, frame) || (wrong && !known));
+    if (state.probe_panel.fix_waits) return state.log.add(LogKind::Info, "The fix is made once a tried change is one");
+    if (fix) {
+        for (const auto& [key, value] : fix->changes) set_setting(state.settings, key, value);
         return;
     }
     state.log.add(LogKind::Info,
                   !state.probe_pixel
                       ? with_key("No fix to apply: click a wrong pixel first, or go to one", Command::NextWrongPixels)
-                      : "No fix to apply: the verdict of this pixel names none");
+                  : wrong ? "No fix to apply: no tried change puts this pixel right and makes nothing worse"
+                          : "No fix to apply: this pixel is right");
 }
 
 void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
     if (!state.probe_panel.fix_waits) return;
+    const bool searched =
+        !frame.fixes.running && frame.fixes.table && frame.fixes.current && frame.fixes.pixel == state.probe_pixel;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // the click probes another pixel
         state.probe_panel.fix_waits = false;
-    else if (!verdict_follows(state, frame))
+    else if (!verdict_follows(state, frame) && (searched || found_fix(frame.fixes, state.probe_pixel) ||
+                                                std::ranges::all_of(frame.diagnoses, &PixelDiagnosis::right)))
         apply_fix(state, frame);
+}
+
+void request_pixel_fix(EditorState& state, const EditorFrame& frame, FixRequests& requests) {
+    const bool wanted = state.tab == BottomTab::Probe || state.probe_panel.fix_waits;
+    if (!wanted || !state.probe_pixel || !frame.result || !frame.scene || verdict_follows(state, frame)) return;
+    const ProbePanel::Searched now{*state.probe_pixel, measured_settings(state.settings)};
+    if (state.probe_panel.searched == now) return;
+    for (const PixelDiagnosis& d : frame.diagnoses) {
+        if (d.light != shown_light(state.settings) || d.cause().artefact == Artefact::None) continue;
+        state.probe_panel.searched = now;
+        requests.find_fixes = FixRequest{state.probe_pixel, true};
+    }
 }
 
 void toggle_pointed_quads(EditorState& state, const EditorFrame& frame) {

@@ -5,6 +5,8 @@
 
 namespace si {
 
+struct FixRequests;
+
 struct EditorFrame;
 struct EditorState;
 
@@ -20,6 +22,9 @@ void scale_resolution(Settings& settings, bool twice);
 void apply_fix(EditorState& state, const EditorFrame& frame);
 /// Applies a fix that apply_fix() has requested, once the verdict is known. Call once a frame.
 void apply_waiting_fix(EditorState& state, const EditorFrame& frame);
+/// Requests the search for a fix of the probed pixel once its verdict is known and wrong, if the panel Probe or a
+/// waiting fix needs it. Call once a frame.
+void request_pixel_fix(EditorState& state, const EditorFrame& frame, FixRequests& requests);
 
 /// Texel of a light's shadow map.
 struct TexelPlace {

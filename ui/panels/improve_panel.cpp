@@ -1,4 +1,4 @@
-#include "ui/panels/advice_panel.h"
+#include "ui/panels/improve_panel.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -8,6 +8,9 @@
 #include "renderer/advise/autopilot.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
+#include "ui/panels/fixes_table.h"
+#include "ui/panels/tune_controls.h"
+#include "ui/state/editor_ui.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
@@ -16,6 +19,12 @@
 
 namespace si {
 namespace {
+
+void heading(const char* text) {
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.2f});
+    ImGui::TextDisabled("%s", text);
+    ImGui::Separator();
+}
 
 using Changes = std::span<const std::pair<std::string, std::string>>;
 
@@ -47,17 +56,18 @@ void bound(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, least);
 }
 
-void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts& facts, AdviceRequests& requests) {
+void draw_advice_controls(ImprovePanel& panel, bool ready, const ImproveFacts& facts, ImproveRequests& requests) {
     if (facts.advising) {
         if (ImGui::Button("Cancel")) requests.cancel_advice = true;
-        progress_bar(facts.advising->progress, fmt::format("{:.0f} %", 100 * facts.advising->progress));
+        wrapped_tooltip("Stops with what is there");
+        progress_bar(facts.advising->progress, progress_text(*facts.advising));
         wrapped_tooltip(facts.advising->about);
         ImGui::TextWrapped("%s", facts.advising->about.c_str());
         return;
     }
     choose_cost("Times", panel.cost);
     ImGui::BeginDisabled(!ready);
-    if (ImGui::Button("Run")) requests.find_advice = AdviceRequest{.cost = panel.cost};
+    if (ImGui::Button("Advice")) requests.find_advice = AdviceRequest{.cost = panel.cost};
     wrapped_tooltip(
         "Measures error (against the ray-traced reference) and time of each change that may help, in the background. "
         "Nothing is changed.");
@@ -95,26 +105,28 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
     }
 }
 
-void advice_row(Settings& settings, const TriedAdvice& t, bool current) {
+void advice_row(Settings& settings, const Trial& t, bool current) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (t.why_not.empty()) apply_button(settings, t.settings, current);
+    if (t.why_not.empty()) apply_button(settings, t.changes, current);
     text_cell(time_text(t.ms));
-    wrapped_tooltip(fmt::format("{} ms a frame, ± {} ms (95 %)", signed_text(t.ms.value), digits_text(t.ms.noise)));
+    if (t.ms)
+        wrapped_tooltip(
+            fmt::format("{} ms a frame, ± {} ms (95 %)", signed_text(t.ms->value), digits_text(t.ms->noise)));
     text_cell(fmt::format("{:+.2g}", t.added_error()));
     wrapped_tooltip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
     ImGui::TableNextColumn();
-    const std::string text = t.why_not.empty() ? t.idea.sentence : t.idea.sentence + ": " + t.why_not;
+    const std::string text = t.why_not.empty() ? t.candidate.shown_name() : t.candidate.shown_name() + ": " + t.why_not;
     coloured_wrapped(text, t.why_not.empty() && current ? theme::text() : theme::muted());
-    wrapped_tooltip(list_of(t.settings));
+    wrapped_tooltip(list_of(t.changes));
 }
 
-void advice_list(Settings& settings, const std::vector<TriedAdvice>& list, bool current, const char* id) {
+void advice_list(Settings& settings, const std::vector<Trial>& list, bool current, const char* id) {
     if (list.empty() ||
         !begin_table(id, 0, {{"##apply", 3.4f}, {"time a frame", 6}, {"error", 4.5f}, {"what, and why"}}))
         return;
     int number = 0;
-    for (const TriedAdvice& t : list) {
+    for (const Trial& t : list) {
         ImGui::PushID(number++);
         advice_row(settings, t, current);
         ImGui::PopID();
@@ -126,8 +138,9 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
     ImGui::TextDisabled("Now %s %.4g, %s ms a frame %s", std::string(r.options.error->label).c_str(), r.before.error,
                         digits_text(r.time.total_ms.median).c_str(),
                         std::string(cost_row(r.options.cost).when).c_str());
-    if (!current) ImGui::TextDisabled("of other settings: run again");
-    if (r.holds.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
+    if (!current) ImGui::TextDisabled("of other settings: measure again");
+    if (r.holds.empty() && !r.fails.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
+    if (r.stopped) ImGui::TextDisabled("Stopped before all changes were tried.");
     advice_list(settings, r.holds, current, "advice");
     findings_list(settings, r, current);
     if (!r.fails.empty() &&
@@ -135,9 +148,9 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
         advice_list(settings, r.fails, current, "fails");
 }
 
-void show_flight(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
+void show_autopilot(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
     coloured_wrapped(r.summary, r.goals_met ? theme::text() : theme::warning());
-    if (!current) ImGui::TextDisabled("of other settings: run again");
+    if (!current) ImGui::TextDisabled("of other settings: measure again");
     if (r.goals_met) apply_button(settings, changes, current);
     for (const DroppedEffect& d : r.dropped)
         ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {:.3g} with it)",
@@ -148,20 +161,31 @@ void show_flight(Settings& settings, const AutopilotResult& r, bool current, Cha
 
 }  // namespace
 
-void draw_advice_panel(AdvicePanel& panel, Settings& settings, bool ready, const AdvicePanelFacts& facts,
-                       AdviceRequests& requests) {
+void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
-    ImGui::BeginChild("controls", {std::clamp(room * 0.3f, em * 17, em * 22), 0}, false);
-    draw_advice_controls(panel, ready, facts, requests);
+    const bool ready = frame.result && frame.scene;
+    ImGui::BeginChild("controls", {std::clamp(room * 0.4f, em * 20, em * 30), 0}, false);
+    const std::string why_not =
+        ready ? reason_without_bias(frame.result->lights, state.settings.view.light) : "there is no picture yet";
+    heading("Least bias");
+    draw_tune_controls(state, frame, why_not, requests);
+    heading("Wrong pixels of the picture");
+    draw_fixes_button(frame.fixes, requests, {}, ready, true);
+    heading("Time and error");
+    draw_advice_controls(state.improve, frame.scene != nullptr, frame, requests);
     ImGui::EndChild();
     ImGui::SameLine(0, em);
     ImGui::BeginChild("found", {0, 0}, false);
-    if (facts.advice)
-        show_report(settings, *facts.advice, facts.advice_current);
-    else if (facts.autopilot)
-        show_flight(settings, *facts.autopilot, facts.advice_current, facts.autopilot_changes);
-    else if (!facts.advising)
-        ImGui::TextDisabled("Run lists the settings that this scene can do without, with the gain of each change.");
+    draw_fixes_table(state.settings, frame.fixes, requests, {});
+    if (frame.advice)
+        show_report(state.settings, *frame.advice, frame.advice_current);
+    else if (frame.autopilot)
+        show_autopilot(state.settings, *frame.autopilot, frame.advice_current, frame.autopilot_changes);
+    else if (!frame.advising && !frame.fixes.table)
+        ImGui::TextWrapped(
+            "Each button draws and measures changes of the settings: Auto bias every kind of bias, Find fixes what "
+            "puts "
+            "wrong pixels right, Advice what saves time or lowers the error.");
     ImGui::EndChild();
 }
 

@@ -1,4 +1,4 @@
-// The panel Advice: measured changes of settings that the scene allows, and the autopilot.
+// The panel Improve: the least bias, fixes of the picture, advice and the autopilot. Each change is drawn and measured.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,14 @@
 
 namespace si {
 
-struct Settings;
+struct EditorFrame;
+struct EditorRequests;
+struct EditorState;
 struct AdviceReport;
 struct AutopilotResult;
 
-/// State of the panel Advice: largest error and longest frame time that the autopilot may reach.
-struct AdvicePanel : LimitFields {};
+/// State of the panel Improve: largest error and longest frame time that the autopilot may reach.
+struct ImprovePanel : LimitFields {};
 
 /// Request for a search. With a limit on error or time the autopilot runs, without one the search for advice.
 struct AdviceRequest {
@@ -25,24 +27,22 @@ struct AdviceRequest {
     std::optional<double> max_ms;     ///< longest time of a frame
 };
 
-/// Data that the panel Advice shows: progress and last results of advice and autopilot.
-struct AdvicePanelFacts {
+/// Data that the panel Improve shows: progress and last results of advice and autopilot.
+struct ImproveFacts {
     std::optional<SearchProgress> advising;      ///< under way
-    const AdviceReport* advice = nullptr;        ///< last result for this scene, if of advice
+    const AdviceReport* advice = nullptr;        ///< last result for this scene, also while it runs, if of advice
     const AutopilotResult* autopilot = nullptr;  ///< last result for this scene, if of the autopilot
     std::span<const std::pair<std::string, std::string>> autopilot_changes;  ///< setting keys and values
     bool advice_current = false;  ///< the result belongs to the present settings
 };
 
-/// Requests of the panel Advice to the application: start or cancel a search.
-struct AdviceRequests {
+/// Requests of the panel Improve to the application: start or cancel a search.
+struct ImproveRequests {
     std::optional<AdviceRequest> find_advice;
     bool cancel_advice = false;
 };
 
-/// Draws the panel Advice: measured changes that the scene can do with, and the autopilot.
-/// @param ready true: there is a scene to measure
-void draw_advice_panel(AdvicePanel& panel, Settings& settings, bool ready, const AdvicePanelFacts& facts,
-                       AdviceRequests& requests);
+/// Draws the panel Improve.
+void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Tests of the advice panel: requests of its buttons, displayed figures, and undo of applied advice.
+// Tests of the panel Improve: requests of its buttons, displayed figures, and undo of applied advice.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace {
 
 AdviceReport made_up_advice() {
     AdviceReport r;
-    TriedAdvice t;
-    t.idea.sentence = "nothing is seen of it";
-    t.settings = {{"filter.kernel", "hard"}, {"map.resolution", "512"}};
+    Trial t;
+    t.candidate.name = "nothing is seen of it";
+    t.changes = {{"filter.kernel", "hard"}, {"map.resolution", "512"}};
     t.before.error = 0.01;
     t.after.error = 0.0125;
-    t.ms = {-3.25, 0.5};
+    t.ms = CostChange{-3.25, 0.5};
     r.holds = {t};
-    t.idea.sentence = "this was hoped";
+    t.candidate.name = "this was hoped";
     t.why_not = "the error grows";
     r.fails = {t};
     r.findings = {{Severity::Error, "acne everywhere", "more bias", {{"bias.normal", "7"}}}};
@@ -29,42 +29,42 @@ AdviceReport made_up_advice() {
     return r;
 }
 
-class AdvicePanelTest : public ::testing::Test {
+class ImprovePanelTest : public ::testing::Test {
 protected:
     UiHarness ui{1600, 900};
     AdviceReport report = made_up_advice();
 
     void SetUp() override {
-        ui.state.window.open_tab = BottomTab::Advice;
+        ui.state.window.open_tab = BottomTab::Improve;
         ui.state.layout.bottom_height = 32;
         ui.frames(4);
-        ASSERT_EQ(ui.state.tab, BottomTab::Advice);
+        ASSERT_EQ(ui.state.tab, BottomTab::Improve);
     }
 };
 
-TEST_F(AdvicePanelTest, RequestsAdviceAndTheAutopilotWithItsBounds) {
-    ui.click(ui.find("controls", "", "Run"));
+TEST_F(ImprovePanelTest, RequestsAdviceAndTheAutopilotWithItsBounds) {
+    ui.click(ui.find("controls", "", "Advice"));
     ASSERT_TRUE(ui.last_requests.find_advice);
     EXPECT_FALSE(ui.last_requests.find_advice->max_error);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Camera);
-    ui.state.advice.max_error = 0.02;
-    ui.state.advice.bound_ms = true;
-    ui.state.advice.max_ms = 5;
-    ui.state.advice.cost = CostCase::Light;
+    ui.state.improve.max_error = 0.02;
+    ui.state.improve.bound_ms = true;
+    ui.state.improve.max_ms = 5;
+    ui.state.improve.cost = CostCase::Light;
     ui.frames(2);
     EXPECT_EQ(ui.lacking({"while the light moves"}), "");
     ui.click(ui.find("controls", "", "Autopilot"));
     EXPECT_EQ(ui.last_requests.find_advice->max_error, 0.02);
     EXPECT_EQ(ui.last_requests.find_advice->max_ms, 5);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Light);
-    ui.advice.advising = SearchProgress{"pcf5 at 512", 0.4};
+    ui.advice.advising = SearchProgress{"pcf5 at 512", 0.4, 90};
     ui.frames(2);
-    EXPECT_EQ(ui.lacking({"40%"}), "");
+    EXPECT_EQ(ui.lacking({"40 %, 2 min left"}), "");
     ui.click(ui.find("controls", "", "Cancel"));
     EXPECT_TRUE(ui.last_requests.cancel_advice);
 }
 
-TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
+TEST_F(ImprovePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
     ui.advice.advice = &report;
     ui.advice.advice_current = true;
     ui.frames(3);
@@ -89,14 +89,14 @@ TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
     EXPECT_EQ(ui.state.history.undo(), before) << "both settings in one step";
 }
 
-TEST_F(AdvicePanelTest, MarksAdviceForOtherSettings) {
+TEST_F(ImprovePanelTest, MarksAdviceForOtherSettings) {
     ui.advice.advice = &report;
     ui.advice.advice_current = false;
     ui.frames(3);
-    EXPECT_EQ(ui.lacking({"of other settings: run again"}), "");
+    EXPECT_EQ(ui.lacking({"of other settings: measure again"}), "");
 }
 
-TEST_F(AdvicePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
+TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     AutopilotResult flight;
     flight.goals_met = true;
     flight.summary = "hard at 512 holds it";
@@ -116,7 +116,7 @@ TEST_F(AdvicePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
 TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     TestEditor editor(editor_options("boxes", {"map.resolution=256"}));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Advice;
+    model.state.window.open_tab = BottomTab::Improve;
     model.state.layout.bottom_height = 27;
     editor.settle();
     const EditorRequests same_size = editor.requests();
@@ -133,7 +133,7 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     EXPECT_FALSE(model.facts().advice->holds.empty() && model.facts().advice->fails.empty());
     EXPECT_EQ(model.facts().advice->options.cost, CostCase::Forced);
     editor.frames(3);
-    write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "advice_panel.png", editor.picture());
+    write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "improve_panel.png", editor.picture());
     model.state.settings.bias.normal = 7;
     editor.settle();
     EXPECT_FALSE(model.facts().advice_current) << "other settings now";

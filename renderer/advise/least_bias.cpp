@@ -1,0 +1,289 @@
+#include "renderer/advise/least_bias.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/base/lengths_text.h"
+#include "renderer/measure/axes.h"
+#include "renderer/reference/distance_transform.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/lights/kernel_reach.h"
+
+namespace si {
+namespace {
+
+constexpr double kTie = 1e-3;            // share of the score, and of the mean error
+constexpr double kGapTie = 0.02;         // share of the gap
+constexpr double kPlaneConstant = 0.25;  // texels
+constexpr double kCoarse[] = {1, 0, 0.5, 2, 0.25, 4, 1 / 8., 1 / 16., 1 / 32., 1 / 64.};
+constexpr int kFine = 5;  // trials between the neighbours of the best coarse strength
+
+/// Returns pixels whose shadow in the reference is partial, or differs from that of a neighbour.
+std::vector<std::uint8_t> shadow_edges(const Reference& reference) {
+    const int w = reference.width, h = reference.height;
+    const FloatImage& hard = reference.hard();
+    std::vector<std::uint8_t> edge(reference.state.size());
+    const auto differ = [&](std::size_t i, std::size_t k) {
+        const bool counted = reference.state[i] == PixelState::Counted && reference.state[k] == PixelState::Counted;
+        if (counted && (hard.data[i] < 0.5f) != (hard.data[k] < 0.5f)) edge[i] = edge[k] = 1;
+    };
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            const std::size_t i = std::size_t(y) * std::size_t(w) + std::size_t(x);
+            const float v = reference.visibility.data[i];
+            if (v > 0 && v < 1) edge[i] = 1;
+            if (x + 1 < w) differ(i, i + 1);
+            if (y + 1 < h) differ(i, i + std::size_t(w));
+        }
+    return edge;
+}
+
+/// Returns the width of a pixel of the reference at a point, metres.
+double pixel_m(const MeasuredError& m, const glm::dvec3& position_ws) {
+    const double depth_m = glm::dot(m.camera.eye - position_ws, m.camera.axes[2]);
+    const double high = m.camera.orthographic ? m.camera.height : 2 * depth_m * std::tan(0.5 * m.camera.fov_y_rad);
+    return high / m.traced.reference->height;
+}
+
+/// Search of one row's strength with the least score.
+class StrengthSearch {
+public:
+    StrengthSearch(const BiasStart& start, const BiasMeter& meter, FoundBias& out)
+        : start_(start), meter_(meter), out_(out) {}
+
+    void run() {
+        if (!start_.has_strength()) {
+            measure(1);
+            return;
+        }
+        for (const double strength : kCoarse) measure(strength);
+        const auto best = std::ranges::min_element(tried_, {}, score);
+        const double middle = best->strength;
+        double lo = 0, hi = 2 * kCoarse[0] * 4;
+        for (const TriedBias& t : tried_) {
+            if (t.strength < middle) lo = std::max(lo, t.strength);
+            if (t.strength > middle) hi = std::min(hi, t.strength);
+        }
+        // The golden section halves the range least often for its number of trials.
+        constexpr double kGolden = 0.381966011250105;
+        double at = middle, least = best->trial.score;
+        for (int i = 0; i < kFine; ++i) {
+            const bool above = hi - at > at - lo;
+            const double next = above ? at + kGolden * (hi - at) : at - kGolden * (at - lo);
+            const double found = measure(next);
+            if (found < least) {
+                (above ? lo : hi) = at;
+                at = next;
+                least = found;
+            } else {
+                (above ? hi : lo) = next;
+            }
+        }
+    }
+
+private:
+    const BiasStart& start_;
+    const BiasMeter& meter_;
+    FoundBias& out_;
+    std::vector<TriedBias> tried_;
+
+    static double score(const TriedBias& t) { return t.trial.score; }
+    /// Keeps the trial in `list` if it is the first of its row there, or has a smaller score.
+    static void keep(std::vector<TriedBias>& list, const TriedBias& t) {
+        if (list.empty() || list.back().row != t.row)
+            list.push_back(t);
+        else if (t.trial.score < list.back().trial.score)
+            list.back() = t;
+    }
+    /// Measures a strength unless it has been. Returns its score.
+    double measure(double strength) {
+        const BiasSettings bias = start_.at_strength(strength);
+        const auto known = std::ranges::find(tried_, bias, &TriedBias::bias);
+        if (known != tried_.end()) return known->trial.score;
+        tried_.push_back({start_.row, strength, bias, meter_(bias)});
+        ++out_.trials;
+        keep(out_.rows, tried_.back());
+        if (tried_.back().trial.has_no_acne()) keep(out_.clean, tried_.back());
+        return tried_.back().trial.score;
+    }
+};
+
+std::string trial_text(const BiasTrial& before, const BiasTrial& after) {
+    std::string text = fmt::format(
+        "{} px wrong (was {}), acne {} px (was {}), gap at casters {} at the median, {} for 95 % (was {}, {})",
+        wrong_pixels(after.error), wrong_pixels(before.error), after.acne(), before.acne(),
+        metres_text(after.needs.gap_median_m), metres_text(after.needs.gap_p95_m),
+        metres_text(before.needs.gap_median_m), metres_text(before.needs.gap_p95_m));
+    if (after.needs.folds > 0)
+        text += fmt::format("; {} px stay a little darker in concave corners", after.needs.folds);
+    return text;
+}
+
+}  // namespace
+
+std::size_t BiasTrial::lost() const {
+    const auto pixels = [&](Artefact a) { return error.artefacts[std::size_t(a)]; };
+    return pixels(Artefact::PeterPanning) + pixels(Artefact::PeterPanningOffset) +
+           pixels(Artefact::PeterPanningRaster) + pixels(Artefact::OffsetShadow);
+}
+
+BiasScore::BiasScore(const MeasuredError& m, const Settings& settings, const RasterTraits& driver) {
+    const Reference& reference = *m.traced.reference;
+    const FittedLight& light = m.lights[std::size_t(m.light)];
+    const double reach_texels = kernel_reach_in_light(settings, light, m.map_resolution).edge;
+    const std::vector<float> distance_px = distance_to(shadow_edges(reference), reference.width, reference.height);
+    near_edge_.resize(reference.state.size());
+    for (std::size_t i = 0; i < near_edge_.size(); ++i) {
+        if (reference.state[i] != PixelState::Counted || !std::isfinite(distance_px[i])) continue;
+        const Receiver& r = m.traced.receivers->pixels[i];
+        const LightReceiver at = measured_bias_breakdown(m, settings, r, driver).receiver;
+        // A texel covers 1 / n.l of its width on the surface, and no more of the picture.
+        const double reach_m = reach_texels * at.texel_m / std::max(at.n_dot_l, 1e-3);
+        near_edge_[i] = distance_px[i] <= 1 + reach_m / pixel_m(m, r.position_ws);
+    }
+}
+
+double BiasScore::operator()(const MeasuredError& m) const {
+    const Reference& reference = *m.traced.reference;
+    double sum = 0;
+    for (std::size_t i = 0; i < near_edge_.size(); ++i) {
+        if (reference.state[i] != PixelState::Counted) continue;
+        if (m.classified[i].artefact != Artefact::None) sum += 1;
+        if (near_edge_[i]) continue;
+        const double error = std::abs(double(m.classified[i].visibility) - double(reference.visibility.data[i]));
+        const double noise = reference.is_area() ? double(reference.standard_error.data[i]) : 0;
+        if (error > 3 * noise) sum += error;
+    }
+    return sum;
+}
+
+std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings& settings,
+                                   const RasterTraits& driver) {
+    std::vector<BiasStart> out;
+    for (const Bias& row : biases()) {
+        std::optional<BiasSettings> least = least_bias_of_row(row, measured, settings, driver);
+        if (!least) continue;
+        if (row.gives_needed_bias && std::ranges::find(row.settings, "bias.constant") != row.settings.end())
+            least->constant = kPlaneConstant;
+        out.push_back({&row, *least});
+    }
+    // Rows that compute the needed bias by themselves come first: they take few trials.
+    std::ranges::stable_partition(out, [](const BiasStart& s) { return s.row->gives_needed_bias; });
+    return out;
+}
+
+const TriedBias* FoundBias::least_score(std::span<const TriedBias> tried) const {
+    const auto allowed = [&](const TriedBias& t) { return !max_gap_m || t.trial.needs.gap_p95_m <= *max_gap_m; };
+    double score = std::numeric_limits<double>::infinity(), error = score, gap = score;
+    for (const TriedBias& t : tried)
+        if (allowed(t)) score = std::min(score, t.trial.score);
+    const auto ties = [&](const TriedBias& t) { return allowed(t) && t.trial.score <= score * (1 + kTie) + 0.5; };
+    for (const TriedBias& t : tried)
+        if (ties(t)) error = std::min(error, t.trial.error.mae);
+    const auto both_tie = [&](const TriedBias& t) { return ties(t) && t.trial.error.mae <= error * (1 + kTie); };
+    for (const TriedBias& t : tried)
+        if (both_tie(t)) gap = std::min(gap, t.trial.needs.gap_p95_m);
+    for (const TriedBias& t : tried)
+        if (both_tie(t) && t.trial.needs.gap_p95_m <= gap * (1 + kGapTie)) return &t;
+    return nullptr;
+}
+
+std::string FoundBias::summary(bool no_acne) const {
+    if (before.needs.pixels == 0) return "nothing in the picture is lit within the map: no bias is needed";
+    const TriedBias* found = no_acne ? best_without_acne() : best();
+    const std::string within = max_gap_m ? fmt::format(" with a gap of at most {}", metres_text(*max_gap_m)) : "";
+    if (found)
+        return fmt::format("least bias{}{}: {}; {}{}", no_acne ? " without acne" : "", within, bias_text(found->bias),
+                           trial_text(before, found->trial), stopped ? "; stopped before all rows were tried" : "");
+    if (rows.empty()) return "no row of the bias table allows enough bias: a finer map or format is needed";
+    const auto nearest = std::ranges::min_element(rows, {}, [](const TriedBias& t) { return t.trial.acne(); });
+    if (no_acne && clean.empty())
+        return fmt::format("no bias is without acne: {} px remain under {}; a finer map or format is needed",
+                           nearest->trial.acne(), bias_text(nearest->bias));
+    return fmt::format("no bias{} was found; allow a wider gap", within);
+}
+
+FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
+                            const LeastBiasOptions& options, const TrialReport& report, const FoundBiasShown& shown) {
+    FoundBias out{.before = before, .rows = {}, .clean = {}, .max_gap_m = options.max_gap_m, .trials = 1};
+    if (before.needs.pixels == 0) return out;  // without lit pixels there is no acne
+    double all = 0, done = 0;
+    const auto usual_trials = [](const BiasStart& s) {
+        return s.has_strength() ? double(std::size(kCoarse) + kFine) : 1.0;
+    };
+    for (const BiasStart& s : starts) all += usual_trials(s);
+    try {
+        for (const BiasStart& s : starts) {
+            int within = 0;
+            const BiasMeter reporting = [&](const BiasSettings& bias) {
+                if (report)
+                    report((done + std::min(double(within++), usual_trials(s))) / all,
+                           fmt::format("{}: {}", s.row->label, bias_text(bias)));
+                return meter(bias);
+            };
+            StrengthSearch(s, reporting, out).run();
+            done += usual_trials(s);
+            if (shown) shown(out);
+        }
+    } catch (const Cancelled&) {
+        if (out.rows.empty()) throw;
+        out.stopped = true;
+    }
+    return out;
+}
+
+FoundBias find_least_bias(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                          const LeastBiasOptions& options, ReferenceCache& cache, const Workers& workers,
+                          const TrialReport& report, const FoundBiasShown& shown) {
+    const Settings base = measured_settings(settings);
+    const Workers quiet = workers.with_progress_range(0, 0);
+    const TrialMeter meter = renderer_trial_meter(renderer, scene, width, height,
+                                                  {.work = false, .reference = options.reference}, cache, quiet);
+    const RasterTraits& driver = renderer.driver();
+    if (report) report(0, "the present bias");
+    const MeasuredError first = *meter.measure(base, base.view.light).frame;
+    if (const std::string why = reason_without_bias(first.lights, base.view.light); !why.empty()) throw Error(why);
+    const BiasScore score(first, base, driver);
+    const auto trial = [&](const MeasuredError& m, const Settings& s) {
+        return BiasTrial{m.metrics, bias_needs(m, s, driver), score(m)};
+    };
+    const BiasMeter measure = [&](const BiasSettings& bias) {
+        Settings s = base;
+        s.bias = bias;
+        return trial(*meter.measure(s, s.view.light).frame, s);
+    };
+    return search_least_bias(trial(first, base), bias_starts(first, base, driver), measure, options, report, shown);
+}
+
+std::string reason_without_bias(std::span<const FittedLight> lights, int light) {
+    const auto i = std::size_t(std::max(light, 0));
+    if (i >= lights.size()) return fmt::format("there is no light {}: there is no bias to find", i);
+    if (lights[i].casts) return {};
+    return fmt::format("light {} draws no shadow map ({}): there is no bias to find", i, lights[i].reason);
+}
+
+std::string bias_text(const BiasSettings& b) {
+    Settings s;
+    s.bias = b;
+    const Bias& row = bias_of(s);
+    std::string text(row.gives_needed_bias ? row.key : "");
+    const auto add = [&](const char* key, double value, const char* unit) {
+        if (value != 0 && reads_setting(row, key))
+            text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", key, digits_text(value), unit);
+    };
+    const char* const unit = b.unit == BiasUnit::Texels ? " texels" : b.unit == BiasUnit::Metres ? " m" : "";
+    add("bias.constant", b.constant, unit);
+    add("bias.slope", b.slope, unit);
+    const auto beside = [&](const char* key, double value, const char* of) {
+        if (value != 0) text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", key, digits_text(value), of);
+    };
+    beside("bias.normal", b.normal, " texels");
+    beside("bias.raster_slope", b.raster_slope, "");
+    beside("bias.raster_units", b.raster_units, "");
+    return text.empty() ? "no bias" : text;
+}
+
+}  // namespace si

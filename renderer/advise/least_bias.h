@@ -1,0 +1,124 @@
+// Search for the least bias of a frame over all rows of the bias table. Each row is drawn at several strengths, and the
+// one with the least score is chosen.
+//
+//     const FoundBias found = find_least_bias(renderer, scene, settings, 1280, 720, {}, cache);
+//     if (found.best()) settings.bias = found.best()->bias;
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/advise/bias_needs.h"
+#include "renderer/advise/trial.h"
+
+namespace si {
+
+/// Largest share of the counted pixels with acne that counts as no acne.
+inline constexpr double kMaxAcneShare = 1e-4;
+
+/// Measured frame under one bias.
+struct BiasTrial {
+    ErrorMetrics error;
+    BiasNeeds needs;
+    /// Number of wrong pixels, plus the error of all pixels that are wrong by less and lie off the shadows' edges
+    /// (BiasScore).
+    double score = 0;
+    /// Returns the number of wrong pixels with acne.
+    std::size_t acne() const { return error.artefacts[std::size_t(Artefact::Acne)]; }
+    /// Returns the number of pixels that are wrong by too much bias: light that bias or normal offset lets in
+    /// (peter-panning), and shadow that normal offset casts (OffsetShadow).
+    std::size_t lost() const;
+    /// Returns true when acne is within kMaxAcneShare.
+    bool has_no_acne() const { return double(acne()) <= kMaxAcneShare * double(error.counted); }
+};
+
+/// Score of a bias: the sum of |V - R| over counted pixels where it exceeds three standard errors of the reference and
+/// no edge of the reference's shadow lies within the reach of the kernel, plus 1 for each wrong pixel. V: visibility in
+/// the picture, R: in the reference.
+class BiasScore {
+public:
+    /// Finds the pixels near edges. @param measured, settings a frame with the scored kernel, map and reference
+    BiasScore(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
+    /// Returns the score of a frame with the same reference.
+    double operator()(const MeasuredError& measured) const;
+
+private:
+    std::vector<bool> near_edge_;
+};
+
+/// Row of the bias table with its least bias by theory, from which strengths are multiples.
+struct BiasStart {
+    const Bias* row = nullptr;
+    BiasSettings least;  ///< strength 1
+    /// Returns the bias settings at a multiple of the bias by theory. At 0 the row has no amounts.
+    BiasSettings at_strength(double strength) const { return scale_bias(least, strength); }
+    /// Returns true when the row has amounts that the strength changes.
+    bool has_strength() const { return !(at_strength(1) == at_strength(0)); }
+};
+/// Computes the least bias by theory of each row of the bias table. Rows that compute it by themselves and add
+/// bias.constant get a quarter of a texel. Leaves out rows whose limits do not allow enough bias.
+std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
+
+/// Bias of one row of the bias table that was tried.
+struct TriedBias {
+    const Bias* row = nullptr;
+    double strength = 1;  ///< multiple of the bias by theory (BiasStart)
+    BiasSettings bias;
+    BiasTrial trial;
+};
+
+/// Result of a search for the least bias.
+struct FoundBias {
+    BiasTrial before;              ///< present bias
+    std::vector<TriedBias> rows;   ///< least score of each row, in the order of search
+    std::vector<TriedBias> clean;  ///< least score without acne of each row that has one
+    std::optional<double> max_gap_m;
+    int trials = 0;
+    bool stopped = false;  ///< stopped before all rows were tried
+    /// Returns the bias with the least score whose gap is within LeastBiasOptions::max_gap_m; null: none. Scores closer
+    /// than a thousandth tie; the smaller mean error, then the smaller gap at casters decides.
+    const TriedBias* best() const { return least_score(rows); }
+    /// Returns the bias with the least score among those without acne; null: none.
+    const TriedBias* best_without_acne() const { return least_score(clean); }
+    /// Returns the result in one sentence.
+    std::string summary(bool no_acne) const;
+
+private:
+    const TriedBias* least_score(std::span<const TriedBias> tried) const;
+};
+
+/// Options of a search for the least bias.
+struct LeastBiasOptions {
+    std::optional<double> max_gap_m;  ///< largest gap at casters, 95th percentile, metres
+    ReferenceOptions reference;       ///< reference to compare with
+};
+
+/// Function that draws a frame under a bias and measures it.
+using BiasMeter = std::function<BiasTrial(const BiasSettings&)>;
+/// Receives the results so far, after each row.
+using FoundBiasShown = std::function<void(const FoundBias&)>;
+
+/// Searches the least bias among rows of the bias table: strengths by powers of two, then between the best ones. Draws
+/// nothing; the meter does. Stops with the results so far when the meter or the report throws Cancelled after the first
+/// trial.
+FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
+                            const LeastBiasOptions& options = {}, const TrialReport& report = {},
+                            const FoundBiasShown& shown = {});
+
+/// Searches the least bias of the light view.light with a renderer, on its thread.
+/// @param width, height of the picture in pixels
+/// @throws Cancelled before the first result; Error when the light draws no map
+FoundBias find_least_bias(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                          const LeastBiasOptions& options, ReferenceCache& cache, const Workers& workers = {},
+                          const TrialReport& report = {}, const FoundBiasShown& shown = {});
+
+/// Returns the reason why the bias of a light cannot be searched, such as a light without a map; empty: it can.
+/// @param light index of light.*
+std::string reason_without_bias(std::span<const FittedLight> lights, int light);
+
+/// Formats bias settings: "adaptive" or "bias.normal 3.1, bias.constant 0.02 texels".
+std::string bias_text(const BiasSettings& bias);
+
+}  // namespace si

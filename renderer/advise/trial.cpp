@@ -1,0 +1,153 @@
+#include "renderer/advise/trial.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <numeric>
+
+#include "renderer/base/lengths_text.h"
+#include "renderer/measure/axes.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+constexpr int kMinRounds = 3;
+constexpr int kMaxRounds = 8;
+constexpr int kRoundFrames = 2;
+constexpr double kMaxSeconds = 2;           // for one comparison of two settings
+constexpr double kMaxRelativeNoise = 0.01;  // share of the frame time below which a comparison ends
+
+double mean_of(const std::vector<double>& values) {
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    return values.empty() ? 0 : sum / double(values.size());
+}
+
+/// Times frames of two settings in alternating rounds, so that drift of the machine's speed affects both alike.
+CostChange difference_of(TimedFrames before, TimedFrames with, const Workers& workers) {
+    const auto round = [&](TimedFrames& frames) {
+        frames.warm_up();
+        TimeSamples samples;
+        for (int i = 0; i < kRoundFrames; ++i) samples.add(frames.draw_next());
+        return mean_of(samples.total_ms);
+    };
+    round(before);
+    round(with);  // programs are compiled
+    std::vector<double> more, base;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < kMaxRounds; ++i) {
+        if (workers.stop.stop_requested()) throw Cancelled();
+        const bool there = i % 2 == 0;
+        const double a = there ? round(before) : 0, b = round(with), c = there ? a : round(before);
+        base.push_back(c);
+        more.push_back(b - c);
+        const double noise = half_interval(more), value = mean_of(more);
+        const bool sharp = noise < kMaxRelativeNoise * mean_of(base) || std::abs(value) > 2 * noise;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        if (i + 1 >= kMinRounds && (sharp || spent.count() > kMaxSeconds)) break;
+    }
+    return {mean_of(more), half_interval(more)};
+}
+
+/// Returns the work of a frame of which only the lights' maps are known.
+WorkCost map_cost(const Settings& s, const MeasuredError& measured) {
+    FrameResult maps;
+    maps.lights = measured.lights;
+    maps.map_resolution = measured.map_resolution;
+    return work_cost(s, maps);
+}
+
+}  // namespace
+
+SettingChanges setting_changes(const Settings& base, const Settings& with) {
+    SettingChanges out;
+    for (const SettingRef& ref : differing_settings(base, with))
+        out.emplace_back(setting_key(ref), value_text(*ref.param, get_value(with, ref)));
+    return out;
+}
+
+std::string time_text(const std::optional<CostChange>& ms) {
+    if (!ms) return "-";
+    return ms->is_significant() ? signed_text(ms->value) + " ms" : "< noise";
+}
+
+std::string map_bytes_text(long long bytes) {
+    if (bytes == 0) return "same";
+    const bool large = std::abs(bytes) >= 1 << 20;
+    return fmt::format("{:+.0f} {}", double(bytes) / (large ? 1 << 20 : 1 << 10), large ? "MiB" : "KiB");
+}
+
+std::size_t wrong_pixels(const ErrorMetrics& error) {
+    return std::accumulate(error.artefacts.begin() + 1, error.artefacts.end(), std::size_t(0));
+}
+
+double Trial::tolerance() const {
+    const double noise = std::isfinite(before.noise) ? before.noise : 0;
+    return std::max({kSameErrorShare * before.error, kSameError, noise / 10});
+}
+
+Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
+                    std::optional<std::size_t> pixel) {
+    Trial t{.candidate = std::move(candidate), .changes = {}, .before = before, .after = {}};
+    t.changes = setting_changes(base, t.candidate.settings);
+    t.before.frame.reset();
+    if (!t.is_drawn()) return t;
+    t.after = meter.measure(t.candidate.settings, t.candidate.light);
+    const auto with = std::exchange(t.after.frame, nullptr), was = before.frame;
+    if (before.camera.eye != t.after.camera.eye ||
+        before.camera.clip_from_relative(before.camera.eye) != t.after.camera.clip_from_relative(t.after.camera.eye))
+        t.candidate.untried = "the camera looks through this light and would move with it";
+    if (!with || !was) return t;
+    if (with->map_resolution != t.candidate.settings.map.resolution &&
+        t.candidate.settings.map.resolution != base.map.resolution)
+        t.candidate.untried =
+            fmt::format("maps of that size need too much memory; {}² would be drawn", with->map_resolution);
+    t.metrics = with->metrics;
+    for (std::size_t i = 0; i < was->classified.size(); ++i) {
+        const Artefact cause = was->classified[i].artefact;
+        const bool is_wrong = with->classified[i].artefact != Artefact::None;
+        if (cause != Artefact::None && !is_wrong) {
+            ++t.cured;
+            ++t.cured_of[std::size_t(cause)];
+        }
+        t.broken += cause == Artefact::None && is_wrong;
+    }
+    if (pixel)
+        t.pixel = PixelTrial{with->classified[*pixel].visibility, with->traced.reference->visibility.data[*pixel],
+                             with->classified[*pixel].artefact == Artefact::None};
+    return t;
+}
+
+TrialMeter renderer_trial_meter(Renderer& renderer, const Scene& scene, int width, int height,
+                                const TrialOptions& options, ReferenceCache& cache, const Workers& workers) {
+    const FrameRequest request{.width = width, .height = height};
+    TrialMeter meter;
+    meter.measure = [=, &renderer, &scene, &cache, &workers](const Settings& s, int light) {
+        if (workers.stop.stop_requested()) throw Cancelled();
+        FrameRequest own = request;
+        trace_sources(renderer, scene, s, own, cache, workers);
+        const auto m = std::make_shared<const MeasuredError>(measure_error(
+            renderer, scene, s, own, light, options.reference.value_or(reference_options(s)), cache, workers));
+        own.force = true;
+        const Metric& metric = *options.error;
+        return MeasuredSettings{distance_from_best(metric.better, metric.value(m->metrics)), m->traced.reference->noise,
+                                options.work ? work_cost(s, renderer.render(scene, s, own)) : map_cost(s, *m),
+                                m->camera, m};
+    };
+    meter.time = [=, &renderer, &scene, &cache, &workers](const Settings& before, const Settings& with) {
+        const auto frames = [&](const Settings& s) {
+            return TimedFrames(renderer, scene, s, request, options.cost, cache, workers);
+        };
+        return difference_of(frames(before), frames(with), workers);
+    };
+    meter.ms = [=, &renderer, &scene, &workers](const Settings& s) {
+        const Spread time = Measurer(renderer, width, height, workers)
+                                .time(scene, s, options.cost, {.least = 3, .most = 6, .bursts = 2, .over_s = 0.15})
+                                .total_ms;
+        return CostChange{time.median, time.noise()};
+    };
+    meter.now_s = BurstClock::steady().now_s;
+    return meter;
+}
+
+}  // namespace si

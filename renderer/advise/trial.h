@@ -1,0 +1,138 @@
+// Trials: candidate settings that are drawn, compared with the reference and timed. Fixes, advice, the autopilot and
+// the search for the least bias are rules that choose among trials.
+//
+//     TrialMeter meter = renderer_trial_meter(renderer, scene, 1280, 720, {}, cache, workers);
+//     const MeasuredSettings now = meter.measure(settings, settings.view.light);
+//     const CostChange more = meter.time(settings, candidate.settings);
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/measure/measure.h"
+
+namespace si {
+
+/// Setting changes: keys and new values for set_setting().
+using SettingChanges = std::vector<std::pair<std::string, std::string>>;
+/// Lists the settings that differ between two sets. @param with the settings whose values are returned
+SettingChanges setting_changes(const Settings& base, const Settings& with);
+
+/// Measured frame time, or change of it, with its noise.
+struct CostChange {
+    double value = 0;  ///< milliseconds; a change below 0 is faster
+    double noise = 0;  ///< half the confidence interval, milliseconds
+    /// Returns true when the change of the frame time exceeds its noise.
+    bool is_significant() const { return std::abs(value) > noise; }
+};
+/// Formats a change of the frame time: "+1.2 ms", "< noise", or "-" when not timed.
+std::string time_text(const std::optional<CostChange>& ms);
+/// Formats a change of the maps' memory: "+12 MiB", or "same".
+std::string map_bytes_text(long long bytes);
+
+/// Measured error and work of one frame under given settings.
+struct MeasuredSettings {
+    double error = 0;  ///< distance_from_best() of the metric
+    double noise = 0;  ///< noise of the reference; NaN: unknown
+    WorkCost work;     ///< without TrialOptions::work only the memory of the maps
+    Camera camera;
+    std::shared_ptr<const MeasuredError> frame = nullptr;  ///< classified pixels; null in tests without a renderer
+};
+
+/// Returns the number of wrong pixels of all causes.
+std::size_t wrong_pixels(const ErrorMetrics& error);
+
+/// Functions that measure settings: by the renderer (renderer_trial_meter()), or by a test's model.
+struct TrialMeter {
+    /// Draws a frame and measures the error of one light.
+    std::function<MeasuredSettings(const Settings&, int light)> measure;
+    /// Times frames of two settings in alternating rounds. Returns the milliseconds per frame that the second adds.
+    std::function<CostChange(const Settings& before, const Settings& with)> time;
+    std::function<CostChange(const Settings&)> ms = nullptr;  ///< times frames of one setting
+    std::function<double()> now_s = nullptr;                  ///< present time in seconds, by any clock
+};
+
+/// Options of a trial meter: metric of the error, timed frames, reference.
+struct TrialOptions {
+    const Metric* error = &metrics().front();        ///< metric of MeasuredSettings::error; not Better::Neither
+    CostCase cost = kDefaultCost;                    ///< kind of frames that are timed
+    bool work = true;                                ///< draws each frame once more to count its work
+    std::optional<ReferenceOptions> reference = {};  ///< none: reference_options() of the settings
+};
+
+/// Makes a trial meter that draws and times frames with a renderer. The arguments must outlive the meter.
+/// @param width, height of the picture in pixels
+TrialMeter renderer_trial_meter(Renderer& renderer, const Scene& scene, int width, int height,
+                                const TrialOptions& options, ReferenceCache& cache, const Workers& workers);
+
+/// Benefit that a rule claims for a setting change. The measurement confirms or rejects the claim.
+enum class Claim {
+    Same,   ///< same error in less time, or with fewer bytes
+    Right,  ///< fewer wrong pixels
+    Trade,  ///< less time for a little more error
+};
+
+/// Setting change to try.
+struct Candidate {
+    std::string name;            ///< the change, or the reason for it with its numbers
+    Settings settings;           ///< settings with the whole change
+    std::string untried = {};    ///< reason why the candidate is not drawn; empty: it is
+    std::string label = {};      ///< name for people; empty: `name`
+    std::string_view rule = {};  ///< AdviceRule::key; empty: a fix
+    Claim claim = Claim::Right;
+    int light = 0;  ///< light for which the error is measured, index of light.*
+    /// Returns the name of the candidate for people.
+    const std::string& shown_name() const { return label.empty() ? name : label; }
+};
+
+/// Visibility of one pixel under a candidate.
+struct PixelTrial {
+    float visibility = 1, reference = 1;
+    bool right = true;  ///< no artefact
+};
+
+/// Candidate that was drawn, with the present settings beside it.
+struct Trial {
+    Candidate candidate;
+    SettingChanges changes;
+    MeasuredSettings before, after;                  ///< without frames
+    std::optional<CostChange> ms;                    ///< change of the frame time; none: not timed
+    std::size_t cured = 0;                           ///< number of wrong pixels that become right
+    std::size_t broken = 0;                          ///< number of right pixels that become wrong
+    std::array<std::size_t, kArtefacts> cured_of{};  ///< cured pixels by cause
+    ErrorMetrics metrics;                            ///< of the frame with the change
+    std::optional<PixelTrial> pixel;                 ///< watched pixel
+    std::string why_not;                             ///< reason why the rule rejects the trial; empty: accepted
+    /// Returns true when the candidate was drawn.
+    bool is_drawn() const { return candidate.untried.empty(); }
+    /// Returns the error that the change adds; negative: the error falls.
+    double added_error() const { return after.error - before.error; }
+    /// Returns the largest added_error() at which the change still counts as leaving the error unchanged: a share of
+    /// the error before the change (kSameErrorShare), at least kSameError and a tenth of the reference's noise.
+    double tolerance() const;
+    /// Returns the bytes of maps and look-ups that the change adds; negative: saves.
+    long long more_bytes() const { return (long long)after.work.bytes_touched - (long long)before.work.bytes_touched; }
+    /// Returns the bytes of maps that the change adds.
+    long long map_bytes() const { return (long long)after.work.map_bytes - (long long)before.work.map_bytes; }
+    /// Returns the number of cured minus broken pixels.
+    long long gain() const { return (long long)cured - (long long)broken; }
+};
+
+/// Largest error added by a change that counts as none: as a share of the error before the change, and absolute.
+inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
+
+/// Draws a candidate and compares it with the present settings. A candidate that cannot be compared, such as one that
+/// moves the camera, gets Candidate::untried.
+/// @param before the present settings, with their frame @param pixel index of a pixel to watch, top row first
+Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
+                    std::optional<std::size_t> pixel = {});
+
+/// Receives the share of a search that is done, 0..1, and its present step. May throw Cancelled.
+using TrialReport = std::function<void(double share, const std::string& step)>;
+
+}  // namespace si

@@ -1,0 +1,42 @@
+// Tuning: the least bias of a frame and, with limits of error or time, the kernel and resolution that keep them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/advise/autopilot.h"
+#include "renderer/advise/least_bias.h"
+
+namespace si {
+
+/// Goals of tuning: limits of error, frame time and gap, and the largest resolution.
+struct TuneGoals {
+    std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
+    const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
+    int max_resolution = 8192;                 ///< largest map.resolution to try
+    CostCase cost = kDefaultCost;              ///< kind of frames that are timed for max_ms
+    bool no_acne = false;                      ///< bias with the least score among those without acne
+    std::optional<double> max_gap_m;           ///< largest gap at casters, metres
+    /// Returns true when there is a limit of error or time.
+    bool any() const { return max_error || max_ms; }
+};
+
+/// Result of tuning.
+struct Tuned {
+    FoundBias bias;
+    std::optional<AutopilotResult> limits;  ///< kernels and resolutions that were tried; none: without limits
+    std::optional<Settings> result;         ///< settings with the bias, kernel and resolution that were found
+    std::string summary;                    ///< the settings and their cost in a sentence, or why there are none
+};
+
+/// Searches the least bias of the light view.light, and with limits the best kernel and resolution with it.
+/// @param width, height of the picture in pixels @param shown receives the biases so far
+/// @throws Cancelled before the first result; Error when the light draws no map
+Tuned tune(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+           const TuneGoals& goals, ReferenceCache& cache, const Workers& workers = {}, const TrialReport& report = {},
+           const FoundBiasShown& shown = {});
+
+/// Replaces bias, kernel and resolution of `settings` by those that tuning found.
+void apply_tuning(Settings& settings, const Settings& found);
+
+}  // namespace si
