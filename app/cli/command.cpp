@@ -54,7 +54,8 @@ void CommandParser::add_session(bool scene_required) {
     add_scene()->required(scene_required);
     add_value("--preset", options_->session.preset, "F",
               "Start from a preset: a file or a built-in one (`list presets`)");
-    add_value("--set", options_->session.sets, "KEY=VALUE", "Set one setting; may be repeated, the last one wins")
+    add_value("--set", options_->session.sets, "KEY=VALUE",
+              "Set one setting; may be repeated, the last one wins. Another bias.kind brings its starting values")
         ->allow_extra_args(false);
     app_.add_flag_callback(
         "--no-cache", [] { light_maps().set_disk_folder({}); },

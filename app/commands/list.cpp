@@ -93,11 +93,11 @@ Json filter_rows() {
 Json bias_rows() {
     return technique_rows<Bias>(biases(), [](const Bias& b) -> Json {
         static constexpr const char* kStages[] = {"compare", "look-up", "raster"};
-        return {{"file", b.file},
-                {"stage", kStages[std::size_t(b.stage)]},
-                {"settings", b.settings},
-                {"per_texel", b.per_texel},
-                {"brings_need", b.gives_needed_bias}};
+        Json starts = Json::object();
+        for (const StartingValue& start : b.starts) starts[std::string(start.key)] = start.value;
+        return {{"file", b.file},           {"stage", kStages[std::size_t(b.stage)]},
+                {"settings", b.settings},   {"starts", starts},
+                {"per_texel", b.per_texel}, {"brings_need", b.gives_needed_bias}};
     });
 }
 

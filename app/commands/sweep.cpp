@@ -64,6 +64,7 @@ void run_sweep(const SweepOptions& options) {
     const fs::path folder = options.output;
     require_sweep_folder(folder);
     SessionPlan opened = plan_session(options.session);
+    hold_assigned(axes, assigned_keys(opened.sets));
     Session session = compose_session(opened, load_scene(opened.scene_name, scene_options(opened)));
     SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes),
                                 options.size.width, options.size.height);

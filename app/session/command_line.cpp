@@ -4,12 +4,13 @@
 
 #include "renderer/base/command_text.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings) {
     SessionPlan plan{.scene_name = scene_name, .preset = {}, .preset_path = {}, .sets = {}, .settings = {}};
-    for (const SettingRef& ref : differing_settings(base_settings(scene), settings)) {
+    for (const SettingRef& ref : settings_to_set(base_settings(scene), settings)) {
         plan.sets.push_back(setting_key(ref) + "=" + value_text(*ref.param, get_value(settings, ref)));
         apply_set(plan.settings, plan.sets.back());
     }

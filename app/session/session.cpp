@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
@@ -13,6 +14,7 @@
 #include "renderer/scene/placement.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 namespace {
@@ -32,6 +34,15 @@ std::string scene_of_preset(const Preset& preset, const std::string& preset_path
 bool is_one_scene(const std::string& scene, const SessionPlan& plan) {
     std::error_code error;
     return scene == plan.scene_name || fs::equivalent(scene, plan.scene_name, error);
+}
+
+/// Splits an assignment "KEY=VALUE" of --set. @throws UsageError
+std::pair<std::string, std::string> key_and_value(const std::string& assignment) {
+    // The last '=' separates: node paths may contain '=', values never do.
+    const auto equals = assignment.rfind('=');
+    if (equals == std::string::npos)
+        throw UsageError(fmt::format("--set \"{}\": must be KEY=VALUE, such as bias.slope=2", assignment));
+    return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
 /// @throws UsageError when the scene lacks the chosen camera; with `left_out`, the first one is chosen instead.
@@ -73,11 +84,26 @@ void check_objects(const Scene& scene, Settings& settings, const std::string& pr
 }
 
 void apply_set(Settings& settings, const std::string& assignment) {
-    // The last '=' separates: node paths may contain '=', values never do.
-    const auto equals = assignment.rfind('=');
-    if (equals == std::string::npos)
-        throw UsageError(fmt::format("--set \"{}\": must be KEY=VALUE, such as bias.slope=2", assignment));
-    set_setting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
+    const auto [key, value] = key_and_value(assignment);
+    set_setting(settings, key, value);
+}
+
+std::set<std::string> assigned_keys(std::span<const std::string> assignments) {
+    std::set<std::string> keys;
+    for (const std::string& assignment : assignments) {
+        const auto [key, value] = key_and_value(assignment);
+        const auto ref = find_setting(key);
+        if (!ref) continue;
+        keys.insert(setting_key(*ref));
+        for (const auto& [implied, unused] : implied_values(*ref, value)) keys.insert(setting_key(implied));
+    }
+    return keys;
+}
+
+void apply_sets(Settings& settings, std::span<const std::string> assignments) {
+    const Settings before = settings;
+    for (const std::string& assignment : assignments) apply_set(settings, assignment);
+    set_starting_values(before, settings, assigned_keys(assignments));
 }
 
 Settings base_settings(const Scene& scene) {
@@ -137,7 +163,7 @@ SessionPlan plan_session(const SessionOptions& options) {
     SessionPlan plan;
     plan.sets = options.sets;
     Settings trial;  // checked before the preset is read, so that a wrong --set is reported first
-    for (const std::string& assignment : plan.sets) apply_set(trial, assignment);
+    apply_sets(trial, plan.sets);
     plan.scene_name = options.scene;
     if (!options.preset.empty()) {
         plan.preset = load_preset(options.preset);
@@ -146,7 +172,7 @@ SessionPlan plan_session(const SessionOptions& options) {
     }
     if (plan.scene_name.empty()) plan.scene_name = std::string(builtin_scenes().front().key);
     if (plan.preset) plan.settings = plan.preset->settings;
-    for (const std::string& assignment : plan.sets) apply_set(plan.settings, assignment);
+    apply_sets(plan.settings, plan.sets);
     return plan;
 }
 
@@ -165,7 +191,7 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
         out.settings = base_settings(scene);
     }
     carry_settings(out.settings, out.settings.scene, moment);
-    for (const std::string& assignment : plan.sets) apply_set(out.settings, assignment);
+    apply_sets(out.settings, plan.sets);
     out.settings.scene = moment;
     check_objects(scene, out.settings, {}, left_out);
     check_camera(scene, out.settings.camera, left_out);

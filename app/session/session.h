@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,8 +63,13 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
 /// Opens a session: checks the options, loads the scene, poses it and composes the settings. @throws UsageError, Error
 Session open_session(const SessionOptions& options);
 
-/// Applies one assignment "KEY=VALUE" of --set to settings. @throws UsageError
+/// Applies one assignment "KEY=VALUE" of --set to settings, and nothing else. @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
+/// Applies all assignments of one command line in order. Another bias.kind brings its starting values along, except to
+/// settings that the assignments name, before or after it. @throws UsageError
+void apply_sets(Settings& settings, std::span<const std::string> assignments);
+/// Returns the keys of the settings that assignments name, with those that a value implies. @throws UsageError
+std::set<std::string> assigned_keys(std::span<const std::string> assignments);
 
 /// Returns the program's default settings with the scene's suggested settings applied. @throws Error when a suggestion
 /// names no setting

@@ -65,7 +65,9 @@ Json setting_info(const Json& axes) {
 std::string command_of(const Json& results, const Json& row) {
     std::string text = fmt::format("shadow-inspector edit {} --preset {}",
                                    shell_quoted(results.at("scene").at("name").get<std::string>()), kBasePreset);
-    for (const auto& [key, value] : row.at("settings").items())
+    Json sets = row.at("settings");
+    if (row.contains("starts")) sets.update(row["starts"]);
+    for (const auto& [key, value] : sets.items())
         text += " --set " + shell_quoted(key + "=" + value.get<std::string>());
     return text;
 }

@@ -49,6 +49,7 @@ MeasuredCase measured_case(const SweepRow& row) {
     out.number = int(row.number);
     out.failed = row.failed;
     out.settings = row.settings;
+    out.settings.insert(out.settings.end(), row.starts.begin(), row.starts.end());
     for (const auto& [key, value] : row.settings) {
         const auto [label, text] = words(key, value);
         out.name += (out.name.empty() ? "" : " \u00b7 ") + text;

@@ -47,6 +47,7 @@ Json run_json(const RunInfo& run, int ranked_rounds) {
 Json row_json(const SweepRow& row) {
     const CaseNumbers& n = row.numbers;
     Json json = {{"case", row.number}, {"settings", changes_json(row.settings)}};
+    if (!row.starts.empty()) json["starts"] = changes_json(row.starts);
     json["failed"] = row.failed.empty() ? Json() : Json(row.failed);
     json["error"] = n.error ? error_json(n.error->metrics, n.error->noise) : Json();
     json["cost"] = n.cost ? cost_json(*n.cost) : Json();
@@ -127,8 +128,12 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
         const auto known = state.cases.find(i);
         if (known == state.cases.end() || !(known->second.finished || !known->second.failed.empty())) continue;
         const CaseState& c = known->second;
-        SweepRow row{
-            .number = i, .settings = plan.cases[i].values, .failed = c.failed, .numbers = {}, .notes = c.notes};
+        SweepRow row{.number = i,
+                     .settings = plan.cases[i].values,
+                     .starts = plan.cases[i].starts,
+                     .failed = c.failed,
+                     .numbers = {},
+                     .notes = c.notes};
         (c.failed.empty() ? out.finished : out.failed) += 1;
         put_drawn_resolution(row, c.map_resolution);
         if (c.failed.empty()) row.numbers = {.error = c.error, .cost = c.cost, .time = {}};

@@ -30,6 +30,7 @@ TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 struct SweepRow {
     std::size_t number = 0;                                     ///< number of the case in the plan
     std::vector<std::pair<std::string, std::string>> settings;  ///< varied settings: key and value, as drawn
+    std::vector<std::pair<std::string, std::string>> starts;    ///< SweepCase::starts
     std::string failed;  ///< reason why the case has no numbers; empty: it has numbers
     CaseNumbers numbers;
     std::vector<std::string> notes;

@@ -16,7 +16,7 @@ RunInfo RenderedCases::run() {
 
 DrawnCase RenderedCases::facts(const SweepCase& c) {
     DrawnCase facts;
-    CaseSessions::Prepared prepared = sessions_.prepare(c.values);
+    CaseSessions::Prepared prepared = sessions_.prepare(c.sets());
     const Classification classified = measurer_.classify(prepared.scene, prepared.settings);
     facts.notes = std::move(prepared.notes);
     facts.error = {classified.error, classified.reference->noise};
@@ -31,7 +31,7 @@ DrawnCase RenderedCases::facts(const SweepCase& c) {
 }
 
 TimeSamples RenderedCases::time(const SweepCase& c, int frames, CostCase cost) {
-    const CaseSessions::Prepared prepared = sessions_.prepare(c.values);
+    const CaseSessions::Prepared prepared = sessions_.prepare(c.sets());
     return measurer_.time(prepared.scene, prepared.settings, frames, cost);
 }
 

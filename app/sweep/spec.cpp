@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <set>
 
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 
 namespace {
 
 constexpr int kMaxShards = 100'000;
+constexpr int kFirstWithStartingValues = 3;  ///< version of settings; earlier sweeps assign bias.kind plainly
 
 template <typename T>
 void add_array(Key& key, const SharedArray<T>& values) {
@@ -38,11 +41,17 @@ std::vector<SettingValue> values_named(const Json& settings, const std::vector<S
     return values;
 }
 
+std::set<std::string> held_keys(const Json& axis) {
+    return axis.value("held", std::set<std::string>());
+}
+
 std::string axes_text(const Json& axes) {
     std::vector<std::string> texts;
-    for (const Json& axis : axes)
+    for (const Json& axis : axes) {
         texts.push_back(fmt::format("{}={}", axis.at("key").get<std::string>(),
                                     fmt::join(axis.at("values").get<std::vector<std::string>>(), ",")));
+        for (const std::string& key : held_keys(axis)) texts.push_back(fmt::format("with --set {}", key));
+    }
     return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, " "));
 }
 
@@ -108,7 +117,10 @@ Json spec_json(const SweepSpec& spec) {
     for (const SettingRef& ref : changed_settings(spec.base))
         json["settings"][setting_key(ref)] = value_text(*ref.param, get_value(spec.base, ref));
     json["axes"] = Json::array();
-    for (const SweepAxis& axis : spec.axes) json["axes"].push_back({{"key", axis.key}, {"values", axis.values}});
+    for (const SweepAxis& axis : spec.axes) {
+        json["axes"].push_back({{"key", axis.key}, {"values", axis.values}});
+        if (!axis.held.empty()) json["axes"].back()["held"] = axis.held;
+    }
     json["shard"] = fmt::format("{}/{}", spec.shard.index, spec.shard.count);
     return json;
 }
@@ -123,9 +135,13 @@ SweepSpec spec_from_json(const Json& json, int settings_version) {
         spec.height = json["picture"].at("height").get<int>();
         spec.area = json.at("truth") == "area";
         for (const Json& axis : json.at("axes")) {
-            spec.axes.push_back({axis.at("key").get<std::string>(), axis.at("values").get<std::vector<std::string>>()});
+            spec.axes.push_back({axis.at("key").get<std::string>(), axis.at("values").get<std::vector<std::string>>(),
+                                 held_keys(axis)});
             if (spec.axes.back().values.empty()) throw Error(fmt::format("{} has no values", spec.axes.back().key));
         }
+        if (settings_version < kFirstWithStartingValues)
+            for (SweepAxis& axis : spec.axes)
+                if (const auto ref = find_setting(axis.key)) axis.held = keys_with_starting_values(*ref);
         spec.base =
             defaults_of_version(settings_version, configured_light_count(values_named(json.at("settings"), spec.axes)));
         for (const auto& [key, value] : json["settings"].items()) set_setting(spec.base, key, value.get<std::string>());

@@ -7,7 +7,7 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/axes.h"
-#include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 namespace {
@@ -61,7 +61,7 @@ WorkCost map_cost(const Settings& s, const MeasuredError& measured) {
 
 SettingChanges setting_changes(const Settings& base, const Settings& with) {
     SettingChanges out;
-    for (const SettingRef& ref : differing_settings(base, with))
+    for (const SettingRef& ref : settings_to_set(base, with))
         out.emplace_back(setting_key(ref), value_text(*ref.param, get_value(with, ref)));
     return out;
 }

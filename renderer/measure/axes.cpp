@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 namespace {
@@ -123,6 +124,18 @@ SweepAxis parse_axis(std::string_view text) {
     return axis;
 }
 
+std::vector<std::pair<std::string, std::string>> SweepCase::sets() const {
+    std::vector<std::pair<std::string, std::string>> all = values;
+    all.insert(all.end(), starts.begin(), starts.end());
+    return all;
+}
+
+void hold_assigned(std::vector<SweepAxis>& axes, const std::set<std::string>& assigned_keys) {
+    for (SweepAxis& axis : axes)
+        for (const std::string& key : keys_with_starting_values(*find_setting(axis.key)))
+            if (assigned_keys.contains(key)) axis.held.insert(key);
+}
+
 Settings without_ineffective_settings(Settings settings) {
     // Effect is tested under the given settings, so that the order of the rows does not matter.
     const Settings given = settings;
@@ -141,12 +154,13 @@ Settings measured_settings(Settings settings) {
 }
 
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
-    std::set<std::string> keys;
+    std::set<std::string> keys, held;
     SweepPlan plan;
     plan.product = 1;
     for (const SweepAxis& axis : axes) {
         if (!keys.insert(axis.key).second)
             throw UsageError(fmt::format("--vary {}: varied twice; put all its values into one --vary", axis.key));
+        held.insert(axis.held.begin(), axis.held.end());
         plan.product *= std::max<std::size_t>(axis.values.size(), 1);
         if (plan.product > kMaxSweepCases)
             throw UsageError(fmt::format("the sweep has more than {} cases; vary fewer settings or take larger steps",
@@ -160,6 +174,7 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
                         "--vary {0}: its value {1} stands for {2}={3} too, and {2} is varied by itself; name {0} by "
                         "choices that leave it open",
                         axis.key, value, setting_key(other), value_text(*other.param, meant)));
+    held.insert(keys.begin(), keys.end());
     const bool scene_varies =
         std::any_of(axes.begin(), axes.end(), [](const SweepAxis& a) { return a.key.starts_with("scene."); });
     std::set<std::string> seen;
@@ -176,6 +191,9 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
             c.values.emplace_back(axis.key, value);
             c.id += (c.id.empty() ? "" : " ") + axis.key + "=" + value;
         }
+        for (const auto& [key, value] : starting_values(base, c.settings))
+            if (!held.contains(std::string(key))) c.starts.emplace_back(key, value);
+        for (const auto& [key, value] : c.starts) set_setting(c.settings, key, value);
         const Settings measured = measured_settings(c.settings);
         if (!seen.insert(fingerprint(scene_varies ? measured : without_ineffective_settings(measured))).second)
             continue;

@@ -49,6 +49,12 @@ constexpr std::string_view kPlaneSettings[] = {"bias.constant", "bias.unit", "bi
 constexpr std::string_view kNormalSettings[] = {"bias.normal"};
 constexpr std::string_view kRasterSettings[] = {"bias.raster_slope", "bias.raster_units", "bias.raster_clamp"};
 
+// A normal offset of three texels prevents acne on a plane at any angle under the default kernel:
+// h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias/theory.h). The constant covers quantisation.
+constexpr StartingValue kStartsOfNumbers[] = {{"bias.unit", "texels"}, {"bias.constant", "0.1"}, {"bias.normal", "3"}};
+// Rows that compute the needed bias themselves need no number beside it.
+constexpr StartingValue kStartsOfNeededBias[] = {{"bias.constant", "0"}, {"bias.normal", "0"}};
+
 constexpr Bias kBiases[] = {
     {.key = "slope",
      .label = "Slope over constant",
@@ -56,6 +62,7 @@ constexpr Bias kBiases[] = {
              "normal and light. The compared depth is the same for all texels of the kernel.",
      .file = "biases/slope.glsl",
      .settings = kSlopeSettings,
+     .starts = kStartsOfNumbers,
      .amount = slope_bias},
     {.key = "constant",
      .label = "Constant",
@@ -63,6 +70,7 @@ constexpr Bias kBiases[] = {
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
      .file = "biases/constant.glsl",
      .settings = kConstantSettings,
+     .starts = kStartsOfNumbers,
      .amount = constant_bias},
     {.key = "receiver-plane",
      .label = "Receiver plane",
@@ -73,6 +81,7 @@ constexpr Bias kBiases[] = {
      .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006 (by screen derivatives)",
      .file = "biases/receiver_plane.glsl",
      .settings = kPlaneSettings,
+     .starts = kStartsOfNeededBias,
      .per_texel = true,
      .gives_needed_bias = true,
      .amount = receiver_plane_bias},
@@ -84,6 +93,7 @@ constexpr Bias kBiases[] = {
      .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006",
      .file = "biases/receiver_plane_derivatives.glsl",
      .settings = kPlaneSettings,
+     .starts = kStartsOfNeededBias,
      .per_texel = true,
      .gives_needed_bias = true,
      .by_derivatives = true,
@@ -95,6 +105,7 @@ constexpr Bias kBiases[] = {
              "strip beside casters. Normal offset and polygon offset are still added and are not needed.",
      .paper = "Dou, Yan, Kerzner, Dai, Wyman: Adaptive Depth Bias for Shadow Maps, JCGT 3(4), 2014",
      .file = "biases/adaptive.glsl",
+     .starts = kStartsOfNeededBias,
      .gives_needed_bias = true,
      .amount = adaptive_bias},
     {.key = "normal-offset",
@@ -133,7 +144,7 @@ double slope_amount(const BiasSettings& bias, double n_dot_l) {
 }
 
 int default_bias() {
-    static const int row = int(std::ranges::find(kBiases, "slope", &Bias::key) - std::begin(kBiases));
+    static const int row = int(std::ranges::find(kBiases, "adaptive", &Bias::key) - std::begin(kBiases));
     return row;
 }
 

@@ -31,6 +31,12 @@ struct BiasInput {
     double least_common = 0;     ///< least depth bias of the plane if all texels share one compared depth
 };
 
+/// Setting and the value that a choice brings along.
+struct StartingValue {
+    std::string_view key;
+    std::string_view value;  ///< text for set_setting()
+};
+
 /// Row of the bias table. The GLSL functions of its file depend on its stage:
 ///   Compare  float depth_bias(BiasInput b): shift of the compared depth towards the light, depth-buffer units, >= 0.
 ///            With `per_texel` also vec2 reference_slope(BiasInput b): change of the compared depth per map width.
@@ -43,6 +49,7 @@ struct Bias {
     std::string_view file;   ///< GLSL file below shaders/
     BiasStage stage = BiasStage::Compare;
     std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
+    std::span<const StartingValue> starts = {};       ///< values that choosing the row brings along (starting_values.h)
     bool per_texel = false;          ///< each texel has its own compared depth; bilinear samplers have one for 4
     bool gives_needed_bias = false;  ///< the row computes the plane's needed bias by itself, whatever the numbers are
     bool by_derivatives = false;     ///< the plane comes from screen derivatives of the position

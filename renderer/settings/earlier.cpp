@@ -8,9 +8,12 @@
 namespace si {
 namespace {
 
-// Rows are only added, never edited. Example: {.version = 2, .key = "light.fit", .value = "scene"} if light.fit was
-// "scene" up to version 2.
-constexpr std::span<const EarlierDefault> kEarlierDefaults;
+// Rows are only added, never edited.
+constexpr EarlierDefault kEarlierDefaults[] = {
+    {.version = 2, .key = "bias.kind", .value = "slope"},
+    {.version = 2, .key = "bias.constant", .value = "0.1"},
+    {.version = 2, .key = "bias.normal", .value = "3"},
+};
 
 }  // namespace
 

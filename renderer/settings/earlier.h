@@ -12,7 +12,7 @@
 namespace si {
 
 /// Version number written to all files that hold settings. Each release that changes a default increases it.
-inline constexpr int kSettingsVersion = 2;
+inline constexpr int kSettingsVersion = 3;
 
 /// Default value of one setting before a release changed it.
 struct EarlierDefault {
@@ -21,8 +21,8 @@ struct EarlierDefault {
     std::string_view value;          ///< text for set_setting()
 };
 
-/// Returns the table of former defaults that releases have changed, oldest first. Empty before the first release. Only
-/// tests assign another table, to read files of versions that no release has written.
+/// Returns the table of former defaults that later versions have changed, oldest first. Only tests assign another
+/// table, to read files of versions that no program has written.
 std::span<const EarlierDefault>& earlier_defaults();
 
 /// Returns the oldest readable version of settings files: the lowest version in earlier_defaults().

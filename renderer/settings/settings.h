@@ -157,12 +157,10 @@ int default_filter();
 struct BiasSettings {
     int kind = default_bias();  ///< index of a row of the bias table
     BiasUnit unit = BiasUnit::Texels;
-    // A normal offset of three texels prevents acne on a plane at any angle under the default kernel:
-    // h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias/theory.h). The constant covers quantisation.
-    double constant = 0.1;
+    double constant = 0;
     double slope = 0.0;
     double plane_clamp = 100;
-    double normal = 3.0;
+    double normal = 0;
     NormalSource normal_source = NormalSource::Geometric;
     double raster_slope = 0;
     double raster_units = 0;

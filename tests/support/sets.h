@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 
@@ -30,6 +31,14 @@ inline void set_all(Settings& settings, const Sets& sets) {
 /// Returns settings with changes. @throws Error for an unknown key or value
 inline Settings settings_with(Settings settings, const Sets& sets) {
     set_all(settings, sets);
+    return settings;
+}
+
+/// Returns settings under the slope bias with its starting values: 0.1 texels, and 3 texels of normal offset.
+inline Settings slope_settings(Settings settings = {}) {
+    const Settings before = settings;
+    set_setting(settings, "bias.kind", "slope");
+    set_starting_values(before, settings);
     return settings;
 }
 

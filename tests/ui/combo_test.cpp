@@ -3,9 +3,11 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <string>
 
 #include "renderer/settings/param.h"
+#include "tests/support/sets.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 
@@ -63,6 +65,24 @@ TEST(Combo, PressElsewhereOnlyClosesTheList) {
     ui.click({200, 300});
     EXPECT_TRUE(none_open());
     EXPECT_FALSE(ui.state.probe_pixel) << "the press is not the scene's";
+}
+
+TEST(Combo, KindOfBiasBringsItsStartingValuesAsOneStepOfUndo) {
+    UiHarness ui(kWidth, kHeight);
+    ui.frames(3);
+    const Settings before = ui.state.settings;
+    ui.click(ui.find("/rows_", [](ImGuiID window) {
+        const ImGuiID table = ImHashStr("rows", 0, ImHashStr("bias", 0, window));
+        return ImHashStr("##value", 0, ImHashStr("bias.kind", 0, table));
+    }));
+    ui.frames(2);
+    const auto choices = find_setting("bias.kind")->param->choices();
+    const auto slope = std::ranges::find(choices, "slope", &Choice::key);
+    ui.click(ui.find_choice(int(slope - choices.begin()), std::string(slope->label)).value_or(glm::vec2(0)));
+    ui.frames(3);
+    EXPECT_EQ(ui.state.settings, slope_settings(before));
+    EXPECT_EQ(ui.state.history.undo(), before);
+    EXPECT_FALSE(ui.state.history.can_undo());
 }
 
 TEST(Combo, LongTextEndsInAnEllipsis) {

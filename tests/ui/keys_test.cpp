@@ -4,7 +4,9 @@
 #include <imgui_internal.h>
 
 #include "renderer/advise/fixes.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
+#include "tests/support/sets.h"
 #include "tests/support/text.h"
 #include "tests/ui/ui_harness.h"
 
@@ -177,6 +179,11 @@ TEST_F(Keys, URemovesAllBias) {
     key('U');
     const BiasSettings& b = settings().bias;
     for (const double left : {b.constant, b.slope, b.normal, b.raster_slope, b.raster_units}) EXPECT_EQ(left, 0);
+    EXPECT_EQ(bias_of(settings()).key, "constant") << "the default kind computes a bias itself";
+    settings() = slope_settings();
+    key('U');
+    EXPECT_EQ(bias_of(settings()).key, "slope");
+    EXPECT_EQ(settings().bias.normal, 0);
 }
 
 TEST_F(Keys, TCyclesThroughTheTypesOfTheShownLight) {

@@ -29,7 +29,7 @@ TEST(Biases, KindsAreTheRowsOfTheComparedDepth) {
         EXPECT_EQ(bias_choices()[kinds++].key, row.key) << "they come first";
     }
     EXPECT_EQ(kinds, bias_choices().size());
-    EXPECT_EQ(bias_of(Settings{}).key, "slope") << "the lectures'";
+    EXPECT_EQ(bias_of(Settings{}).key, "adaptive");
     EXPECT_EQ(&bias_of(settings_of_kind("receiver-plane")),
               &*std::ranges::find(biases(), "receiver-plane", &Bias::key));
     EXPECT_EQ(bias_of_stage(BiasStage::LookUp).key, "normal-offset");

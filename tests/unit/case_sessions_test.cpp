@@ -78,7 +78,7 @@ protected:
             CaseSessions sessions(opened);
             sessions.add_scene(std::move(base.scene), base.settings.scene);
             sessions.check(axes);
-            const auto prepared = sessions.prepare(plan.cases.at(0).values);
+            const auto prepared = sessions.prepare(plan.cases.at(0).sets());
             out.settings = prepared.settings;
             out.content = scene_content_key(prepared.scene);
             out.notes = prepared.notes;

@@ -9,15 +9,20 @@
 #include "app/sweep/state.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/axes.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/sized_kernels.h"
 #include "tests/support/error_text.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
+
+constexpr const char* kDefaultBias = "";
+constexpr const char* kOtherBias = R"("bias.kind":"constant","bias.constant":0.5,"filter.kernel":"hard")";
 
 /// Made-up defaults: light.fit changed once, map.resolution twice.
 constexpr EarlierDefault kTrialRows[] = {
@@ -56,11 +61,29 @@ TEST(EarlierVersions, RowsAreDifferentSettings) {
     EXPECT_EQ(defaults_of_version(kSettingsVersion), Settings());
 }
 
-TEST(EarlierVersions, NoneIsReadBeforeTheFirstRelease) {
-    EXPECT_TRUE(earlier_defaults().empty());
-    EXPECT_EQ(oldest_settings_version(), kSettingsVersion);
-    EXPECT_EQ(readable_versions(), fmt::format("version {}", kSettingsVersion));
-    EXPECT_THROW(read_preset(kSettingsVersion - 1, ""), Error);
+TEST(EarlierVersions, Version2HasABiasByNumbers) {
+    EXPECT_EQ(oldest_settings_version(), 2);
+    EXPECT_EQ(readable_versions(), fmt::format("versions 2 to {}", kSettingsVersion));
+    EXPECT_THROW(read_preset(1, ""), Error);
+    const Settings now, old = read_preset(2, kDefaultBias), other = read_preset(2, kOtherBias);
+    EXPECT_EQ(bias_of(now).key, "adaptive");
+    EXPECT_EQ(now.bias.constant, 0);
+    EXPECT_EQ(now.bias.normal, 0);
+    EXPECT_EQ(old, slope_settings());
+    EXPECT_EQ(old.bias.constant, 0.1);
+    EXPECT_EQ(old.bias.normal, 3);
+    EXPECT_EQ(other,
+              settings_with({}, {"bias.kind=constant", "bias.constant=0.5", "bias.normal=3", "filter.kernel=hard"}));
+    EXPECT_EQ(read_preset(kSettingsVersion, kDefaultBias), now);
+}
+
+TEST(EarlierVersions, SavingVersion2AgainKeepsAllValues) {
+    for (const char* settings : {kDefaultBias, kOtherBias, R"("bias.kind":"adaptive","bias.normal":0)"}) {
+        const Preset preset = parse_preset(preset_of(2, settings), "a.json");
+        const std::string text = preset_text(preset);
+        EXPECT_EQ(OrderedJson::parse(text)["version"], kSettingsVersion);
+        EXPECT_EQ(parse_preset(text, "again").settings, preset.settings) << settings;
+    }
 }
 
 TEST(EarlierVersions, EachHasItsOwnDefaults) {

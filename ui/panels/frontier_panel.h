@@ -24,10 +24,11 @@ struct MeasuredColumn {
 
 /// Dot of the frontier plot: a case of a sweep or the present settings, with its measured numbers.
 struct MeasuredCase {
-    int number = -1;                                            ///< number in the sweep; -1: the present settings
-    std::string name;                                           ///< "1024 · PCF 3×3"
-    std::vector<std::pair<std::string, std::string>> settings;  ///< varied settings: key and value
-    std::vector<std::string> setting_texts;                     ///< "Kernel: PCF 3×3", one a setting
+    int number = -1;   ///< number in the sweep; -1: the present settings
+    std::string name;  ///< "1024 · PCF 3×3"
+    std::vector<std::pair<std::string, std::string>>
+        settings;                            ///< varied settings, then starting values that they bring along
+    std::vector<std::string> setting_texts;  ///< "Kernel: PCF 3×3", one a setting
     /// Distance from the best value, one a column, with the sign that was measured; NaN: not known.
     std::vector<double> values;
     std::string failed;  ///< reason why there are no values; empty: it did not fail

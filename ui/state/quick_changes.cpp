@@ -9,6 +9,7 @@
 #include "renderer/base/index_of.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/axes.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
@@ -51,6 +52,7 @@ bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
 }  // namespace
 
 void remove_bias(Settings& settings) {
+    if (bias_of(settings).gives_needed_bias) set_setting(settings, "bias.kind", "constant");
     BiasSettings& b = settings.bias;
     b.constant = b.slope = b.normal = b.raster_slope = b.raster_units = 0;
 }

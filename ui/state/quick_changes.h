@@ -10,8 +10,8 @@ struct FixRequests;
 struct EditorFrame;
 struct EditorState;
 
-/// Sets the bias amounts to 0: constant, slope, normal offset and polygon offset. bias.kind stays, so a kind that
-/// computes its own bias still adds it.
+/// Removes all bias: sets constant, slope, normal offset and polygon offset to 0. A bias.kind that computes the needed
+/// bias itself becomes "constant".
 void remove_bias(Settings& settings);
 /// Changes the shown light to the next type; does nothing without a light.
 void next_light_type(Settings& settings);

@@ -17,6 +17,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/splits.h"
+#include "renderer/settings/starting_values.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/text.h"
@@ -76,9 +77,11 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::EndTooltip();
 }
 
-/// Sets a value, and moves settings that must not overlap with it.
+/// Sets a value, with the starting values that it brings along, and moves settings that must not overlap with it.
 void change(Settings& settings, const SettingRef& ref, const Value& value) {
+    const Settings before = settings;
     set_value(settings, ref, value);
+    set_starting_values(before, settings);
     push_splits(settings, ref);
 }
 

@@ -24,6 +24,7 @@
 namespace si {
 namespace {
 
+constexpr double kMinOffsetTexels = 3;   // smaller normal offsets leave the region as it is
 constexpr double kMaxOffsetTexels = 32;  // largest normal offset in texels that the margin covers
 constexpr double kMarginSteps = 64;      // steps of the margin in a map's width
 
@@ -133,7 +134,7 @@ bool is_always_lit(const FittedLight& light, const Settings& settings) {
 
 double fit_margin_texels(const Settings& settings, int resolution) {
     const Reach reach = reach_of(settings);
-    const double offset = std::clamp(finite_or(settings.bias.normal, 0), BiasSettings().normal, kMaxOffsetTexels);
+    const double offset = std::clamp(finite_or(settings.bias.normal, 0), kMinOffsetTexels, kMaxOffsetTexels);
     const double texels = std::ceil(std::max(reach.edge, reach.read) + settings.map.blur_texels + offset) + 2;
     const double step = std::max(resolution / kMarginSteps, 1.0);
     return step * std::ceil(texels / step);
