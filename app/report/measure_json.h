@@ -21,8 +21,8 @@ const char* state_key(PixelState state);
 nlohmann::ordered_json reference_quality_json(const Reference& reference);
 /// Version of the definitions of error shares and causes (JSON field `meaning`). Numbers of different versions must not
 /// be compared. 1: by distance to a true edge. 2: by the change that makes a pixel right. 3: as 2, with polygon offset
-/// and contact shadows as separate causes.
-inline constexpr int kErrorMeaning = 3;
+/// and contact shadows as separate causes. 4: as 3, with light bleeding as a cause, and shadow terminators as a state.
+inline constexpr int kErrorMeaning = 4;
 /// Converts error metrics to JSON; numbers that are not finite become null.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
 /// Converts error metrics to JSON together with the noise of the reference (Reference::noise).

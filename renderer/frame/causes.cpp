@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/lights/kernel_reach.h"
 
@@ -38,6 +39,9 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
             return {Artefact::PeterPanningOffset, bit(Artefact::PeterPanning) | lost};
         return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset) | lost};
     }
+    // The unfiltered map has single depths instead of moments, so it tells no cause apart from the kernel.
+    if (c.moments && dark(e.nearest_kept))
+        return {Artefact::LightBleeding, c.mask_levels ? bit(Artefact::LostCaster) : 0};
     if (c.unfiltered_differs() && dark(e.unfiltered)) {
         if (c.raster_bias) return {Artefact::PeterPanningRaster, c.mask_levels ? bit(Artefact::LostCaster) : 0};
         if (c.mask_levels) return {Artefact::LostCaster, c.depth_blur ? bit(Artefact::Leak) : 0};
@@ -94,7 +98,8 @@ CauseContext cause_context(const Settings& settings, const FittedLight& light, i
             .edge_reach_texels = kernel_reach_in_light(settings, light, map_resolution).edge,
             .raster_bias = offsets_polygons(settings),
             .mask_levels = mask_levels,
-            .depth_blur = settings.map.blur_texels > 0};
+            .depth_blur = settings.map.blur_texels > 0,
+            .moments = filter_of(settings).samples() == Samples::Moments};
 }
 
 }  // namespace si

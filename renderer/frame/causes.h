@@ -34,9 +34,10 @@ enum class Artefact : std::uint8_t {
     NoMap,               ///< wrong, and the light has no shadow map (light.source), so that no trial is possible
     PeterPanningRaster,  ///< false light: right without polygon offset
     Contact,             ///< false shadow: right without contact shadows; only the GPU classifies it
+    LightBleeding,       ///< Leak under a kernel by moments, whose bound of visibility is too high
 };
 /// Number of Artefact values.
-inline constexpr std::size_t kArtefacts = 15;
+inline constexpr std::size_t kArtefacts = 16;
 
 /// Results of the trials of one pixel, in the order of shaders/passes/evidence.frag.glsl, four to an image. Depths are
 /// in depth-buffer units; visibilities are 1 (lit) to 0. "Bare": without the normal offset.
@@ -76,6 +77,7 @@ struct CauseContext {
     bool raster_bias = false;        ///< bias.raster_*
     bool mask_levels = false;        ///< the map may sample alpha masks at a coarser mip level
     bool depth_blur = false;         ///< map.blur_texels
+    bool moments = false;            ///< the kernel reads moments (Samples::Moments)
     /// Returns true when the unfiltered map may differ from the sampled shadow map.
     bool unfiltered_differs() const { return raster_bias || mask_levels || depth_blur; }
 };

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/moment_bound.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/fits/map_limits.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {
@@ -226,6 +228,8 @@ private:
                     "edge aliasing: {}, should be {}; neither {} nor the nearest texel alone changes that: the "
                     "shadow's edge runs between this pixel and the texels that it reads",
                     state_text(), reference_text(), dark() ? "more bias" : "the least bias");
+            case Artefact::LightBleeding:
+                return light_bleeding();
             case Artefact::Penumbra:
                 return "penumbra: right for a light without size";
             case Artefact::Contact:
@@ -235,6 +239,30 @@ private:
                 break;  // handled above
         }
         return d_.right ? "right" : "wrong";
+    }
+
+    /// Returns the distance across the light within which the kernel reads the map.
+    std::string reach_text() const {
+        const Reach reach = kernel_reach_in_light(settings_, p_.fitted, probe_.map_resolution);
+        return metres_text((reach.edge + settings_.map.blur_texels) * p_.account.receiver.texel_m);
+    }
+
+    std::string light_bleeding() const {
+        const Filter& row = filter_of(settings_);
+        const MomentBound bound = moment_bound(row, settings_.filter, p_.kernel);
+        std::string text = fmt::format("light bleeding: upper bound {:.2g}", p_.kernel.bound);
+        if (!std::isnan(bound.floor_spread))
+            text +=
+                fmt::format(": the floor of the variance counts as depths spread by ± {}, and the occluder is {} away",
+                            metres_text(bound.floor_spread * (view().curve.far - view().curve.near)),
+                            metres_text(d_.occluder.metres));
+        else
+            text += fmt::format(": occluder and receiver within the blur (± {})", reach_text());
+        text += fmt::format("; it is {}", bound.formula);
+        if (!bound.clamp.empty()) text += "; " + bound.clamp;
+        if (row.moments.reduces_bleeding && settings_.filter.bleed > 0 && p_.kernel.bound < 1)
+            text += fmt::format("; {:.2g} after filter.bleed {:g}", p_.visibility, settings_.filter.bleed);
+        return text + "; the nearest texel alone is in shadow, as in the reference";
     }
 
     std::string also(Artefact a) const {

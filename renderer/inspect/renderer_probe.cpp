@@ -11,6 +11,7 @@
 #include "renderer/frame/blocks.h"
 #include "renderer/frame/causes.h"
 #include "renderer/inspect/comparison.h"
+#include "renderer/inspect/moment_bound.h"
 #include "renderer/reference/shadow_runs.h"
 #include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
@@ -124,7 +125,8 @@ std::vector<RecordedTap> draw_taps(FrameState& f, const SeenPixel& seen, int lig
 }
 
 /// Returns intermediate results of a moment kernel; empty for other kernels.
-std::vector<std::string> moment_lines(const StoredMoments& stored, const FilterSettings& s, const KernelFacts& k) {
+std::vector<std::string> moment_lines(const Filter& row, const FilterSettings& s, const KernelFacts& k) {
+    const StoredMoments& stored = row.moments;
     if (std::isnan(k.bound)) return {};
     std::string moments;
     for (std::size_t i = 0; i < stored.names.size(); ++i)
@@ -132,9 +134,12 @@ std::vector<std::string> moment_lines(const StoredMoments& stored, const FilterS
     std::string depths = fmt::format("depths about {:.6f} of the range, compared {:.6f}", k.mean, k.own);
     if (!std::isnan(k.variance)) depths += fmt::format("   variance {:.4g}", k.variance);
     if (k.margin < 0) depths += fmt::format("   of no distribution, by {:.2g}", -k.margin);
-    std::vector<std::string> lines = {moments, depths, fmt::format("lit at most {:.6g} = {}", k.bound, stored.bound)};
+    const MomentBound bound = moment_bound(row, s, k);
+    std::vector<std::string> lines = {moments, depths, fmt::format("lit at most {:.6g} = {}", k.bound, bound.formula)};
+    if (!bound.clamp.empty()) lines.push_back(bound.clamp);
     if (k.bound < 1 && stored.reduces_bleeding && s.bleed > 0)
-        lines.push_back(fmt::format("({0:.6g} - {1:g}) / (1 - {1:g}) after light-bleed reduction", k.bound, s.bleed));
+        lines.push_back(fmt::format("({0:.6g} - {1:g}) / (1 - {1:g}){2} after light-bleed reduction (filter.bleed)",
+                                    k.bound, s.bleed, k.bound < s.bleed ? ", clamped to 0," : ""));
     return lines;
 }
 
@@ -150,7 +155,7 @@ KernelFacts draw_kernel_facts(FrameState& f, const SeenPixel& seen, int light) {
                       .margin = v[2].z,
                       .bound = v[2].w,
                       .lines = {}};
-    facts.lines = moment_lines(filter_of(f.settings).moments, f.settings.filter, facts);
+    facts.lines = moment_lines(filter_of(f.settings), f.settings.filter, facts);
     return facts;
 }
 

@@ -22,8 +22,8 @@ namespace si {
 namespace {
 
 constexpr int kTile = 32;  ///< pixels along a tile's side, summed by one invocation
-// The last three artefacts share numbers with unused classes: see tile_number() in error_tiles.frag.glsl.
-static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 3,
+// The last four artefacts share numbers with unused classes: see tile_number() in error_tiles.frag.glsl.
+static_assert(kArtefacts - 4 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 4,
               "the sums of tiles have a number for each artefact");
 
 using ReferenceTargets = ReferencePasses::Targets;
@@ -98,6 +98,7 @@ std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
                            {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
                            {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
                            {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},
+                           {"READS_MOMENTS", std::to_string(int(c.moments))},
                            {"UNFILTERED_DIFFERS", std::to_string(int(c.unfiltered_differs()))}});
     return out;
 }
@@ -193,7 +194,7 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     glm::dvec4 layers[shared::TILE_LAYERS] = {};
     for (std::size_t i = 0; i < values.size(); ++i) layers[i / per_layer] += glm::dvec4(values[i]);
     PixelSums sums;
-    for (std::size_t a = 0; a + 3 < kArtefacts; ++a) {
+    for (std::size_t a = 0; a + 4 < kArtefacts; ++a) {
         const int layer = int(a) / 4, number = int(a) % 4;
         sums.dark[a] = layers[shared::TILE_DARK + layer][number];
         sums.bright[a] = layers[shared::TILE_BRIGHT + layer][number];
@@ -206,6 +207,7 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     };
     moves(sums.bright, Artefact::Acne, Artefact::PeterPanningRaster);
     moves(sums.dark, Artefact::Leak, Artefact::Contact);
+    moves(sums.bright, Artefact::Filter, Artefact::LightBleeding);
     sums.visible_acne = std::exchange(sums.bright[std::size_t(Artefact::OffsetShadow)], 0);
     sums.any_leak = std::numeric_limits<double>::quiet_NaN();
     const glm::dvec4 &noted = layers[shared::TILE_NOTED], &means = layers[shared::TILE_SUMS];

@@ -21,6 +21,7 @@ constexpr auto kStyles = std::to_array<ArtefactStyle>({
     {Artefact::NoMap, "no_map", "not by a map", {255, 105, 180}},
     {Artefact::PeterPanningRaster, "peter_panning_raster", "peter-panning by polygon offset", {40, 90, 225}},
     {Artefact::Contact, "contact", "contact shadow", {128, 64, 0}},
+    {Artefact::LightBleeding, "light_bleeding", "light bleeding", {0, 45, 95}},
 });
 static_assert(kStyles.size() == kArtefacts - 1);
 

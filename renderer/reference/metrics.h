@@ -58,11 +58,11 @@ std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers);
 /// light are the sums of their parts.
 struct ErrorMetrics {
     std::size_t counted = 0;
-    double false_shadow = 0, false_light = 0, acne = 0, leak = 0, bias_false_light = 0, lost_false_light = 0,
-           offset_false_shadow = 0, contact_false_shadow = 0, boundary_false_shadow = 0, boundary_false_light = 0,
-           outside_false_shadow = 0, outside_false_light = 0, any_acne = 0, visible_acne = 0, any_leak = 0,
-           within_noise = 0, mae = 0, rmse = 0, signed_mean = 0, iou = 1, boundary_px_mean = 0, boundary_px_p95 = 0,
-           boundary_px_max = 0, outside_map = 0;
+    double false_shadow = 0, false_light = 0, acne = 0, leak = 0, light_bleeding = 0, bias_false_light = 0,
+           lost_false_light = 0, offset_false_shadow = 0, contact_false_shadow = 0, boundary_false_shadow = 0,
+           boundary_false_light = 0, outside_false_shadow = 0, outside_false_light = 0, any_acne = 0, visible_acne = 0,
+           any_leak = 0, within_noise = 0, mae = 0, rmse = 0, signed_mean = 0, iou = 1, boundary_px_mean = 0,
+           boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0;
     std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState
     std::size_t ground_pixels = 0;                    ///< counted pixels on the ground disc under a model
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others

@@ -27,6 +27,15 @@ enum class Samples {
     Moments,  ///< averaged functions of depths (lib/moments.glsl, Filter::moments)
 };
 
+/// Rule by which a kernel bounds the lit share from its moments.
+enum class BoundRule {
+    Chebyshev,            ///< of depths: lib/variance.glsl
+    Exponential,          ///< mean of e^(c x): filters/esm.glsl
+    WarpedChebyshev,      ///< of e^(c x): filters/evsm2.glsl
+    TwoWarpedChebyshevs,  ///< the lower one of e^(c x) and of -e^(-d x): filters/evsm4.glsl
+    FourMoments,          ///< lib/moment_problem.glsl
+};
+
 /// Moments that the moments pass stores for a kernel in place of depths. `vec4 moments_of(float share)` of the kernel's
 /// file gives them for one depth; the pass averages them around each texel.
 struct StoredMoments {
@@ -35,7 +44,8 @@ struct StoredMoments {
     bool quantised = false;        ///< with 16 bits: integers of a transform of the moments (shared/moments.h)
     bool summed = false;           ///< stored as a summed-area table (lib/summed_area.glsl)
     bool reduces_bleeding = true;  ///< filter.bleed applies
-    std::string_view bound = {};   ///< text: upper bound of the lit share, by mean m, variance v and own depth z
+    BoundRule rule = BoundRule::Chebyshev;
+    std::string_view bound = {};  ///< text: upper bound of the lit share, by mean m, variance v and own depth z
 };
 
 /// Work of a kernel for each light and lit pixel.

@@ -34,6 +34,11 @@ Cause cause_of_false_light(Evidence e, int place) {
     if (by_both || by_bias)
         return offset_larger ? cause(ARTEFACT_PETER_PANNING_OFFSET, bias | lost)
                              : cause(ARTEFACT_PETER_PANNING, offset | lost);
+#if READS_MOMENTS
+    // The unfiltered map has single depths instead of moments, so it tells no cause apart from the kernel.
+    if (e.nearest_kept < 0.5)
+        return cause(ARTEFACT_LIGHT_BLEEDING, MASK_LEVELS != 0 ? 1 << ARTEFACT_LOST_CASTER : 0);
+#endif
 #if UNFILTERED_DIFFERS
     if (e.unfiltered < 0.5)
 #if RASTER_BIAS

@@ -10,8 +10,9 @@ layout(location = TILE_SUMS) out vec4 sums_out;    // sums of |d|, d^2, d; count
 int tile_number(int artefact) {
     return artefact == ARTEFACT_NO_MAP ? ARTEFACT_NONE
            : artefact == ARTEFACT_PETER_PANNING_RASTER ? ARTEFACT_ACNE
-           : artefact == ARTEFACT_CONTACT ? ARTEFACT_LEAK
-                                          : artefact;
+           : artefact == ARTEFACT_CONTACT        ? ARTEFACT_LEAK
+           : artefact == ARTEFACT_LIGHT_BLEEDING ? ARTEFACT_FILTER
+                                                 : artefact;
 }
 
 void main() {

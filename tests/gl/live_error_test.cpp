@@ -44,6 +44,7 @@ protected:
         same_count(gpu.false_light, cpu.false_light, "false light");
         same_count(gpu.acne, cpu.acne, "acne");
         same_count(gpu.leak, cpu.leak, "leak");
+        same_count(gpu.light_bleeding, cpu.light_bleeding, "light bleeding");
         same_count(gpu.boundary_false_shadow, cpu.boundary_false_shadow, "boundary false shadow");
         same_count(gpu.boundary_false_light, cpu.boundary_false_light, "boundary false light");
         same_count(gpu.outside_false_shadow, cpu.outside_false_shadow, "outside false shadow");

@@ -84,25 +84,27 @@ TEST(Metrics, AreZeroForEqualPictures) {
 
 TEST(Metrics, AreSumsOverTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
-    const Reference reference = reference_of({"......................######################"});
+    const Reference reference = reference_of({".......................#######################"});
     std::vector<ClassifiedPixel> classified =
-        classified_of({"##############........########.............."}, reference);
-    for (std::size_t a = 1; a < kArtefacts; ++a) classified[a - 1].artefact = classified[29 + a].artefact = Artefact(a);
+        classified_of({"###############........########..............."}, reference);
+    for (std::size_t a = 1; a < kArtefacts; ++a) classified[a - 1].artefact = classified[30 + a].artefact = Artefact(a);
     classified[std::size_t(Artefact::PeterPanningRaster) - 1].artefact = Artefact::Acne;
-    classified[std::size_t(Artefact::Contact) + 29].artefact = Artefact::Leak;
+    classified[std::size_t(Artefact::LightBleeding) - 1].artefact = Artefact::Acne;
+    classified[std::size_t(Artefact::Contact) + 30].artefact = Artefact::Leak;
     const ErrorMetrics m = error_metrics(classified, reference);
-    EXPECT_DOUBLE_EQ(m.false_shadow * 44, 14);
-    EXPECT_DOUBLE_EQ(m.false_light * 44, 14);
+    EXPECT_DOUBLE_EQ(m.false_shadow * 46, 15);
+    EXPECT_DOUBLE_EQ(m.false_light * 46, 15);
     std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a) wrong += m.artefacts[a];
-    EXPECT_EQ(wrong, 28u);
-    const double all = m.acne + m.leak + m.bias_false_light + m.lost_false_light + m.offset_false_shadow +
-                       m.contact_false_shadow + m.boundary_false_shadow + m.boundary_false_light +
-                       m.outside_false_shadow + m.outside_false_light;
+    EXPECT_EQ(wrong, 30u);
+    const double all = m.acne + m.leak + m.light_bleeding + m.bias_false_light + m.lost_false_light +
+                       m.offset_false_shadow + m.contact_false_shadow + m.boundary_false_shadow +
+                       m.boundary_false_light + m.outside_false_shadow + m.outside_false_light;
     EXPECT_NEAR(all, m.false_shadow + m.false_light, 1e-12);
-    EXPECT_DOUBLE_EQ(m.acne * 44, double(m.artefacts[std::size_t(Artefact::Acne)]));
-    EXPECT_DOUBLE_EQ(m.leak * 44, double(m.artefacts[std::size_t(Artefact::Leak)]));
-    EXPECT_DOUBLE_EQ(m.bias_false_light * 44, double(m.artefacts[std::size_t(Artefact::PeterPanning)] +
+    EXPECT_DOUBLE_EQ(m.acne * 46, double(m.artefacts[std::size_t(Artefact::Acne)]));
+    EXPECT_DOUBLE_EQ(m.light_bleeding * 46, 1);
+    EXPECT_DOUBLE_EQ(m.leak * 46, double(m.artefacts[std::size_t(Artefact::Leak)]));
+    EXPECT_DOUBLE_EQ(m.bias_false_light * 46, double(m.artefacts[std::size_t(Artefact::PeterPanning)] +
                                                      m.artefacts[std::size_t(Artefact::PeterPanningOffset)] +
                                                      m.artefacts[std::size_t(Artefact::PeterPanningRaster)]));
 }
