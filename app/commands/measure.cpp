@@ -42,6 +42,11 @@ void print_error(const ErrorMetrics& m, const Reference& reference) {
         for (const Metric& part : metrics())
             if (part.part_of == metric.key) print_metric(part, m, "  " + std::string(part.part));
     }
+    if (const std::size_t n = m.pixels[std::size_t(PixelState::ShadowTerminator)]; n > 0)
+        fmt::print(
+            "  {} more are not compared: shadow terminator, a triangle that faces away and a smooth normal that "
+            "does not; no bias cures it\n",
+            n);
     fmt::print("  pixels by cause:");
     const char* comma = "";
     for (const ArtefactStyle& style : artefact_styles())

@@ -87,9 +87,9 @@ void print_amount(const char* name, const DepthShift& a, const char* about = "",
         fmt::print("    {:<23} {:>10}                                       {}\n", name, endless, about);
 }
 
-void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Settings& settings) {
+void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d) {
     fmt::print("  verdict: {}\n", d.verdict);
-    if (!p.casts) return;
+    if (!p.casts || d.reference.state == PixelState::ShadowTerminator) return;
     const BiasBreakdown& a = p.account;
     fmt::print("  bias\n");
     print_amount("constant", a.amount(a.constant));
@@ -200,7 +200,7 @@ void run_probe(const ProbeOptions& options) {
                    probe.position_ws.y, probe.position_ws.z, probe.normal_ws.x, probe.normal_ws.y, probe.normal_ws.z);
         for (std::size_t i = 0; i < probe.lights.size(); ++i) {
             print_light(probe.lights[i], session.settings);
-            if (i < found.size()) print_diagnosis(probe.lights[i], found[i], session.settings);
+            if (i < found.size()) print_diagnosis(probe.lights[i], found[i]);
         }
         std::fflush(stdout);  // the search for fixes takes seconds
         find_fixes();

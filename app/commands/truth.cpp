@@ -41,6 +41,7 @@ nlohmann::ordered_json reference_json(const TracedReference& traced, const Refer
                                      {"outside_cone", pixels(PixelState::OutsideCone)},
                                      {"not_receiving", pixels(PixelState::NotReceiving)},
                                      {"beyond_range", pixels(PixelState::BeyondRange)},
+                                     {"shadow_terminator", pixels(PixelState::ShadowTerminator)},
                                      {"ground", t.on_ground}}},
                                    {"rays", t.rays}};
     json["visibility_mean"] = t.counted() ? nlohmann::ordered_json(sum / double(t.counted())) : nullptr;

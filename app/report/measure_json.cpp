@@ -48,8 +48,8 @@ Json time_json(const TimeMeasurement& time) {
 }
 
 const char* state_key(PixelState state) {
-    static constexpr const char* kStates[] = {"counted",      "background",    "faces_away",
-                                              "outside_cone", "not_receiving", "beyond_range"};
+    static constexpr const char* kStates[] = {"counted",       "background",   "faces_away",       "outside_cone",
+                                              "not_receiving", "beyond_range", "shadow_terminator"};
     static_assert(std::size(kStates) == kPixelStates);
     return kStates[std::size_t(state)];
 }

@@ -29,6 +29,8 @@ constexpr std::string_view kUncounted[] = {
     "not compared: outside of the light's cone",
     "not compared: this object receives no shadows",
     "not compared: beyond the light's range",
+    "not compared: shadow terminator: the triangle faces away from the light, its smooth normal does not: no bias "
+    "cures it",
 };
 static_assert(std::size(kUncounted) == kPixelStates);
 
@@ -42,7 +44,7 @@ public:
         d_.light = p_.light;
         d_.reference = reference_;
         d_.right = (p_.visibility >= 0.5) == reference_.lit;
-        if (p_.casts) set_bias_window();
+        if (p_.casts && reference_.state != PixelState::ShadowTerminator) set_bias_window();
         d_.verdict = sentence();
         if (p_.casts && p_.fitted.is_cascaded() && reference_.state == PixelState::Counted)
             d_.verdict += "; by " + p_.view;

@@ -82,7 +82,7 @@ struct Variance {
 class Tracer {
 public:
     Tracer(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query, Reference& out)
-        : scene_(scene.impl()), receivers_(receivers), query_(query), out_(out) {
+        : scene_(scene.impl()), geometry_(scene.geometry()), receivers_(receivers), query_(query), out_(out) {
         if (query.options.as_rasterised) culls_ = query.traits;
         to_light_ = glm::vec3(query.emitter.to_light);
         const auto& objects = scene.geometry().objects;
@@ -144,6 +144,7 @@ public:
 
 private:
     const RayHierarchy& scene_;
+    const ReferenceGeometry& geometry_;
     const Receivers& receivers_;
     const ReferenceQuery& query_;
     Reference& out_;
@@ -203,11 +204,20 @@ private:
             return classify(i, batch);
         if (cosine < 0) {
             out_.visibility.data[i] = 0;
-            return out_.state[i] = PixelState::FacesAway;
+            return out_.state[i] = turned_away(receivers_.pixels[i], query_.emitter.to_light);
         }
         batch.plain.push_back(
             make_ray(start.origin, to_light_, std::numeric_limits<float>::infinity(), std::uint32_t(i)));
         return out_.state[i] = PixelState::Counted;
+    }
+
+    /// Returns the state of a receiver whose triangle faces away from the light.
+    /// @param direction to the light, unit
+    PixelState turned_away(const Receiver& r, const glm::dvec3& direction) const {
+        const glm::dvec3 smooth = geometry_.smooth_normal(r.object, r.primitive, r.position_ws);
+        const double cosine = glm::dot(smooth, direction);
+        const bool lit = faces_light(glm::dot(smooth, r.normal_ws) < 0 ? -cosine : cosine);
+        return lit ? PixelState::ShadowTerminator : PixelState::FacesAway;
     }
 
     PixelState classify(std::size_t i, RayBatch& batch) {
@@ -220,7 +230,7 @@ private:
         const double cosine = glm::dot(r.normal_ws, direction);
         if (!faces_light(cosine)) {
             out_.visibility.data[i] = 0;
-            return state = PixelState::FacesAway;
+            return state = turned_away(r, direction);
         }
         if (query_.emitter.casts)
             batch.add(std::uint32_t(i), r, ray_origin(scene_, r), direction, cosine, distance * scene_.scale);

@@ -23,14 +23,15 @@ namespace si {
 
 /// State of a pixel in comparisons with the reference: counted, or the reason why not.
 enum class PixelState : std::uint8_t {
-    Counted,       ///< faces the light and lies in its cone and range
-    Background,    ///< shows no surface
-    FacesAway,     ///< faces_light(N_g.L) is false: dark without any occluder
-    OutsideCone,   ///< outside a spot light's cone
-    NotReceiving,  ///< object.PATH.receive is off
-    BeyondRange,   ///< beyond the range of a spot or point light, in its cone
+    Counted,           ///< faces the light and lies in its cone and range
+    Background,        ///< shows no surface
+    FacesAway,         ///< faces_light(N_g.L) is false: dark without any occluder
+    OutsideCone,       ///< outside a spot light's cone
+    NotReceiving,      ///< object.PATH.receive is off
+    BeyondRange,       ///< beyond the range of a spot or point light, in its cone
+    ShadowTerminator,  ///< as FacesAway, but the smooth normal (of the vertices) faces the light: no bias cures it
 };
-inline constexpr std::size_t kPixelStates = 6;
+inline constexpr std::size_t kPixelStates = 7;
 /// Returns true when the reference traces rays for pixels of a state, counted or not.
 constexpr bool is_traced(PixelState s) {
     return s == PixelState::Counted || s == PixelState::OutsideCone || s == PixelState::BeyondRange;
@@ -75,7 +76,8 @@ struct Reference {
     int width = 0, height = 0;
     int step = 1;                   ///< pixels of the picture, across and down, per pixel here (ReferenceOptions::step)
     std::vector<PixelState> state;  ///< top row first, as all images here
-    /// Visibility, 1 lit to 0 in shadow. Pixels that do not count: 1 (Background, NotReceiving), 0 (FacesAway), or the
+    /// Visibility, 1 lit to 0 in shadow. Pixels that do not count: 1 (Background, NotReceiving), 0 (FacesAway,
+    /// ShadowTerminator), or the
     /// traced value (OutsideCone, BeyondRange), as in the shadow-mapped visibility.
     FloatImage visibility;
     FloatImage point_visibility;  ///< area: visibility of a light without size; see hard()

@@ -24,6 +24,7 @@ public:
         const Material& material = material_of(scene_, from);
         auto to = std::make_shared<ReferenceMesh>();
         to->positions = from.positions;
+        to->normals = from.normals;
         to->indices = from.indices;
         // Cutoffs of the light's depth pass; blended surfaces have a cutoff only there.
         if (material.alpha == AlphaMode::Mask)
@@ -100,6 +101,25 @@ TriangleWs ReferenceGeometry::triangle(std::uint32_t object, std::uint32_t primi
         return glm::dvec3(o.world * glm::dvec4(glm::dvec3(o.mesh->positions[k]), 1));
     };
     return {corner(i[0]), corner(i[1]), corner(i[2])};
+}
+
+glm::dvec3 ReferenceGeometry::smooth_normal(std::uint32_t object, std::uint32_t primitive,
+                                            const glm::dvec3& position_ws) const {
+    const ReferenceObject& o = objects[object];
+    if (o.mesh->normals.empty()) return glm::dvec3(0);
+    const TriangleWs t = triangle(object, primitive);
+    const glm::dvec3 e1 = t[1] - t[0], e2 = t[2] - t[0], p = position_ws - t[0], n = glm::cross(e1, e2);
+    const double u = glm::dot(glm::cross(p, e2), n) / glm::dot(n, n);
+    const double v = glm::dot(glm::cross(e1, p), n) / glm::dot(n, n);
+    const std::uint32_t* i = &o.mesh->indices[3 * std::size_t(primitive)];
+    const auto corner = [&](std::uint32_t k) { return glm::dvec3(o.mesh->normals[k]); };
+    const glm::dvec3 local = (1 - u - v) * corner(i[0]) + u * corner(i[1]) + v * corner(i[2]);
+    // Cofactors need no inverse, which a scale of 0 lacks.
+    const glm::dmat3 m(o.world);
+    const glm::dvec3 normal =
+        local.x * glm::cross(m[1], m[2]) + local.y * glm::cross(m[2], m[0]) + local.z * glm::cross(m[0], m[1]);
+    const double length = glm::length(normal);
+    return length > 0 && std::isfinite(length) ? normal / length : glm::dvec3(0);
 }
 
 Key reference_geometry_key(const Scene& scene, const Settings& settings) {

@@ -18,6 +18,7 @@ namespace si {
 /// Mesh for ray tracing: triangles and, for masked materials, an alpha test.
 struct ReferenceMesh {
     SharedArray<glm::vec3> positions;  ///< shared with the scene: deformed, without degenerate triangles
+    SharedArray<glm::vec3> normals;    ///< smooth normals of the vertices, of any length
     SharedArray<std::uint32_t> indices;
     std::unique_ptr<const AlphaMask> mask;  ///< null: solid
     /// Returns the number of triangles.
@@ -55,6 +56,9 @@ struct ReferenceGeometry {
     std::size_t caster_triangles() const;
     /// Returns the world-space corners of a triangle. @param primitive index within the object
     TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
+    /// Returns the smooth normal at a point of a triangle, interpolated from its corners: unit length, on either side;
+    /// 0 where they cancel, or where there are none.
+    glm::dvec3 smooth_normal(std::uint32_t object, std::uint32_t primitive, const glm::dvec3& position_ws) const;
     /// Returns the coordinate frame in which rays are traced, so that single precision suffices: centred on the scene's
     /// bounds and about one unit long.
     UnitFrame unit_frame() const;

@@ -251,6 +251,12 @@ constexpr Overlay kOverlays[] = {
      .group = OverlayGroup::Resolution,
      .scalar = false,
      .names_views = true},
+    {.key = "shadow-terminator",
+     .label = "Shadow terminator",
+     .help = "Fragments whose triangle faces away from the light while their smooth normal faces it (magenta). They "
+             "are dark facets on lit bodies, which look like acne. No bias cures them; smaller triangles do.",
+     .group = OverlayGroup::Wrong,
+     .scalar = false},
 };
 
 }  // namespace

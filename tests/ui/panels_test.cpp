@@ -113,6 +113,7 @@ TEST(Panels, SettingsAreFoundByTermsOfOtherEngines) {
         {"SampleCount", "filter.taps"},
         {"foliage", "caster.blend"},
         {"terminator", "bias.normal_source"},
+        {"terminator", "view.overlay"},
         {"pcss", "filter.kernel"},
         {"lispsm", "light.fit"},
     };

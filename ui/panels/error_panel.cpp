@@ -196,6 +196,12 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
         for (std::size_t i = 1; i < p.size(); ++i) others += p[i];
         ImGui::SetTooltip("n: they show a surface that faces the light, in its cone and range.\n%zu do not", others);
     }
+    if (const std::size_t n = error.metrics.pixels[std::size_t(PixelState::ShadowTerminator)]; n > 0) {
+        ImGui::TextDisabled("%zu at a shadow terminator", n);
+        plain_tooltip(
+            "Not compared: the triangle faces away from the light, its smooth normal does not.\n"
+            "No bias cures it; smaller triangles do. The overlay Shadow terminator shows these pixels");
+    }
     const std::size_t all = artefact_styles().size(), half = (all + 1) / 2;
     if (columns > 2) ImGui::TableNextColumn();
     causes_table(state, error, 0, half, columns < 3);
