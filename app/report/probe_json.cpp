@@ -100,6 +100,7 @@ Json diagnosis_json(const PixelDiagnosis& d, const Trial* fix) {
     Json json = {{"verdict", d.verdict},
                  {"right", d.right},
                  {"artefact", "none"},
+                 {"any_leak", d.reference.any_leak},
                  {"truth",
                   {{"state", state_key(d.reference.state)},
                    {"lit", d.reference.lit},

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "renderer/reference/umbra.h"
+#include "renderer/view/lights/kernel_reach.h"
+
 namespace si {
 namespace {
 
@@ -49,6 +52,9 @@ FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Pr
     out.evidence.edge_m = runs.edge_m.at(at.x, at.y);
     if (out.state == PixelState::Counted)
         out.cause = cause_of(out.evidence, {.visibility = out.lit ? 1.0 : 0.0, .hard_lit = out.lit}, light.causes);
+    out.any_leak = light.visibility > shared::VISIBLE_ERROR && !out.lit &&
+                   in_umbra(scene, around.at(at.x, at.y), query, light.fitted, probe.map_resolution,
+                            edge_reach_texels(settings, light.fitted, probe.map_resolution));
     return out;
 }
 

@@ -19,7 +19,8 @@ struct FragmentReference {
     double gap_m = std::numeric_limits<double>::quiet_NaN();
     double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< likewise over all casters, without culling
     CauseEvidence evidence;                                       ///< evidence of the probe, completed by the reference
-    Cause cause;  ///< cause of the error, against the light without size
+    bool any_leak = false;  ///< V > 0.02 in the umbra at the kernel's reach: in_umbra()
+    Cause cause;            ///< cause of the error, against the light without size
 };
 
 /// Traces the ray-traced reference at one probed pixel and classifies the pixel's shadow error. Takes some thousand

@@ -121,6 +121,8 @@ private:
                                d_.right ? "" : reference_text());
         if (d_.right) return right();
         std::string text = limits() + wrong();
+        if (reference_.any_leak)
+            text += fmt::format("; no true edge lies within the kernel's reach (± {})", reach_text());
         for (std::size_t a = 1; a < kArtefacts; ++a)
             if (reference_.cause.also >> a & 1) text += fmt::format("; {} too", also(Artefact(a)));
         return text;
@@ -150,6 +152,11 @@ private:
                 "faint acne: lit, as in the reference, but {:.0f} % of the kernel is self-shadowed{}; {}",
                 100 * (1 - p_.visibility), d_.has.depth < d_.least.depth ? "" : " or by a steeper neighbour", bias);
         if (!dark()) return fmt::format("right: lit, as in the reference; {}", bias);
+        if (reference_.any_leak)
+            return fmt::format(
+                "faint light: in shadow, as in the reference, but {:.0f} % lit, and no true edge lies within the "
+                "kernel's reach (± {}); an occluder is {} nearer to the light; {}",
+                100 * p_.visibility, reach_text(), texels(d_.occluder), bias);
         return fmt::format("right: in shadow, as in the reference, by a surface {} nearer to the light; {}",
                            texels(d_.occluder), bias);
     }
@@ -245,8 +252,8 @@ private:
 
     /// Returns the distance across the light within which the kernel reads the map.
     std::string reach_text() const {
-        const Reach reach = kernel_reach_in_light(settings_, p_.fitted, probe_.map_resolution);
-        return metres_text((reach.edge + settings_.map.blur_texels) * p_.account.receiver.texel_m);
+        return metres_text(edge_reach_texels(settings_, p_.fitted, probe_.map_resolution) *
+                           p_.account.receiver.texel_m);
     }
 
     std::string light_bleeding() const {

@@ -32,9 +32,7 @@ MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& fram
     out.light = settings.view.light;
     out.picture = {frame.classified.width, frame.classified.height};
     out.map_resolution = frame.map_resolution;
-    const FittedLight& light = frame.lights[std::size_t(out.light)];
-    if (light.casts)
-        out.reach_texels = kernel_reach_in_light(settings, light, frame.map_resolution).edge + settings.map.blur_texels;
+    out.reach_texels = edge_reach_texels(settings, frame.lights[std::size_t(out.light)], frame.map_resolution);
     return out;
 }
 

@@ -29,8 +29,10 @@ std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row)
         out.insert(out.end(), {{"MAP_BOUNDS", "0"}, {"SKIPS_SEARCH", "0"}, {"SKIPS_UNLIT", "0"}});
     if (row.scalar) out.push_back({"OVERLAY_SCALAR", "1"});
     if (f.separate_visibility) out.push_back({"SEPARATE_VISIBILITY", "1"});
-    if (row.reads_reference)
+    if (row.reads_reference) {
+        out.push_back({"DEPTH_BLUR_TEXELS", std::to_string(f.settings.map.blur_texels)});
         for (gl::Define& d : reference_defines(f)) out.push_back(std::move(d));
+    }
     return out;
 }
 

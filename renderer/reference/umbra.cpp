@@ -74,30 +74,25 @@ bool all_dark(const Reference& row, std::size_t first) {
     return std::all_of(begin, begin + kPoints, [](float v) { return v == 0; });
 }
 
-/// Traces the listed pixels of the reference.
-/// @returns one number per element of `pixels`: 1 in the umbra, else 0
-std::vector<std::uint8_t> trace_umbra(const TracedReference& traced, const FittedLight& light, int resolution,
-                                      double reach_texels, std::span<const std::size_t> pixels,
-                                      const Workers& workers) {
-    std::vector<std::uint8_t> umbra(pixels.size(), 0);
-    const Reference& reference = *traced.reference;
-    std::vector<std::size_t> tested;  // indices into `pixels`
+/// Traces the points around receivers that are dark themselves.
+/// @returns one number per receiver: 1 in the umbra, else 0
+std::vector<std::uint8_t> trace_umbra(const ReferenceScene& scene, const std::vector<Receiver>& receivers,
+                                      ReferenceQuery query, const FittedLight& light, int resolution,
+                                      double reach_texels, const Workers& workers) {
+    std::vector<std::uint8_t> umbra(receivers.size(), 0);
+    std::vector<std::size_t> tested;  // indices into `receivers`
     Receivers around{.width = int(kPoints), .height = 0, .pixels = {}};
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (reference.state[pixels[i]] != PixelState::Counted || reference.visibility.data[pixels[i]] != 0) continue;
-        const Receiver& r = traced.receivers->pixels[pixels[i]];
-        const auto points = points_around(r, light, resolution, reach_texels);
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        const auto points = points_around(receivers[i], light, resolution, reach_texels);
         if (!points) continue;
-        add_points(around, r, *points);
+        add_points(around, receivers[i], *points);
         tested.push_back(i);
     }
     if (tested.empty()) return umbra;
-    ReferenceQuery query = *traced.query;
+    const bool area = query.options.area;
     query.options.nearest = query.options.area = false;
     query.options.step = 1;
-    const bool area = reference.is_area();
-    const Reference hard =
-        trace_visibility(*traced.scene, around, query, workers.with_progress_range(0, area ? 0.2 : 1));
+    const Reference hard = trace_visibility(scene, around, query, workers.with_progress_range(0, area ? 0.2 : 1));
     std::vector<std::size_t> dark;  // indices into `tested`
     for (std::size_t k = 0; k < tested.size(); ++k)
         if (all_dark(hard, k * kPoints)) dark.push_back(k);
@@ -106,14 +101,13 @@ std::vector<std::uint8_t> trace_umbra(const TracedReference& traced, const Fitte
     query.options.area = true;
     query.options.samples = std::min(query.options.samples, kAreaSamples);
     // Samples on the light depend on a point's place in its image. A row of its own makes them the same in every call.
-    Workers here;
-    here.threads = 1;
+    const Workers here{.threads = 1};
     parallel_for_blocks(dark.size(), workers.with_progress_range(0.2, 1), [&](std::size_t d) {
         const std::size_t k = dark[d];
         Receivers row{.width = int(kPoints), .height = 1, .pixels = {}};
         row.pixels.assign(around.pixels.begin() + std::ptrdiff_t(k * kPoints),
                           around.pixels.begin() + std::ptrdiff_t((k + 1) * kPoints));
-        umbra[tested[k]] = all_dark(trace_visibility(*traced.scene, row, query, here), 0);
+        umbra[tested[k]] = all_dark(trace_visibility(scene, row, query, here), 0);
     });
     return umbra;
 }
@@ -134,16 +128,35 @@ void UmbraCache::store(std::uint64_t key, std::vector<State> states) {
     if (known_.size() > kMaxReaches) known_.erase(known_.begin());
 }
 
+bool in_umbra(const ReferenceScene& scene, const Receiver& receiver, const ReferenceQuery& query,
+              const FittedLight& light, int resolution, double reach_texels) {
+    ReferenceQuery hard = query;
+    hard.options = {.nearest = false};
+    const Workers here{.threads = 1};
+    const Reference own = trace_visibility(scene, {1, 1, {receiver}}, hard, here);
+    if (own.state[0] != PixelState::Counted || own.visibility.data[0] != 0) return false;
+    return trace_umbra(scene, {receiver}, hard, light, resolution, reach_texels, here)[0] != 0;
+}
+
 std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, int resolution,
                                    double reach_texels, std::span<const std::size_t> pixels, const Workers& workers) {
     using State = UmbraCache::State;
     const std::uint64_t key = umbra_key(light, resolution, reach_texels);
     std::vector<State> states = traced.umbra->find(key, traced.reference->state.size());
+    const Reference& reference = *traced.reference;
     std::vector<std::size_t> unknown;
-    for (const std::size_t p : pixels)
-        if (states[p] == State::Unknown) unknown.push_back(p);
-    const std::vector<std::uint8_t> found = trace_umbra(traced, light, resolution, reach_texels, unknown, workers);
-    for (std::size_t i = 0; i < unknown.size(); ++i) states[unknown[i]] = found[i] ? State::Inside : State::Outside;
+    std::vector<Receiver> receivers;
+    for (const std::size_t p : pixels) {
+        if (states[p] != State::Unknown) continue;
+        states[p] = State::Outside;
+        if (reference.state[p] != PixelState::Counted || reference.visibility.data[p] != 0) continue;
+        unknown.push_back(p);
+        receivers.push_back(traced.receivers->pixels[p]);
+    }
+    const std::vector<std::uint8_t> found =
+        trace_umbra(*traced.scene, receivers, *traced.query, light, resolution, reach_texels, workers);
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+        if (found[i]) states[unknown[i]] = State::Inside;
     std::vector<std::uint8_t> out;
     for (const std::size_t p : pixels) out.push_back(states[p] == State::Inside);
     if (!unknown.empty()) traced.umbra->store(key, std::move(states));

@@ -21,6 +21,11 @@ namespace si {
 std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, int resolution,
                                    double reach_texels, std::span<const std::size_t> pixels, const Workers& workers);
 
+/// Returns true when a receiver and the 8 points around it at `reach_texels` are dark for a light without size. The
+/// definition is that of umbra_of(). @param query the light and its casters; its options are ignored
+bool in_umbra(const ReferenceScene& scene, const Receiver& receiver, const ReferenceQuery& query,
+              const FittedLight& light, int resolution, double reach_texels);
+
 /// Umbra of one reference, as far as it is traced, for the last few reaches and maps. Any thread may use it.
 class UmbraCache {
 public:

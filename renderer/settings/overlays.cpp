@@ -257,6 +257,13 @@ constexpr Overlay kOverlays[] = {
              "are dark facets on lit bodies, which look like acne. No bias cures them; smaller triangles do.",
      .group = OverlayGroup::Wrong,
      .scalar = false},
+    {.key = "faint-light",
+     .label = "Faint light",
+     .help = "Visibility above 0.02 where the ray-traced reference is 0 and its next edge that the camera sees lies "
+             "beyond the kernel's reach. `measure` and the probe ask rays at 8 points around instead (any_leak).",
+     .group = OverlayGroup::Wrong,
+     .max = 0.5,
+     .reads_reference = true},
 };
 
 }  // namespace

@@ -38,4 +38,8 @@ Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, 
     return reach_of(settings, settings.filter.radius / smallest_texel_m(light, resolution));
 }
 
+double edge_reach_texels(const Settings& settings, const FittedLight& light, int resolution) {
+    return light.casts ? kernel_reach_in_light(settings, light, resolution).edge + settings.map.blur_texels : 0;
+}
+
 }  // namespace si

@@ -20,4 +20,9 @@ double smallest_texel_m(const FittedLight& light, int resolution);
 /// @param resolution texels a side of the map
 Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, int resolution);
 
+/// Returns the distance in texels within which a true edge may change a light's shadow test: the reach of the kernel
+/// and of the depth blur (map.blur_texels); 0 for a light without a map.
+/// @param resolution texels a side of the map
+double edge_reach_texels(const Settings& settings, const FittedLight& light, int resolution);
+
 }  // namespace si
