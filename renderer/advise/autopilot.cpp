@@ -38,12 +38,17 @@ public:
         AutopilotResult out;
         out.before = meter_.measure(start_, start_.view.light);
         out.before.frame.reset();
-        out.before_ms = meter_.ms(start_).value;
+        const CostChange before_ms = meter_.ms(start_);
+        out.before_ms = before_ms.value;
         for (const SweepAxis& axis : axes_) combinations_ *= axis.values.size();
         out.combinations = combinations_;
         at_.assign(axes_.size(), 0);
         if (settings_at(at_) == start_)
-            known_[at_] = {.axis_values = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
+            known_[at_] = {.axis_values = at_,
+                           .settings = start_,
+                           .classified = out.before,
+                           .ms = out.before_ms,
+                           .ms_noise = before_ms.noise};
         const bool all = out.combinations <= goals_.max_combinations;
         try {
             if (all)

@@ -129,7 +129,6 @@ constexpr SingleChange kSingleChanges[] = {
 };
 constexpr double kShortStrengths[] = {1, 0.25};
 constexpr double kWholeStrengths[] = {1, 0.5, 0.25, 0.125, 0.0625, 2};
-constexpr std::string_view kShortKernels[] = {"hard", "pcf3", "pcf5", "evsm4", "msm_hamburger"};
 
 /// Collects candidates without those that change nothing, repeat another one, or set a value at its limit.
 class CandidateList {
@@ -340,9 +339,14 @@ std::vector<Candidate> fix_candidates(const Settings& base, const FixFacts& f, F
     const auto [down, up] = adjacent_kernels(base);
     if (!down.empty()) with_biases("narrower kernel", kernel(down));
     if (!up.empty()) with_biases("wider kernel", kernel(up));
-    const std::span<const std::string_view> kernels =
-        length == FixList::Whole ? sweep_kernels() : std::span<const std::string_view>(kShortKernels);
-    for (const std::string_view k : kernels) with_biases(fmt::format("kernel: {}", k), kernel(k));
+    // Where one kernel by moments bleeds, another one may not. Of all others the short list has the narrowest.
+    for (const std::string_view k : sweep_kernels()) {
+        Settings with = base;
+        set_setting(with, "filter.kernel", k);
+        const bool other_moments = moments && filter_of(with).samples() == Samples::Moments;
+        if (length == FixList::Whole || other_moments || k == sweep_kernels().front())
+            with_biases(fmt::format("kernel: {}", k), kernel(k));
+    }
 
     const auto resolution = [&](double n, const std::string& name) {
         const std::string title = fmt::format("{} ({:.0f}²)", name, n);

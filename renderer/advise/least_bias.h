@@ -118,7 +118,8 @@ FoundBias find_least_bias(Renderer& renderer, const Scene& scene, const Settings
 /// @param light index of light.*
 std::string reason_without_bias(std::span<const FittedLight> lights, int light);
 
-/// Formats bias settings: "adaptive" or "bias.normal 3.1, bias.constant 0.02 texels".
+/// Formats bias settings: "bias.normal 3.1, bias.constant 0.02 texels". A row that computes the bias itself is named by
+/// its key.
 std::string bias_text(const BiasSettings& bias);
 
 }  // namespace si

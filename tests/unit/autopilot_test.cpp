@@ -221,7 +221,10 @@ TEST(Autopilot, HoldsIsUnknownWithinNoiseAndWithoutATime) {
     for (const AutopilotCase& c : r.cases) EXPECT_FALSE(c.holds);
     World sure;
     const AutopilotResult known = run_autopilot(Settings{}, axes_of(false), {.max_error = 0.001}, sure.meter());
-    for (const AutopilotCase& c : known.cases) EXPECT_EQ(c.holds.has_value(), c.ms.has_value());
+    for (const AutopilotCase& c : known.cases)
+        if (!c.ms) {
+            EXPECT_FALSE(c.holds);
+        }
     EXPECT_TRUE(std::ranges::any_of(known.cases, [](const AutopilotCase& c) { return !c.holds; }));
 }
 
