@@ -274,14 +274,14 @@ constexpr HardCase kCases[] = {
      "The bias each pixel's plane needs under this kernel and map, in closed form (bias.kind=adaptive).",
      "lit pixels of a plane darker than lit, at the predicted least bias, 0 to 89.5 degrees", 0, kPixels, kExact,
      "share of the plane that shadows itself without bias", 0.45, hard_floor_and_box,
-     "map.resolution=512 light.elevation=6 light.fit=scene bias.normal=0 filter.kernel=hard",
-     "bias.kind=constant bias.constant=1", "bias.kind=adaptive"},
+     "map.resolution=512 light.elevation=6 light.fit=scene filter.kernel=hard", "bias.kind=constant bias.constant=1",
+     "bias.kind=adaptive"},
     {2, "terminator", "Where light ends on a ball",
      "Towards the terminator the slope of the surface, and with it the bias that it needs, grows without bound.",
      "A normal offset is bounded at any angle, and faces turned away are dark without any look-up.",
      "light lost on a ball, weighted by N·L", 1.0 / 255, "of the light", "less than one step of an 8-bit picture",
      "the same without bias", 1.0 / 255, hard_sphere,
-     "map.resolution=512 light.azimuth=-40 light.elevation=30 filter.kernel=hard bias.constant=0", "bias.normal=0",
+     "map.resolution=512 light.azimuth=-40 light.elevation=30 filter.kernel=hard bias.kind=constant", "bias.normal=0",
      "bias.normal=3"},
     {3, "depth-steps", "Steps of depth",
      "Perspective depth spends its values near the light: 16 bits from 3 cm to 32 m step by 20 cm on the floor.",
@@ -289,7 +289,7 @@ constexpr HardCase kCases[] = {
      "lit pixels of a plane darker than lit, at the predicted least bias, far/near 10 to 100,000", 0, kPixels, kExact,
      "share of the plane that shadows itself without bias, where steps are small", 0.3, hard_spot_floor,
      "map.resolution=512 light.type=spot light.cone=60 light.elevation=75 light.distance=20 light.fit=manual "
-     "light.near=0.032 light.far=32 bias.normal=0 bias.constant=2 filter.kernel=hard",
+     "light.near=0.032 light.far=32 bias.kind=constant bias.constant=2 filter.kernel=hard",
      "map.format=d16", "map.format=d32f map.reversed_z=true"},
     {4, "reversed-depth", "Reversed depth",
      "A range of 1 to 100,000 leaves 32-bit floats coarse far from the light; reversed with one wrong sign, all is "
@@ -298,14 +298,14 @@ constexpr HardCase kCases[] = {
      "pixels that differ from the picture of standard depth", 5e-4, kPixels, kTwin,
      "share of pixels in shadow, all of which a wrong sign would turn", 0.01, hard_spot_floor,
      "map.resolution=512 light.type=spot light.cone=60 light.elevation=75 light.distance=20 light.fit=manual "
-     "light.near=0.00032 light.far=32 bias.normal=0 bias.constant=0.5 filter.kernel=hard map.format=d32f",
+     "light.near=0.00032 light.far=32 bias.kind=constant bias.constant=0.5 filter.kernel=hard map.format=d32f",
      "map.reversed_z=false", "map.reversed_z=true"},
     {5, "polygon-offset", "Polygon offset",
      "The depth shift of a glPolygonOffset unit differs by driver and format; that of its slope factor by driver.",
      "Both are measured on the driver at start, and bias sums use the measured values.",
      "lit pixels of a plane darker than lit, at the polygon offset that it needs by the measured values", 0, kPixels,
      kExact, "share of the plane that shadows itself without offset", 0.4, hard_floor_and_box,
-     "map.resolution=512 light.elevation=40 light.fit=scene bias.normal=0 bias.constant=0 filter.kernel=hard "
+     "map.resolution=512 light.elevation=40 light.fit=scene bias.kind=constant filter.kernel=hard "
      "map.format=d24",
      "bias.raster_slope=0", "bias.raster_slope=2 bias.raster_units=2000"},
     {6, "light-above", "Light straight above",
@@ -345,8 +345,8 @@ constexpr HardCase kCases[] = {
      "Bias, offset, fit and near planes count in texels or shares of the scene, none in metres.",
      "pixels that differ from the same scene at scale 1, from 1/1000 to 1,000,000", 5e-4, kPixels, kTwin,
      "share of pixels that differ under a bias in metres", 0.01, hard_tiny,
-     "map.resolution=512 light.azimuth=30 light.elevation=40 bias.kind=constant bias.normal=0",
-     "bias.unit=metres bias.constant=0.05", "bias.unit=texels bias.constant=5"},
+     "map.resolution=512 light.azimuth=30 light.elevation=40 bias.kind=constant", "bias.unit=metres bias.constant=0.05",
+     "bias.unit=texels bias.constant=5"},
     {12, "snapping", "Edges that crawl",
      "Maps fitted to the view frustum slide over the ground as the camera moves: hard edges shimmer.",
      "A map around the sphere about its part of the view keeps its size, and moves by whole texels found in double.",
@@ -390,8 +390,9 @@ constexpr HardCase kCases[] = {
      "A range of at least two texels, and of 1024 steps of the numbers that hold it.",
      "lit pixels of a plane darker than lit under a light straight above", 0, kCount, kExact,
      "depth scales, 1 / (far - near), that are infinite by the bounds alone", 1, hard_plate_on_floor,
-     "map.resolution=2048 light.elevation=90 bias.unit=metres bias.constant=0.001 bias.normal=0 filter.kernel=hard", "",
-     ""},
+     "map.resolution=2048 light.elevation=90 bias.kind=constant bias.unit=metres bias.constant=0.001 "
+     "filter.kernel=hard",
+     "", ""},
     {19, "bad-numbers", "Settings without sense",
      "Near beyond far, NaN and infinities in sliders and files make matrices of NaN.",
      "Every value is repaired before it is used, and the repair is said.",
@@ -411,8 +412,8 @@ constexpr HardCase kCases[] = {
      "shadow that is missing beyond the share that a width of less than a texel predicts", 0.1, "of the wires' shadow",
      "wires of one direction meet the rows of texels at like places, so that counts are not independent",
      "share of the wires' shadow missing at a quarter of a texel", 0.5, hard_wires,
-     "light.azimuth=30 light.elevation=60 light.fit=scene filter.kernel=hard bias.normal=0 bias.kind=adaptive",
-     "map.resolution=256", "map.resolution=4096"},
+     "light.azimuth=30 light.elevation=60 light.fit=scene filter.kernel=hard", "map.resolution=256",
+     "map.resolution=4096"},
     {22, "variance-cancels", "Variance below zero",
      "Mean of squares less square of the mean cancels in single precision: a third of flat texels has a variance below "
      "0.",
@@ -420,7 +421,7 @@ constexpr HardCase kCases[] = {
      "pixels of a lit slope not lit, or not within 0 and 1", 0, kPixels, "a slope that nothing shades is lit",
      "share of the map's texels whose variance is below 0 as single precision has it", 0.1, hard_slope,
      "map.resolution=512 light.elevation=70 light.azimuth=0 light.fit=scene filter.kernel=vsm filter.blur=2 "
-     "filter.bleed=0 bias.normal=0 bias.constant=0",
+     "filter.bleed=0 bias.kind=constant",
      "filter.min_variance=0", "filter.min_variance=1e-5"},
     {23, "exponents", "Exponents that overflow",
      "Squares of exp(c) leave single precision beyond c = 44, half precision beyond 5.5, and a blur spreads what is "
@@ -430,7 +431,7 @@ constexpr HardCase kCases[] = {
      "nothing else is visibility", "formats in which the square of the largest exponential that can be set is infinite",
      2, hard_slope,
      "map.resolution=512 light.elevation=70 light.azimuth=0 light.fit=scene filter.kernel=evsm4 filter.blur=2 "
-     "filter.exponent=88 filter.negative_exponent=88 bias.normal=4",
+     "filter.exponent=88 filter.negative_exponent=88 bias.kind=constant bias.constant=0.1 bias.normal=4",
      "", ""},
     {24, "moment-steps", "Four moments in 16 bits",
      "The depths that four moments stand for lie close together on a plane: 16 bits move them past each other, and lit "
@@ -439,7 +440,7 @@ constexpr HardCase kCases[] = {
      0.005, kPixels, "a fifth of the value without: where the roundings of neighbouring texels agree",
      "share of pixels darker than lit without that share", 0.025, hard_floor_and_box,
      "map.resolution=512 light.azimuth=30 light.elevation=40 filter.kernel=msm_hamburger filter.moment_format=16-bit "
-     "filter.blur=2 filter.bleed=0 bias.normal=2",
+     "filter.blur=2 filter.bleed=0 bias.kind=constant bias.constant=0.1 bias.normal=2",
      "filter.moment_bias=0", "filter.moment_bias=6e-4"},
     {25, "summed-areas", "Sums over the whole map",
      "A table of sums in single precision forgets what one window adds: differences of large numbers, noise that grows "
@@ -448,7 +449,7 @@ constexpr HardCase kCases[] = {
      "mean difference from a blur of the same width", 1e-4, "of visibility", "single steps of a 16-bit fraction",
      "the same of a table in single precision", 1e-3, hard_floor_and_box,
      "map.resolution=2048 light.azimuth=30 light.elevation=40 filter.kernel=savsm filter.window=3 filter.bleed=0 "
-     "filter.min_variance=0 bias.normal=0.5",
+     "filter.min_variance=0 bias.kind=constant bias.constant=0.1 bias.normal=0.5",
      "filter.sums=float", "filter.sums=integer"},
     {26, "no-blockers", "A search that finds nothing",
      "The mean depth of no occluders is 0/0; one at the receiver itself gives a penumbra of negative width.",
@@ -463,8 +464,7 @@ constexpr HardCase kCases[] = {
      "wrong pixels inside shadow or light, on stairs a pixel wide", 5e-4, kPixels,
      "pixels on the steps' own edges may show either face",
      "share of pixels that the slope by screen derivatives takes out of their shadow", 0.05, hard_stairs,
-     "map.resolution=1024 light.azimuth=180 light.elevation=10 filter.kernel=pcf filter.size=5 bias.normal=0 "
-     "bias.constant=0.5",
+     "map.resolution=1024 light.azimuth=180 light.elevation=10 filter.kernel=pcf filter.size=5 bias.constant=0.5",
      "bias.kind=receiver-plane-derivatives", "bias.kind=receiver-plane"},
     {28, "split-ends", "Splits at their ends",
      "Logarithmic splits from a near plane of 0 are log(0); equal planes leave a slice of nothing.",
@@ -485,7 +485,7 @@ constexpr HardCase kCases[] = {
      "wrong pixels near a seam beyond those within the faces", 5e-4, kPixels, kTwin,
      "pixels whose kernel crosses the side of a face of exactly a right angle", 200, hard_lamp,
      "map.resolution=256 light.type=point light.distance=0.001 light.target_y=0.5 filter.kernel=pcf filter.size=5 "
-     "bias.unit=metres bias.constant=0.25",
+     "bias.kind=constant bias.unit=metres bias.constant=0.25 bias.normal=3",
      "", ""},
     {31, "pancaking", "Casters before the near plane",
      "Casters between the light and the view frustum are cut off by a near plane behind them, or bent by clamped "
@@ -500,8 +500,8 @@ constexpr HardCase kCases[] = {
      "Masked casters are drawn with their holes; blended ones as masks where caster.blend says so.",
      "wrong pixels inside shadow or light, against rays that know the mask", 0, kPixels, "the same holes",
      "share of pixels that differ where the mask is ignored", 0.01, hard_blended_sheet,
-     "map.resolution=1024 light.azimuth=30 light.elevation=60 filter.kernel=hard bias.kind=adaptive bias.normal=0",
-     "caster.blend=none", "caster.blend=mask"},
+     "map.resolution=1024 light.azimuth=30 light.elevation=60 filter.kernel=hard", "caster.blend=none",
+     "caster.blend=mask"},
     {33, "not-finite", "Vertices that are no numbers",
      "One NaN or infinity in a file makes bounds infinite, and with them every map.",
      "A mesh with such vertices is left out, and named.", "pixels that differ from the scene without that mesh", 0,
