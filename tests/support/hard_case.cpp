@@ -241,7 +241,7 @@ Scene floor_under_sheet(const Place& place) {
 }
 
 BiasSettings no_bias() {
-    BiasSettings b;
+    BiasSettings b = slope_settings().bias;
     b.unit = BiasUnit::Depth;
     b.constant = b.slope = b.normal = b.raster_slope = b.raster_units = b.raster_clamp = 0;
     return b;

@@ -141,7 +141,7 @@ inline constexpr Place kPlaces[] = {{}, {{4e3, -120, 9e3}, 90, 60}, {{-70, 5, 8}
 /// have walls along the rays of lights at right angles, where drivers may draw slivers of any depth.
 Scene floor_under_sheet(const Place& place);
 
-/// Returns bias settings with all amounts 0, in units of depth.
+/// Returns settings of the slope bias with all amounts 0, in units of depth.
 BiasSettings no_bias();
 
 }  // namespace si::test

@@ -18,9 +18,8 @@ struct Lit {
     explicit Lit(LightType type, bool reversed, double aside = 2) {
         settings.map.reversed_z = reversed;
         settings.lights[0].type = type;
-        set_all(settings,
-                {"light.azimuth=0", "light.elevation=90", "light.distance=10", "light.cone=60", "light.fit=manual",
-                 "light.near=0.05", "light.far=12", "bias.constant=0", "bias.slope=0", "bias.normal=0"});
+        set_all(settings, {"light.azimuth=0", "light.elevation=90", "light.distance=10", "light.cone=60",
+                           "light.fit=manual", "light.near=0.05", "light.far=12", "bias.kind=slope"});
         light = fit_lights(make_scene(make_plane(20, 20)), settings)[0];
         point.position_ws = {aside, 0, 0.5 * aside};
     }

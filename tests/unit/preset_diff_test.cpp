@@ -33,14 +33,14 @@ TEST(PresetDiff, EqualPresetsHaveNoDifferences) {
 }
 
 TEST(PresetDiff, NamesKeyValuesUnitAndLabel) {
-    const Preset a = preset_with({}), b = preset_with({"bias.constant=0"});
-    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 → 0 texels (Constant bias)");
-    EXPECT_EQ(line(b, a, "bias.constant"), "Bias | bias.constant: 0 → 0.1 texels (Constant bias)");
+    const Preset a = preset_with({}), b = preset_with({"bias.constant=0.1"});
+    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0 → 0.1 texels (Constant bias)");
+    EXPECT_EQ(line(b, a, "bias.constant"), "Bias | bias.constant: 0.1 → 0 texels (Constant bias)");
 }
 
 TEST(PresetDiff, NamesBothUnitsWhereTheyDiffer) {
     const Preset a = preset_with({}), b = preset_with({"bias.unit=depth", "bias.constant=0.005"});
-    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0.1 texels → 0.005 depth (Constant bias)");
+    EXPECT_EQ(line(a, b, "bias.constant"), "Bias | bias.constant: 0 texels → 0.005 depth (Constant bias)");
     EXPECT_EQ(line(a, b, "bias.unit"), "Bias | bias.unit: texels → depth (Unit)");
 }
 
@@ -107,11 +107,12 @@ TEST(PresetDiff, MarksSettingsThatAreIdleInBoth) {
 }
 
 TEST(PresetDiff, TextIsGroupedUnderHeadings) {
-    const Preset a, b = preset_with({"bias.slope=2", "bias.normal=0", "map.resolution=64"});
+    const Preset a, b = preset_with({"bias.raster_slope=2", "bias.normal=3", "map.resolution=64"});
     EXPECT_EQ(differences_text(preset_differences(a, b), "default", "b"),
               "default → b: 3 differences\n"
               "Shadow map\n  map.resolution: 2048 → 64 texels (Resolution)\n"
-              "Bias\n  bias.slope: 0 → 2 texels (Slope bias)\n  bias.normal: 3 → 0 texels (Normal offset)\n");
+              "Bias\n  bias.normal: 0 → 3 texels (Normal offset)\n"
+              "  bias.raster_slope: 0 → 2 x depth slope (Polygon offset factor)\n");
 }
 
 }  // namespace

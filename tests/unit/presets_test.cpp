@@ -10,6 +10,7 @@
 
 #include "app/base/output.h"
 #include "renderer/base/error.h"
+#include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"
 #include "tests/support/error_text.h"
 #include "tests/support/process.h"
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string with_settings(const std::string& settings) {
-    return R"({"format":"shadow-inspector-preset","version":2,"settings":{)" + settings + "}}";
+    return R"({"format":"shadow-inspector-preset","version":3,"settings":{)" + settings + "}}";
 }
 
 std::string refusal(const std::string& json) {
@@ -47,7 +48,7 @@ Preset sample() {
 
 /// Makes a preset with these claims.
 std::string with_claims(const std::string& list) {
-    return R"({"format":"shadow-inspector-preset","version":2,"settings":{},"claims":)" + list + "}";
+    return R"({"format":"shadow-inspector-preset","version":3,"settings":{},"claims":)" + list + "}";
 }
 
 class PresetFiles : public testing::Test {
@@ -81,7 +82,7 @@ TEST(Presets, BuiltInPresetsKeepTheirClaims) {
 TEST(Presets, HoldOnlyDifferencesWithChoicesByKey) {
     const auto json = nlohmann::json::parse(preset_text(sample()));
     EXPECT_EQ(json["format"], "shadow-inspector-preset");
-    EXPECT_EQ(json["version"], 2);
+    EXPECT_EQ(json["version"], kSettingsVersion);
     EXPECT_EQ(json["settings"].size(), 6u);
     EXPECT_EQ(json["settings"]["filter.kernel"], "hard");
     EXPECT_EQ(json["settings"]["map.reversed_z"], true);
@@ -124,21 +125,21 @@ TEST(Presets, WrongFilesAreRefusedWithThePlace) {
         std::string text, mentions;
     } cases[] = {
         {"", "line 1, column 1: not JSON"},
-        {"{\n  \"format\": \"shadow-inspector-preset\",\n  \"version\": 2,,\n}", "line 3, column 16: not JSON"},
+        {"{\n  \"format\": \"shadow-inspector-preset\",\n  \"version\": 3,,\n}", "line 3, column 16: not JSON"},
         {"[]", "not a preset"},
         {"{}", "\"format\" must be"},
-        {R"({"format":"other","version":2,"settings":{}})", "\"format\" must be"},
-        {R"({"format":"shadow-inspector-preset","version":3,"settings":{}})",
-         "\"version\" is 3, but this program reads version 2: a newer one wrote the file"},
+        {R"({"format":"other","version":3,"settings":{}})", "\"format\" must be"},
+        {R"({"format":"shadow-inspector-preset","version":4,"settings":{}})",
+         "\"version\" is 4, but this program reads versions 2 to 3: a newer one wrote the file"},
         {R"({"format":"shadow-inspector-preset","version":0,"settings":{}})",
-         "\"version\" is 0, but this program reads version 2"},
+         "\"version\" is 0, but this program reads versions 2 to 3"},
         {R"({"format":"shadow-inspector-preset","version":"1","settings":{}})", "\"version\" is \"1\""},
         {R"({"format":"shadow-inspector-preset","version":1.5,"settings":{}})", "\"version\" is 1.5"},
         {R"({"format":"shadow-inspector-preset","settings":{}})", "\"version\" is missing"},
-        {R"({"format":"shadow-inspector-preset","version":2})", "\"settings\" must be an object"},
-        {R"({"format":"shadow-inspector-preset","version":2,"settings":[]})", "\"settings\" must be an object"},
-        {R"({"format":"shadow-inspector-preset","version":2,"settings":{},"about":3})", "\"about\" must be a text"},
-        {R"({"format":"shadow-inspector-preset","version":2,"settings":{},"abuot":""})", "did you mean \"about\"?"},
+        {R"({"format":"shadow-inspector-preset","version":3})", "\"settings\" must be an object"},
+        {R"({"format":"shadow-inspector-preset","version":3,"settings":[]})", "\"settings\" must be an object"},
+        {R"({"format":"shadow-inspector-preset","version":3,"settings":{},"about":3})", "\"about\" must be a text"},
+        {R"({"format":"shadow-inspector-preset","version":3,"settings":{},"abuot":""})", "did you mean \"about\"?"},
         {with_claims("3"), "claims: must be an array"},
         {with_claims("[3]"), "claims[0]: must be an object"},
         {with_claims(R"([{"op":"<"}])"), "claims[0]: names no \"metric\""},

@@ -77,6 +77,7 @@ TEST(WarpedFit, HoldsVisibleReceiversAndTheirCasters) {
             l.elevation = i % 7 ? 8 + 80 * std::abs(unit(random)) : 90;
             l.cascades = i % 3 ? 1 : 3;
             l.near_far = kNearFars[i % 5];
+            s.bias.normal = 3;
             l.near = 1;
             l.far = 2;
             s.map.reversed_z = i % 2;
