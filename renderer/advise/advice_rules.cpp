@@ -181,15 +181,25 @@ void polygon_offset(const Settings& s, const AdviceFacts& f, const Offer& offer)
           std::move(none), f.light);
 }
 
+/// Returns the largest depth range of a light's maps, from near to far plane, metres.
+double depth_range_m(const FittedLight& light) {
+    double range_m = 0;
+    for (const LightView& view : light.views) {
+        const DepthCurve curve = view.curve.curve_at_row(1);  // of a warped view the longest
+        range_m = std::max(range_m, curve.far - curve.near);
+    }
+    return range_m;
+}
+
 void sixteen_bits(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || f.fitted()->is_perspective() || s.map.format == MapFormat::D16) return;
     const MapLimits& limits = f.fitted()->limits;
-    const double step_m = limits.depth_m / 65535;
+    const double range_m = depth_range_m(*f.fitted()), step_m = range_m / 65535;
     if (!(step_m > 0) || step_m > 0.1 * limits.texel_m) return;
     Settings coarse = s;
     coarse.map.format = MapFormat::D16;
     offer(fmt::format("{} of depth in 16 bits are steps of {}, 1/{:.0f} of a texel: no more is needed",
-                      metres_text(limits.depth_m), metres_text(step_m), limits.texel_m / step_m),
+                      metres_text(range_m), metres_text(step_m), limits.texel_m / step_m),
           std::move(coarse), f.light);
 }
 

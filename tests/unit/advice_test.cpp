@@ -81,8 +81,13 @@ TEST(AdviceRules, FireWhenTheirFactsHold) {
          "bias.normal=1", "need no more than"},
         {"polygon-offset", [](Settings& s, AdviceFacts&) { s.bias.raster_slope = 2; }, "bias.raster_slope=0",
          "slope 2"},
-        {"sixteen-bits", [](Settings&, AdviceFacts& f) { f.lights[0].limits.texel_m = 0.01; }, "map.format=d16",
-         "20 m of depth in 16 bits"},
+        {"sixteen-bits",
+         [](Settings&, AdviceFacts& f) {
+             f.lights[0].limits.texel_m = 0.01;
+             f.lights[0].limits.depth_m = 3;  // of the scene
+             f.lights[0].views[0].curve = {.near = 5, .far = 25};
+         },
+         "map.format=d16", "20 m of depth in 16 bits"},
         {"contact", [](Settings& s, AdviceFacts&) { s.lights[0].contact = 0.2; }, "light.contact=0", "200 mm"},
         {"whole-map",
          [](Settings& s, AdviceFacts& f) {
