@@ -4,7 +4,7 @@
 #include "lib/blockers.glsl"
 
 float filter_visibility(Receiver r) {
-    float own_m = compared_metres(r);
+    float own_m = surface_metres(r);
     vec2 turn = disk_rotation(r);
     float widest = clamp(max_penumbra_radius_texels(r, own_m), 0.5, filter_max_radius);
     Blockers blockers = search_blockers(r, own_m, turn, loop_bound(TAP_COUNT), widest, true);

@@ -3,7 +3,7 @@
 #include "lib/blockers.glsl"
 
 float filter_visibility(Receiver r) {
-    float own_m = compared_metres(r);
+    float own_m = surface_metres(r);
     vec2 turn = disk_rotation(r);
 
     float search = min(max_penumbra_radius_texels(r, own_m), filter_max_radius);

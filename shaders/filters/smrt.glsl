@@ -5,7 +5,8 @@
 #include "lib/penumbra.glsl"
 
 float filter_visibility(Receiver r) {
-    float own_m = compared_metres(r), near = near_plane_m(r, r.uvd_offset.xy);
+    // A surface blocks only if it is before the compared point. Its height is measured from the receiver's surface.
+    float own_m = surface_metres(r), compared_m = compared_metres(r), near = near_plane_m(r, r.uvd_offset.xy);
     // Across the light a ray advances linearly with `t`, which is 1 at the widest penumbra. Along the light the advance is
     // linear under parallel rays. For a point light the quotient of passed and remaining distance is linear.
     bool even = LIGHT_TYPE[r.light] == LIGHT_DIRECTIONAL || LIGHT_PERSPECTIVE[r.light] == 0;
@@ -20,31 +21,32 @@ float filter_visibility(Receiver r) {
 #endif
     float hits = 0.0, blocker_m = 0.0, taps = 1.0;
     // The stored depth at the receiver's own place is the same for every ray.
-    float here_m = own_m - clamped_metres(r, r.uvd_offset.xy,
-                                      map_depth(r.uvd_offset.xy, r.layer) - plane_within_texel(r, r.uvd_offset.xy));
+    float here_m = clamped_metres(r, r.uvd_offset.xy,
+                                  map_depth(r.uvd_offset.xy, r.layer) - plane_within_texel(r, r.uvd_offset.xy));
     int rays = filter_rays;
 #if SKIPS_SEARCH
-    if (widest == 0.0 && !(here_m > 0.0)) rays = 0;  // no caster is in the way of any ray
+    if (widest == 0.0 && !(here_m < compared_m)) rays = 0;  // no caster is in the way of any ray
 #endif
     for (int ray = 0; ray < rays; ++ray) {
         vec2 aim = disk_to_map(r, rotated(ray_place(ray), turn)) * (widest / float(map_resolution));
         float begun = fract(first + float(ray) * 0.754877666);  // offset of the first step, spread over the rays
-        float ray_m = 0.0, gap_m = here_m, below_m = 3e38;  // below_m: place of the ray at the last step with a surface before it
+        float ray_m = 0.0, stored_m = here_m, below_m = 3e38;  // below_m: place of the ray at the last step with a surface before it
         for (int i = 0; i <= filter_steps; ++i) {
             if (i > 0) {
                 float t = (float(i) - 1.0 + begun) / float(filter_steps);
                 ray_m = even ? t * end_m : own_m * (t * end_m) / (1.0 + t * end_m);
                 vec2 at = r.uvd_offset.xy + t * aim;
-                gap_m = own_m - clamped_metres(r, at, map_depth(at, r.layer) - plane_within_texel(r, at));
+                stored_m = clamped_metres(r, at, map_depth(at, r.layer) - plane_within_texel(r, at));
                 taps += 1.0;
             }
             // A step covers the ray up to the next step. After the last step the interval is unlimited.
             float next = (float(i) + begun) / float(filter_steps);
             float next_m = even ? next * end_m : own_m * (next * end_m) / (1.0 + next * end_m);
             float reaches_m = i == filter_steps ? 3e38 : max(next_m, ray_m + filter_thickness);
-            bool before = gap_m > ray_m;
+            float gap_m = own_m - stored_m;
+            bool before = stored_m < compared_m && gap_m > ray_m;
             // The test covers the whole interval between two steps, so that no surface is missed there.
-            if (before ? gap_m <= reaches_m : gap_m > below_m) {
+            if (before ? gap_m <= reaches_m : stored_m < compared_m && gap_m > below_m) {
                 hits += 1.0;
                 blocker_m += gap_m;
                 break;

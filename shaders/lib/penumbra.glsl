@@ -14,8 +14,11 @@ float penumbra_texels(Receiver r, float own_m, float gap_m) {
 /// Converts a stored depth, clamped to the range, to metres along the axis.
 float clamped_metres(Receiver r, vec2 at, float depth) { return metres_at(r, at, clamp(depth, 0.0, 1.0)); }
 
-/// Returns the receiver's compared distance along the axis, metres.
+/// Returns the compared distance along the axis, metres: the receiver's, less its bias.
 float compared_metres(Receiver r) { return clamped_metres(r, r.uvd_offset.xy, r.reference); }
+
+/// Returns the receiver's own distance along the axis, metres. Distances of casters are measured from there.
+float surface_metres(Receiver r) { return clamped_metres(r, r.uvd.xy, r.uvd.z); }
 
 /// Returns the largest possible penumbra radius in texels, of a caster at the near plane, before filter.max_radius.
 float max_penumbra_radius_texels(Receiver r, float own_m) {
