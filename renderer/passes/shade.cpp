@@ -62,12 +62,19 @@ std::vector<gl::Define> look_defines(const FrameState& f) {
             {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
 }
 
+/// Origin of visibility in shading.
+enum class VisibilityFrom {
+    Kernel,       ///< shading evaluates it
+    OwnPixel,     ///< the bound visibility image
+    StaticPixel,  ///< the bound visibility image, at the pixel that shows the surface without the camera's shift
+};
+
 /// Draws the shaded scene into the bound framebuffer.
-/// @param separate reads the bound visibility image in place of evaluating visibility
-void shade(const FrameState& f, bool separate, PassInfo& info) {
+void shade(const FrameState& f, VisibilityFrom from, PassInfo& info) {
     const std::vector<gl::Define> look = look_defines(f);
     std::vector<gl::Define> extra = look;
-    if (separate) extra.push_back({"SEPARATE_VISIBILITY", "1"});
+    if (from != VisibilityFrom::Kernel) extra.push_back({"SEPARATE_VISIBILITY", "1"});
+    if (from == VisibilityFrom::StaticPixel) extra.push_back({"SMOOTHED", "1"});
     const auto draw = [&](const char* which) {
         std::vector<gl::Define> defines = extra;
         if (which) defines.push_back({which, "1"});
@@ -87,7 +94,7 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
 void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
     CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // binds the framebuffer
     pass.clear(kBackground);
-    shade(f, separate, info);
+    shade(f, separate ? VisibilityFrom::OwnPixel : VisibilityFrom::Kernel, info);
 }
 
 /// Returns the report on objects culled by the view frustum.
@@ -110,7 +117,7 @@ using SmoothTargets = ShadePasses::SmoothTargets;
 constexpr glm::ivec2 kJitterSixteenths[kMaxSmoothedShadings] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
                                                                 {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
 
-/// Draws one shading by a camera shifted by part of a pixel, and adds it to the sum.
+/// Draws one shading by a camera shifted by part of a pixel.
 void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
     const glm::dvec2 part = glm::dvec2(place) / 16.0;
     shared::FrameBlock block = make_frame_block(f);
@@ -124,7 +131,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
         const float far_depth = float(f.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(into.id(), GL_COLOR, 0, &kBackground.x);
         glClearNamedFramebufferfv(into.id(), GL_DEPTH, 0, &far_depth);
-        shade(f, false, info);
+        shade(f, VisibilityFrom::StaticPixel, info);
     }
     replace_frame_block(f, make_frame_block(f));
 }
@@ -218,10 +225,7 @@ void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
               .cached = &t.mean.key,
               .idle_reason = "not needed: the view moves, or no smooth picture is requested"};
     const int count = std::min(f.request.smoothed, kMaxSmoothedShadings);
-    bool fused = true;
-    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        fused &= !f.has_contact_shadows(i) && (!f.gl.fitted[i].shadowed || source_of(f.settings, int(i)).fused);
-    if (!fused) pass.unneeded = "visibility is a separate pass, at the picture's own pixels";
+    pass.reads.insert(pass.reads.end(), {Result::Visibility, Result::VisibleSurfaces});
     pass.key = Key().add(of).add(count).value();
     pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };
     f.plan.add_pass(std::move(pass));

@@ -86,7 +86,8 @@ void VisibilityPass::declare(FrameState& f) {
     Pass pass{.name = "visibility",
               .reads = kernel_inputs(f),
               .writes = {Result::Visibility},
-              .needs = f.separate_visibility_reason,
+              .needs = f.separate_visibility || f.request.smoothed == 0 ? f.separate_visibility_reason
+                                                                        : "smoothing of a static view reads it",
               .cached = &targets_.visibility.key,
               .idle_reason = "no pass reads it: the shading pass evaluates visibility itself"};
     pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs, Result::LightMap});

@@ -11,6 +11,9 @@
 
 #ifdef SEPARATE_VISIBILITY
 layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
+#ifdef SMOOTHED
+#include "lib/unshifted_pixel.glsl"
+#endif
 #endif
 layout(location = 0) out vec4 colour_out;
 
@@ -42,6 +45,10 @@ float visibility_of(int light, Surface s, vec3 to_light) {
     return light_visibility(s, light);
 }
 
+#ifdef SEPARATE_VISIBILITY
+ivec2 visibility_at;  // pixel of visibility_map
+#endif
+
 /// Returns the reflected light of one light: visibility * (diffuse + specular) * radiance.
 vec3 light_share(int i, Surface s) {
     float distance_m;
@@ -50,7 +57,7 @@ vec3 light_share(int i, Surface s) {
 #ifdef DIM_PASS
     float visibility = 0.0;
 #elif defined(SEPARATE_VISIBILITY)
-    float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
+    float visibility = texelFetch(visibility_map, ivec3(visibility_at, i), 0).r;
 #else
     float visibility = needs_visibility(i, s, l, distance_m) ? visibility_of(i, s, l) : 1.0;
 #endif
@@ -71,6 +78,11 @@ void main() {
     if (base.a < surface.y) discard;
 #endif
     Surface s = make_surface();
+#ifdef SMOOTHED
+    visibility_at = unshifted_pixel(s);
+#elif defined(SEPARATE_VISIBILITY)
+    visibility_at = ivec2(gl_FragCoord.xy);
+#endif
 #if SKY_LIGHTS
     vec4 ambient = frame_ambient();
     // The axis points to the brightest part of the sky. Few values are read, since CPU drivers read each one again for
