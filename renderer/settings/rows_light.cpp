@@ -70,6 +70,15 @@ std::string_view map_idle(const Settings& s, int i) {
     return source_of(s, i).needs.map ? "" : "without effect: light.source is not a map";
 }
 
+/// Returns the reason why light.fit has no effect.
+std::string_view fit_idle(const Settings& s, int i) {
+    if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
+    // Its depth range is then by hand.
+    const bool manual = of(s, i).fit == LightFit::Manual;
+    return has_type(s, i, LightType::Point) && !manual ? "without effect: a point light's six faces look everywhere"
+                                                       : "";
+}
+
 std::string_view planes_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
     if (fit_row(of(s, i).fit).warps && has_type(s, i, LightType::Directional) && is_orthographic(s, i) &&
@@ -228,13 +237,14 @@ constexpr auto kLight = with_scope(
          .help = "The technique that makes the light's shadows. All can be compared with the ray-traced reference.",
          .also = "shadow type, ray-traced shadows, baked shadows, stencil shadows, lightmap, shadowmask, capsule "
                  "shadows, blob shadows, decal shadows"},
-        {SI_LIGHT_FIELD(fit), .label = "Fit", .choices = choices_of<fits>, .idle = map_idle,
+        {SI_LIGHT_FIELD(fit), .label = "Fit", .choices = choices_of<fits>, .idle = fit_idle,
          .help = "The region that the shadow map covers.",
          .also = "shadow distance, max distance, shadow camera, stable cascades, stabilized, shadow frustum, stable "
                  "fit, close fit, shadow projection, dynamic shadow distance, directional shadow max distance, "
                  "maxShadowDistance, perspective shadow maps"},
         {SI_LIGHT_FIELD(snap), .label = "Whole texels",
-         SI_IDLE(of(s, i).fit != LightFit::Stabilised, "without effect: only the fit stabilised moves by whole texels"),
+         SI_IDLE(of(s, i).fit != LightFit::Stabilised || has_type(s, i, LightType::Point),
+                 "without effect: only the fit stabilised moves by whole texels, and a point light's faces do not"),
          .help = "Moves the stabilised map by whole texels, so that shadow edges stay unchanged while the camera "
                  "moves. Off: the map follows by fractions of a texel, and edges shimmer.",
          .also = "texel snapping, stable, shimmer, swimming, shimmering, flicker, edge crawling"},

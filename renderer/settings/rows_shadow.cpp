@@ -74,6 +74,45 @@ std::string_view outside_idle(const Settings& s, int) {
     return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
 }
 
+/// Returns true when a light's virtual map may have clip levels.
+bool may_have_levels(const LightSettings& light) {
+    return light.type == LightType::Directional && light.fit != LightFit::Manual &&
+           light.projection != LightProjection::Perspective;
+}
+
+/// Returns the reason why map.virtual_levels has no effect.
+std::string_view levels_idle(const Settings& s, int) {
+    for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {
+        if (may_have_levels(s.lights[std::size_t(i)])) return "";
+    }
+    return "without effect: only a directional light has clip levels, with a fitted and orthographic map";
+}
+
+std::string_view level_bias_idle(const Settings& s, int light) {
+    return s.map.virtual_levels < 2 ? "without effect: map.virtual_levels is 1" : levels_idle(s, light);
+}
+
+/// Returns true when a light's map may have six faces. A wide spot light's has them.
+bool may_have_faces(const LightSettings& light) {
+    return light.type == LightType::Point || (light.type == LightType::Spot && light.cone > 171);
+}
+
+/// Returns the reason why map.wrap has no effect: every look-up stays within its face.
+std::string_view wrap_idle(const Settings& s, int) {
+    if (!s.map.face_guard || s.light_count == 0) return "";
+    for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {
+        if (s.lights[std::size_t(i)].type != LightType::Point) return "";
+    }
+    return "without effect: the six faces of a point light leave nothing outside; set map.face_guard off to show seams";
+}
+
+std::string_view face_guard_idle(const Settings& s, int) {
+    for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {
+        if (may_have_faces(s.lights[std::size_t(i)])) return "";
+    }
+    return "without effect: no light's map has six faces";
+}
+
 std::string_view compare_idle(const Settings& s, int) {
     return filter_of(s).samples() == Samples::Moments
                ? "without effect: this kernel compares with the mean and variance of depths, not with single depths"
@@ -102,7 +141,7 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {SI_FIELD(map.format), .label = "Format", .cost = Cost::Target, SI_CHOICES(kFormats),
      .help = "The storage of depth in the map. Fewer bits make larger steps of depth, which need more bias.",
      .also = "depth precision, depth bits, depth buffer format", .shader = true, .read_by = ReadBy::Maps},
-    {SI_FIELD(map.wrap), .label = "Addressing", .cost = Cost::Program, SI_CHOICES(kWraps),
+    {SI_FIELD(map.wrap), .label = "Addressing", .cost = Cost::Program, SI_CHOICES(kWraps), .idle = wrap_idle,
      .help = "The result of a look-up outside the map's square.",
      .also = "wrap mode, address mode, clamp, oversampling", .shader = true},
     {SI_FIELD(map.outside), .label = "Out-of-map result", .cost = Cost::Program, SI_CHOICES(kOutside),
@@ -114,6 +153,12 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
              "farther away than anything stored, and turn dark.",
      .also = "far plane, beyond far, shadow distance", .shader = true},
+    {SI_FIELD(map.face_guard), .label = "Guard of faces", .idle = face_guard_idle,
+     .help =
+         "Draws each of the six faces of a point light's map wider than its quarter turn, by the texels that "
+         "look-ups reach: at least 6. Off: a look-up near a face's rim leaves the face, map.wrap answers, and seams "
+         "show. A wide spot light has such faces too.",
+     .also = "cube map seams, seamless, face border, guard band"},
     {SI_FIELD(map.compare), .label = "Depth test", .cost = Cost::Program, SI_CHOICES(kCompares), .idle = compare_idle,
      .help = "The comparison of the fragment's depth with the stored one (greater, greater or equal under reversed "
              "depth). They differ where both are equal, as on surfaces that cast onto themselves without bias.",
@@ -164,10 +209,10 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
              "lose sharpness, and no place of the map is missing.",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.virtual_levels), .label = "Clip levels", .unit = "maps", .min = 1, .max = kMaxClipLevels,
+     .idle = levels_idle,
      .help = "Number of maps of a directional light around the camera. The coarsest covers the view frustum, and each "
              "finer one has texels half as wide. 1 is the map of light.fit, drawn by pages."},
-    {SI_FIELD(map.virtual_bias), .label = "Level bias", .unit = "levels", .min = -4, .max = 4,
-     SI_IDLE(s.map.virtual_levels < 2, "without effect: map.virtual_levels is 1"),
+    {SI_FIELD(map.virtual_bias), .label = "Level bias", .unit = "levels", .min = -4, .max = 4, .idle = level_bias_idle,
      .help = "Level offset. With 0 a texel covers half a pixel to a pixel. 1 halves sharpness and draws about a "
              "quarter of the pages; below 0 is finer."},
 }));

@@ -127,6 +127,7 @@ struct MapSettings {
     MapWrap wrap = MapWrap::Border;
     Outside outside = Outside::Lit;
     bool far_guard = true;
+    bool face_guard = true;
     Compare compare = Compare::LessEqual;
     bool reversed_z = false;
     int blur_texels = 0;
