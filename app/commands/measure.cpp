@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/lost_casters.h"
 #include "renderer/reference/artefact_picture.h"
 
 namespace si {
@@ -100,6 +102,10 @@ void run_measure(const MeasureOptions& options) {
     if (options.check_numeric)
         health = search_numbers(renderer, session.scene, session.settings,
                                 {.width = options.size.width, .height = options.size.height});
+    const auto light = std::size_t(std::clamp(session.settings.view.light, 0, kMaxLights - 1));
+    const std::vector<LostCaster> lost = light < classified.lights.size()
+                                             ? lost_casters(session.scene, session.settings, classified.lights[light])
+                                             : std::vector<LostCaster>();
     if (options.json) {
         Json json = {{"format", "shadow-inspector-measurement"},
                      {"version", 1},
@@ -110,6 +116,7 @@ void run_measure(const MeasureOptions& options) {
                      {"area", session.settings.truth.area}};
         json["error"] = error_json(classified.error, classified.reference->noise);
         json["truth"] = reference_quality_json(*classified.reference);
+        json["lost_casters"] = lost_casters_json(session.scene, lost);
         json["time"] = time ? time_json(*time) : Json();
         if (time) {
             json["time"]["seconds"] = time->seconds;
@@ -130,6 +137,7 @@ void run_measure(const MeasureOptions& options) {
     }
     print_notes(session.notes);
     print_notes(classified.notes);
+    print_notes(lost_caster_remarks(session.scene, lost, int(light)));
     if (health) require_sound(*health);
 }
 

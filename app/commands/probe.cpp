@@ -20,6 +20,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/lost_casters.h"
 #include "renderer/reference/ray_scenes.h"
 #include "renderer/reference/reference_scene.h"
 #include "renderer/render/renderer.h"
@@ -129,6 +130,12 @@ std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, co
     return out;
 }
 
+/// Returns the casters between the probed point and a light that leave nothing in its map.
+std::vector<LostCaster> lost_before(const Session& session, const Probe& probe, const Probe::PerLight& light) {
+    return lost_casters_before(session.scene, lost_casters(session.scene, session.settings, light.fitted), light.fitted,
+                               probe.position_ws);
+}
+
 /// Searches a fix of the probed pixel under view.light, if the pixel is wrong. Stops at the first one.
 std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const Probe& probe,
                               const std::vector<PixelDiagnosis>& found) {
@@ -207,6 +214,8 @@ void run_probe(const ProbeOptions& options) {
         if (table) print_fixes(*table, 8);
     }
     print_notes(session.notes);
+    for (const Probe::PerLight& light : probe.lights)
+        print_notes(lost_caster_remarks(session.scene, lost_before(session, probe, light), light.light));
     if (!section.empty()) {
         if (!probe.hit)
             throw Error(

@@ -140,7 +140,8 @@ void run_render(const RenderOptions& options) {
     print_notes(session.notes);
     print_notes(frame.notes);
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
-        print_notes(lost_caster_remarks(session.scene, lost_casters(session.scene, session.settings, frame.lights[i])));
+        print_notes(
+            lost_caster_remarks(session.scene, lost_casters(session.scene, session.settings, frame.lights[i]), int(i)));
     if (health) require_sound(*health);
 }
 

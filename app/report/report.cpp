@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/session/setting_json.h"
-#include "renderer/inspect/lost_casters.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 
@@ -58,13 +57,7 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
                  {"clipped_casters", light.clipped_casters},
                  {"position", vector_json(light.position)},
                  {"to_light", vector_json(light.to_light)}};
-    const auto lost_json = [&](const LostCaster& lost) -> Json {
-        const Object& object = session.scene.objects[std::size_t(lost.object)];
-        return {{"object", session.scene.nodes[std::size_t(object.node)].path},
-                {"culled", lost.cull == Cull::Front ? "front" : "back"},
-                {"triangles", lost.triangles}};
-    };
-    json["lost_casters"] = json_list(lost_casters(session.scene, session.settings, light), lost_json);
+    json["lost_casters"] = lost_casters_json(session.scene, lost_casters(session.scene, session.settings, light));
     if (light.views.empty()) return json;
     const LightView& first = light.views.front();
     const double centre_m = glm::dot(first.axes[2], first.eye - session.scene.bounds.centre());
@@ -172,6 +165,16 @@ Json memory_json(const MemoryReport& facts) {
     const ProcessMemory& p = facts.process;
     return {{"resident", p.resident},   {"peak", p.peak},       {"heap", p.heap},
             {"heap_free", p.heap_free}, {"held", facts.held()}, {"holders", json_list(facts.holders, holder_json)}};
+}
+
+Json lost_casters_json(const Scene& scene, const std::vector<LostCaster>& lost) {
+    return json_list(lost, [&](const LostCaster& l) -> Json {
+        const Object& object = scene.objects[std::size_t(l.object)];
+        return {{"object", scene.nodes[std::size_t(object.node)].path},
+                {"by", lost_by_key(l.by)},
+                {"culled", l.by != LostBy::Culling ? Json() : Json(l.cull == Cull::Front ? "front" : "back")},
+                {"triangles", l.triangles}};
+    });
 }
 
 Json report_json(const Session& session, const std::string& view, const FrameRequest& request, const FrameResult& frame,

@@ -5,6 +5,7 @@
 #include "app/session/session.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/frame/frame.h"
+#include "renderer/inspect/lost_casters.h"
 #include "renderer/render/renderer.h"
 
 namespace si {
@@ -21,6 +22,8 @@ nlohmann::ordered_json driver_json(const DriverInfo& driver);
 /// Converts memory facts to JSON {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most, count}]}, in
 /// bytes.
 nlohmann::ordered_json memory_json(const MemoryReport& facts);
+/// Converts casters that leave nothing in a light's map to JSON.
+nlohmann::ordered_json lost_casters_json(const Scene& scene, const std::vector<LostCaster>& lost);
 /// Makes the JSON report of a drawn frame (`render --report`). @param view key of the view that was drawn
 nlohmann::ordered_json report_json(const Session& session, const std::string& view, const FrameRequest& request,
                                    const FrameResult& frame, const DriverInfo& driver);

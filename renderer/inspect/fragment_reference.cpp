@@ -50,6 +50,10 @@ FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Pr
     out.evidence.gap_all = depth_of_gap(light, out.blocker_m);
     out.evidence.run_m = runs.run_m.at(at.x, at.y);
     out.evidence.edge_m = runs.edge_m.at(at.x, at.y);
+    if (out.state == PixelState::Counted && !out.lit) {
+        out.missing = missing_caster(scene, around.at(at.x, at.y), query);
+        if (out.missing) out.missing_path = scene.geometry().objects[out.missing->object].path;
+    }
     if (out.state == PixelState::Counted)
         out.cause = cause_of(out.evidence, {.visibility = out.lit ? 1.0 : 0.0, .hard_lit = out.lit}, light.causes);
     out.any_leak = light.visibility > shared::VISIBLE_ERROR && !out.lit &&

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "renderer/inspect/probe.h"
 #include "renderer/reference/shadow_runs.h"
@@ -18,9 +20,12 @@ struct FragmentReference {
     /// culling of casters, beyond the near plane. NaN without an occluder.
     double gap_m = std::numeric_limits<double>::quiet_NaN();
     double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< likewise over all casters, without culling
-    CauseEvidence evidence;                                       ///< evidence of the probe, completed by the reference
-    bool any_leak = false;  ///< V > 0.02 in the umbra at the kernel's reach: in_umbra()
-    Cause cause;            ///< cause of the error, against the light without size
+    /// Caster nearest the light that the map does not hold; none where it holds all, or where the pixel is lit.
+    std::optional<MissingCaster> missing;
+    std::string missing_path;  ///< path of that caster
+    CauseEvidence evidence;    ///< evidence of the probe, completed by the reference
+    bool any_leak = false;     ///< V > 0.02 in the umbra at the kernel's reach: in_umbra()
+    Cause cause;               ///< cause of the error, against the light without size
 };
 
 /// Traces the ray-traced reference at one probed pixel and classifies the pixel's shadow error. Takes some thousand

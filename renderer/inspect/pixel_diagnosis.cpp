@@ -191,9 +191,9 @@ private:
                     reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
                 return fmt::format(
-                    "lost caster: should be in shadow of a surface {} nearer to the light, which {} left out of the "
-                    "map",
-                    metres_text(reference_.blocker_m), leaves_out());
+                    "lost caster: should be in shadow of {}, {} nearer to the light, which {} left out of the map",
+                    reference_.missing ? reference_.missing_path : "a surface", metres_text(reference_.blocker_m),
+                    leaves_out());
             case Artefact::Leak:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered < 0.5f)
                     return fmt::format(
@@ -312,11 +312,16 @@ private:
         if (p_.causes.raster_bias && e.unfiltered < 0.5f) return "without polygon offset";
         return "with the least bias of one nearest texel and without the normal offset";
     }
+    /// Returns the rule that kept a caster out of the map, in words.
     std::string leaves_out() const {
-        const std::string culling =
-            settings_.caster.cull != Cull::None ? "culling (caster.cull)" : "an object's own culling";
-        return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level"
-                                     : culling + " or the near plane";
+        if (!reference_.missing) return p_.causes.mask_levels ? "a mask's mip level" : "culling or the near plane";
+        if (!reference_.missing->culled) return fmt::format("the near plane (at {})", metres_text(view().curve.near));
+        return missing_is_inherited() ? "culling (caster.cull)" : "the object's own culling";
+    }
+    /// Returns true when caster.cull decides the culling of the missing caster.
+    bool missing_is_inherited() const {
+        const auto own = settings_.objects.find(reference_.missing_path);
+        return own == settings_.objects.end() || own->second.cull == ObjectCull::Inherit;
     }
     /// Lists the filters that the unfiltered map lacks.
     std::string filtered_by() const {
@@ -416,8 +421,14 @@ private:
     std::optional<SuggestedFix> fix() const {
         switch (reference_.cause.artefact) {
             case Artefact::LostCaster:
-                if (settings_.caster.cull != Cull::None)
-                    return SuggestedFix{{{"caster.cull", "none"}}, "set caster.cull to none"};
+                if (!reference_.missing) return {};
+                if (reference_.missing->culled) {
+                    const std::string key = fmt::format("object.{}.cull", reference_.missing_path);
+                    return SuggestedFix{{{key, "none"}}, fmt::format("set {} to none", key)};
+                }
+                if (const std::string key = fmt::format("light.{}.near_far", p_.light);
+                    settings_.lights[std::size_t(p_.light)].near_far != NearFar::Fitted)
+                    return SuggestedFix{{{key, "fitted"}}, fmt::format("set {} to fitted", key)};
                 return {};
             case Artefact::PeterPanningOffset:
             case Artefact::OffsetShadow: {

@@ -14,6 +14,7 @@ Classification Measurer::classify(const Scene& scene, const Settings& settings) 
     classified.cost = work_cost(measured, frame);
     classified.map_resolution = frame.map_resolution;
     classified.pages = frame.pages;
+    classified.lights = frame.lights;
     classified.picture = renderer_.read_colour(frame.colour);
     classified.notes = frame.notes;
     request.force = false;

@@ -121,6 +121,21 @@ public:
         });
     }
 
+    /// Returns the caster nearest the light over a receiver that the map does not hold.
+    std::optional<MissingCaster> missing_caster(std::size_t i) const {
+        std::vector<Hit> hits;
+        const RaySpan span = collect(i, hits);
+        std::optional<MissingCaster> out;
+        double farthest = 0;
+        for (const Hit& hit : hits) {
+            const double t = hit.t + span.origin_shift;
+            if ((!hit.culled && t <= span.most) || t < farthest) continue;
+            farthest = t;
+            out = MissingCaster{hit.object, hit.culled};
+        }
+        return out;
+    }
+
     /// Traces an area light adaptively: few samples everywhere, then four times as many in and next to penumbrae, and
     /// again where the error is too large.
     void trace_area(const Workers& workers) {
@@ -238,8 +253,14 @@ private:
         return state = within_range(distance, query_.emitter.range_m) ? PixelState::Counted : PixelState::BeyondRange;
     }
 
-    /// Finds Reference::nearest_m and blocker_m of a pixel on its shadow ray.
-    void find_nearest(std::size_t i, std::vector<Hit>& hits) const {
+    /// Distances along a shadow ray, in the unit frame.
+    struct RaySpan {
+        double origin_shift = 0;  ///< from the receiver to the ray's origin
+        double most = 0;          ///< from the receiver to the map's near plane
+    };
+
+    /// Collects all hits of a pixel's shadow ray.
+    RaySpan collect(std::size_t i, std::vector<Hit>& hits) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
         double distance = 0;
@@ -248,13 +269,18 @@ private:
         const ExactRay exact{glm::dvec3(origin), direction, distance * scene_.scale, r.object, r.primitive};
         if (glm::dot(r.normal_ws, direction) < kGrazingCosine) rules.exact = {&exact, 1};
         collect_hits(scene_, make_ray(origin, glm::vec3(direction), float(distance * scene_.scale), 0), rules, hits);
-        const double origin_shift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
-        const double most = metres_to_near_plane(r.position_ws, direction) * scene_.scale;
+        return {glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction),
+                metres_to_near_plane(r.position_ws, direction) * scene_.scale};
+    }
+
+    /// Finds Reference::nearest_m and blocker_m of a pixel on its shadow ray.
+    void find_nearest(std::size_t i, std::vector<Hit>& hits) const {
+        const RaySpan span = collect(i, hits);
         double drawn = kNaN, any = kNaN;
         for (const Hit& hit : hits) {
-            const double t = hit.t + origin_shift;
+            const double t = hit.t + span.origin_shift;
             if (!(t <= any)) any = t;
-            if (!hit.culled && t <= most && !(t <= drawn)) drawn = t;
+            if (!hit.culled && t <= span.most && !(t <= drawn)) drawn = t;
         }
         out_.nearest_m.data[i] = float(drawn / scene_.scale);
         out_.blocker_m.data[i] = float(any / scene_.scale);
@@ -369,6 +395,13 @@ std::string noise_text(const Reference& reference) {
     std::string text = fmt::format("noise {:.4f}, {}", reference.noise, samples);
     if (reference.noise_unknown > 0) text += fmt::format(", noise of {} pixels unknown", reference.noise_unknown);
     return text;
+}
+
+std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const Receiver& receiver,
+                                            const ReferenceQuery& query) {
+    const Receivers one{1, 1, {receiver}};
+    Reference unused;
+    return Tracer(scene, one, query, unused).missing_caster(0);
 }
 
 Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,

@@ -110,6 +110,16 @@ struct Reference {
     bool is_area() const { return !standard_error.data.empty(); }
 };
 
+/// Caster nearest the light over a receiver, among those that the map does not hold.
+struct MissingCaster {
+    std::uint32_t object = 0;  ///< index in ReferenceGeometry::objects
+    bool culled = false;       ///< face culling left it out; else the near plane
+};
+/// Finds the caster nearest the light over a receiver that culling or the near plane kept out of the map; nullopt:
+/// none.
+std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const Receiver& receiver,
+                                            const ReferenceQuery& query);
+
 /// Formats noise and sample counts of a reference: "noise 0.0031, 64 to 1024 samples a pixel (112 on average)". Empty
 /// for a light without size.
 std::string noise_text(const Reference& reference);

@@ -62,7 +62,8 @@ ReferenceGeometry::ReferenceGeometry(const Scene& scene, const Settings& setting
         const Material& material = material_of(scene, scene.meshes[std::size_t(object.mesh)]);
         const bool transparent = material.alpha == AlphaMode::Blend && !blend_casts(settings);
         const bool casts = !object.ground && !transparent && object_settings(scene, settings, object).cast;
-        objects.push_back({copier.mesh(object.mesh), object.world, casts, object.ground});
+        objects.push_back(
+            {copier.mesh(object.mesh), object.world, casts, object.ground, scene.nodes[std::size_t(object.node)].path});
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "renderer/base/key.h"
@@ -31,6 +32,7 @@ struct ReferenceObject {
     glm::dmat4 world{1.0};
     bool casts = true;
     bool ground = false;  ///< Object::ground
+    std::string path;     ///< of its node
 };
 
 /// Corners of a triangle in world space, in double precision: the object's transform is not rounded.

@@ -57,6 +57,7 @@ void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitR
 struct Hit {
     float t = 0;          ///< distance in lengths of the ray's direction
     bool culled = false;  ///< removed by HitRules::culls
+    std::uint32_t object = 0;
 };
 /// Collects all hits of a ray with casters up to the ray's end, culled ones included, in no order.
 /// @param out receives the hits

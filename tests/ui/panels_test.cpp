@@ -559,7 +559,7 @@ TEST(Panels, GreyScaleEndsAreDraggedInTheHistogram) {
 
 TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     UiHarness ui(kWidth, kHeight);
-    ui.lost_casters = {{.object = 2, .cull = Cull::Front, .triangles = 2}};
+    ui.lost_casters = {{.object = 2, .by = LostBy::Culling, .cull = Cull::Front, .triangles = 2}};
     ui.state.window.open_tab = BottomTab::Objects;
     ui.frames(5);
     const std::string path = ui.scene.nodes[std::size_t(ui.scene.objects[2].node)].path;
@@ -567,6 +567,16 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     const auto own = ui.state.settings.objects.find(path);
     ASSERT_NE(own, ui.state.settings.objects.end());
     EXPECT_EQ(own->second.cull, ObjectCull::None);
+}
+
+TEST(Panels, BlendedCastersAreNamedAndCastByAButton) {
+    UiHarness ui(kWidth, kHeight);
+    ui.lost_casters = {{.object = 2, .by = LostBy::Blending, .triangles = 2}};
+    ui.state.window.open_tab = BottomTab::Objects;
+    ui.frames(5);
+    ui.click(ui.find("bottom", "", "Blended ones cast"));
+    EXPECT_EQ(ui.state.settings.caster.blend, BlendCasters::Mask);
+    EXPECT_TRUE(ui.state.settings.objects.empty()) << "culling loses nothing";
 }
 
 TEST(Panels, ObjectListEditsOneObjectAtATime) {

@@ -58,7 +58,7 @@ TEST(LostCasters, FrontCullingLosesTheFloorAndKeepsTheClosedBox) {
     ASSERT_EQ(list.size(), 1u);
     EXPECT_EQ(list[0].object, 0);
     EXPECT_EQ(list[0].triangles, 2u);
-    const auto notes = lost_caster_remarks(scene, list);
+    const auto notes = lost_caster_remarks(scene, list, 0);
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_NE(notes[0].find("object.Floor.cull=none"), std::string::npos) << notes[0];
 }
@@ -83,6 +83,44 @@ TEST(LostCasters, SpotLightsUseTheirPosition) {
     const auto list = lost_casters_of(floor_and_box(), s);
     ASSERT_EQ(list.size(), 1u);
     EXPECT_EQ(list[0].object, 0);
+}
+
+TEST(LostCasters, BlendedMaterialsCastNothingByDefault) {
+    Scene scene = floor_and_box();
+    scene.materials = {{.name = "Glass", .alpha = AlphaMode::Blend}};
+    scene.meshes[1].material = 0;
+    Settings s;
+    const auto list = lost_casters_of(scene, s);
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].object, 1);
+    EXPECT_EQ(list[0].by, LostBy::Blending);
+    EXPECT_NE(lost_caster_text(scene, list[0], 0).find("caster.blend=mask"), std::string::npos);
+    s.caster.blend = BlendCasters::Mask;
+    EXPECT_TRUE(lost_casters_of(scene, s).empty());
+}
+
+TEST(LostCasters, TheNearPlaneLosesWhatLiesBeforeIt) {
+    const Scene scene = floor_and_box();
+    Settings s = settings_with({}, {"light.elevation=90", "light.fit=manual", "light.distance=10", "light.extent=5",
+                                    "light.near_far=manual", "light.near=11", "light.far=30"});
+    auto list = lost_casters_of(scene, s);
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].object, 1);
+    EXPECT_EQ(list[0].by, LostBy::NearPlane);
+    EXPECT_NE(lost_caster_text(scene, list[0], 2).find("light.2.near_far=fitted"), std::string::npos);
+    s.lights[0].near = 1;
+    EXPECT_TRUE(lost_casters_of(scene, s).empty());
+}
+
+TEST(LostCasters, ThoseBeforeAPointAreFoundByRays) {
+    const Scene scene = floor_and_box();
+    const Settings s = settings_with(with_cull(Cull::Front), {"light.elevation=90"});
+    const FittedLight light = fit_lights(scene, s).front();
+    const std::vector<LostCaster> both = {{.object = 0}, {.object = 1}};
+    const auto before = lost_casters_before(scene, both, light, {0.5, 0.5, 0.5});
+    ASSERT_EQ(before.size(), 1u);
+    EXPECT_EQ(before[0].object, 1) << "the floor lies behind the point";
+    EXPECT_TRUE(lost_casters_before(scene, both, light, {1.5, 0.5, 0.5}).empty()) << "beside the box";
 }
 
 TEST(LostCasters, ObjectOverridesCount) {

@@ -151,18 +151,34 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
         return;
     }
     ImGui::AlignTextToFramePadding();
-    coloured_text(fmt::format("{} lost to culling", frame.lost_casters.size()), theme::warning());
+    const auto count_of = [&](LostBy by) { return std::ranges::count(frame.lost_casters, by, &LostCaster::by); };
+    std::string text;
+    for (const auto& [by, words] : {std::pair(LostBy::Culling, "lost to culling"),
+                                    {LostBy::NearPlane, "before the near plane"},
+                                    {LostBy::Blending, "blended"}})
+        if (const auto count = count_of(by); count > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, words);
+    coloured_text(text, theme::warning());
     plain_tooltip(
         fmt::format("Objects that are to cast a shadow but leave nothing in light {}'s map: every one of their\n"
-                    "triangles faces the way that is culled. Floors and open meshes have no back.",
+                    "triangles faces the way that is culled, as of floors and open meshes, which have no back;\n"
+                    "or they lie before the near plane; or their material blends, which casts nothing by default.",
                     shown_light(state.settings)));
     same_line_if_fits(button_width("Show only lost") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Show only lost", &state.objects.only_lost);
-    same_line_if_fits(button_width("Cast from both sides"));
-    if (ImGui::Button("Cast from both sides"))
-        for (const Row& row : tree.rows)
-            if (row.placed && row.lost) state.settings.objects[*row.path].cull = ObjectCull::None;
-    plain_tooltip("Set object.<path>.cull to none for each, so that all faces cast");
+    if (count_of(LostBy::Culling) > 0) {
+        same_line_if_fits(button_width("Cast from both sides"));
+        if (ImGui::Button("Cast from both sides"))
+            for (const Row& row : tree.rows)
+                if (row.placed && row.lost && row.lost->by == LostBy::Culling)
+                    state.settings.objects[*row.path].cull = ObjectCull::None;
+        plain_tooltip("Set object.<path>.cull to none for each, so that all faces cast");
+    }
+    if (count_of(LostBy::Blending) > 0) {
+        same_line_if_fits(button_width("Blended ones cast"));
+        if (ImGui::Button("Blended ones cast")) state.settings.caster.blend = BlendCasters::Mask;
+        plain_tooltip("Set caster.blend to mask: blended surfaces cast where their alpha is at least 0.5");
+    }
 }
 
 /// Draws the arrow that opens or closes the rows below a node.
@@ -222,7 +238,11 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
                                          : row.placed ? theme::text()
                                                       : theme::muted());
     const std::string name = last_path_part(*row.path);
-    const std::string label = row.lost ? name + "   lost by culling" : name;
+    const char* const lost = !row.lost                           ? ""
+                             : row.lost->by == LostBy::Blending  ? "   blended, casts nothing"
+                             : row.lost->by == LostBy::NearPlane ? "   before the near plane"
+                                                                 : "   lost by culling";
+    const std::string label = name + lost;
     if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path))) {
         select_row(state, scene, list, at);
         end_seeking(state);  // the row is under the mouse already
@@ -232,8 +252,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
     if (!ImGui::IsItemHovered()) return;
     state.objects.hovered = *row.path;
     if (row.lost)
-        ImGui::SetTooltip("%s-face culling removes all %zu triangles.\nSet Cull to none to keep it.",
-                          row.lost->cull == Cull::Front ? "Front" : "Back", row.lost->triangles);
+        ImGui::SetTooltip("%s", lost_caster_text(scene, *row.lost, shown_light(state.settings)).c_str());
     else
         ImGui::SetTooltip("%s\nClick to select, Ctrl one more, Shift all between; %s frames them", row.path->c_str(),
                           key_text(Command::FrameSelection));
