@@ -31,8 +31,13 @@ double BiasBreakdown::contact_gap_m() const {
 
 double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
     if (!per_texel || plane.edge_on()) return receiver.compared;
-    const double moved = glm::dot(plane.gradient, centre - glm::dvec2(receiver.tap));
-    const double depth = receiver.compared + std::clamp(moved, -max_texel_shift, max_texel_shift);
+    const glm::dvec2 aside = centre - glm::dvec2(receiver.tap);
+    double moved = std::clamp(glm::dot(plane.gradient, aside), -max_texel_shift, max_texel_shift);
+    if (remainder_per_texel > 0) {
+        const double away = curve.convention.reversed ? -1 : 1;
+        moved = away * (std::min(away * moved, 0.0) - remainder_per_texel * glm::length(aside) * resolution);
+    }
+    const double depth = receiver.compared + moved;
     // The map may be empty where the plane continues beyond the far plane.
     return curve.convention.reversed ? std::max(depth, std::min(receiver.compared, 0.0))
                                      : std::min(depth, std::max(receiver.compared, 1.0));
@@ -43,6 +48,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
     const BiasSettings& bias = settings.bias;
     const Bias& row = bias_of(settings);
     BiasBreakdown a;
+    a.resolution = resolution;
     a.receiver = light_receiver(light, bias, resolution, p.position_ws, p.geometric, p.bias_normal);
     LightReceiver& r = a.receiver;
     const LightView& view = light.views[r.view];
@@ -68,6 +74,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
         b.least_per_texel = a.least.without_kernel();
     }
     b.least_common = a.least.total();
+    if (a.per_texel && row.remainder) a.remainder_per_texel = row.remainder(b);
     r.bias_depth = row.amount(bias, b);
     r.bias_m = a.curve.metres_towards_light(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;

@@ -53,6 +53,9 @@ struct BiasBreakdown {
     bool per_texel = false;  ///< every texel is compared with a depth of its own (Bias::per_texel)
     /// Largest difference between a texel's compared depth and that at the look-up (bias.plane_clamp).
     double max_texel_shift = 0;
+    /// Further bias of a texel per texel of its distance from the look-up (Bias::remainder); 0: the plane alone.
+    double remainder_per_texel = 0;
+    int resolution = 1;  ///< of the map, texels a side
     /// Returns the depth that is compared with one texel of the shadow map. @param centre the texel's map coordinates
     double compared_depth_at(const glm::dvec2& centre) const;
     /// Converts a depth shift at the surface point from depth-buffer units to texels and metres.

@@ -270,6 +270,7 @@ void choose_kernel(FrameState& f) {
     if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
     const Bias& bias = bias_of(f.settings);
     f.defines.push_back({"BIAS_PER_TEXEL", compares_per_texel(f.settings) ? "1" : "0"});
+    f.defines.push_back({"BIAS_HAS_REMAINDER", compares_per_texel(f.settings) && bias.remainder ? "1" : "0"});
     f.defines.push_back({"BIAS_READS_PLANE", bias.gives_needed_bias ? "1" : "0"});
     f.defines.push_back({"BIAS_BY_DERIVATIVES", bias.by_derivatives ? "1" : "0"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});

@@ -40,6 +40,7 @@ struct StartingValue {
 /// Row of the bias table. The GLSL functions of its file depend on its stage:
 ///   Compare  float depth_bias(BiasInput b): shift of the compared depth towards the light, depth-buffer units, >= 0.
 ///            With `per_texel` also vec2 reference_slope(BiasInput b): change of the compared depth per map width.
+///            With `remainder` also float remainder_per_texel(BiasInput b).
 ///   LookUp   vec3 normal_offset(vec3 normal, float texel_m): shift of the look-up's point, metres.
 ///   Raster   float raster_offset(vec2 per_texel, float quantum): offset of stored depths away from the light,
 ///            depth-buffer units.
@@ -55,6 +56,9 @@ struct Bias {
     bool by_derivatives = false;     ///< the plane comes from screen derivatives of the position
     /// Returns the bias in closed form and in the unit of the GLSL function; for normal_offset() its length.
     double (*amount)(const BiasSettings&, const BiasInput&) = nullptr;
+    /// Returns the further bias of a tap per texel of its distance from the look-up, in depth-buffer units. A row with
+    /// it keeps the depth at the look-up where the plane falls away from the light. Null: the plane alone.
+    double (*remainder)(const BiasInput&) = nullptr;
 };
 
 /// Returns all rows of the bias table.

@@ -11,17 +11,35 @@ vec4 reference_of(vec4 depth) {
 float reference_of(float depth) { return reference_of(vec4(depth)).x; }
 
 #if BIAS_PER_TEXEL
-/// Returns the depths of the receiver's plane, with bias, at map coordinates.
-vec4 reference_at(Receiver r, vec4 u, vec4 v) {
+/// Returns the change of the plane's depth from the look-up to map coordinates.
+vec4 plane_shift(Receiver r, vec4 u, vec4 v) {
     float most = max_texel_shift(r);
     vec4 moved = r.reference_slope.x * (u - r.uvd_offset.x) + r.reference_slope.y * (v - r.uvd_offset.y);
-    vec4 depth = r.reference + clamp(moved, -most, most);
+    return clamp(moved, -most, most);
+}
+
+/// Returns the depths that are compared where they differ from the one at the look-up by `moved`.
+vec4 reference_moved(Receiver r, vec4 moved) {
+    vec4 depth = r.reference + moved;
     // The plane may continue behind the far plane, where the map is empty.
 #if map_reversed_z
     return reference_of(max(depth, min(r.reference, 0.0)));
 #else
     return reference_of(min(depth, max(r.reference, 1.0)));
 #endif
+}
+
+/// Returns the compared depths at map coordinates: the receiver's plane, with bias and remainder.
+vec4 reference_at(Receiver r, vec4 u, vec4 v) {
+    vec4 moved = plane_shift(r, u, v);
+#if BIAS_HAS_REMAINDER
+    if (r.remainder > 0.0) {
+        vec4 across = u - r.uvd_offset.x, up = v - r.uvd_offset.y;
+        vec4 away_texels = sqrt(across * across + up * up) * float(map_resolution);
+        moved = away_from_light(1.0) * (min(away_from_light(1.0) * moved, 0.0) - r.remainder * away_texels);
+    }
+#endif
+    return reference_moved(r, moved);
 }
 
 vec2 texel_centre(vec2 at) { return (floor(at * float(map_resolution)) + 0.5) / float(map_resolution); }
@@ -44,7 +62,8 @@ float normalised_share(float share) { return share > 1.0 - 1e-6 ? 1.0 : share; }
 float plane_within_texel(Receiver r, vec2 at) {
 #if BIAS_PER_TEXEL
     vec2 centre = texel_centre(at);
-    return reference_at(r, centre.xxxx, centre.yyyy).x - reference_at(r, at.xxxx, at.yyyy).x;
+    return reference_moved(r, plane_shift(r, centre.xxxx, centre.yyyy)).x -
+           reference_moved(r, plane_shift(r, at.xxxx, at.yyyy)).x;
 #else
     return 0.0;
 #endif

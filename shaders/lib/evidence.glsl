@@ -37,6 +37,9 @@ struct Evidence {
 float trial_visibility(Receiver r, bool offset, float depth_bias) {
     if (!offset) r.uvd_offset = r.uvd;
     r.reference = r.uvd_offset.z - away_from_light(depth_bias);
+#if BIAS_HAS_REMAINDER
+    if (depth_bias < r.bias_depth) r.remainder = 0.0;  // less bias than the settings give: the plane's own
+#endif
     return map_visibility(r);
 }
 

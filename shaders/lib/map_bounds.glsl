@@ -33,7 +33,12 @@ float bounded_visibility(Receiver r) {
 #endif
     if (known && depth_test(r.reference, stored.x) > 0.5) return 1.0;
 #if BOUNDS_TELL_DARK
-    if (known && depth_test(r.reference, stored.y) < 0.5) return 0.0;
+    float least = r.reference;
+#if BIAS_HAS_REMAINDER
+    // The farthest tap may be this much nearer to the light than the plane.
+    least -= away_from_light((abs(slope.x) + abs(slope.y) + 1.5 * r.remainder) * (texels + 1.0));
+#endif
+    if (known && depth_test(least, stored.y) < 0.5) return 0.0;
 #endif
     return -1.0;
 }

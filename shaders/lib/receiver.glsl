@@ -47,6 +47,9 @@ struct Receiver {
 #if BIAS_PER_TEXEL
     vec2 reference_slope;  // change of the compared depth per map width
 #endif
+#if BIAS_HAS_REMAINDER
+    float remainder;  // further bias of a tap per texel of its distance from uvd_offset; 0: the plane alone
+#endif
     int where;
 };
 
@@ -206,6 +209,9 @@ Receiver receiver_in(Surface s, int index, int layer) {
     r.reference = r.uvd_offset.z - away_from_light(r.bias_depth);
 #if BIAS_PER_TEXEL
     r.reference_slope = reference_slope(b);
+#endif
+#if BIAS_HAS_REMAINDER
+    r.remainder = remainder_per_texel(b);
 #endif
 
     float texel = LIGHT_CHOICE[index] == CHOICE_ONE ? view.span.x : view.curve.w;  // share of the map's width

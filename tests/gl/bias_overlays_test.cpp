@@ -82,6 +82,8 @@ TEST_F(BiasOverlays, LeastBiasAndSlackEqualTheFormulas) {
               {false, "constant"},
               {true, "receiver-plane"},
               {true, "receiver-plane-derivatives"},
+              {false, "receiver-plane-remainder"},
+              {true, "receiver-plane-remainder"},
               {false, "adaptive"}})) {
         const auto& [type, fit] = light;
         const auto& [reversed, kind] = bias;

@@ -125,7 +125,7 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
         s.map.blur_texels = 2;
         agree(box, s, "polygon offset and depth blur");
         s = test::texel_settings(kernel, 256, 30);
-        for (const char* plane : {"receiver-plane", "receiver-plane-derivatives"}) {
+        for (const char* plane : {"receiver-plane", "receiver-plane-derivatives", "receiver-plane-remainder"}) {
             s.bias.constant = 30;
             set_setting(s, "bias.kind", plane);
             EXPECT_GT(count(agree(box, s, "much beyond the plane"), Artefact::PeterPanning), 10u);
@@ -153,7 +153,8 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
         set_all(s, {"bias.constant=1", "bias.normal=20"});
         EXPECT_GT(count(agree(box, s, "much offset in a warped map"), Artefact::PeterPanningOffset), 10u);
         s.bias.constant = s.bias.normal = 0;
-        for (const char* plane : {"receiver-plane", "receiver-plane-derivatives", "adaptive"}) {
+        for (const char* plane :
+             {"receiver-plane", "receiver-plane-derivatives", "receiver-plane-remainder", "adaptive"}) {
             set_setting(s, "bias.kind", plane);
             EXPECT_EQ(count(agree(box, s, "the plane alone in a warped map"), Artefact::Acne), 0u);
         }

@@ -122,6 +122,38 @@ TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
     EXPECT_LE(off, checked / 200);
 }
 
+TEST_F(DiagnosisTest, TapsWithARemainderAddUpToTheVisibilityOnTheGpu) {
+    const Scene scene = test::floor_and_box(10, {1.5, 0.25, 2}, 0);
+    int checked = 0, off = 0, off_without = 0;
+    for (const auto& [format, reversed] : {std::pair{"d16", false}, {"d32f", true}, {"d24", true}}) {
+        Settings s = plain("pcf5", 0);
+        set_setting(s, "map.format", format);
+        s.map.reversed_z = reversed;
+        set_all(s, {"map.resolution=64", "bias.kind=receiver-plane-remainder", "bias.normal=0.25"});
+        for (int y = 30; y < 100; y += 7)
+            for (int x = 40; x < 130; x += 7) {
+                const Probe p = renderer.probe(scene, s, kPicture, x, y);
+                if (!p.hit || p.lights[0].account.receiver.n_dot_l <= 0) continue;
+                BiasBreakdown plane_alone = p.lights[0].account;
+                EXPECT_GT(plane_alone.remainder_per_texel, 0);
+                plane_alone.remainder_per_texel = 0;
+                double sum = 0, sum_without = 0;
+                for (const KernelTap& t : p.lights[0].taps) {
+                    sum += t.weight * t.lit;
+                    const double own = plane_alone.compared_depth_at((glm::dvec2(t.texel) + 0.5) / 64.0);
+                    sum_without += t.weight * (reversed ? own >= t.stored : own <= t.stored);
+                }
+                ++checked;
+                off += std::abs(sum - p.lights[0].visibility) > 1e-3;
+                off_without += std::abs(sum_without - p.lights[0].visibility) > 1e-3;
+            }
+    }
+    EXPECT_GT(checked, 150);
+    // Single precision may decide a comparison differently.
+    EXPECT_LE(off, checked / 100);
+    EXPECT_GT(off_without, checked / 20) << "the remainder decides no tap here";
+}
+
 SI_TEST_IS(DriverIndependent, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
 SI_TEST_IS(Repeated, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
 TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {

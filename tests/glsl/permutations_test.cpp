@@ -314,9 +314,9 @@ std::vector<const Change*> kinds_of(const Axis& table) {
         const SourceNeeds& needs = source_of(s, 0).needs;
         const Bias& bias = bias_of(s);
         const std::string kind =
-            fmt::format("{} {} {} {} | {} {} | {} {} {} {}", int(filter.samples()), is_bilinear(filter, s),
-                        filter.linear, filter.moments.summed, bias.per_texel, int(bias.stage), needs.map,
-                        source_of(s, 0).fused, needs.reference, needs.light_map);
+            fmt::format("{} {} {} {} | {} {} {} | {} {} {} {}", int(filter.samples()), is_bilinear(filter, s),
+                        filter.linear, filter.moments.summed, bias.per_texel, bias.remainder != nullptr,
+                        int(bias.stage), needs.map, source_of(s, 0).fused, needs.reference, needs.light_map);
         if (seen.insert(kind).second) out.push_back(&choice);
     }
     return out;

@@ -56,6 +56,10 @@ TEST(Biases, AmountsAreTheClosedForms) {
     b.per_texel = {0.02, -0.03};
     b.least_common = 0.7;
     EXPECT_DOUBLE_EQ(amount("receiver-plane-derivatives", BiasUnit::Metres), 2.0 / 8 + 1e-4 + 0.05);
+    // Half a texel's width and a sixteenth of the slope at the look-up, twice that per texel of distance.
+    EXPECT_DOUBLE_EQ(amount("receiver-plane-remainder", BiasUnit::Metres),
+                     2.0 / 8 + 1e-4 + 0.5 * (0.05 / 8 + 0.05 / 8));
+    EXPECT_DOUBLE_EQ(bias_of(s).remainder(b), 0.05 / 8 + 0.05 / 8);
     EXPECT_DOUBLE_EQ(amount("adaptive", BiasUnit::Metres), 0.7);
     b.n_dot_l = -1;  // away from the light: treated as edge-on
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Depth), 8);
@@ -76,7 +80,8 @@ TEST(Biases, ListTheirIdleSettings) {
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "");
     EXPECT_EQ(idle(s, "bias.plane_clamp"),
-              "without effect: only bias.kind receiver-plane or receiver-plane-derivatives reads it");
+              "without effect: only bias.kind receiver-plane or receiver-plane-derivatives or receiver-plane-remainder "
+              "reads it");
     s = settings_of_kind("receiver-plane");
     s.bias.slope = 3;
     EXPECT_EQ(idle(s, "bias.slope"), "without effect: only bias.kind slope reads it");
