@@ -181,6 +181,25 @@ Scene hard_stairs() {
     return with_bodies(std::move(scene), {{"Stairs", std::move(stairs), moved(0, 0, 1.25)}});
 }
 
+/// Makes ground of strips that rise and fall by 1 in 32, with a box on it.
+Scene hard_bent_ground() {
+    constexpr int kStrips = 16;
+    constexpr float kStrip = 0.5f, kRise = kStrip / 32, kHalf = 4;
+    Mesh ground;
+    ground.name = "Ground";
+    for (int i = 0; i < kStrips; ++i) {
+        const auto first = std::uint32_t(ground.positions.size());
+        for (int side = 0; side < 2; ++side) {
+            const float z = kStrip * float(i + side) - kHalf, y = (i + side) % 2 ? kRise : 0;
+            ground.positions.push_back({-kHalf, y, z});
+            ground.positions.push_back({kHalf, y, z});
+        }
+        for (const std::uint32_t corner : {0u, 2u, 1u, 1u, 2u, 3u}) ground.indices.push_back(first + corner);
+    }
+    return with_bodies(on_floor(8, {-2, 5, 5}, {0, 0, 0}), {{"Ground", std::move(ground), moved(0, 0.0625, 0)},
+                                                            {"Box", make_box({1, 0.5, 1}), moved(0, 0.3125, 0)}});
+}
+
 /// Makes a bar that crosses the sides of a small map.
 Scene hard_bar() {
     return with_bodies(on_floor(10, {-2, 12, 4}, {0, 0, 0}), {{"Bar", make_box({6, 1, 0.5}), moved(0, 0.75, 0)}});
@@ -528,6 +547,15 @@ constexpr HardCase kCases[] = {
      "a convex body cannot shadow itself",
      "share of such rays in single precision that hit their own triangle, without that", 0.2, hard_convex_bodies,
      "light.azimuth=30 light.elevation=40 light.source=traced", "", ""},
+    {37, "bent-ground", "Bent ground in grazing light",
+     "The next strip of bent ground rises above the receiver's plane within the kernel: dark bands in grazing light.",
+     "A remainder that grows with a texel's distance lowers the plane towards the light.",
+     "lit pixels of bent ground darker than lit, with 16 reversed bits, 100 km off", 0.01, kPixels,
+     "strips do not shadow each other; the foot of the box's lit sides is an inner corner",
+     "share of them that the plane alone darkens", 0.05, hard_bent_ground,
+     "map.resolution=128 map.format=d16 map.reversed_z=true scene.distance=100000 light.azimuth=20 light.elevation=15 "
+     "filter.kernel=pcf filter.size=5 bias.normal=0 bias.constant=0",
+     "bias.kind=receiver-plane", "bias.kind=receiver-plane-remainder"},
 };
 
 /// Calls `use` with key and value of each setting of a view. Settings that both views of a case share come first.

@@ -1,4 +1,4 @@
-// Tests hard cases 21, 27, 32, 33, 35 and 36: thin casters and receivers, holes, NaN positions, facets under smooth
+// Tests hard cases 21, 27, 32, 33 and 35 to 37: thin casters and receivers, holes, NaN positions, facets under smooth
 // normals, and the reference itself.
 #include <algorithm>
 #include <cmath>
@@ -96,6 +96,20 @@ TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
         27, share_of(hard_view("edge-on-planes", true, {"light.azimuth=30", "light.elevation=40"}), Artefact::Acne));
     EXPECT_LT(share_of(c, Artefact::PeterPanning), 0.01);
     expect_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
+}
+
+TEST(HardCase37, BentGroundDoesNotShadowItself) {
+    const auto darkened_share = [](bool fixed, const Sets& changes) {
+        const ErrorMetrics m = measured(hard_view("bent-ground", fixed, changes)).metrics;
+        EXPECT_GT(m.counted, 2000u);
+        EXPECT_LT(m.false_light, 0.01);
+        return m.any_acne;
+    };
+    for (const Sets& changes :
+         {Sets{}, Sets{"map.format=d32f", "map.reversed_z=false"}, Sets{"scene.distance=0", "filter.size=3"}}) {
+        expect_within_limit(37, darkened_share(true, changes));
+        expect_fault(37, darkened_share(false, changes));
+    }
 }
 
 /// Counts wrong pixels of any cause, surrounded by only shadow or only light in the reference.
