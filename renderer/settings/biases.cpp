@@ -118,6 +118,7 @@ constexpr Bias kBiases[] = {
      .paper = "own formula; the plane: Isidoro, Shadow Mapping: GPU-based Tips and Techniques, GDC 2006",
      .file = "biases/receiver_plane_remainder.glsl",
      .settings = kPlaneSettings,
+     .starts = kStartsOfNeededBias,
      .per_texel = true,
      .gives_needed_bias = true,
      .amount = receiver_plane_remainder_bias,
