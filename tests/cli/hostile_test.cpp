@@ -62,7 +62,7 @@ TEST(FullDisk, LeavesOnlyTheOldFile) {
 TEST(HostilePresets, ForAnotherOrNoSceneAreReported) {
     const fs::path folder = fresh_test_folder();
     const auto write = [&](const char* scene, const char* settings) {
-        std::ofstream(folder / "p.json") << R"({"format":"shadow-inspector-preset","version":2,"scene":")" << scene
+        std::ofstream(folder / "p.json") << R"({"format":"shadow-inspector-preset","version":3,"scene":")" << scene
                                          << R"(","settings":{)" << settings << "}}";
     };
     const auto draw = [&](const std::string& scene, const std::string& more = {}) {
@@ -88,7 +88,7 @@ TEST(HostilePresets, ForAnotherOrNoSceneAreReported) {
 
 TEST(HostilePresets, EscapesArePrintedNotObeyed) {
     const fs::path folder = fresh_test_folder();
-    std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":2,"title":"\u001b[31mred",)"
+    std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":3,"title":"\u001b[31mred",)"
                                      << R"("topic":"\u009b2J","about":"a\u202eb","scene":"\u0007",)"
                                      << R"("settings":{"object.\u001b]0;x.cast":false}})";
     EXPECT_NE(run_program("preset show e.json", folder).out.find("\\x1b[31mred"), std::string::npos);
@@ -103,7 +103,7 @@ TEST(HostilePresets, DeepJsonIsRefusedQuickly) {
     const fs::path folder = fresh_test_folder();
     const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
     std::ofstream(folder / "deep.json")
-        << R"({"format":"shadow-inspector-preset","version":2,"settings":{"bias.slope":)" << deep << "}}";
+        << R"({"format":"shadow-inspector-preset","version":3,"settings":{"bias.slope":)" << deep << "}}";
     expect_error("preset check deep.json", 1, "deep.json: it nests 100002 levels deep, at most 32 are read", folder);
 }
 

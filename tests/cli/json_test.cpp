@@ -223,7 +223,8 @@ TEST(Probe, PrintsTheDepthTestInFull) {
 
 TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     const Words command =
-        "probe boxes --pixel 160,130 --size 320x180 --set bias.normal=0 --set bias.constant=0 --set filter.kernel=pcf5";
+        "probe boxes --pixel 160,130 --size 320x180 --set bias.kind=constant --set bias.normal=0 --set bias.constant=0 "
+        "--set filter.kernel=pcf5";
     const Json light = program_json(command)["lights"][0];
     const Json& d = light["dossier"];
     EXPECT_EQ(d["truth"]["state"], "counted");

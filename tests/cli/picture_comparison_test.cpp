@@ -20,7 +20,8 @@ struct Picture {
     const std::uint8_t* at(int x, int y) const { return &rgb[std::size_t(y * width + x) * 3]; }
 };
 
-const Words kDrawn = "boxes --size 160x90 --set filter.kernel=hard --set bias.constant=0 --set bias.normal=0";
+const Words kDrawn =
+    "boxes --size 160x90 --set filter.kernel=hard --set bias.kind=constant --set bias.constant=0 --set bias.normal=0";
 
 class PictureComparison : public testing::Test {
 protected:

@@ -13,8 +13,9 @@ namespace {
 class PresetDiffCommand : public testing::Test {
 protected:
     void SetUp() override {
-        for (const char* preset : {"-o a.json --set bias.constant=0.5",
-                                   "-o b.json --set bias.constant=0 --title B --topic Tests --about Look."})
+        for (const char* preset : {"-o a.json --set bias.kind=constant --set bias.normal=0 --set bias.constant=0.5",
+                                   "-o b.json --set bias.kind=constant --set bias.normal=0 --set bias.constant=0 "
+                                   "--title B --topic Tests --about Look."})
             ASSERT_EQ(run(Words("preset save boxes") + preset).code, 0) << preset;
     }
     ProcessResult run(const Words& arguments) const { return run_program(arguments, folder_); }
@@ -31,7 +32,7 @@ TEST_F(PresetDiffCommand, PrintsDifferencesInWords) {
 
 TEST_F(PresetDiffCommand, ComparesWithTheDefaults) {
     EXPECT_EQ(test::lacking(run("preset diff default a.json").out,
-                            {"Scene\n  scene: any → boxes\n", "bias.constant: 0.1 → 0.5 texels (Constant bias)",
+                            {"Scene\n  scene: any → boxes\n", "bias.constant: 0 → 0.5 texels (Constant bias)",
                              "light.azimuth: -40° → -52° (Azimuth)"}),
               "");
     EXPECT_EQ(run("preset diff default default").out, "default and default are equal\n");

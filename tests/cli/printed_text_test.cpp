@@ -15,7 +15,7 @@ TEST(PrintedText, IsEncodedOnceForEveryCommand) {
         "info",
         "probe boxes --pixel 160,120 --size 320x180",
         "probe boxes --pixel 160,120 --size 320x180 --json",
-        "probe boxes --pixel 100,150 --size 320x180 --set bias.normal=0 --set bias.constant=0",
+        "probe boxes --pixel 100,150 --size 320x180 --set bias.kind=constant --set bias.normal=0 --set bias.constant=0",
         "measure boxes --area --size 96x64 --no-time",
         "measure boxes --json --size 96x64 --no-time",
         "plan boxes --size 96x64 --measure --rounds 3 --waste",

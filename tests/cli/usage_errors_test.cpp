@@ -25,9 +25,9 @@ class Mistakes : public testing::TestWithParam<Mistake> {};
 TEST_P(Mistakes, AreReportedInOneLine) {
     const auto folder = fresh_test_folder();
     std::ofstream(folder / "bad.json")
-        << R"({"format":"shadow-inspector-preset","version":2,"settings":{"bias.slop":1}})";
+        << R"({"format":"shadow-inspector-preset","version":3,"settings":{"bias.slop":1}})";
     std::ofstream(folder / "lost.json")
-        << R"({"format":"shadow-inspector-preset","version":2,"scene":"gone.glb","settings":{}})";
+        << R"({"format":"shadow-inspector-preset","version":3,"scene":"gone.glb","settings":{}})";
     std::ofstream(folder / "broken.gltf") << "{ this is no glTF";
     std::filesystem::create_directory(folder / "folder.png");
     const auto before = std::distance(std::filesystem::directory_iterator(folder), {});

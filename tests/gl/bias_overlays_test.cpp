@@ -62,7 +62,7 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     light.fit = fit;
     if (type != LightType::Directional) light.distance = 6;
     light.cone = 80;
-    set_all(s, {"bias.unit=texels", "bias.constant=0.4", "bias.slope=2.5", "bias.normal=1.3"});
+    set_all(s, {"bias.kind=slope", "bias.unit=texels", "bias.constant=0.4", "bias.slope=2.5", "bias.normal=1.3"});
     return s;
 }
 

@@ -39,6 +39,7 @@ TEST_F(DepthBlur, EqualsTheMeanOfNeighboursInEveryFormatAndLightType) {
             for (const char* reversed : {"false", "true"}) {
                 Settings s = settings_for(scene, {"light.fit=scene",
                                                   "map.resolution=48",
+                                                  "bias.normal=3",
                                                   {"map.format", format},
                                                   {"light.type", light},
                                                   {"map.reversed_z", reversed}});

@@ -111,7 +111,7 @@ TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
     // Under this light few pixels are wrong, for two causes at once.
     const Settings lit = settings_for(stage, {"light.fit=scene", "light.azimuth=72", "light.elevation=36"});
     const auto under = [&](const Sets& sets) { return settings_with(lit, sets); };
-    expect_fixes(stage, under({"bias.constant=40", "bias.normal=0"}), {Artefact::PeterPanning}, 120);
+    expect_fixes(stage, under({"bias.kind=constant", "bias.constant=40"}), {Artefact::PeterPanning}, 120);
     expect_fixes(stage, under({"caster.cull=front"}), {Artefact::LostCaster}, 120);
 }
 

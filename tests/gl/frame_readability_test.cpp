@@ -25,8 +25,9 @@ protected:
         out.push_back({std::move(plane), {}, {.width = 200, .height = 90}});
         out[0].settings = settings_for(out[0].scene, {"map.resolution=64", "light.count=2", "light.1.type=point",
                                                       "light.1.distance=6", "view.light=1", "view.face=3"});
-        out[1].settings = settings_for(out[1].scene, {"map.resolution=96", "map.format=d16", "light.azimuth=90",
-                                                      "view.map_source=camera", "bias.constant=3"});
+        out[1].settings =
+            settings_for(out[1].scene, {"map.resolution=96", "map.format=d16", "light.azimuth=90",
+                                        "view.map_source=camera", "bias.kind=constant", "bias.constant=3"});
         for (ShownFrame& s : out) s.request.outputs.shadow_map = true;
         return out;
     }

@@ -108,7 +108,8 @@ TEST_F(FrameTest, WiderKernelsSoftenMore) {
     const Scene scene = load_scene("boxes");
     std::size_t previous = 0;
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5", "pcf7", "pcf9"}) {
-        const Settings s = settings_for(scene, {{"filter.kernel", kernel}, "map.resolution=512", "bias.normal=8"});
+        const Settings s = settings_for(
+            scene, {{"filter.kernel", kernel}, "map.resolution=512", "bias.kind=constant", "bias.normal=8"});
         const std::size_t grey = values_between(visibility(scene, s), 0.01f, 0.99f);
         if (std::string_view(kernel) == "hard") {
             EXPECT_EQ(grey, 0u);
@@ -230,7 +231,7 @@ TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
     EXPECT_EQ(ran(), (Names{map, shading, viewer}));
     EXPECT_EQ(ran(), Names{});
     EXPECT_EQ(reused, (Names{map, shading, viewer}));
-    s.bias.constant += 0.5;
+    s.bias.normal += 0.5;
     EXPECT_EQ(ran(), Names{shading});
     s.lights[0].azimuth += 1;
     EXPECT_EQ(ran(), (Names{map, shading, viewer}));
@@ -354,11 +355,13 @@ SI_TEST_IS(Repeated, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughVie
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
     const Scene scene = load_scene("boxes");
     expect_cached_as_fresh(context, renderer, scene, settings_for(scene, {"map.resolution=256"}),
-                           {"camera.source=light", "view.slabs=stored", "bias.constant=2", "view.slabs=both",
-                            "bias.unit=metres", "light.elevation=60", "view.panes=two", "view.overlay_2=own-depth",
+                           {"camera.source=light",       "view.slabs=stored",      "bias.kind=constant",
+                            "bias.constant=2",           "view.slabs=both",        "bias.unit=metres",
+                            "light.elevation=60",        "view.panes=two",         "view.overlay_2=own-depth",
                             "view.overlay_range=fitted", "view.map_source=camera", "view.map_fit=true",
-                            "camera.source=auto", "view.map=raw", "view.overlay_2=overdraw", "view.overlay=wireframe",
-                            "view.map_source=light", "map.reversed_z=true", "view.slabs_u=0.4", "view.slabs=none"});
+                            "camera.source=auto",        "view.map=raw",           "view.overlay_2=overdraw",
+                            "view.overlay=wireframe",    "view.map_source=light",  "map.reversed_z=true",
+                            "view.slabs_u=0.4",          "view.slabs=none"});
 }
 
 TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {

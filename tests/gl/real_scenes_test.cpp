@@ -211,8 +211,8 @@ TEST_F(RealScenes, TheBiasFollowsTheChosenNormal) {
     scene.meshes[0].tangents.assign(4, glm::vec4(glm::vec3(tangent), 1));
     finalise(scene);
     const glm::dvec3 mapped = 0.6 * tangent + 0.8 * vertex;
-    const Settings base = settings_for(scene, {"light.0.azimuth=90", "light.0.elevation=45", "bias.unit=texels",
-                                               "bias.constant=0", "bias.slope=1", "bias.normal=0"});
+    const Settings base =
+        settings_for(scene, {"light.0.azimuth=90", "light.0.elevation=45", "bias.kind=slope", "bias.slope=1"});
     for (const auto& [source, normal] :
          {std::pair<const char*, glm::dvec3>{"geometric", {0, 1, 0}}, {"shading", vertex}, {"mapped", mapped}}) {
         Settings s = base;

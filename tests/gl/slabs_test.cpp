@@ -142,9 +142,9 @@ TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
 TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
     // Light straight down on the floor: as stored, its slabs lie in the floor and show; with bias they lie beneath.
     const Scene scene = load_scene("boxes");
-    Settings s =
-        settings_for(scene, {"light.elevation=90", "map.resolution=128", "view.slabs_u=0.25", "view.slabs_v=0.25",
-                             "view.slabs_texels=24", "bias.unit=metres", "bias.constant=0.3"});
+    Settings s = settings_for(scene, {"light.elevation=90", "map.resolution=128", "view.slabs_u=0.25",
+                                      "view.slabs_v=0.25", "view.slabs_texels=24", "bias.kind=constant",
+                                      "bias.unit=metres", "bias.constant=0.3", "bias.normal=3"});
     const ByteImage without = picture(scene, s);
     const auto strongly = [&](Slabs which) {
         s.view.slabs = which;

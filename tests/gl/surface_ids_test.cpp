@@ -61,7 +61,7 @@ TEST_F(SurfaceIdsTest, AreCachedAndFollowTheCamera) {
     Settings settings = settings_for(scene);
     const SurfaceIds first = draw(scene, settings);
     EXPECT_EQ(frame.pass("surface ids")->state, PassState::Drawn);
-    set_setting(settings, "bias.constant", "7");
+    set_setting(settings, "bias.kind", "slope");
     EXPECT_EQ(draw(scene, settings).data, first.data);
     EXPECT_EQ(frame.pass("surface ids")->state, PassState::Cached);
     set_all(settings, {"camera.source=manual", "camera.azimuth=100"});

@@ -110,7 +110,7 @@ TEST_F(ViewDepthsTest, PancakingGivesTheSameShadowFromAShorterRange) {
             const Scene scene = floor_under_far_sheet(place);
             const Settings whole = far_sheet_settings(scene, place, fit, cascades);
             for (const Sets& bias : {Sets{},
-                                     {"bias.unit=metres", "bias.constant=0.4"},
+                                     {"bias.kind=constant", "bias.unit=metres", "bias.constant=0.4"},
                                      {"bias.normal=4", "map.reversed_z=true"},
                                      {"bias.kind=receiver-plane", "bias.constant=0.5"}}) {
                 Settings s = whole;
@@ -252,7 +252,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
                                           "light.cascade_blend=0",
                                           {"light.fit", fit},
                                           "filter.kernel=hard",
-                                          "bias.normal=0",
+                                          "bias.kind=constant",
                                           "bias.constant=4",
                                           "map.resolution=256"});
         Settings walking = settings_with(s, {"camera.source=manual", "camera.distance=3"});

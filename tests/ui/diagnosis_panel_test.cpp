@@ -140,7 +140,7 @@ TEST(KernelMarks, TapsAreColouredByTheirResult) {
 }
 
 EditorOptions biased_boxes() {
-    return editor_options("boxes", {"bias.normal=0", "bias.constant=0.1", "map.resolution=512"});
+    return editor_options("boxes", {"bias.kind=constant", "bias.normal=0", "bias.constant=0.1", "map.resolution=512"});
 }
 
 TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {

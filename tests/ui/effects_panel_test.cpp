@@ -237,7 +237,8 @@ TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
 }
 
 TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
-    TestEditor editor(editor_options("boxes", {"bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
+    TestEditor editor(
+        editor_options("boxes", {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
     EditorState& state = editor.state();
     const auto listed = [&] {
         editor.settle();

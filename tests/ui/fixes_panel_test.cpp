@@ -131,7 +131,8 @@ TEST(TunedBiases, AreShownSideBySideAndTakenByAButton) {
 }
 
 TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
-    TestEditor editor(editor_options("boxes", {"bias.constant=0", "bias.normal=0", "map.resolution=512"}, {960, 600}));
+    TestEditor editor(editor_options(
+        "boxes", {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "map.resolution=512"}, {960, 600}));
     EditorModel& model = editor.model();
     model.state.window.open_tab = BottomTab::Improve;
     model.state.layout.bottom_height = 27;

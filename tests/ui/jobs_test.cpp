@@ -330,7 +330,7 @@ TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
 TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", (folder_ / "mine.glb").string()}).code, 0);
     std::ofstream(folder_ / "far.json")
-        << R"({"format": "shadow-inspector-preset", "version": 2, "scene": "boxes", "settings": {"bias.constant": 60, "bias.normal": 0}})";
+        << R"({"format": "shadow-inspector-preset", "version": 3, "scene": "boxes", "settings": {"bias.kind": "constant", "bias.constant": 60}})";
     std::ofstream(folder_ / "leaf.glb", std::ios::binary) << falling_leaf(10, {0, 0, 0}, {1, 1, 0});
     ASSERT_NO_FATAL_FAILURE(begin());
     // The fix is applied once the reference is traced, however early the key was pressed.
@@ -343,7 +343,9 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
                    saved(file).value("camera.target_x", 1e9) != from.value("camera.target_x", 1e9);
         });
     };
-    const auto biased = [](const json& s) { return s.value("bias.slope", 0.0) > 0 || s.value("bias.normal", 3.0) > 0; };
+    const auto biased = [](const json& s) {
+        return s.value("bias.constant", 0.0) > 0 || s.value("bias.slope", 0.0) > 0 || s.value("bias.normal", 0.0) > 0;
+    };
 
     job("peter_panning", 2, [&] {
         open_preset("far.json");
@@ -355,9 +357,9 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
         EXPECT_TRUE(verdict().starts_with("peter-panning: bias moves it")) << verdict();
         EXPECT_TRUE(wait_until([&] { return reads_as_twin(U"peter-panning:biasmovesit"); })) << "the window says less";
         key("c");
-        EXPECT_TRUE(fixed("far.json", [](const json& s) { return s.value("bias.constant", 0.1) < 60; }));
+        EXPECT_TRUE(fixed("far.json", [](const json& s) { return s.value("bias.constant", 0.0) < 60; }));
         twin_key('C');
-        EXPECT_EQ(saved("far.json").value("bias.constant", 0.1), twin().settings.bias.constant);
+        EXPECT_EQ(saved("far.json").value("bias.constant", 0.0), twin().settings.bias.constant);
         EXPECT_TRUE(verdict().starts_with("right: in shadow, as in the reference")) << verdict();
         EXPECT_TRUE(wait_until([&] { return reads_as_twin(U"right:inshadow,asinthereference"); }))
             << "the window says less";
@@ -379,7 +381,7 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
         key("u");
         json from = saved();
         EXPECT_FALSE(biased(from)) << from;
-        EXPECT_EQ(from.value("bias.constant", 0.1), 0) << from;
+        EXPECT_EQ(from.value("bias.constant", 0.0), 0) << from;
         for (int i = 0; i < 3; ++i) {
             key("x");
             EXPECT_TRUE(toured("preset.json", from)) << "cluster " << i;
@@ -415,7 +417,7 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
         key("Next");
         EXPECT_TRUE(wait_until([&] { return saved() != own; }));
         const json first = saved();
-        EXPECT_EQ(first.value("bias.normal", 3.0), 0) << first;
+        EXPECT_EQ(first.value("bias.normal", 0.0), 0) << first;
         key("Next");
         EXPECT_TRUE(wait_until([&] { return saved() != first; }));
     });

@@ -121,10 +121,10 @@ std::vector<fs::path> monkey_files(const fs::path& folder) {
     write_text(file("deep.json"), std::string(100'000, '['));
     write_text(file("newer.json"), R"({"format": "shadow-inspector-preset", "version": 999, "settings": {}})");
     write_text(file("elsewhere.json"),
-               R"({"format": "shadow-inspector-preset", "version": 2, "scene": "gone.glb", "settings": {}})");
+               R"({"format": "shadow-inspector-preset", "version": 3, "scene": "gone.glb", "settings": {}})");
     write_text(
         file("nan.json"),
-        R"({"format": "shadow-inspector-preset", "version": 2, "scene": "boxes", "settings": {"bias.normal": 1e999}})");
+        R"({"format": "shadow-inspector-preset", "version": 3, "scene": "boxes", "settings": {"bias.normal": 1e999}})");
     for (unsigned seed = 0; seed < 8; ++seed) {
         const RandomCase of = random_case(seed * 25);
         save_preset({.title = "", .topic = "", .about = "", .scene = of.scene, .settings = of.settings},

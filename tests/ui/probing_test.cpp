@@ -191,7 +191,8 @@ TEST(Probing, EscapeThatClosesAMenuKeepsTheProbe) {
 }
 
 TEST(Probing, HoveredArtefactIsNamed) {
-    Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
+    Probing editor(
+        {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
     const PictureView view = *editor.state().viewport.view;
     editor.mouse.at = glm::vec2(view.origin) + glm::vec2(view.size) * 0.5f;
     editor.frames(3);
@@ -214,7 +215,7 @@ TEST(Probing, HoveredArtefactIsNamed) {
 }
 
 TEST(ArtefactTour, VisitsClustersAndProbesThem) {
-    Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
+    Probing editor({"bias.kind=constant", "bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
     EditorState& state = editor.state();
     const Settings before = state.settings;
     editor.key('X');

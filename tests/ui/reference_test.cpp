@@ -27,8 +27,8 @@ EditorOptions options(const std::vector<std::string>& sets) {
     return test::editor_options("boxes", sets);
 }
 
-const std::vector<std::string> kNoBias = {"bias.constant=0", "bias.normal=0", "filter.kernel=hard",
-                                          "view.frustum=false"};
+const std::vector<std::string> kNoBias = {"bias.kind=constant", "bias.constant=0", "bias.normal=0",
+                                          "filter.kernel=hard", "view.frustum=false"};
 
 /// Draws until the editor traces rays, and cancels. @param picture file of the editor's picture meanwhile; null: none
 void cancel_tracing(HeadlessEditor& editor, const char* picture = nullptr) {
@@ -194,8 +194,8 @@ std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& 
 }
 
 TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
-    test::TestEditor editor(options({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false",
-                                     "view.axes=false", "map.resolution=256"}));
+    test::TestEditor editor(options({"bias.kind=constant", "bias.constant=0", "bias.normal=0", "filter.kernel=hard",
+                                     "view.frustum=false", "view.axes=false", "map.resolution=256"}));
     EditorState& state = editor.state();
     state.comparison = {.view = ComparisonView::Swipe, .reference = true, .at = 1};
     editor.settle();

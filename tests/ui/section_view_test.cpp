@@ -135,7 +135,8 @@ TEST(SectionView, LeavesTheVerdictItsSpaceAtAnySize) {
 }
 
 TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
-    TestEditor editor(editor_options("boxes", {"bias.normal=0", "bias.constant=0", "map.resolution=512"}));
+    TestEditor editor(
+        editor_options("boxes", {"bias.kind=constant", "bias.normal=0", "bias.constant=0", "map.resolution=512"}));
     EditorState& state = editor.state();
     state.window.open_tab = BottomTab::Log;
     state.layout = kWideLayout;

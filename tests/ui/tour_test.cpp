@@ -198,7 +198,8 @@ TEST_P(Tour, TheMapDownToItsTexels) {
 }
 
 TEST_P(Tour, Comparison) {
-    open("boxes", {"bias.constant=3", "map.wrap=repeat", "filter.kernel=hard", "light.azimuth=20"});
+    open("boxes", {"bias.kind=constant", "bias.constant=3", "bias.normal=3", "map.wrap=repeat", "filter.kernel=hard",
+                   "light.azimuth=20"});
     state().window.open_tab = BottomTab::Compare;
     state().compare = {CompareKind::Preset, "acne"};
     editor_->settle();
