@@ -120,8 +120,14 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 
 BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& r,
                                       const RasterTraits& driver) {
-    return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
-                          {r.position_ws, r.normal_ws, r.normal_ws, counted_from(settings, measured.camera.origin())},
+    const ReferenceGeometry& geometry = measured.traced.scene->geometry();
+    const Cull cull = measured.traced.reference->traits[r.object].cull;
+    const SurfacePoint point{.position_ws = r.position_ws,
+                             .geometric = r.normal_ws,
+                             .bias_normal = r.normal_ws,
+                             .origin_ws = counted_from(settings, measured.camera.origin()),
+                             .in_map = geometry.objects[r.object].casts && cull != (r.front ? Cull::Front : Cull::Back)};
+    return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution, point,
                           driver);
 }
 
@@ -147,6 +153,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         const ClassifiedPixel& pixel = measured.classified[i];
         if (!pixel.has(ClassifiedPixel::kAnyAcne) || pixel.visibility < 0.5f) return;
         const BiasBreakdown a = measured_bias_breakdown(measured, settings, r, driver);
+        if (!a.in_map) return;  // needs no bias
         ++(a.equivalent_depth() >= a.least.total() ? out.folds : out.faint_acne);
     });
     std::vector<double> gaps, shifts;
@@ -175,7 +182,7 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
         for (const Receiver* r : receivers) {
             const BiasBreakdown a = measured_bias_breakdown(measured, least, *r, driver);
             const double total = a.amount(a.least.total()).texels;
-            if (std::isfinite(total) && !a.plane.edge_on())
+            if (a.in_map && std::isfinite(total) && !a.plane.edge_on())
                 needs.push_back({total, std::clamp(a.receiver.n_dot_l, 0.0, 1.0),
                                  contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         }
@@ -194,7 +201,7 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
     for (const Receiver* r : receivers) {
         const BiasBreakdown none = measured_bias_breakdown(measured, least, *r, driver);
         At at{none.least.total() - none.equivalent_depth(), none.least.kernel, {}};
-        if (!std::isfinite(at.need) || none.plane.edge_on()) continue;
+        if (!none.in_map || !std::isfinite(at.need) || none.plane.edge_on()) continue;
         for (std::size_t k = 0; k < amounts.size(); ++k) {
             at.effect.push_back(measured_bias_breakdown(measured, one[k], *r, driver).equivalent_depth() -
                                 none.equivalent_depth());

@@ -64,14 +64,19 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
                 .quantum = depth_quantum(settings.map.format, view.curve, r.uvd.z)};
     const double kappa = kernel_reach_in_light(settings, light, resolution).bias;
     const double extent = extent_m(light, r, resolution, p);
-    a.least = least_bias(a.plane.gradient, kappa, resolution, b.quantum, driver.subpixel_bits,
-                         rounding_bias(view, p.position_ws, extent));
+    a.in_map = p.in_map && (view.curve.convention.reversed ? r.uvd.z <= 1 : r.uvd.z >= 0);
+    a.least = least_bias(a.plane.gradient, kappa, resolution, depth_quantum(settings.map.format, view.curve, r.uvd.z),
+                         driver.subpixel_bits, rounding_bias(view, p.position_ws, extent));
     a.per_texel = compares_per_texel(settings);
     if (a.per_texel) {
         a.max_texel_shift = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
         a.least.kernel = a.least.kernel > a.max_texel_shift ? a.least.kernel - a.max_texel_shift : 0;
         a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
         b.least_per_texel = a.least.without_kernel();
+    }
+    if (!a.in_map) {
+        a.least = {};
+        b.least_per_texel = 0;
     }
     b.least_common = a.least.total();
     if (a.per_texel && row.remainder) a.remainder_per_texel = row.remainder(b);

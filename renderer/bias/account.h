@@ -15,6 +15,7 @@ struct SurfacePoint {
     glm::dvec3 geometric{0, 1, 0};    ///< unit normal of the triangle, on the side that the camera sees
     glm::dvec3 bias_normal{0, 1, 0};  ///< unit, the normal that bias.normal_source selects
     glm::dvec3 origin_ws{0};          ///< Camera::origin(), to which positions in shaders are relative
+    bool in_map = true;  ///< the triangle is drawn into maps: neither culled nor of an object without shadow
 };
 
 /// A shift of a point's depth in three units: depth-buffer units, texels and metres. Texels and metres come from the
@@ -32,7 +33,8 @@ struct BiasBreakdown {
     ReceiverPlane plane;
     DepthCurve curve;      ///< of the receiver's view
     double theta_rad = 0;  ///< angle between the triangle's normal and the light
-    LeastBias least;       ///< depth-buffer units
+    LeastBias least;       ///< depth-buffer units; 0 where the surface is not in the map
+    bool in_map = true;    ///< the map holds the surface's own face, which can then shadow itself
 
     // Equivalent depth bias of each setting, in depth-buffer units: the distance that it puts between the compared
     // depth and the receiver's plane.

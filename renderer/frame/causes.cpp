@@ -22,7 +22,8 @@ Cause false_light(const CauseEvidence& e, const CauseContext& c) {
     // Without taps beyond the map's sides both visibilities are equal.
     if (e.place == CauseEvidence::kInside && dark(e.beyond_dark) && !dark(e.beyond_lit))
         return {.artefact = Artefact::OutsideMap, .seam = true};
-    if (e.gap_all >= e.least && e.least > e.gap_drawn)
+    // A surface that is not in the map needs no bias: only a map without any caster over it then lost one.
+    if (e.gap_all > 0 && e.gap_all >= e.least && (e.least > e.gap_drawn || e.gap_drawn == 0))
         return {Artefact::LostCaster, e.gap_all < e.applied ? bit(Artefact::PeterPanning) : 0};
     // The caster must be nearer than the bias. Otherwise a receiver that shadows itself would count as the caster.
     const bool near = e.gap_drawn < e.applied + e.slack, stands = dark(e.far_bare) || e.gap_drawn < e.far;

@@ -143,6 +143,14 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
     return program(vertex, fragment, std::move(wanted));
 }
 
+void FrameState::set_faces_left_out(GLuint program, const Batch& batch) const {
+    constexpr int kFronts = 1, kBacks = 2;  // shaders/lib/surface.glsl
+    const Cull cull = cull_in_force(batch.cull, settings.caster.cull);
+    const bool casts = batch.cast && (!batch.blend || settings.caster.blend == BlendCasters::Mask);
+    const int left_out = !casts ? kFronts | kBacks : cull == Cull::Front ? kFronts : cull == Cull::Back ? kBacks : 0;
+    glUniform1i(glGetUniformLocation(program, "faces_left_out"), left_out);
+}
+
 void FrameState::draw_batch(const Batch& batch, PassInfo& info) const {
     gl.scene->draw_batch(batch);
     ++info.draws;
@@ -157,13 +165,15 @@ void FrameState::bind_textures(const Batch& batch) const {
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
                                   PassInfo& info) const {
     gl.scene->bind_vertices(scene, settings, origin, SceneGpu::Drawn::Seen);
+    GLuint used = 0;
     const Batch* previous = nullptr;
     for (const Batch& batch : gl.scene->seen_batches()) {
         if (batch.blend) continue;
         if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture ||
             !previous->normal_texture != !batch.normal_texture || previous->tangents != batch.tangents ||
             previous->ground != batch.ground)
-            glUseProgram(batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
+            glUseProgram(used = batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
+        set_faces_left_out(used, batch);
         if (!previous || previous->texture != batch.texture || previous->normal_texture != batch.normal_texture)
             bind_textures(batch);
         if (!previous || previous->double_sided != batch.double_sided)

@@ -192,6 +192,8 @@ struct FrameState {
     /// @param alpha_only true: leaves out textures other than the alpha mask
     GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
                          const Batch& batch, bool alpha_only) const;
+    /// Tells a program in use which faces of a batch are not drawn into shadow maps.
+    void set_faces_left_out(GLuint program, const Batch& batch) const;
     /// Draws one batch. Call SceneGpu::bind_vertices() before.
     /// @param[out] info draw and triangle counts
     void draw_batch(const Batch& batch, PassInfo& info) const;

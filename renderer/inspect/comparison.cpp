@@ -92,6 +92,7 @@ KernelTap::Meets met(const BiasBreakdown& account, const DepthConvention& conven
     if (stored == convention.far_depth()) return KernelTap::Meets::Nothing;
     if (account.plane.edge_on()) return KernelTap::Meets::Own;
     const double behind = (convention.reversed ? -1 : 1) * (stored - plane);
+    if (!account.in_map) return behind < 0 ? KernelTap::Meets::Nearer : KernelTap::Meets::Farther;
     const double slack = account.least.quantum + account.least.snapping + account.least.rounding;
     // In float formats a unit of polygon offset follows the farthest depth of a triangle, so nearer points get more.
     if (behind < -slack + std::min(2 * account.raster, 0.0)) return KernelTap::Meets::Nearer;

@@ -140,11 +140,18 @@ private:
         return {};
     }
 
+    /// Returns the reason why the map does not hold the surface's own face.
+    std::string_view not_in_map() const {
+        if (p_.point.in_map) return "it lies before the near plane";
+        return probe_.may_cast ? "its face is culled" : "its object casts nothing";
+    }
+
     std::string right() const {
         const std::string needed = texels(d_.least), given = texels(d_.has);
         // Amounts that differ by rounding alone print alike.
         const std::string bias =
-            d_.has.depth >= d_.least.depth || needed == given
+            !p_.account.in_map ? fmt::format("needs no bias, as {}, has {}", not_in_map(), given)
+            : d_.has.depth >= d_.least.depth || needed == given
                 ? fmt::format("needs {} of bias, has {}", needed, given)
                 : fmt::format("needs {} of bias and has only {}, so neighbours may show acne", needed, given);
         if (faint_acne())
@@ -296,6 +303,11 @@ private:
     }
 
     std::string acne() const {
+        if (!p_.account.in_map)
+            return fmt::format(
+                "acne by another surface: the map does not hold the pixel's own face, as {}, but one within the "
+                "kernel's reach lies before it; {} of bias would light it",
+                not_in_map(), texels(p_.account.amount(reference_.evidence.curing)));
         if (d_.has.depth < d_.least.depth)
             return fmt::format("acne: needs {} of bias here, has {}", texels(d_.least), texels(d_.has));
         return fmt::format(

@@ -65,7 +65,8 @@ struct Probe {
     SurfaceIds around;          ///< triangles of the pixels within kRunReach, clipped to the picture
     glm::ivec2 around_at{0};    ///< top left pixel of `around` in the picture
     glm::dvec3 position_ws{0}, normal_ws{0};
-    std::string object;  ///< path of the object
+    std::string object;    ///< path of the object
+    bool may_cast = true;  ///< the object is drawn into maps: see can_cast()
     /// Shadow test of the probed pixel for one light: look-up, compared depths, bias, taps, verdict.
     struct PerLight {
         int light = 0;  ///< index of light.*

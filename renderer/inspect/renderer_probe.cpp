@@ -12,6 +12,7 @@
 #include "renderer/frame/causes.h"
 #include "renderer/inspect/comparison.h"
 #include "renderer/inspect/moment_bound.h"
+#include "renderer/passes/casters.h"
 #include "renderer/reference/shadow_runs.h"
 #include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
@@ -27,9 +28,10 @@ struct PixelFacts {
     std::array<glm::vec4, 4> values{};  // outputs of probe.frag.glsl
     bool hit() const { return values[0].w > 0.5f; }
     glm::uvec2 id() const {
-        return {std::uint32_t(values[0].w + 0.5f), std::uint32_t(values[2].w) << 16 | std::uint32_t(values[1].w) >> 1};
+        return {std::uint32_t(values[0].w + 0.5f), std::uint32_t(values[2].w) << 16 | std::uint32_t(values[1].w) >> 2};
     }
     bool receives() const { return (std::uint32_t(values[1].w) & 1) != 0; }
+    bool in_map() const { return (std::uint32_t(values[1].w) & 2) != 0; }
 };
 
 /// Pixel of a probe, and the shift by which its block is drawn: see settle().
@@ -236,7 +238,10 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
         out.normal_ws = glm::dvec3(facts.values[1]);
         out.id = facts.id();
         const auto object = std::size_t(out.id.x - 1);
-        if (object < scene.objects.size()) out.object = scene.nodes[std::size_t(scene.objects[object].node)].path;
+        if (object < scene.objects.size()) {
+            out.object = scene.nodes[std::size_t(scene.objects[object].node)].path;
+            out.may_cast = can_cast(scene, f.settings, scene.objects[object]);
+        }
         if (i >= f.gl.fitted.size()) break;
         FloatImage map;
         if (const FittedLight& light = f.gl.fitted[i]; light.casts)
@@ -258,6 +263,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                   : source == NormalSource::Shading ? vertex
                                                                     : out.normal_ws;
         pixel.point.origin_ws = f.origin;
+        pixel.point.in_map = facts.in_map();
         if (f.gl.fitted[i].casts) {
             if (!seen) seen.emplace(f, place);
             pixel.taps = draw_taps(f, *seen, int(i));

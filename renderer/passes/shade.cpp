@@ -33,7 +33,9 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     for (const Batch* b : batches) {
-        glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/shade.frag.glsl", defines, *b, false));
+        const GLuint program = f.batch_program("passes/scene.vert.glsl", "passes/shade.frag.glsl", defines, *b, false);
+        glUseProgram(program);
+        f.set_faces_left_out(program, *b);
         f.bind_textures(*b);
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);

@@ -26,6 +26,7 @@ struct Prepared {
     TriangleWs corners{};
     glm::dvec3 e1{0}, e2{0}, normal{0};
     float edge_m = 0;
+    bool mirrored = false;
 
     void load(const ReferenceGeometry& geometry, std::uint32_t new_object, std::uint32_t drawn_primitive) {
         if (new_object >= geometry.objects.size() || geometry.objects[new_object].mesh->indices.empty())
@@ -40,6 +41,7 @@ struct Prepared {
         corners = geometry.triangle(object, primitive);
         e1 = corners[1] - corners[0];
         e2 = corners[2] - corners[0];
+        mirrored = glm::determinant(glm::dmat3(geometry.objects[object].world)) < 0;
         normal = unit_normal(corners[0], corners[1], corners[2]);
         edge_m = float(std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)}));
     }
@@ -51,6 +53,7 @@ struct Prepared {
         r.edge_m = edge_m;
         r.normal_ws = glm::dot(normal, dir) > 0 ? -normal : normal;
         if (normal == glm::dvec3(0)) r.normal_ws = -dir;
+        r.front = (glm::dot(normal, dir) <= 0) != mirrored;
         // Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997.
         const glm::dvec3 p = glm::cross(dir, e2), s = origin - corners[0], q = glm::cross(s, e1);
         const double det = glm::dot(e1, p);

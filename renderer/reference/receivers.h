@@ -19,6 +19,7 @@ struct Receiver {
     glm::dvec3 normal_ws{0};  ///< unit normal of the triangle, on the camera's side
     float edge_m = 0;         ///< the triangle's longest edge
     std::uint32_t object = kNothing, primitive = 0;
+    bool front = true;  ///< the camera sees the triangle's front face
     /// The right and the lower neighbour pixel show the same surface: neither point lies off the other's plane.
     bool same_surface_right = false, same_surface_below = false;
     /// Returns true when the receiver's pixel shows a surface.

@@ -412,6 +412,7 @@ Reference trace_visibility(const ReferenceScene& scene, const Receivers& receive
     out.width = receivers.width;
     out.height = receivers.height;
     out.step = std::max(query.options.step, 1);
+    out.traits = query.traits;
     out.state.resize(receivers.pixels.size());
     out.visibility = image(out.width, out.height, 1);
     if (query.options.nearest) out.nearest_m = out.blocker_m = image(out.width, out.height, kNaN);

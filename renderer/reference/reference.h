@@ -74,8 +74,9 @@ struct SamplesUsed {
 /// Ray-traced reference of one light: per pixel its visibility, noise, and distances to occluders.
 struct Reference {
     int width = 0, height = 0;
-    int step = 1;                   ///< pixels of the picture, across and down, per pixel here (ReferenceOptions::step)
-    std::vector<PixelState> state;  ///< top row first, as all images here
+    int step = 1;  ///< pixels of the picture, across and down, per pixel here (ReferenceOptions::step)
+    std::vector<ObjectTraits> traits;  ///< of the traced scene's objects
+    std::vector<PixelState> state;     ///< top row first, as all images here
     /// Visibility, 1 lit to 0 in shadow. Pixels that do not count: 1 (Background, NotReceiving), 0 (FacesAway,
     /// ShadowTerminator), or the
     /// traced value (OutsideCone, BeyondRange), as in the shadow-mapped visibility.

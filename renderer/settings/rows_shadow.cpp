@@ -276,7 +276,8 @@ constexpr auto kCaster = std::to_array<Param>({
      .also = "shadow side, shadowSide, cullFace, double sided, two-sided, cull mode, front face culling, back face "
              "culling, "
              "shadow reverse cull face, face culling",
-     .map_only = true, .read_by = ReadBy::Maps},
+     .map_only = true,
+     .read_by = ReadBy::Maps | ReadBy::SurfacesSeen | ReadBy::OneLight | ReadBy::Shading | ReadBy::Visibility},
     {SI_FIELD(caster.blend), .label = "Blended casters", SI_CHOICES(kBlends),
      .help = "The shadow of materials whose alpha blends (glTF: BLEND). A shadow map holds one depth a texel, so there "
              "is no half shadow.",

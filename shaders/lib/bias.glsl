@@ -62,9 +62,15 @@ float extent_m(Receiver r) {
     return max(max(0.5 * r.texel_m * float(map_resolution), farthest.x), max(farthest.y, farthest.z));
 }
 
-/// Returns the least bias without acne on the plane if all texels share one compared depth.
+/// Returns true when the map holds the receiver's own face, which can then shadow itself. Culled faces, objects that cast
+/// nothing and points before the near plane are not in the map.
+bool is_in_map(Receiver r) { return r.surface.in_map && away_from_light(r.uvd.z - float(map_reversed_z)) >= 0.0; }
+
+/// Returns the least bias without acne on the plane if all texels share one compared depth; 0 for a face that is not in the
+/// map.
 /// @param reach_texels largest distance to the centre of a compared texel, per axis
 float least_bias(Receiver r, vec2 gradient, float reach_texels) {
+    if (!is_in_map(r)) return 0.0;
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
     return (reach_texels + snapping) * per_texel + depth_quantum(r) +
@@ -74,6 +80,7 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
 /// Returns the least bias without acne if each texel is compared with the plane at its centre. It includes the rounding of
 /// map coordinates.
 float least_bias_per_texel(Receiver r, vec2 gradient) {
+    if (!is_in_map(r)) return 0.0;
     float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.relative_dw_per_m;
     return least_bias(r, gradient, 0.0) + exp2(-21.0) * extent_m(r) * per_m * (abs(gradient.x) + abs(gradient.y));
 }

@@ -16,7 +16,8 @@ Cause cause_of_false_light(Evidence e, int place) {
     // If no tap is outside the map, both trials give the same result.
     if (place == PLACE_INSIDE && e.beyond_dark < 0.5 && e.beyond_lit >= 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
     const int bias = 1 << ARTEFACT_PETER_PANNING, offset = 1 << ARTEFACT_PETER_PANNING_OFFSET, leak = 1 << ARTEFACT_LEAK;
-    if (e.gap_all >= e.least && e.least > e.gap_drawn)
+    // A surface that is not in the map needs no bias: only a map without any caster over it then lost one.
+    if (e.gap_all > 0.0 && e.gap_all >= e.least && (e.least > e.gap_drawn || e.gap_drawn == 0.0))
         return cause(ARTEFACT_LOST_CASTER, e.gap_all < e.applied ? bias : 0);
     // Without the slack self-shadowing would be taken for the caster.
     bool near = e.gap_drawn < e.applied + e.slack, stands = e.far_bare < 0.5 || e.gap_drawn < e.far;

@@ -5,6 +5,7 @@
 /// Returns the least bias without acne on the plane, for the chosen kernel and bias.
 float least_bias(Receiver r, vec2 gradient) {
 #if BIAS_PER_TEXEL
+    if (!is_in_map(r)) return 0.0;
     float kernel = light_of(r.light).kernel.y * (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     return max(kernel - max_texel_shift(r), 0.0) + least_bias_per_texel(r, gradient);
 #else

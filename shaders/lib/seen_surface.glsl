@@ -2,7 +2,7 @@
 #include "shared/units.h"
 #include "lib/receiver.glsl"
 layout(binding = UNIT_SEEN_SURFACES) uniform sampler2D seen_position_map;   // relative to the frame's origin, metres; A: receives
-layout(binding = UNIT_SEEN_SURFACES + 1) uniform sampler2D seen_geometric_map;
+layout(binding = UNIT_SEEN_SURFACES + 1) uniform sampler2D seen_geometric_map;  // A: in the map
 #if bias_normal_source != bias_normal_source_geometric
 layout(binding = UNIT_SEEN_SURFACES + 2) uniform sampler2D seen_bias_normal_map;
 #endif
@@ -19,7 +19,9 @@ Surface seen_surface(ivec2 at) {
     s.position = position.xyz;
     s.pixel = vec2(at) + 0.5 + frame_pixel().xy;
     s.receives = position.w > 0.5;
-    s.geometric = texelFetch(seen_geometric_map, at, 0).xyz;
+    vec4 geometric = texelFetch(seen_geometric_map, at, 0);
+    s.geometric = geometric.xyz;
+    s.in_map = geometric.w > 0.5;
 #if bias_normal_source != bias_normal_source_geometric
     s.vertex = s.shading = texelFetch(seen_bias_normal_map, at, 0).xyz;
 #else

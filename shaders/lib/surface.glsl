@@ -6,6 +6,7 @@
 in vec3 position_rel;
 in vec3 normal_ws;
 flat in vec3 face_normal;
+uniform int faces_left_out;  // faces that are not drawn into maps: 1 fronts, 2 backs
 #ifdef NORMAL_MAPPED
 #include "lib/normal_map.glsl"
 #endif
@@ -21,6 +22,7 @@ Surface make_surface() {
 #else
     s.receives = true;
 #endif
+    s.in_map = (faces_left_out & (gl_FrontFacing ? 1 : 2)) == 0;
 #if BIAS_BY_DERIVATIVES
     s.step_x = dFdx(s.position), s.step_y = dFdy(s.position);
 #endif

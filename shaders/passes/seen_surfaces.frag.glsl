@@ -14,7 +14,7 @@ void main() {
     discard_masked();
     Surface s = make_surface();
     position_out = vec4(s.position, float(s.receives));
-    geometric_out = vec4(s.geometric, 0.0);
+    geometric_out = vec4(s.geometric, float(s.in_map));
 #if bias_normal_source != bias_normal_source_geometric
     bias_normal_out = vec4(bias_normal_of(s), 0.0);
 #endif
