@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/projection/projection.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/depth_compare.h"
 #include "renderer/settings/map_storage.h"
@@ -21,6 +22,20 @@ double extent_m(const FittedLight& light, const LightReceiver& r, int resolution
         glm::max(glm::abs(p.position_ws - p.origin_ws), glm::abs(p.position_ws - light.map_origin));
     const double half_map = 0.5 * r.texel_m * resolution;
     return std::max({half_map, farthest.x, farthest.y, farthest.z});
+}
+
+/// Returns the greatest depth of a point's triangle within the map's depth range.
+double greatest_depth(const LightView& view, const SurfacePoint& p, double own) {
+    if (!p.corners_ws) return own;
+    double greatest = 0;
+    for (const glm::dvec3& corner : *p.corners_ws) {
+        const glm::dvec4 clip = view.clip_from_relative(corner) * glm::dvec4(0, 0, 0, 1);
+        const DepthConvention& convention = view.curve.convention;
+        const bool cut = view.curve.perspective && clip.w <= view.curve.near;
+        const double depth = cut ? 1 - convention.far_depth() : uvd_from_ndc(convention, glm::dvec3(clip) / clip.w).z;
+        greatest = std::max(greatest, std::clamp(depth, 0.0, 1.0));
+    }
+    return greatest;
 }
 
 }  // namespace
@@ -61,7 +76,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
                 .z = r.tap_m,
                 .polygon = driver.offset[std::size_t(settings.map.format)],
                 .per_texel = a.plane.gradient / double(resolution),
-                .quantum = depth_quantum(settings.map.format, view.curve, r.uvd.z)};
+                .quantum = depth_quantum(settings.map.format, view.curve, greatest_depth(view, p, r.uvd.z))};
     const double kappa = kernel_reach_in_light(settings, light, resolution).bias;
     const double extent = extent_m(light, r, resolution, p);
     a.in_map = p.in_map && (view.curve.convention.reversed ? r.uvd.z <= 1 : r.uvd.z >= 0);

@@ -1,7 +1,9 @@
 // Bias of one surface point, term by term: what the settings give and the least that is needed. CPU, double precision.
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "renderer/bias/light_receiver.h"
 #include "renderer/bias/theory.h"
@@ -16,6 +18,9 @@ struct SurfacePoint {
     glm::dvec3 bias_normal{0, 1, 0};  ///< unit, the normal that bias.normal_source selects
     glm::dvec3 origin_ws{0};          ///< Camera::origin(), to which positions in shaders are relative
     bool in_map = true;  ///< the triangle is drawn into maps: neither culled nor of an object without shadow
+    /// Corners of the triangle, whose greatest depth sets the unit of polygon offset in float formats. Without them it
+    /// is the depth of the point.
+    std::optional<std::array<glm::dvec3, 3>> corners_ws = std::nullopt;
 };
 
 /// A shift of a point's depth in three units: depth-buffer units, texels and metres. Texels and metres come from the

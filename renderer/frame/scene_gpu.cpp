@@ -10,6 +10,7 @@
 #include "renderer/gl/driver_failure.h"
 #include "renderer/gl/target.h"
 #include "renderer/scene/face_normals.h"
+#include "shaders/shared/units.h"
 
 namespace si {
 namespace {
@@ -388,6 +389,11 @@ void SceneGpu::bind_vertices(const Scene& scene, const Settings& settings, const
     glBindVertexArray(vao_.id());
     glVertexArrayElementBuffer(vao_.id(), seen ? faced_indices_.id() : indices_.id());
     glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
+}
+
+void SceneGpu::bind_triangles() const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shared::STORAGE_SCENE_POSITIONS, positions_.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, shared::STORAGE_SCENE_INDICES, faced_indices_.id());
 }
 
 void SceneGpu::bind_transforms(const gl::VertexArray& vao, GLuint binding, Drawn drawn) const {

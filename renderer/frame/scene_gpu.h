@@ -55,6 +55,8 @@ public:
     void update_batches(const Scene& scene, const Settings& settings);
     /// Returns the batches of all objects, as lights draw them.
     const std::vector<Batch>& batches() const { return batches_; }
+    /// Binds positions and indices of all triangles, as the camera draws them, for shaders/lib/triangle_corners.glsl.
+    void bind_triangles() const;
     /// Sets the instances that the camera draws, and their order. Used for frustum culling and front-to-back order.
     /// @param instances the indices of the instances, in the order of instance_objects()
     void set_camera_instances(std::span<const std::uint32_t> instances);

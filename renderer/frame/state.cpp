@@ -11,6 +11,16 @@
 #include "renderer/view/fits/light_fit.h"
 
 namespace si {
+namespace {
+
+/// Returns true when a pass reads the corners of triangles: for the unit of polygon offset in float formats.
+bool reads_corners(const Settings& settings, std::string_view fragment) {
+    const bool floats = settings.map.format == MapFormat::D32F || settings.map.format == MapFormat::Colour;
+    return floats && settings.bias.raster_units != 0 &&
+           (fragment == "passes/overlay.frag.glsl" || fragment == "passes/evidence.frag.glsl");
+}
+
+}  // namespace
 
 GLuint FrameState::program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra) const {
     gl::ProgramRequest wanted;
@@ -139,6 +149,7 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
         wanted.push_back({"NORMAL_MAPPED", "1"});
         if (batch.tangents) wanted.push_back({"TANGENTS", "1"});
     }
+    if (reads_corners(settings, fragment)) wanted.push_back({"TRIANGLE_CORNERS", "1"});
     if (batch.ground && fragment == "passes/shade.frag.glsl") wanted.push_back({"GROUND", "1"});
     return program(vertex, fragment, std::move(wanted));
 }
@@ -165,6 +176,8 @@ void FrameState::bind_textures(const Batch& batch) const {
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
                                   PassInfo& info) const {
     gl.scene->bind_vertices(scene, settings, origin, SceneGpu::Drawn::Seen);
+    const bool corners = reads_corners(settings, fragment);
+    if (corners) gl.scene->bind_triangles();
     GLuint used = 0;
     const Batch* previous = nullptr;
     for (const Batch& batch : gl.scene->seen_batches()) {
@@ -174,6 +187,9 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
             previous->ground != batch.ground)
             glUseProgram(used = batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
         set_faces_left_out(used, batch);
+        if (corners)
+            glUniform3i(glGetUniformLocation(used, "triangle_source"), GLint(batch.first_index), batch.base_vertex,
+                        batch.index_count / 3);
         if (!previous || previous->texture != batch.texture || previous->normal_texture != batch.normal_texture)
             bind_textures(batch);
         if (!previous || previous->double_sided != batch.double_sided)

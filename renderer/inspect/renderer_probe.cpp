@@ -187,6 +187,20 @@ PixelFacts settle(FrameState& f, const glm::uvec2& shown, BlockPlace& at) {
     return unshifted;
 }
 
+/// Returns the corners of the triangle of a pixel; nullopt for none. @param id as in SurfaceIds
+std::optional<std::array<glm::dvec3, 3>> corners_ws(const Scene& scene, const glm::uvec2& id) {
+    const std::size_t number = std::size_t(id.x) - 1;
+    if (number >= scene.objects.size()) return {};
+    const Object& object = scene.objects[number];
+    const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
+    // Drivers may continue to count triangles over the instances of a draw.
+    const std::size_t first = 3 * (id.y % (mesh.indices.size() / 3));
+    std::array<glm::dvec3, 3> out;
+    for (std::size_t k = 0; k < 3; ++k)
+        out[k] = glm::dvec3(object.world * glm::dvec4(glm::dvec3(mesh.positions[mesh.indices[first + k]]), 1));
+    return out;
+}
+
 /// @param[out] at top left pixel
 SurfaceIds part_of(const SurfaceIds& all, glm::ivec2 pixel, glm::ivec2& at) {
     at = glm::max(pixel - kRunReach, glm::ivec2(0));
@@ -264,6 +278,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                                                     : out.normal_ws;
         pixel.point.origin_ws = f.origin;
         pixel.point.in_map = facts.in_map();
+        pixel.point.corners_ws = corners_ws(scene, out.id);
         if (f.gl.fitted[i].casts) {
             if (!seen) seen.emplace(f, place);
             pixel.taps = draw_taps(f, *seen, int(i));

@@ -26,7 +26,7 @@ struct BiasInput {
     double z = 1;                ///< distance along the view's axis, metres above 0, of the looked-up point
     PolygonOffset polygon;       ///< measured glPolygonOffset of the driver, for maps of this format
     glm::dvec2 per_texel{0};     ///< depth change of the receiver's plane per texel, along u and v
-    double quantum = 0;          ///< step of the stored depth
+    double quantum = 0;          ///< step of the format at the greatest depth of the triangle
     double least_per_texel = 0;  ///< least depth bias of the plane if every texel has its own compared depth
     double least_common = 0;     ///< least depth bias of the plane if all texels share one compared depth
 };

@@ -13,8 +13,25 @@ float least_bias(Receiver r, vec2 gradient) {
 #endif
 }
 
+/// Returns the format's step of which polygon offset counts units: in float formats that at the greatest depth of the
+/// triangle, if its corners are known.
+float offset_quantum(Receiver r) {
+#ifdef TRIANGLE_CORNERS
+    ViewBlock view = view_of(r.layer);
+    float greatest = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        vec4 h = view.uvd_from_relative * vec4(r.surface.corners[k], 1.0);
+        bool is_cut = LIGHT_PERSPECTIVE[r.light] != 0 && h.w <= view.curve.x;
+        greatest = max(greatest, is_cut ? float(map_reversed_z) : clamp(h.z / h.w, 0.0, 1.0));
+    }
+    return float_step(greatest);
+#else
+    return depth_quantum(r);
+#endif
+}
+
 /// Returns the equivalent depth bias: distance from the receiver's plane to the compared depth, towards the light.
 float equivalent_depth_bias(Receiver r, vec2 gradient) {
     float plane = r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy);
-    return away_from_light(plane - r.reference) + raster_offset(abs(gradient) / float(map_resolution), depth_quantum(r));
+    return away_from_light(plane - r.reference) + raster_offset(abs(gradient) / float(map_resolution), offset_quantum(r));
 }

@@ -17,6 +17,9 @@ struct Surface {
     vec3 to_eye;     // unit
     vec2 pixel;      // centre of the pixel, in the picture
     bool receives;
+#ifdef TRIANGLE_CORNERS
+    vec3 corners[3];  // of the triangle, relative to the frame's origin
+#endif
     bool in_map;     // its face is drawn into maps: neither culled nor of an object that casts nothing
 #if BIAS_BY_DERIVATIVES
     vec3 step_x, step_y;  // change of position to the next pixel to the right and above, metres

@@ -10,6 +10,9 @@ uniform int faces_left_out;  // faces that are not drawn into maps: 1 fronts, 2 
 #ifdef NORMAL_MAPPED
 #include "lib/normal_map.glsl"
 #endif
+#ifdef TRIANGLE_CORNERS
+#include "lib/triangle_corners.glsl"
+#endif
 
 Surface make_surface() {
     Surface s;
@@ -21,6 +24,9 @@ Surface make_surface() {
     s.receives = surface.x > 0.5;
 #else
     s.receives = true;
+#endif
+#ifdef TRIANGLE_CORNERS
+    for (int k = 0; k < 3; ++k) s.corners[k] = triangle_corner(k);
 #endif
     s.in_map = (faces_left_out & (gl_FrontFacing ? 1 : 2)) == 0;
 #if BIAS_BY_DERIVATIVES

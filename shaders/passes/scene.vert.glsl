@@ -24,6 +24,9 @@ layout(location = 14) in vec3 face_os;  // normal of the triangle that has this 
 out vec3 position_rel;
 flat out vec3 face_normal;  // unit, on the side that the camera sees
 out vec3 normal_ws;
+#ifdef TRIANGLE_CORNERS
+flat out vec4 world_row0, world_row1, world_row2;
+#endif
 invariant gl_Position;
 
 /// Returns the triangle's normal, turned to the camera. Screen derivatives would be off by a tenth of a degree in single
@@ -46,6 +49,9 @@ void main() {
     face_normal = seen_face_normal(
         vec3(dot(normal_row0, face_os), dot(normal_row1, face_os), dot(normal_row2, face_os)), position_rel);
     pass_base_colour();
+#ifdef TRIANGLE_CORNERS
+    world_row0 = row0, world_row1 = row1, world_row2 = row2;
+#endif
 #ifdef NORMAL_MAPPED
     uv_scale = uv_scale_in;
 #ifdef TANGENTS
