@@ -13,6 +13,7 @@
 #include "renderer/scene/ground.h"
 #include "renderer/scene/placement.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/starting_values.h"
 
@@ -176,6 +177,21 @@ SessionPlan plan_session(const SessionOptions& options) {
     return plan;
 }
 
+namespace {
+
+/// Adds a note for each `--set` that changes a setting without effect.
+void add_idle_notes(const std::vector<std::string>& sets, const Settings& settings, std::vector<std::string>& notes) {
+    for (const std::string& assignment : sets) {
+        const std::string key = assignment.substr(0, assignment.rfind('='));
+        const std::optional<SettingRef> ref = find_setting(key);
+        if (!ref || get_value(settings, *ref) == default_value(*ref)) continue;
+        if (const std::string_view reason = idle_reason(settings, *ref); !reason.empty())
+            notes.push_back(fmt::format("{}: {}", key, reason));
+    }
+}
+
+}  // namespace
+
 ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
                                   std::vector<std::string>* left_out) {
     ComposedSettings out;
@@ -220,6 +236,7 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
         pose_scene(scene, moment);
     }
     ComposedSettings composed = compose_settings(plan, scene, moment, left_out);
+    add_idle_notes(plan.sets, composed.settings, composed.notes);
     hide_objects(scene, hidden_paths(composed.settings));
     if (!remark.empty()) composed.notes.push_back(remark);
     for (const std::string& warning : scene.warnings)

@@ -1,4 +1,5 @@
 // Tests the guard of a point light's six faces: with it map.wrap has no effect, without it seams show.
+#include "app/session/session.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/idle_reason.h"
 #include "tests/gl/frame_fixture.h"
@@ -39,6 +40,22 @@ TEST_F(PointFaces, ShowSeamsWithoutTheirGuard) {
     EXPECT_GT(differing_values(guarded, seams, 0.05f), 200u) << "dark seams where taps leave a face";
     EXPECT_GT(differing_values(seams, visibility(scene, lamp({"map.wrap=repeat", "map.face_guard=false"})), 0.05f),
               100u);
+}
+
+TEST_F(PointFaces, SessionsNoteSettingsWithoutEffect) {
+    const auto notes = [](const Sets& sets) {
+        SessionOptions options{.scene = "boxes"};
+        for (const auto& [key, value] : sets) options.sets.push_back(key + "=" + value);
+        return open_session(options).notes;
+    };
+    EXPECT_TRUE(notes({"map.wrap=clamp", "light.cascades=4"}).empty());
+    EXPECT_TRUE(notes({"light.type=point", "map.wrap=border"}).empty()) << "its default";
+    const auto wrap = notes({"light.type=point", "map.wrap=clamp"});
+    ASSERT_EQ(wrap.size(), 1u);
+    EXPECT_TRUE(wrap[0].starts_with("map.wrap: without effect")) << wrap[0];
+    const auto cascades = notes({"light.fit=manual", "light.cascades=4"});
+    ASSERT_EQ(cascades.size(), 1u);
+    EXPECT_TRUE(cascades[0].starts_with("light.cascades: without effect")) << cascades[0];
 }
 
 TEST_F(PointFaces, TheGuardIsOfLightsWithFacesAlone) {
