@@ -265,7 +265,10 @@ private:
 
     std::string light_bleeding() const {
         const Filter& row = filter_of(settings_);
-        const MomentBound bound = moment_bound(row, settings_.filter, p_.kernel);
+        FilterSettings used = settings_.filter;
+        used.exponent = std::min(used.exponent, safe_exponent(settings_));
+        used.negative_exponent = std::min(used.negative_exponent, safe_exponent(settings_));
+        const MomentBound bound = moment_bound(row, used, p_.kernel);
         std::string text = fmt::format("light bleeding: upper bound {:.2g}", p_.kernel.bound);
         if (!std::isnan(bound.floor_spread))
             text +=

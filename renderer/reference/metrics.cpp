@@ -131,7 +131,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "any_leak",
      .label = "Any leak",
      .help = "Light in full shadow, where no true edge lies within the kernel's reach: includes faint light that is "
-             "not wrong. The program counts it by rays, so the live error lacks it.",
+             "not wrong. It takes rays: `measure`, sweeps, the probe and Save of the tab Error have it, the live "
+             "error has not.",
      .formula = "#{V > 0.02, and R = 0 at the pixel and at 8 points on its plane, at the reach of the kernel and of "
                 "map.blur_texels} / n",
      .member = &M::any_leak,

@@ -22,7 +22,7 @@ namespace {
 std::vector<const Metric*> rows_of(bool causes, const ErrorMetrics& m) {
     std::vector<const Metric*> rows;
     const auto add = [&](const Metric& row) {
-        if (row.member && !(row.cpu_only && std::isnan(row.value(m))) && !(row.rare && !(row.value(m) > 0)))
+        if (row.member && !(row.cpu_only && row.unit == "px") && !(row.rare && !(row.value(m) > 0)))
             rows.push_back(&row);
     };
     const auto is_sum = [](const Metric& row) {
