@@ -164,8 +164,13 @@ private:
                 "faint light: in shadow, as in the reference, but {:.0f} % lit, and no true edge lies within the "
                 "kernel's reach (± {}); an occluder is {} nearer to the light; {}",
                 100 * p_.visibility, reach_text(), texels(d_.occluder), bias);
-        return fmt::format("right: in shadow, as in the reference, by a surface {} nearer to the light; {}",
-                           texels(d_.occluder), bias);
+        const std::string partly =
+            p_.visibility > shared::VISIBLE_ERROR
+                ? fmt::format("{:.0f} % lit, since a true edge lies within the kernel's reach (± {}); ",
+                              100 * p_.visibility, reach_text())
+                : "";
+        return fmt::format("right: in shadow, as in the reference, by a surface {} nearer to the light; {}{}",
+                           texels(d_.occluder), partly, bias);
     }
 
     std::string wrong() const {
