@@ -1,8 +1,10 @@
-// Tests hard cases 22 to 26: kernels that read averages of functions of depth, tables of sums, and blocker searches.
+// Tests hard cases 22 to 26 and 38: kernels that read averages of functions of depth, tables of sums, and blocker
+// searches.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "renderer/measure/measured_error.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_view.h"
@@ -144,6 +146,19 @@ TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
             expect_fault(26, clear);
             EXPECT_GT(covered, 100);
         }
+}
+
+TEST(HardCase38, WarpedDepthsDoNotBleed) {
+    const auto bleeding = [](bool fixed) {
+        const DrawnCase c = hard_view("light-bleeding", fixed);
+        ReferenceCache cache;
+        const MeasuredError e =
+            measure_error(hard_renderer(), c.scene, c.settings, {.width = 160, .height = 120}, 0, {}, cache);
+        EXPECT_EQ(e.metrics.leak, 0);
+        return e.metrics.light_bleeding;
+    };
+    expect_within_limit(38, bleeding(true));
+    expect_fault(38, bleeding(false));
 }
 
 }  // namespace
