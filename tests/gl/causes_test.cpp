@@ -109,6 +109,22 @@ protected:
     std::string last_;
 };
 
+TEST_F(CausesTest, LightBleedingIsTheCauseUnderKernelsByMoments) {
+    std::size_t bleeding = 0;
+    const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
+    for (const char* kernel : {"vsm", "savsm", "esm", "evsm2", "evsm4", "msm_hamburger"}) {
+        Settings s = test::texel_settings(kernel, 256, 0);
+        set_all(s, {"filter.exponent=3", "filter.negative_exponent=3", "filter.blur=6", "filter.window=12",
+                    "filter.bleed=0"});
+        const MeasuredError m = agree(box, s, kernel);
+        bleeding += count(m, Artefact::LightBleeding);
+        EXPECT_EQ(count(m, Artefact::Leak), 0u) << kernel << ": " << counts(m);
+        s.map.blur_texels = 2;
+        agree(box, s, "with depth blur");
+    }
+    EXPECT_GT(bleeding, 100u);
+}
+
 SI_TEST_IS(Repeated, CausesTest, CpuAndGpuAgree);
 SI_TEST_IS(Product, CausesTest, CpuAndGpuAgree);
 TEST_F(CausesTest, CpuAndGpuAgree) {

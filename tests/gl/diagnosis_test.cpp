@@ -4,11 +4,13 @@
 #include <cstring>
 #include <tuple>
 
+#include "renderer/inspect/moment_bound.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/mesh_scene.h"
 #include "tests/support/sets.h"
@@ -286,6 +288,96 @@ TEST_F(DiagnosisTest, WithoutAValidBiasItNamesTheNeededResolution) {
     const PixelDiagnosis opened = diagnosis(scene, s, *pixel);
     s.bias.constant = 0.5 * (opened.least.texels + opened.occluder.texels);
     EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
+}
+
+// Front faces are culled, and the kernel finds light past the back faces. Pixel 582,212 is 30 % lit beside a true edge;
+// other pixels are lit away from all edges.
+TEST_F(DiagnosisTest, NamesFaintLightAwayFromTrueEdges) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {{"map.resolution", "512"},
+                                            {"caster.cull", "front"},
+                                            {"bias.normal", "0"},
+                                            {"bias.constant", "0"},
+                                            {"bias.slope", "0"}});
+    const FrameRequest request{.width = 640, .height = 360};
+    const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
+    const auto diagnosed = [&](int x, int y) {
+        const Probe probe = renderer.probe(scene, s, request, x, y);
+        const Probe::PerLight& light = probe.lights.at(0);
+        return diagnose_pixel(probe, light, trace_fragment_reference(casters, probe, light, s, object_traits(scene, s)),
+                              s, renderer.driver());
+    };
+    const PixelDiagnosis beside_edge = diagnosed(582, 212);
+    EXPECT_FALSE(beside_edge.reference.any_leak);
+    EXPECT_NE(beside_edge.verdict.find("30 % lit, since a true edge lies within the kernel's reach (± "),
+              std::string::npos)
+        << beside_edge.verdict;
+    ReferenceCache cache;
+    const MeasuredError m = measure_error(renderer, scene, s, request, 0, {}, cache);
+    int named = 0;
+    for (std::size_t i = 0; i < m.classified.size() && named < 3; ++i) {
+        if (!m.classified[i].any_leak || m.classified[i].visibility >= 0.5f) continue;
+        const PixelDiagnosis d = diagnosed(int(i % 640), int(i / 640));
+        EXPECT_TRUE(d.right);
+        EXPECT_TRUE(d.verdict.starts_with("faint light: in shadow, as in the reference, but ")) << d.verdict;
+        ++named;
+    }
+    EXPECT_GT(named, 0);
+}
+
+TEST_F(DiagnosisTest, WritesOutTheBoundThatBleeds) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
+    for (const char* kernel : {"vsm", "savsm", "esm", "evsm2", "evsm4", "msm_hamburger", "msm_hausdorff"}) {
+        Settings s = plain(kernel, 0);
+        set_all(s, {"filter.exponent=3", "filter.negative_exponent=3", "filter.blur=6", "filter.window=12",
+                    "filter.bleed=0", "map.resolution=256"});
+        const auto pixel = find(measure(scene, s), Artefact::LightBleeding);
+        if (!pixel) continue;
+        const PixelDiagnosis d = diagnosis(scene, s, *pixel);
+        EXPECT_EQ(d.cause().artefact, Artefact::LightBleeding) << kernel;
+        EXPECT_TRUE(d.verdict.starts_with("light bleeding: upper bound 0.")) << d.verdict;
+        EXPECT_NE(d.verdict.find(" within the blur (± "), std::string::npos) << d.verdict;
+        const KernelFacts& k = probed.lights[0].kernel;
+        const MomentBound bound = moment_bound(filter_of(s), s.filter, k);
+        // Numbers of the printed formula give the kernel's own bound.
+        double v = 0, behind = 0;
+        const auto at = bound.formula.find(" with v ");
+        if (at == std::string::npos) continue;
+        ASSERT_EQ(std::sscanf(bound.formula.c_str() + at, " with v %lf, z - m %lf", &v, &behind), 2) << bound.formula;
+        EXPECT_NEAR(v / (v + behind * behind), k.bound, 0.01 * k.bound) << kernel << ": " << bound.formula;
+    }
+}
+
+// The depth range is so large that the floor of the variance, and not the depths, decides the bound.
+TEST_F(DiagnosisTest, NamesTheFloorOfTheVariance) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = plain("vsm", 0);
+    set_all(s,
+            {"light.near_far=manual", "light.near=1", "light.far=20000", "filter.min_variance=1e-6", "filter.bleed=0"});
+    const auto pixel = find(measure(scene, s), Artefact::LightBleeding);
+    ASSERT_TRUE(pixel);
+    const PixelDiagnosis d = diagnosis(scene, s, *pixel);
+    EXPECT_NE(d.verdict.find("v is the floor by filter.min_variance 1e-06"), std::string::npos) << d.verdict;
+    EXPECT_NE(d.verdict.find("spread by ± 20 m"), std::string::npos) << d.verdict;
+    const std::size_t before = measure(scene, s).metrics.artefacts[std::size_t(Artefact::LightBleeding)];
+    set_setting(s, "filter.min_variance", "1e-9");
+    EXPECT_LT(measure(scene, s).metrics.artefacts[std::size_t(Artefact::LightBleeding)], before / 2);
+}
+
+TEST_F(DiagnosisTest, NamesTheShadowTerminatorWithoutBiasNumbers) {
+    const Scene scene = test::grey_scene({{"ball", make_sphere(1, 10, 6)}});
+    const Settings s = plain("hard", 1);
+    const MeasuredError m = measure(scene, s);
+    const auto& state = m.traced.reference->state;
+    const auto at = std::size_t(std::ranges::find(state, PixelState::ShadowTerminator) - state.begin());
+    ASSERT_LT(at, state.size());
+    const PixelDiagnosis d = diagnosis(scene, s, {int(at) % kPicture.width, int(at) / kPicture.width});
+    EXPECT_EQ(d.reference.state, PixelState::ShadowTerminator);
+    EXPECT_EQ(d.verdict,
+              "not compared: shadow terminator: the triangle faces away from the light, its smooth normal "
+              "does not: no bias cures it");
+    EXPECT_EQ(d.least.texels, 0);
+    EXPECT_FALSE(d.fix);
 }
 
 TEST_F(DiagnosisTest, NormalOffsetCountsByItsEquivalentDepthBias) {

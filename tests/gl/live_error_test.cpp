@@ -72,6 +72,9 @@ TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     set_setting(s, "filter.kernel", "pcf3");
     EXPECT_GT(agree(s, "well biased").artefacts[std::size_t(Artefact::EdgeAliasing)], 10u);
 
+    set_all(s, {"filter.kernel=vsm", "filter.blur=6", "filter.bleed=0", "bias.constant=0"});
+    EXPECT_GT(agree(s, "light bleeding").light_bleeding, 0);
+
     s = hard(512, 3);
     set_all(s, {"light.fit=manual", "light.extent=1.2"});
     EXPECT_GT(agree(s, "outside of the map").outside_map, 0.3);

@@ -28,9 +28,10 @@ protected:
         EXPECT_EQ(px(m.false_shadow),
                   px(m.acne) + px(m.offset_false_shadow) + px(m.boundary_false_shadow) + px(m.outside_false_shadow));
         EXPECT_EQ(px(m.false_light), px(m.bias_false_light) + px(m.lost_false_light) + px(m.leak) +
-                                         px(m.boundary_false_light) + px(m.outside_false_light));
+                                         px(m.light_bleeding) + px(m.boundary_false_light) + px(m.outside_false_light));
         EXPECT_EQ(px(m.acne), (long long)count(Artefact::Acne));
         EXPECT_EQ(px(m.leak), (long long)count(Artefact::Leak));
+        EXPECT_EQ(px(m.light_bleeding), (long long)count(Artefact::LightBleeding));
         EXPECT_EQ(px(m.boundary_false_shadow + m.boundary_false_light),
                   (long long)(count(Artefact::EdgeAliasing) + count(Artefact::Undersampled) +
                               count(Artefact::Penumbra) + count(Artefact::Filter)));
@@ -59,6 +60,71 @@ TEST_F(MeasureTest, FindsNothingButEdgesInAWellBiasedFrame) {
         EXPECT_LT(m.boundary_px_mean, 1.5) << kernel;
         EXPECT_EQ(m.outside_map, 0) << kernel;
     }
+}
+
+/// Returns whether a surface point and 8 points around it on its plane are in shadow.
+/// @param reach_m distance of the points along each axis of the map, metres across the light's rays
+bool in_umbra(const test::RayReference& rays, const test::Hit& hit, const FittedLight& light, double reach_m) {
+    const LightView& view = test::view_of(light, hit.position);
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y) {
+            const glm::dvec3 aside = reach_m * (double(x) * view.axes[0] + double(y) * view.axes[1]);
+            const glm::dvec3 moved = hit.position + aside;
+            const glm::dvec3 ray = view.curve.perspective ? moved - view.eye : -view.axes[2];
+            const glm::dvec3 on_plane = moved - ray * (glm::dot(aside, hit.normal) / glm::dot(ray, hit.normal));
+            if (!rays.occluded(on_plane, light, hit.triangle)) return false;
+        }
+    return true;
+}
+
+// Culled front faces leave light inside the shadow where the kernel sees past the back faces.
+TEST_F(MeasureTest, CountsLightInFullShadowLikeBruteForce) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
+    const test::RayReference rays(scene);
+    for (const LightType type : {LightType::Directional, LightType::Spot})
+        for (const bool blurred : {false, true}) {
+            Settings s = test::texel_settings(blurred ? "vsm" : "pcf3", 128, 0);
+            if (blurred)
+                set_all(s, {"map.blur_texels=1", "filter.min_variance=0.01", "filter.bleed=0"});
+            else
+                s.caster.cull = Cull::Front;
+            s.lights[0].type = type;
+            const ErrorMetrics& m = measure(scene, s);
+            const FittedLight& light = measured.lights[0];
+            const double reach = blurred ? s.filter.blur + 1.0 + 1.0 : 2.0;
+            EXPECT_EQ(measured.reach_texels, reach);
+            long long expected = 0, differ = 0;
+            for (const auto& [x, y, hit] : test::pixel_hits(rays, measured.camera, 320, 240)) {
+                const std::size_t i = std::size_t(y) * 320 + std::size_t(x);
+                if (measured.traced.reference->state[i] != PixelState::Counted) continue;
+                const double texel_m =
+                    test::view_of(light, hit.position).texel_size_at(hit.position, measured.map_resolution).longest;
+                const bool leak =
+                    measured.classified[i].visibility > 0.02f && in_umbra(rays, hit, light, reach * texel_m);
+                expected += leak;
+                differ += leak != measured.classified[i].any_leak;
+            }
+            EXPECT_GT(expected, 20) << int(type) << " " << blurred;
+            EXPECT_LE(differ, 1) << "of " << expected << ": only rays that graze an edge differ";
+            EXPECT_NEAR(m.any_leak * double(m.counted), double(expected), 1.001);
+            // A second measurement finds the same in the memory of the reference.
+            const double again =
+                measure_error(renderer, scene, s, {.width = 320, .height = 240}, 0, {}, cache).metrics.any_leak;
+            EXPECT_EQ(again, m.any_leak);
+        }
+}
+
+// Samples on the light do not depend on which other pixels are asked.
+TEST_F(MeasureTest, CountsLightInFullShadowOfAnAreaLight) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
+    Settings s = test::texel_settings("pcf3", 128, 0);
+    set_all(s, {"caster.cull=front", "light.size=1"});
+    const ReferenceOptions area{.area = true, .samples = 64};
+    const double share = measure(scene, s, area).any_leak;
+    EXPECT_GT(share, 0);
+    EXPECT_LT(share, measure(scene, s).any_leak) << "the umbra of a light with a size is smaller";
+    cache.clear();
+    EXPECT_EQ(measure(scene, s, area).any_leak, share);
 }
 
 TEST_F(MeasureTest, ClassifiesMissingBiasAsAcne) {
