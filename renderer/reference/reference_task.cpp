@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "renderer/reference/ray_scenes.h"
-#include "renderer/reference/umbra.h"
+#include "renderer/reference/umbra_cache.h"
 
 namespace si {
 namespace {
