@@ -46,7 +46,8 @@ void add_merge(CLI::App& app, Run& run) {
 
 void add_tune(CLI::App& app, Run& run) {
     auto& c = add_command(app, run, "tune",
-                          "Find the bias with the fewest wrong pixels, of all kinds, and write it as a preset; with "
+                          "Find the bias with the least score (wrong pixels and faint errors), of all kinds, and write "
+                          "it as a preset; with "
                           "limits, search kernel and resolution, too",
                           run_tune);
     c.add_session();

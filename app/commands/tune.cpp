@@ -53,10 +53,11 @@ Json trial_json(const BiasTrial& t) {
 
 Json tuned_json(const Tuned& tuned, const TuneGoals& goals, const Settings& before, const Settings& after,
                 double seconds) {
-    const auto rows = [](const std::vector<TriedBias>& list, const TriedBias* chosen) {
-        return json_list(list, [&](const TriedBias& t) {
+    const auto rows = [](const std::vector<const TriedBias*>& list, const TriedBias* chosen) {
+        return json_list(list, [&](const TriedBias* p) {
+            const TriedBias& t = *p;
             Json row = {{"row", t.row->key},
-                        {"chosen", &t == chosen},
+                        {"chosen", p == chosen},
                         {"no_acne", t.trial.has_no_acne()},
                         {"of_theory", t.strength},
                         {"bias", bias_json(t.bias)}};
@@ -78,13 +79,13 @@ Json tuned_json(const Tuned& tuned, const TuneGoals& goals, const Settings& befo
                  {"found", tuned.result.has_value()},
                  {"summary", tuned.summary},
                  {"timed", cost_row(goals.cost).key},
-                 {"trials", tuned.bias.trials},
+                 {"trials", tuned.bias.tried.size()},
                  {"stopped", tuned.bias.stopped || (tuned.limits && tuned.limits->stopped)},
                  {"seconds", seconds},
                  {"before", trial_json(tuned.bias.before)},
                  {"lit_pixels", tuned.bias.before.needs.pixels},
-                 {"biases", rows(tuned.bias.rows, tuned.bias.best())},
-                 {"without_acne", rows(tuned.bias.clean, tuned.bias.best_without_acne())},
+                 {"biases", rows(tuned.bias.best_of_rows(), tuned.bias.best())},
+                 {"without_acne", rows(tuned.bias.best_of_rows(true), tuned.bias.best_without_acne())},
                  {"candidates", tuned.limits ? json_list(tuned.limits->cases, case_json) : Json::array()},
                  {"settings", Json::object()}};
     for (const SettingRef& ref : all_settings(after))
@@ -95,7 +96,7 @@ Json tuned_json(const Tuned& tuned, const TuneGoals& goals, const Settings& befo
 
 void print_tuned(const Tuned& tuned) {
     const FoundBias& found = tuned.bias;
-    if (!found.rows.empty())
+    if (!found.tried.empty())
         fmt::print("  {:<28} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "score", "wrong px", "acne px", "gap",
                    "edge shift");
     const auto print_row = [](const TriedBias& t, const char* note) {
@@ -103,7 +104,7 @@ void print_tuned(const Tuned& tuned) {
                    wrong_pixels(t.trial.error), t.trial.acne(), metres_text(t.trial.needs.gap_p95_m),
                    metres_text(t.trial.needs.shift_p95_m), bias_text(t.bias), note);
     };
-    for (const TriedBias& t : found.rows) print_row(t, &t == found.best() ? "  least score" : "");
+    for (const TriedBias* t : found.best_of_rows()) print_row(*t, t == found.best() ? "  least score" : "");
     if (const TriedBias* clean = found.best_without_acne()) print_row(*clean, "  least score without acne");
     if (!tuned.limits) return;
     for (const AutopilotCase& c : tuned.limits->cases)

@@ -23,7 +23,8 @@ std::vector<TunedBias> tuned_biases(const FoundBias& found) {
                        least, clean});
     };
     const TriedBias* const clean = found.best_without_acne();
-    for (const TriedBias& t : found.rows) add(t, &t == found.best(), clean && clean->bias == t.bias);
+    const TriedBias* const best = found.best();
+    for (const TriedBias* t : found.best_of_rows()) add(*t, t == best, clean && clean->bias == t->bias);
     if (clean && std::ranges::none_of(out, &TunedBias::clean)) add(*clean, false, true);
     return out;
 }
@@ -33,14 +34,14 @@ BiasSearchResult search_bias(const SearchTools& t, const TuneRequest& request,
     const auto began = std::chrono::steady_clock::now();
     const TuneGoals goals{.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost};
     Settings settings = t.of.settings;
-    settings.truth.area = request.area;
+    settings.truth.area |= request.area;
     const Tuned tuned = tune(t.renderer, t.scene, settings, t.of.width, t.of.height, goals, t.cache, t.workers,
                              t.report, [&](const FoundBias& found) {
                                  show({{}, tuned_biases(found), {}});
                              });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return {tuned.result, tuned_biases(tuned.bias),
-            fmt::format("{}; {} trials in {:.1f} s", tuned.summary, tuned.bias.trials, seconds)};
+            fmt::format("{}; {} trials in {:.1f} s", tuned.summary, tuned.bias.tried.size(), seconds)};
 }
 
 AdviceFound search_advice(const SearchTools& t, const AdviceRequest& request,
@@ -101,7 +102,6 @@ FixOptions fix_options(const Settings& settings, std::span<const PixelDiagnosis>
 /// Returns true if a bias search of the present subject would give the same result. The present bias does not matter,
 /// since the search replaces it.
 bool is_current(const BiasSearchResult& found, SearchSubject of, const SearchSubject& present) {
-    if (found.best) apply_tuning(of.settings, *found.best);
     of.settings.bias = present.settings.bias;
     of.settings.truth.area = present.settings.truth.area;  // a search sets its own
     return of.measures_like(present);
@@ -118,7 +118,7 @@ bool BackgroundWork::poll_found(auto& search) {
 bool BackgroundWork::poll(const Scene* scene) {
     bool ended = poll_tuning(scene);
     const auto poll_each = [&](auto&... searches) { ((ended |= poll_found(searches)), ...); };
-    poll_each(fixes_, advice_, pipelines_, shimmer_, optimisation_times_);
+    poll_each(fixes_, pixel_fixes_, advice_, pipelines_, shimmer_, optimisation_times_);
     return ended;
 }
 
@@ -180,8 +180,9 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     request(requests.tune.has_value(), [&] { start(bias_search_, "the present bias", *requests.tune, search_bias); });
     if (requests.cancel_tune) bias_search_.cancel();
     request(requests.find_fixes.has_value(), [&] {
-        fixes_.forget();
-        start(fixes_, "the present settings",
+        EditorSearch<FixesFound>& search = requests.find_fixes->pixel ? pixel_fixes_ : fixes_;
+        search.forget();
+        start(search, "the present settings",
               fix_options(state_.settings, shown.readings.diagnoses, *requests.find_fixes),
               [](const SearchTools& t, const FixOptions& options, const auto& show) {
                   return FixesFound{find_fixes(t.renderer, t.scene, t.of.settings, t.of.width, t.of.height, options,
@@ -193,7 +194,9 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
               });
     });
     if (requests.cancel_fixes) fixes_.cancel();
+    if (requests.cancel_pixel_fixes) pixel_fixes_.cancel();
     request(requests.forget_fixes, [&] { fixes_.forget(); });
+    request(requests.forget_pixel_fixes, [&] { pixel_fixes_.forget(); });
     request(requests.find_advice.has_value(), [&] {
         advice_.forget();
         start(advice_, "the present settings", *requests.find_advice, search_advice);
@@ -238,14 +241,19 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
     f.tuning = bias_search_.progress();
     if (const BiasSearchResult* found = bias_search_.found_in(present.scene)) {
         f.tuned = found->biases;
+        f.tuned_result = found->best ? &*found->best : nullptr;
         f.tuned_current = is_current(*found, bias_search_.subject(), present);
     }
-    f.fixes.running = fixes_.progress();
-    if (const FixesFound* found = fixes_.found_in(present.scene)) {
-        f.fixes.table = &found->table;
-        f.fixes.pixel = found->pixel;
-        f.fixes.current = fixes_.subject().measures_like(present);
-    }
+    const auto fill_fixes = [&](FixSearch& shown, const EditorSearch<FixesFound>& search) {
+        shown.running = search.progress();
+        const FixesFound* const found = search.found_in(present.scene);
+        if (!found) return;
+        shown.table = &found->table;
+        shown.pixel = found->pixel;
+        shown.current = search.subject().measures_like(present);
+    };
+    fill_fixes(f.fixes, fixes_);
+    fill_fixes(f.pixel_fixes, pixel_fixes_);
     f.measuring_optimisations = optimisation_times_.progress();
     f.saved = optimisation_times_.found_in(present.scene);
     const SearchSubject& timed = optimisation_times_.subject();

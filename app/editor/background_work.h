@@ -50,7 +50,7 @@ struct ShimmerFound {
 class BackgroundWork {
     /// Returns references to all background measurements, for calls to each of them.
     auto all() const {
-        return std::tie(sweep_, bias_search_, fixes_, optimisation_times_, advice_, pipelines_, shimmer_);
+        return std::tie(sweep_, bias_search_, fixes_, pixel_fixes_, optimisation_times_, advice_, pipelines_, shimmer_);
     }
 
 public:
@@ -100,6 +100,7 @@ private:
     EditorSweep sweep_;
     EditorSearch<BiasSearchResult> bias_search_{"The search for the smallest bias was cancelled"};
     EditorSearch<FixesFound> fixes_{"The search for fixes was cancelled"};
+    EditorSearch<FixesFound> pixel_fixes_{"The search for the pixel's fix was cancelled"};
     EditorSearch<SavedTimes> optimisation_times_{"The measurement of optimisations was cancelled"};
     EditorSearch<AdviceFound> advice_{"The search for advice was cancelled"};
     EditorSearch<std::vector<PipelineError>> pipelines_{"The comparison of precision was cancelled"};

@@ -76,10 +76,13 @@ public:
                     const double spent_s = std::chrono::duration<double>(Clock::now() - began).count();
                     report({about, share, share > 0 ? spent_s * (1 - share) / share : 0});
                 };
-                return work({*copy, of, renderer, cache, workers, report_step}, [&](T so_far) {
+                const Show show = [&](T so_far) {
                     const std::lock_guard lock(partial->mutex);
                     partial->value = std::move(so_far);
-                });
+                };
+                T result = work({*copy, of, renderer, cache, workers, report_step}, show);
+                if (workers.stop.stop_requested()) show(result);  // cancelled work has no outcome
+                return result;
             },
             {first, 0});
     }
@@ -99,6 +102,7 @@ public:
     }
     /// Drops the result of the last search.
     void forget() {
+        Base::cancel();
         found_.reset();
         partial_ = std::make_shared<Partial>();
     }

@@ -57,7 +57,7 @@ std::vector<Column> make_columns() {
     for (const Metric& m : metrics()) all.push_back(metric_column(m));
     all.push_back({.key = "error.meaning",
                    .label = "Meaning of the errors",
-                   .help = "3: the causes of docs/accuracy.md. Other meanings do not compare.",
+                   .help = "4: the causes of docs/accuracy.md. Other meanings do not compare.",
                    .value = [](const CaseNumbers& n) { return n.error ? double(kErrorMeaning) : kNone; },
                    .better = Better::Neither});
     all.push_back(time_column("median", "total_ms", "Time of a frame", "Median over the frames of whole rounds.",

@@ -22,7 +22,7 @@ bool is_faster(const Trial& t) {
 std::string why_no_advice(const Trial& t) {
     if (!t.is_drawn()) return t.candidate.untried;
     const double added = t.added_error();
-    if (added < -t.tolerance()) return {};
+    if (added < -t.least_gain()) return {};
     if (t.candidate.claim == Claim::Right) return fmt::format("the error does not fall ({:+.3g})", added);
     if (t.candidate.claim == Claim::Same && added > t.tolerance())
         return fmt::format("the error grows by {:.3g}", added);
@@ -36,7 +36,7 @@ std::string why_no_advice(const Trial& t) {
 std::tuple<int, double, double> rank_of(const Trial& t) {
     const double ms = t.ms ? t.ms->value : 0;
     if (!t.why_not.empty()) return {4, ms, 0};
-    if (t.added_error() < -t.tolerance()) return {0, t.added_error(), ms};
+    if (t.added_error() < -t.least_gain()) return {0, t.added_error(), ms};
     if (is_faster(t) && t.added_error() <= t.tolerance()) return {1, ms, 0};
     if (is_faster(t)) return {2, ms / t.added_error(), 0};
     return {3, double(t.more_bytes()), 0};
@@ -44,15 +44,6 @@ std::tuple<int, double, double> rank_of(const Trial& t) {
 
 Severity severity_of(double share) {
     return share >= 0.01 ? Severity::Error : share >= 0.001 ? Severity::Warning : Severity::Hint;
-}
-
-/// Returns the fix that puts most pixels of a cause right; nullptr if there is none.
-const Trial* best_fix(const FixTable& fixes, Artefact artefact) {
-    const Trial* best = nullptr;
-    const auto of = [&](const Trial& t) { return t.cured_of[std::size_t(artefact)]; };
-    for (const Trial& t : fixes.rows)
-        if (t.is_drawn() && t.why_not.empty() && of(t) > 0 && (!best || of(t) > of(*best))) best = &t;
-    return best;
 }
 
 void add_limits(const FittedLight& light, int number, std::vector<Finding>& out) {
@@ -138,7 +129,7 @@ std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fix
                                     pixels == 1 ? "" : "s", digits_text(100 * share)),
                         {},
                         {}};
-        if (const Trial* fix = best_fix(fixes, style.artefact)) {
+        if (const Trial* fix = fixes.fix_of(style.artefact)) {
             finding.fix =
                 fmt::format("{} puts {} of them right; {} px are wrong then instead of {}", fix->candidate.name,
                             fix->cured_of[std::size_t(style.artefact)], wrong_pixels(fix->metrics), fixes.wrong);
@@ -192,13 +183,18 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
     };
     out.stopped = fixes.stopped;
     if (out.stopped) return out;
-    // Fixes that were drawn are advice, too.
+    // Fixes of the picture and of each cause are advice, too.
     std::vector<Candidate> candidates = advice_candidates(base, out.facts);
-    for (const Trial& t : fixes.rows)
-        if (t.is_drawn() && t.why_not.empty()) candidates.push_back(t.candidate);
-    take(try_advice(
-        base, std::move(candidates), meter,
-        [&](double share, const std::string& what) { report_progress(begun + (1 - begun) * share, what); }, take));
+    for (const ArtefactStyle& style : artefact_styles())
+        if (const Trial* fix = fixes.fix_of(style.artefact)) candidates.push_back(fix->candidate);
+    if (fixes.fix()) candidates.push_back(fixes.fix()->candidate);
+    try {
+        take(try_advice(
+            base, std::move(candidates), meter,
+            [&](double share, const std::string& what) { report_progress(begun + (1 - begun) * share, what); }, take));
+    } catch (const Cancelled&) {
+        // The findings stay.
+    }
     out.stopped = workers.stop.stop_requested();
     return out;
 }

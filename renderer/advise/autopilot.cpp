@@ -300,9 +300,20 @@ private:
         return true;
     }
 
+    bool holds(const AxisChoice& at) const {
+        const auto it = known_.find(at);
+        return it != known_.end() && it->second.holds.value_or(false);
+    }
+
     void finish(AutopilotResult& out) {
         std::vector<AutopilotCase*> cases;
         for (auto& [at, c] : known_) cases.push_back(&c);
+        if (out.stopped) {
+            // The search had no time to move to the best case.
+            for (const AutopilotCase* c : cases)
+                if (c->holds.value_or(false) && (!holds(at_) || cost_of_case(*c) < cost_of_case(known_.at(at_))))
+                    at_ = c->axis_values;
+        }
         const auto best = known_.find(at_);
         if (best != known_.end() && best->second.holds.value_or(false)) {
             out.best = best->second;
@@ -336,7 +347,8 @@ private:
         const std::string found = fmt::format("{}: {} {:.4g}{}", name_of(out.best.axis_values), goals_.error->key,
                                               out.best.classified.error, ms);
         if (!out.goals_met)
-            return fmt::format("{} cannot be met by any tried combination; the nearest is {}", bounds(), found);
+            return fmt::format("{} {} by any tried combination; the nearest is {}", bounds(),
+                               out.stopped ? "is not met so far" : "cannot be met", found);
         return fmt::format("{} (now {:.4g}, {} ms)", found, out.before.error, digits_text(out.before_ms));
     }
 };

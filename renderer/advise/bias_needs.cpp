@@ -222,8 +222,7 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
             values.push_back(!(share > 0) ? 0 : at.effect[k] > 0 ? share / at.effect[k] : kNever);
         }
         const double value = round_up_3_digits(lower_quantile(std::move(values), kCleared, 0) * 1.001);
-        if (value > amounts[k].param->max) return std::nullopt;
-        set_value(least, amounts[k], value);
+        set_value(least, amounts[k], std::min(value, amounts[k].param->max));
         for (At& at : pixels) at.need -= value * at.effect[k];
     }
     return least.bias;

@@ -36,7 +36,8 @@ BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Setti
 /// Computes the least settings of one row of the bias table under which 999 of 1000 pixels of bias_needs() have enough
 /// bias, from an even sample of them. Amounts are in texels where they count in bias.unit. Rows that compute the needed
 /// bias by themselves get no amounts. Rows that act beside bias.kind are taken alone.
-/// @return none when the limits of the settings do not allow enough bias
+/// Amounts end at the limits of the settings.
+/// @return none when no amount of the row has an effect where bias is needed
 std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
                                               const RasterTraits& driver);
 

@@ -76,7 +76,7 @@ void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
             "tighter fit", [](Settings&) {}, "six faces hold all directions");
     idea("the light's own projection", [&](Settings& s) { s.lights[light].projection = LightProjection::Automatic; });
     if (!sun || by_hand || fitted.is_perspective()) return;
-    for (int n = 2; n <= kMaxCascades; n *= 2)
+    for (int n = 1; n <= kMaxCascades; n *= 2)
         idea(fmt::format("{} cascades", n), [&](Settings& s) { s.lights[light].cascades = n; });
 }
 
@@ -125,6 +125,8 @@ constexpr SingleChange kSingleChanges[] = {
     {"filter.exponent", "20", true},
     {"filter.exponent", "40", true},
     {"filter.exponent", "80", true},
+    {"filter.negative_exponent", "5", true},
+    {"filter.negative_exponent", "20", true},
     {"filter.mips", "false", true},
 };
 constexpr double kShortStrengths[] = {1, 0.25};
@@ -164,6 +166,9 @@ private:
     }
 };
 
+/// Reason why a trial is not called a fix although nothing but its time is unknown.
+constexpr const char* kNotTimed = "another fix leaves less error; not timed";
+
 /// Returns the reason why a drawn trial is no fix, all but its time considered; empty: it may be one.
 std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
     if (t.pixel && (!t.pixel->right || std::abs(t.pixel->visibility - t.pixel->reference) > kRightVisibilityError))
@@ -174,14 +179,15 @@ std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
     const double noise = std::isfinite(t.before.noise) ? t.before.noise / std::sqrt(n) : 0;
     const auto rises = [](double was, double is, double tolerance) { return is > was + tolerance + 1e-12; };
     const std::size_t wrong = wrong_pixels(before), now = wrong_pixels(t.metrics);
-    if (rises(double(wrong), double(now), noise_px)) return fmt::format("wrong pixels rise from {} to {}", wrong, now);
+    if (rises(double(wrong), double(now), std::sqrt(noise_px)))
+        return fmt::format("wrong pixels rise from {} to {}", wrong, now);
     if (rises(before.mae, t.metrics.mae, noise))
         return fmt::format("the mean error rises from {:.4g} to {:.4g}", before.mae, t.metrics.mae);
     const auto pixels = [&](double share) { return std::llround(share * n); };
-    if (rises(before.any_acne, t.metrics.any_acne, noise_px / n))
+    if (rises(before.any_acne, t.metrics.any_acne, 0))
         return fmt::format("pixels with any acne rise from {} to {}", pixels(before.any_acne),
                            pixels(t.metrics.any_acne));
-    if (rises(before.any_leak, t.metrics.any_leak, noise_px / n))
+    if (rises(before.any_leak, t.metrics.any_leak, 0))
         return fmt::format("pixels with any leak rise from {} to {}", pixels(before.any_leak),
                            pixels(t.metrics.any_leak));
     if (!t.pixel && !(t.metrics.mae < before.mae - noise)) return "the mean error does not fall";
@@ -204,7 +210,7 @@ public:
             t.why_not = why_no_fix(t, before);
             const Trial* const best = table.fix();
             if (options_.time || (t.why_not.empty() && (!best || is_better(t, *best)))) limit_time(t);
-            if (t.why_not.empty() && !t.ms) t.why_not = "another fix leaves less error; not timed";
+            if (t.why_not.empty() && !t.ms) t.why_not = kNotTimed;
         }
         const auto at = std::ranges::find_if(table.rows, [&](const Trial& other) { return is_better(t, other); });
         table.rows.insert(at, std::move(t));
@@ -384,13 +390,22 @@ const Trial* FixTable::fix() const {
     return rows.empty() || !rows.front().is_drawn() || !rows.front().why_not.empty() ? nullptr : &rows.front();
 }
 
+const Trial* FixTable::fix_of(Artefact cause) const {
+    const Trial* best = nullptr;
+    const auto of = [&](const Trial& t) { return t.cured_of[std::size_t(cause)]; };
+    for (const Trial& t : rows)
+        if (t.is_drawn() && (t.why_not.empty() || t.why_not == kNotTimed) && of(t) > 0 && (!best || of(t) > of(*best)))
+            best = &t;
+    return best;
+}
+
 std::size_t FixTable::drawn() const {
     return std::size_t(std::ranges::count_if(rows, &Trial::is_drawn));
 }
 
 FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std::vector<Candidate> list,
                       const TrialMeter& meter, const FixOptions& options, const TrialReport& report,
-                      const std::function<void(const FixTable&)>& shown) {
+                      const std::function<void(const FixTable&)>& shown, std::size_t enough) {
     FixSearcher search(base, meter, options);
     FixTable& table = search.table;
     const ErrorMetrics& error = before.frame->metrics;
@@ -409,7 +424,7 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
                 report((double(k) + 1) / (double(list.size()) + 1), list[k].shown_name());
             search.add(try_candidate(base, before, std::move(list[k]), meter, pixel), error);
             if (shown) shown(table);
-            if (options.first && table.fix()) break;
+            if (k + 1 >= enough && table.fix()) break;
         }
     } catch (const Cancelled&) {
         table.stopped = true;
@@ -428,15 +443,19 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
     const MeasuredSettings before = meter.measure(base, base.view.light);
     const ErrorMetrics& error = before.frame->metrics;
     if (wrong_pixels(error) == 0 && !(error.any_acne + error.any_leak > 0)) return {};
-    std::vector<Candidate> list = fix_candidates(base, fix_facts(*before.frame, base, renderer.driver()), options.list);
-    for (const Candidate& more : options.more) {
-        Candidate own = more;
-        own.settings = measured_settings(own.settings);
-        own.light = base.view.light;
-        std::erase_if(list, [&](const Candidate& c) { return c.untried.empty() && c.settings == own.settings; });
-        if (!(own.settings == base)) list.insert(list.begin(), std::move(own));
-    }
-    return search_fixes(base, before, std::move(list), meter, options, report, shown);
+    const FixFacts facts = fix_facts(*before.frame, base, renderer.driver());
+    std::vector<Candidate> list = fix_candidates(base, facts, options.first ? FixList::Short : options.list);
+    const auto add = [&](Candidate more) {
+        more.settings = measured_settings(more.settings);
+        more.light = base.view.light;
+        const auto same = [&](const Candidate& c) { return c.name == more.name || c.settings == more.settings; };
+        if (!(more.settings == base) && std::ranges::none_of(list, same)) list.push_back(std::move(more));
+    };
+    for (const Candidate& more : options.more) add(more);
+    const std::size_t enough = options.first ? list.size() : std::numeric_limits<std::size_t>::max();
+    if (options.first && options.list == FixList::Whole)
+        for (Candidate& more : fix_candidates(base, facts, FixList::Whole)) add(std::move(more));
+    return search_fixes(base, before, std::move(list), meter, options, report, shown, enough);
 }
 
 }  // namespace si

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,6 +59,9 @@ struct FixTable {
     bool stopped = false;                            ///< stopped before all candidates were tried
     /// Returns the best fix; null: none of the tried changes is one.
     const Trial* fix() const;
+    /// Returns the trial that puts most pixels of a cause right, of those that are a fix but for a price that may be
+    /// unknown; null: none.
+    const Trial* fix_of(Artefact cause) const;
     /// Returns the number of drawn candidates.
     std::size_t drawn() const;
 };
@@ -69,19 +73,21 @@ inline constexpr float kRightVisibilityError = 0.25f;
 struct FixOptions {
     std::optional<glm::ivec2> pixel;  ///< pixel to put right, from the top left; none: the picture
     bool time = false;                ///< times each trial, not only those that may be the fix
-    bool first = false;               ///< stops at the first fix
+    bool first = false;               ///< tries the whole list only if the short one has no fix
     FixList list = FixList::Short;
     ReferenceOptions reference;
-    std::vector<Candidate> more = {};  ///< further candidates, tried first
+    std::vector<Candidate> more = {};  ///< further candidates
 };
 
 /// Draws candidates and rates them as fixes. Draws nothing itself; the meter does.
 /// @param before the present settings, with their frame
 /// @param shown receives the table so far, after each trial
+/// @param enough number of candidates after which a fix ends the search
 /// @returns the table so far when the meter or the report throws Cancelled
 FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std::vector<Candidate> candidates,
                       const TrialMeter& meter, const FixOptions& options, const TrialReport& report = {},
-                      const std::function<void(const FixTable&)>& shown = {});
+                      const std::function<void(const FixTable&)>& shown = {},
+                      std::size_t enough = std::numeric_limits<std::size_t>::max());
 
 /// Searches for fixes of the wrong pixels in a frame: proposes setting changes, draws each, counts cured and broken
 /// pixels, and times those that may be the fix. Call on the renderer's thread.

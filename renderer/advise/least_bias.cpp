@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/axes.h"
@@ -19,6 +20,7 @@ constexpr double kTie = 1e-3;            // share of the score, and of the mean 
 constexpr double kGapTie = 0.02;         // share of the gap
 constexpr double kPlaneConstant = 0.25;  // texels
 constexpr double kCoarse[] = {1, 0, 0.5, 2, 0.25, 4, 1 / 8., 1 / 16., 1 / 32., 1 / 64.};
+constexpr int kBisections = 3;
 constexpr int kFine = 5;  // trials between the neighbours of the best coarse strength
 
 /// Returns pixels whose shadow in the reference is partial, or differs from that of a neighbour.
@@ -82,6 +84,7 @@ public:
                 (above ? hi : lo) = next;
             }
         }
+        find_weakest_without_acne();
     }
 
 private:
@@ -91,12 +94,17 @@ private:
     std::vector<TriedBias> tried_;
 
     static double score(const TriedBias& t) { return t.trial.score; }
-    /// Keeps the trial in `list` if it is the first of its row there, or has a smaller score.
-    static void keep(std::vector<TriedBias>& list, const TriedBias& t) {
-        if (list.empty() || list.back().row != t.row)
-            list.push_back(t);
-        else if (t.trial.score < list.back().trial.score)
-            list.back() = t;
+    /// Bisects between the weakest strength without acne and the next weaker one.
+    void find_weakest_without_acne() {
+        for (int i = 0; i < kBisections; ++i) {
+            double clean = std::numeric_limits<double>::infinity(), acne = 0;
+            for (const TriedBias& t : tried_)
+                if (t.trial.has_no_acne()) clean = std::min(clean, t.strength);
+            for (const TriedBias& t : tried_)
+                if (t.strength < clean) acne = std::max(acne, t.strength);
+            if (!std::isfinite(clean) || clean == 0 || clean - acne < 0.1 * clean) return;
+            measure(0.5 * (clean + acne));
+        }
     }
     /// Measures a strength unless it has been. Returns its score.
     double measure(double strength) {
@@ -104,9 +112,7 @@ private:
         const auto known = std::ranges::find(tried_, bias, &TriedBias::bias);
         if (known != tried_.end()) return known->trial.score;
         tried_.push_back({start_.row, strength, bias, meter_(bias)});
-        ++out_.trials;
-        keep(out_.rows, tried_.back());
-        if (tried_.back().trial.has_no_acne()) keep(out_.clean, tried_.back());
+        out_.tried.push_back(tried_.back());
         return tried_.back().trial.score;
     }
 };
@@ -133,7 +139,8 @@ std::size_t BiasTrial::lost() const {
 BiasScore::BiasScore(const MeasuredError& m, const Settings& settings, const RasterTraits& driver) {
     const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
-    const double reach_texels = kernel_reach_in_light(settings, light, m.map_resolution).edge;
+    const double reach_texels =
+        kernel_reach_in_light(settings, light, m.map_resolution).edge + settings.map.blur_texels;
     const std::vector<float> distance_px = distance_to(shadow_edges(reference), reference.width, reference.height);
     near_edge_.resize(reference.state.size());
     for (std::size_t i = 0; i < near_edge_.size(); ++i) {
@@ -175,8 +182,11 @@ std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings
     return out;
 }
 
-const TriedBias* FoundBias::least_score(std::span<const TriedBias> tried) const {
-    const auto allowed = [&](const TriedBias& t) { return !max_gap_m || t.trial.needs.gap_p95_m <= *max_gap_m; };
+const TriedBias* FoundBias::least_score(const Bias* row, bool no_acne) const {
+    const auto allowed = [&](const TriedBias& t) {
+        return (!row || t.row == row) && (!no_acne || t.trial.has_no_acne()) &&
+               (!max_gap_m || t.trial.needs.gap_p95_m <= *max_gap_m);
+    };
     double score = std::numeric_limits<double>::infinity(), error = score, gap = score;
     for (const TriedBias& t : tried)
         if (allowed(t)) score = std::min(score, t.trial.score);
@@ -191,6 +201,15 @@ const TriedBias* FoundBias::least_score(std::span<const TriedBias> tried) const 
     return nullptr;
 }
 
+std::vector<const TriedBias*> FoundBias::best_of_rows(bool no_acne) const {
+    std::vector<const TriedBias*> out;
+    const Bias* row = nullptr;
+    for (const TriedBias& t : tried)
+        if (std::exchange(row, t.row) != t.row)
+            if (const TriedBias* best = least_score(t.row, no_acne)) out.push_back(best);
+    return out;
+}
+
 std::string FoundBias::summary(bool no_acne) const {
     if (before.needs.pixels == 0) return "nothing in the picture is lit within the map: no bias is needed";
     const TriedBias* found = no_acne ? best_without_acne() : best();
@@ -198,9 +217,9 @@ std::string FoundBias::summary(bool no_acne) const {
     if (found)
         return fmt::format("least bias{}{}: {}; {}{}", no_acne ? " without acne" : "", within, bias_text(found->bias),
                            trial_text(before, found->trial), stopped ? "; stopped before all rows were tried" : "");
-    if (rows.empty()) return "no row of the bias table allows enough bias: a finer map or format is needed";
-    const auto nearest = std::ranges::min_element(rows, {}, [](const TriedBias& t) { return t.trial.acne(); });
-    if (no_acne && clean.empty())
+    if (tried.empty()) return "no row of the bias table allows enough bias: a finer map or format is needed";
+    const auto nearest = std::ranges::min_element(tried, {}, [](const TriedBias& t) { return t.trial.acne(); });
+    if (no_acne && !nearest->trial.has_no_acne())
         return fmt::format("no bias is without acne: {} px remain under {}; a finer map or format is needed",
                            nearest->trial.acne(), bias_text(nearest->bias));
     return fmt::format("no bias{} was found; allow a wider gap", within);
@@ -208,11 +227,11 @@ std::string FoundBias::summary(bool no_acne) const {
 
 FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
                             const LeastBiasOptions& options, const TrialReport& report, const FoundBiasShown& shown) {
-    FoundBias out{.before = before, .rows = {}, .clean = {}, .max_gap_m = options.max_gap_m, .trials = 1};
+    FoundBias out{.before = before, .tried = {}, .max_gap_m = options.max_gap_m};
     if (before.needs.pixels == 0) return out;  // without lit pixels there is no acne
     double all = 0, done = 0;
     const auto usual_trials = [](const BiasStart& s) {
-        return s.has_strength() ? double(std::size(kCoarse) + kFine) : 1.0;
+        return s.has_strength() ? double(std::size(kCoarse) + kFine + kBisections) : 1.0;
     };
     for (const BiasStart& s : starts) all += usual_trials(s);
     try {
@@ -229,7 +248,7 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
             if (shown) shown(out);
         }
     } catch (const Cancelled&) {
-        if (out.rows.empty()) throw;
+        if (out.tried.empty()) throw;
         out.stopped = true;
     }
     return out;

@@ -72,21 +72,23 @@ struct TriedBias {
 /// Result of a search for the least bias.
 struct FoundBias {
     BiasTrial before;              ///< present bias
-    std::vector<TriedBias> rows;   ///< least score of each row, in the order of search
-    std::vector<TriedBias> clean;  ///< least score without acne of each row that has one
+    std::vector<TriedBias> tried;  ///< all trials, in the order of the search
     std::optional<double> max_gap_m;
-    int trials = 0;
     bool stopped = false;  ///< stopped before all rows were tried
     /// Returns the bias with the least score whose gap is within LeastBiasOptions::max_gap_m; null: none. Scores closer
     /// than a thousandth tie; the smaller mean error, then the smaller gap at casters decides.
-    const TriedBias* best() const { return least_score(rows); }
+    const TriedBias* best() const { return least_score(nullptr, false); }
     /// Returns the bias with the least score among those without acne; null: none.
-    const TriedBias* best_without_acne() const { return least_score(clean); }
+    const TriedBias* best_without_acne() const { return least_score(nullptr, true); }
+    /// Returns the best trial of each row that has one, in the order of the search. @param no_acne only those without
+    /// acne
+    std::vector<const TriedBias*> best_of_rows(bool no_acne = false) const;
     /// Returns the result in one sentence.
     std::string summary(bool no_acne) const;
 
 private:
-    const TriedBias* least_score(std::span<const TriedBias> tried) const;
+    /// Returns the trial with the least score. @param row of this row; null: of all
+    const TriedBias* least_score(const Bias* row, bool no_acne) const;
 };
 
 /// Options of a search for the least bias.

@@ -86,6 +86,11 @@ double Trial::tolerance() const {
     return std::max({kSameErrorShare * before.error, kSameError, noise / 10});
 }
 
+double Trial::least_gain() const {
+    const double noise = std::isfinite(before.noise) ? before.noise : 0;
+    return std::max(kSameError, 2 * noise / std::sqrt(std::max<double>(double(metrics.counted), 1)));
+}
+
 Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
                     std::optional<std::size_t> pixel) {
     Trial t{.candidate = std::move(candidate), .changes = {}, .before = before, .after = {}};
@@ -102,6 +107,8 @@ Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candid
         t.candidate.settings.map.resolution != base.map.resolution)
         t.candidate.untried =
             fmt::format("maps of that size need too much memory; {}² would be drawn", with->map_resolution);
+    if (with->traced.reference->visibility.data != was->traced.reference->visibility.data)
+        t.candidate.untried = "the reference would change";
     t.metrics = with->metrics;
     for (std::size_t i = 0; i < was->classified.size(); ++i) {
         const Artefact cause = was->classified[i].artefact;

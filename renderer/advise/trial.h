@@ -38,7 +38,7 @@ std::string map_bytes_text(long long bytes);
 /// Measured error and work of one frame under given settings.
 struct MeasuredSettings {
     double error = 0;  ///< distance_from_best() of the metric
-    double noise = 0;  ///< noise of the reference; NaN: unknown
+    double noise = 0;  ///< noise of the reference's pixels; NaN: unknown
     WorkCost work;     ///< without TrialOptions::work only the memory of the maps
     Camera camera;
     std::shared_ptr<const MeasuredError> frame = nullptr;  ///< classified pixels; null in tests without a renderer
@@ -115,6 +115,8 @@ struct Trial {
     /// Returns the largest added_error() at which the change still counts as leaving the error unchanged: a share of
     /// the error before the change (kSameErrorShare), at least kSameError and a tenth of the reference's noise.
     double tolerance() const;
+    /// Returns the largest fall of the error that counts as none: kSameError, or twice the noise of the mean.
+    double least_gain() const;
     /// Returns the bytes of maps and look-ups that the change adds; negative: saves.
     long long more_bytes() const { return (long long)after.work.bytes_touched - (long long)before.work.bytes_touched; }
     /// Returns the bytes of maps that the change adds.

@@ -544,8 +544,8 @@ constexpr HardCase kCases[] = {
      "No bias for facets turned from the light: they count as shadow terminator, in no sum.",
      "such pixels that the overlay or the reference miss, or that count as wrong", 0, kCount,
      "the sign of two cosines decides", "shadow-terminator pixels that are as dark under a bias against them", 20,
-     hard_low_polygon, "map.resolution=1024 light.azimuth=-40 light.elevation=20", "bias.constant=800",
-     "bias.kind=adaptive bias.normal=0"},
+     hard_low_polygon, "map.resolution=1024 light.azimuth=-40 light.elevation=20",
+     "bias.kind=constant bias.normal=0 bias.constant=800", "bias.kind=adaptive"},
     {36, "truth", "Sanity of the reference",
      "A ray that starts on a surface may hit that surface: a reference in which convex bodies shadow themselves is "
      "wrong everywhere.",
@@ -560,7 +560,7 @@ constexpr HardCase kCases[] = {
      "lit pixels of bent ground darker than lit, with 16 reversed bits, 100 km off", 0.01, kPixels,
      "strips do not shadow each other; the foot of the box's lit sides is an inner corner",
      "share of them that the plane alone darkens", 0.05, hard_bent_ground,
-     "map.resolution=128 map.format=d16 map.reversed_z=true scene.distance=100000 light.azimuth=20 light.elevation=15 "
+     "map.resolution=128 map.format=d16 map.reversed_z=true light.azimuth=20 light.elevation=15 "
      "filter.kernel=pcf filter.size=5 bias.normal=0 bias.constant=0",
      "bias.kind=receiver-plane", "bias.kind=receiver-plane-remainder"},
     {38, "light-bleeding", "Light through a cover",

@@ -260,7 +260,7 @@ constexpr Overlay kOverlays[] = {
     {.key = "faint-light",
      .label = "Faint light",
      .help = "Visibility above 0.02 where the ray-traced reference is 0 and its next edge that the camera sees lies "
-             "beyond the kernel's reach. `measure` and the probe ask rays at 8 points around instead (any_leak).",
+             "beyond the kernel's reach. `measure` and the probe trace rays at 8 points around instead (any_leak).",
      .group = OverlayGroup::Wrong,
      .max = 0.5,
      .reads_reference = true},

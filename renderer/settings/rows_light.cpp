@@ -150,7 +150,9 @@ std::string_view depth_bounds_idle(const Settings& s, int i) {
 
 // Only the angles of a directional light matter, not its place, and an orthographic fit centres itself.
 std::string_view place_idle(const Settings& s, int i) {
-    return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != LightFit::Manual
+    const bool camera_there = s.camera.source == CameraSource::Light;
+    return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != LightFit::Manual &&
+                   !camera_there
                ? "without effect: the fit places the map of a directional light"
                : "";
 }

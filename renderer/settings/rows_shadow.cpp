@@ -294,7 +294,8 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
      .help =
          "The amount subtracted from the fragment's depth before the comparison. Normal offset and polygon offset "
          "are added to it. Choosing another kind sets bias.constant and bias.normal to its starting values: 0.1 and "
-         "3 texels for slope and constant, 0 for the others. Values of the same command line or sweep stay.",
+         "3 texels (bias.unit) for slope and constant, 0 for the others. Values of the same command line or sweep "
+         "stay.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},

@@ -189,7 +189,8 @@ constexpr auto kView = std::to_array<Param>({
      .help = "Draw the world's axes in a corner of the editor's view; a click on an end looks along it."},
     {SI_FIELD(view.smooth), .label = "Smooth when static",
      .help = "While nothing moves, the editor shows the mean of up to 8 pictures, each of a camera turned by part of a "
-             "pixel. Edges and colours are averaged; the visibility of lights stays that of the one picture. Numbers, "
+             "pixel. Edges and colours are averaged; the visibility of lights on opaque surfaces stays that of the one "
+             "picture. Numbers, "
              "overlays and probes keep to the one picture. Off: pixels as they are.",
      .also = "anti-aliasing, antialiasing, MSAA, TAA, FXAA, supersampling"},
     {SI_FIELD(view.slabs), .label = "Stored-depth quads", SI_CHOICES(kSlabs), .idle = slabs_idle,

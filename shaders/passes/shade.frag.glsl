@@ -46,7 +46,7 @@ float visibility_of(int light, Surface s, vec3 to_light) {
 }
 
 #ifdef SEPARATE_VISIBILITY
-ivec2 visibility_at;  // pixel of visibility_map
+ivec2 visibility_at = ivec2(0);  // pixel of visibility_map
 #endif
 
 /// Returns the reflected light of one light: visibility * (diffuse + specular) * radiance.

@@ -163,7 +163,7 @@ TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
     state.window.open_tab = BottomTab::Probe;  // begins the search for a fix
     editor.frames(3);
     editor.settle();
-    const FixSearch search = editor.facts().fixes;
+    const FixSearch search = editor.facts().pixel_fixes;
     ASSERT_TRUE(search.table && search.current);
     EXPECT_EQ(search.pixel, state.probe_pixel);
     ASSERT_TRUE(search.table->fix());

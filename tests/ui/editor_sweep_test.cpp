@@ -56,7 +56,7 @@ TEST(EditorSweep, MeasuresInTheBackground) {
     s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
     EXPECT_TRUE(s.editor.model().measuring());
     EXPECT_EQ(s.facts().total, 4u);
-    s.state().settings.bias.constant = 0.7;
+    s.state().settings.bias.normal = 0.7;
     s.editor.frame();  // does not wait
     s.editor.settle();
     ASSERT_EQ(s.facts().cases.size(), 4u) << s.facts().problem;
@@ -66,7 +66,7 @@ TEST(EditorSweep, MeasuresInTheBackground) {
     s.ask([](EditorRequests& a) { a.apply_sweep_base = true; });
     s.editor.settle();
     EXPECT_TRUE(s.facts().other_settings.empty());
-    EXPECT_NE(s.state().settings.bias.constant, 0.7);
+    EXPECT_NE(s.state().settings.bias.normal, 0.7);
 }
 
 TEST(EditorSweep, CurrentSettingsAreAMovingDotComparedWithThePrevious) {
@@ -131,7 +131,7 @@ TEST(EditorSweep, CancelledSweepContinues) {
     EXPECT_TRUE(file_bytes(state / "sweep-1" / kJournalFile).starts_with(journal)) << "nothing is measured twice";
     // Another sweep replaces the finished one.
     SweepRequest other = kSweepRequest;
-    other.axes = {"bias.constant=0,1"};
+    other.axes = {"bias.normal=0,1"};
     s.ask([&](EditorRequests& a) { a.start_sweep = other; });
     s.editor.settle();
     EXPECT_EQ(s.facts().cases.size(), 2u);

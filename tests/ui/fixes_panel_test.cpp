@@ -1,5 +1,7 @@
 // Tests of the table of fixes and of the table of tuned biases: requests, clicks, and both on real frames.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <filesystem>
 #include <numeric>
@@ -9,6 +11,7 @@
 #include "renderer/settings/param.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/state/panels.h"
 
 namespace si::test {
 namespace {
@@ -113,13 +116,18 @@ TEST(TunedBiases, AreShownSideBySideAndTakenByAButton) {
     EXPECT_EQ(ui.lacking({"Normal offset", "Constant", "325 *", "321", "654", "34 mm"}), "");
     EXPECT_FALSE(ui.prints("of other settings"));
     const Settings before = ui.state.settings;
-    const std::string second = std::string("\1\0\0\0", 4);
-    ui.click(ui.find("controls", second, "Constant"));
+    const auto second = [&](const char* label) {
+        return ui.find("controls", [=](ImGuiID seed) {
+            const int row = 1;
+            return ImHashStr(label, 0, ImHashData(&row, sizeof row, ImHashStr("tuned", 0, seed)));
+        });
+    };
+    ui.click(second("Constant"));
     ASSERT_TRUE(ui.state.tried);
     EXPECT_EQ(ui.state.tried->settings.bias.constant, 9);
     EXPECT_EQ(ui.state.settings, before) << "shown before it is taken";
     EXPECT_EQ(ui.state.comparison.view, ComparisonView::Swipe);
-    ui.click(ui.find("controls", second, "Take"));
+    ui.click(second("Take"));
     EXPECT_EQ(ui.state.settings.bias.constant, 9);
     EXPECT_FALSE(ui.state.tried);
     EXPECT_EQ(ui.state.comparison.view, ComparisonView::Off);
@@ -134,12 +142,8 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     TestEditor editor(editor_options(
         "boxes", {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "map.resolution=512"}, {960, 600}));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Improve;
+    model.state.window.open_tab = BottomTab::Error;
     model.state.layout.bottom_height = 27;
-    editor.settle();
-    EditorRequests with_error = editor.requests();
-    with_error.want_error = true;
-    model.fulfil(with_error);
     editor.settle();
     ASSERT_TRUE(model.facts().error);
     const auto wrong_pixels = [&] {
@@ -160,7 +164,8 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     EXPECT_FALSE(search.running);
     ASSERT_TRUE(search.table);
     EXPECT_TRUE(search.current);
-    editor.frames(3);  // columns adapt to their content
+    model.state.window.open_tab = BottomTab::Improve;
+    editor.frames(5);  // columns adapt to their content
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "cures_table.png", editor.picture());
     EditorRequests narrower = same_size;
     narrower.scene_width -= 16;
@@ -172,8 +177,14 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     ASSERT_TRUE(search.table->fix());
     const Trial first = *search.table->fix();
     EXPECT_GT(double(first.cured), 0.8 * double(wrong));
-    for (const auto& [key, value] : first.changes) set_setting(model.state.settings, key, value);
+    apply_trial(model.state, first);
+    model.state.window.open_tab = BottomTab::Error;
     editor.settle();
+    EXPECT_FALSE(model.state.predicted);
+    const std::string both =
+        fmt::format("{} px wrong and mean error {:.4g} were predicted; {} and", wrong - first.cured + first.broken,
+                    first.metrics.mae, wrong - first.cured + first.broken);
+    EXPECT_NE(editor.last_line().find(both), std::string::npos) << editor.last_line();
     EXPECT_FALSE(model.facts().fixes.current) << "other settings now";
     ASSERT_TRUE(model.facts().error);
     EXPECT_EQ(wrong_pixels(), wrong - first.cured + first.broken) << "exactly as predicted";

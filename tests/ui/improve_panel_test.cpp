@@ -75,7 +75,7 @@ TEST_F(ImprovePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
     const Settings before = ui.state.settings;
     bool applied = false;
     for (float y = 440; y < 890 && !applied; y += 7)
-        for (float x = 290; x < 440 && !applied; x += 14) {
+        for (float x = 455; x < 600 && !applied; x += 14) {
             ui.click({x, y});
             applied = ui.state.settings.map.resolution == 512;
             if (!applied && !(ui.state.settings == before)) {

@@ -388,7 +388,7 @@ TEST(Layout, OnlyAWindowBelowItsMinimumSizeScrolls) {
 TEST(Layout, FrequentSettingsNeedNoScrolling) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {2560, 1440, 2.0f}}) {
         Shown ui(w, h, scale);
-        for (const char* label : {"Constant bias", "Slope bias", "Normal offset", "Auto bias", "Kernel", "Resolution"})
+        for (const char* label : {"Kind", "Normal offset", "Auto bias", "Kernel", "Resolution"})
             EXPECT_TRUE(ui.drawn().shows(label)) << label << " at " << w << " x " << h;
         const ImGuiWindow* map = ui.part("map");
         ASSERT_TRUE(map);

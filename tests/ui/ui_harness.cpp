@@ -136,7 +136,7 @@ EditorRequests UiHarness::frame() {
         facts.tuning = tuning;
         facts.tuned = tuned;
         facts.tuned_current = tuned_current;
-        facts.fixes = fixes;
+        facts.fixes = facts.pixel_fixes = fixes;
         static_cast<EffectsFacts&>(facts) = effects;
         if (effects.effects.empty()) facts.effects = effects_;
         static_cast<ImproveFacts&>(facts) = advice;
@@ -150,8 +150,9 @@ EditorRequests UiHarness::frame() {
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
     if (requests.tune || requests.cancel_tune || requests.find_fixes || requests.cancel_fixes ||
-        requests.forget_fixes || requests.measure_saved_times || requests.cancel_measuring || requests.find_advice ||
-        requests.cancel_advice || requests.compare_pipelines || requests.measure_shimmer)
+        requests.forget_fixes || requests.cancel_pixel_fixes || requests.forget_pixel_fixes ||
+        requests.measure_saved_times || requests.cancel_measuring || requests.find_advice || requests.cancel_advice ||
+        requests.compare_pipelines || requests.measure_shimmer)
         last_requests = requests;
     io.MouseWheel = 0;
     return requests;

@@ -241,6 +241,18 @@ TEST(Autopilot, StopsWithWhatIsThere) {
     EXPECT_TRUE(r.stopped);
     EXPECT_EQ(r.cases.size(), 20u);
     EXPECT_FALSE(r.untried.empty());
+    // A timed case that holds is not lost.
+    World timed;
+    meter = timed.meter();
+    int times = 0;
+    meter.ms = [&, ms = meter.ms](const Settings& s) {
+        if (++times > 6) throw Cancelled();
+        return ms(s);
+    };
+    const AutopilotResult held = run_autopilot(Settings{}, axes_of(false), {.max_error = 0.01}, meter);
+    EXPECT_TRUE(held.stopped);
+    EXPECT_TRUE(held.goals_met) << held.summary;
+    EXPECT_LE(held.best.classified.error, 0.01);
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ TEST(LeastBias, ComesWithinTwoPercentOfTheLeastScore) {
             SCOPED_TRACE(testing::Message() << harder << " " << lost);
             const FoundBias found = searched(frame);
             ASSERT_TRUE(found.best());
-            EXPECT_EQ(found.rows.size(), 2u);
-            EXPECT_LT(found.trials, 40);
+            EXPECT_EQ(found.best_of_rows().size(), 2u);
+            EXPECT_LT(found.tried.size(), 40u);
             EXPECT_LE(found.best()->trial.score, 1.02 * frame.least_score() + 1);
         }
 }
@@ -116,7 +116,7 @@ TEST(LeastBias, TiesAreDecidedByErrorThenGap) {
         t.trial.score = score;
         t.trial.error.mae = mae;
         t.trial.needs.gap_p95_m = gap;
-        found.rows.push_back(t);
+        found.tried.push_back(t);
     };
     add("constant", 1000.0000000001, 0.02, 0.1);
     add("slope", 1000.2, 0.01, 0.3);
@@ -134,7 +134,7 @@ TEST(LeastBias, StopsWithWhatIsThere) {
     };
     const FoundBias found = search_least_bias(frame.shown(none()), starts(), meter);
     EXPECT_TRUE(found.stopped);
-    ASSERT_EQ(found.rows.size(), 1u);
+    ASSERT_EQ(found.best_of_rows().size(), 1u);
     EXPECT_NE(found.summary(false).find("stopped"), std::string::npos);
     EXPECT_THROW(search_least_bias(frame.shown(none()), starts(), meter), Cancelled) << "nothing was tried";
 }

@@ -17,10 +17,6 @@
 namespace si {
 namespace {
 
-void apply(const SettingChanges& changes, Settings& settings) {
-    for (const auto& [key, value] : changes) set_setting(settings, key, value);
-}
-
 std::string about(const Trial& t, const FixTable& table) {
     std::string text;
     for (const auto& [key, value] : t.changes) text += fmt::format("{} = {}\n", key, value);
@@ -43,14 +39,14 @@ bool helps(const Trial& t) {
     return t.is_drawn() && (t.why_not.empty() || (t.added_error() < 0 && t.pixel.value_or(PixelTrial()).right));
 }
 
-void row(const Trial& t, const FixTable& table, bool current, Settings& settings) {
+void row(const Trial& t, const FixTable& table, bool current, FixRequests& requests) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     const std::string name = t.candidate.shown_name();
     if (!t.is_drawn()) return ImGui::TextDisabled("%s: not tried, %s", name.c_str(), t.candidate.untried.c_str());
     ImGui::BeginDisabled(!current);
     const std::string label = (t.why_not.empty() ? "Fix: " : "") + name;
-    if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) apply(t.changes, settings);
+    if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) requests.apply_fix = &t;
     ImGui::EndDisabled();
     plain_tooltip(about(t, table), ImGuiHoveredFlags_AllowWhenDisabled);
     const ImU32 plain = current ? theme::text() : theme::muted();
@@ -61,14 +57,14 @@ void row(const Trial& t, const FixTable& table, bool current, Settings& settings
     text_cell(map_bytes_text(t.map_bytes()), plain);
 }
 
-void rows(const char* id, const FixSearch& search, bool helping, Settings& settings) {
+void rows(const char* id, const FixSearch& search, bool helping, FixRequests& requests) {
     if (!begin_table(id, ImGuiTableFlags_SizingFixedFit,
                      {{"change"}, {"right"}, {"broken"}, {"error"}, {"time"}, {"maps"}}))
         return;
     int number = 0;
     for (const Trial& t : search.table->rows) {
         ImGui::PushID(number++);
-        if (helps(t) == helping) row(t, *search.table, search.current, settings);
+        if (helps(t) == helping) row(t, *search.table, search.current, requests);
         ImGui::PopID();
     }
     ImGui::EndTable();
@@ -82,7 +78,7 @@ void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::opti
         const std::string text = fmt::format("{}  {}", progress_text(*search.running), search.running->about);
         ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##cures")) requests.cancel_fixes = true;
+        if (ImGui::Button("Cancel##cures")) (pixel ? requests.cancel_pixel_fixes : requests.cancel_fixes) = true;
         return;
     }
     if (button_if(ready && wrong, "Find fixes")) requests.find_fixes = FixRequest{pixel};
@@ -97,8 +93,7 @@ const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel)
     return search.table && search.current && search.pixel == pixel ? search.table->fix() : nullptr;
 }
 
-void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& requests,
-                      std::optional<glm::ivec2> pixel) {
+void draw_fixes_table(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
     const FixTable& table = *search.table;
     if (!search.current)
@@ -110,11 +105,11 @@ void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& 
         ImGui::TextDisabled("No fix among %zu of %zu changes: none %s and makes nothing worse", table.drawn(),
                             table.candidates, pixel ? "puts this pixel right" : "lowers the error");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Close##cures")) requests.forget_fixes = true;
-    if (std::ranges::any_of(table.rows, helps)) rows("cures", search, true, settings);
+    if (ImGui::SmallButton("Close##cures")) (pixel ? requests.forget_pixel_fixes : requests.forget_fixes) = true;
+    if (std::ranges::any_of(table.rows, helps)) rows("cures", search, true, requests);
     const auto others = std::ranges::count_if(table.rows, [](const Trial& t) { return !helps(t); });
     if (others > 0 && ImGui::CollapsingHeader(fmt::format("{} others do not help###others", others).c_str()))
-        rows("others", search, false, settings);
+        rows("others", search, false, requests);
 }
 
 }  // namespace si

@@ -28,9 +28,12 @@ struct FixSearch {
 
 /// Requests of the table of fixes.
 struct FixRequests {
-    std::optional<FixRequest> find_fixes;  ///< start a search
-    bool cancel_fixes = false;
-    bool forget_fixes = false;  ///< drop the last result
+    std::optional<FixRequest> find_fixes;  ///< start a search: of a pixel, or of the picture
+    bool cancel_fixes = false;             ///< of the picture
+    bool forget_fixes = false;             ///< drop the last result of the picture
+    bool cancel_pixel_fixes = false;
+    bool forget_pixel_fixes = false;
+    const Trial* apply_fix = nullptr;  ///< apply this row of a table
 };
 
 /// Returns the fix that was found for a pixel under the present settings; null: none, or not yet.
@@ -40,10 +43,8 @@ const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel)
 /// none: the picture @param ready true: there is a picture @param wrong true: some pixel is wrong
 void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                        bool wrong);
-/// Draws the table of fixes found for the pixel or picture, if any. @param settings the settings, changed by a click on
-/// a row
-/// @param pixel the pixel that the fixes make right; none: the whole picture
-void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& requests,
-                      std::optional<glm::ivec2> pixel);
+/// Draws the table of fixes found for the pixel or picture, if any. A click on a row requests to apply it.
+/// @param pixel the pixel that the fixes put right; none: the whole picture
+void draw_fixes_table(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel);
 
 }  // namespace si

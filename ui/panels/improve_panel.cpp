@@ -168,7 +168,8 @@ void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequ
     const std::string why_not =
         ready ? reason_without_bias(frame.result->lights, state.settings.view.light) : "there is no picture yet";
     heading("Least bias");
-    draw_tune_controls(state, frame, why_not, requests);
+    draw_tune_controls(state.tune, state.settings, state.tried ? &state.tried->settings : nullptr, frame, why_not,
+                       requests);
     heading("Wrong pixels of the picture");
     draw_fixes_button(frame.fixes, requests, {}, ready, true);
     heading("Time and error");
@@ -176,7 +177,7 @@ void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequ
     ImGui::EndChild();
     ImGui::SameLine(0, em);
     ImGui::BeginChild("found", {0, 0}, false);
-    draw_fixes_table(state.settings, frame.fixes, requests, {});
+    draw_fixes_table(frame.fixes, requests, {});
     if (frame.advice)
         show_report(state.settings, *frame.advice, frame.advice_current);
     else if (frame.autopilot)

@@ -194,12 +194,10 @@ void reference_column(const PixelDiagnosis& d) {
 
 /// Draws the fix of the probed pixel: a button once a tried change is one, else the state of the search.
 void fix_line(EditorState& state, const EditorFrame& frame) {
-    const FixSearch& search = frame.fixes;
+    const FixSearch& search = frame.pixel_fixes;
     if (const Trial* fix = found_fix(search, state.probe_pixel)) {
-        if (ImGui::SmallButton(fmt::format("Fix: {}", fix->candidate.shown_name()).c_str())) {
-            for (const auto& [key, value] : fix->changes) set_setting(state.settings, key, value);
-            return;
-        }
+        if (ImGui::SmallButton(fmt::format("Fix: {}", fix->candidate.shown_name()).c_str()))
+            return apply_trial(state, *fix);
         std::string text;
         for (const auto& [key, value] : fix->changes) text += fmt::format("{} = {}\n", key, value);
         plain_tooltip(fmt::format(
@@ -258,11 +256,11 @@ void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& reque
     // Fixes belong to the light whose shadows are measured.
     const bool fixes = d && d->cause().artefact != Artefact::None && p.light == state.settings.view.light;
     if (fixes) {
-        draw_fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, true);
+        draw_fixes_button(frame.pixel_fixes, requests, state.probe_pixel, frame.result && frame.scene, true);
         same_line_if_fits(button_width("Hide stored-depth quads"));
     }
     slabs_button(state.settings, p, frame.result ? frame.result->map_resolution : 0);
-    if (fixes) draw_fixes_table(state.settings, frame.fixes, requests, state.probe_pixel);
+    if (fixes) draw_fixes_table(frame.pixel_fixes, requests, state.probe_pixel);
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;
     blocks.block(em * 15, [&] {

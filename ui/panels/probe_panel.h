@@ -1,6 +1,7 @@
 // The panel Probe: facts about the probed pixel.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -46,9 +47,10 @@ struct SectionViews {
 struct ProbePanel {
     SectionViews section_views;
     bool fix_waits = false;  ///< the fix was requested before it was found
-    /// Probed pixel and settings for which a fix was searched.
+    /// Probed pixel, scene, picture size and settings for which a fix was searched.
     struct Searched {
-        glm::ivec2 pixel{0};
+        glm::ivec2 pixel{0}, size{0};
+        std::uint64_t scene = 0;  ///< Scene::id
         Settings settings;
         bool operator==(const Searched&) const = default;
     };

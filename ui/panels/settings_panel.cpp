@@ -187,7 +187,8 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
         const std::string why_not = frame.result && frame.scene
                                         ? reason_without_bias(frame.result->lights, state.settings.view.light)
                                         : "there is no picture yet";
-        draw_tune_controls(state, frame, why_not, requests);
+        draw_tune_controls(state.tune, state.settings, state.tried ? &state.tried->settings : nullptr, frame, why_not,
+                           requests);
     }
     ImGui::PopID();
 }

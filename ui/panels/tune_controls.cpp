@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "renderer/advise/tuning.h"
 #include "renderer/base/lengths_text.h"
-#include "ui/state/editor_ui.h"
-#include "ui/state/panels.h"
+#include "renderer/settings/filters.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
@@ -57,7 +57,8 @@ std::string shown_length(double m) {
 }
 
 /// Draws the table of all rows of the bias table that the search tried.
-void biases_table(std::span<const TunedBias> biases, bool current, EditorState& state) {
+void biases_table(std::span<const TunedBias> biases, bool current, Settings& settings, const Settings* tried,
+                  TuneRequests& requests) {
     if (biases.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");
     if (!begin_table(
@@ -71,19 +72,17 @@ void biases_table(std::span<const TunedBias> biases, bool current, EditorState& 
         ImGui::TableNextColumn();
         ImGui::BeginDisabled(!current);
         if (ImGui::SmallButton("Take")) {
-            state.settings.bias = b.bias;
-            hide_tried(state);
+            settings.bias = b.bias;
+            requests.hide_tried = true;
         }
         plain_tooltip(fmt::format("Sets {}; {} takes it back", b.bias_text, key_text(Command::Undo)));
         ImGui::TableNextColumn();
-        Settings with = state.settings;
-        with.bias = b.bias;
-        const bool seen = state.tried && state.tried->settings == with;
-        if (ImGui::Selectable(b.name.c_str(), seen || state.settings.bias == b.bias)) {
+        const bool seen = tried && tried->bias == b.bias;
+        if (ImGui::Selectable(b.name.c_str(), seen || settings.bias == b.bias)) {
             if (seen)
-                hide_tried(state);
+                requests.hide_tried = true;
             else
-                show_tried(state, with);
+                requests.show_bias = b.bias;
         }
         ImGui::EndDisabled();
         plain_tooltip(
@@ -112,8 +111,8 @@ std::string progress_text(const SearchProgress& progress) {
     return progress.seconds_left > 0 ? fmt::format("{}, {} left", share, seconds_text(progress.seconds_left)) : share;
 }
 
-void draw_tune_controls(EditorState& state, const TunePanelFacts& shown, const std::string& why_not,
-                        TuneRequests& requests) {
+void draw_tune_controls(TunePanel& panel, Settings& settings, const Settings* tried, const TunePanelFacts& shown,
+                        const std::string& why_not, TuneRequests& requests) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     if (shown.tuning) {
         const std::string text = progress_text(*shown.tuning);
@@ -123,7 +122,7 @@ void draw_tune_controls(EditorState& state, const TunePanelFacts& shown, const s
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) requests.cancel_tune = true;
         plain_tooltip("Stops with what is there");
-        biases_table(shown.tuned, shown.tuned_current, state);
+        biases_table(shown.tuned, shown.tuned_current, settings, tried, requests);
         return;
     }
     ImGui::BeginDisabled(!why_not.empty());
@@ -136,7 +135,7 @@ void draw_tune_controls(EditorState& state, const TunePanelFacts& shown, const s
         "appears below as it is measured. The one with the least score is shown right of the line in the picture.\n"
         "Take sets it.");
     if (!narrow) ImGui::SameLine();
-    if (ImGui::Button("No bias")) remove_bias(state.settings);
+    if (ImGui::Button("No bias")) remove_bias(settings);
     plain_tooltip(with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias));
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
@@ -144,8 +143,17 @@ void draw_tune_controls(EditorState& state, const TunePanelFacts& shown, const s
     ImGui::EndGroup();
     ImGui::EndDisabled();
     if (!why_not.empty()) plain_tooltip(why_not, ImGuiHoveredFlags_AllowWhenDisabled);
-    limits_popup(state.tune, requests);
-    biases_table(shown.tuned, shown.tuned_current, state);
+    limits_popup(panel, requests);
+    const Settings* const found = shown.tuned_current ? shown.tuned_result : nullptr;
+    if (found && (found->filter != settings.filter || found->map.resolution != settings.map.resolution)) {
+        if (ImGui::Button("Take kernel, resolution and bias")) {
+            apply_tuning(settings, *found);
+            requests.hide_tried = true;
+        }
+        plain_tooltip(
+            fmt::format("{} at {}², {}", kernel_label(*found), found->map.resolution, bias_text(found->bias)));
+    }
+    biases_table(shown.tuned, shown.tuned_current, settings, tried, requests);
 }
 
 }  // namespace si

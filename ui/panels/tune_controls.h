@@ -11,8 +11,6 @@
 
 namespace si {
 
-struct EditorState;
-
 /// Limits of error and frame time for a search, as the user typed them.
 struct LimitFields {
     bool bound_error = true;
@@ -60,21 +58,26 @@ struct TunedBias {
 
 /// Facts of the bias search: progress and last results.
 struct TunePanelFacts {
-    std::optional<SearchProgress> tuning;  ///< none: not under way
-    std::span<const TunedBias> tuned;      ///< results of the last search for this scene, also while it runs
-    bool tuned_current = false;            ///< a search from the present settings would give the same
+    std::optional<SearchProgress> tuning;    ///< none: not under way
+    std::span<const TunedBias> tuned;        ///< results of the last search for this scene, also while it runs
+    bool tuned_current = false;              ///< a search from the present settings would give the same
+    const Settings* tuned_result = nullptr;  ///< bias, kernel and resolution that the search found; null: none
 };
 
 /// Requests of the controls of the bias search.
 struct TuneRequests {
     std::optional<TuneRequest> tune;
     bool cancel_tune = false;
+    std::optional<BiasSettings> show_bias;  ///< show the present settings with this bias (PictureState::tried)
+    bool hide_tried = false;                ///< end that
 };
 
-/// Draws the controls of the bias search: buttons, limits, progress and results. A click on a result shows it right of
-/// the swipe's line (PictureState::tried); its button takes it.
+/// Draws the controls of the bias search: buttons, limits, progress and results. A click on a result requests to show
+/// it; its button takes it.
+/// @param settings changed by a result's button
+/// @param tried settings that are shown before they are taken; null: none
 /// @param why_not reason why no search is possible; empty: a search is possible
-void draw_tune_controls(EditorState& state, const TunePanelFacts& shown, const std::string& why_not,
-                        TuneRequests& requests);
+void draw_tune_controls(TunePanel& panel, Settings& settings, const Settings* tried, const TunePanelFacts& shown,
+                        const std::string& why_not, TuneRequests& requests);
 
 }  // namespace si

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/advise/tuning.h"
+#include "renderer/measure/axes.h"
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
@@ -46,16 +48,30 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 
 void show_tried(EditorState& state, const Settings& settings) {
     if (state.flicker) return;
-    state.tried = PinnedSettings{settings, state.scene_name};
+    if (state.tried)
+        static_cast<PinnedSettings&>(*state.tried) = {settings, state.scene_name};
+    else
+        state.tried = {{settings, state.scene_name}, state.comparison, state.compare};
     state.compare = {CompareKind::Tried, {}};
     state.comparison.reference = false;
     state.comparison.view = ComparisonView::Swipe;
 }
 
 void hide_tried(EditorState& state) {
-    if (!std::exchange(state.tried, std::nullopt) || state.compare.kind != CompareKind::Tried) return;
-    state.compare = {};
-    state.comparison = {.view = ComparisonView::Off, .at = state.comparison.at};
+    const auto tried = std::exchange(state.tried, std::nullopt);
+    if (!tried || state.compare.kind != CompareKind::Tried) return;
+    state.compare = tried->compare_before;
+    state.comparison = tried->comparison_before;
+}
+
+void follow_tried(EditorState& state) {
+    if (!state.tried) return;
+    Settings present = measured_settings(state.settings);
+    const Settings tried = measured_settings(state.tried->settings);
+    apply_tuning(present, tried);
+    if (present != tried || state.tried->scene != state.scene_name || state.compare.kind != CompareKind::Tried ||
+        state.comparison.view == ComparisonView::Off)
+        hide_tried(state);
 }
 
 ComparisonView chosen_comparison(const EditorState& state) {

@@ -332,6 +332,15 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     if (shot) take_shot(state, requests, *shot);
     requests.redraw |= state.shots.next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.viewport.wheel_until;
+    if (requests.apply_fix) apply_trial(state, *requests.apply_fix);
+    follow_tried(state);
+    check_prediction(state, frame, requests);
+    if (requests.hide_tried) hide_tried(state);
+    if (requests.show_bias) {
+        Settings tried = state.settings;
+        tried.bias = *requests.show_bias;
+        show_tried(state, tried);
+    }
     const bool gesture = ImGui::IsAnyItemActive() || state.viewport.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.files.guide});
     state.history.record(state.settings, gesture || state.between_steps);

@@ -54,7 +54,19 @@ struct PictureState {
     CompareWith compare;
     PictureComparison comparison;
     std::optional<PinnedSettings> pinned;
-    std::optional<PinnedSettings> tried;  ///< settings that a search proposes, shown before they are taken
+    /// Settings that a search proposes, shown before they are taken.
+    struct Tried : PinnedSettings {
+        PictureComparison comparison_before;  ///< the comparison that they replace
+        CompareWith compare_before;
+    };
+    std::optional<Tried> tried;
+    /// Measurements that a search promised for settings which were then applied.
+    struct Predicted {
+        Settings settings;  ///< as measured: measured_settings()
+        std::size_t wrong = 0;
+        double mae = 0;
+    };
+    std::optional<Predicted> predicted;
     EffectsPanel effects;
     std::optional<glm::ivec2> probe_pixel;    ///< probed pixel of the scene picture, row 0 at the top
     std::optional<ProbeAnchor> probe_anchor;  ///< surface point that the probe follows, once it is known
@@ -122,7 +134,8 @@ struct EditorFrame : ProbeFacts,
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
-    FixSearch fixes;
+    FixSearch fixes;                             ///< of the picture
+    FixSearch pixel_fixes;                       ///< of the probed pixel
     const FloatImage* overlay_values = nullptr;  ///< values of the active pane's overlay
     std::span<const LostCaster> lost_casters;    ///< casters that the shown light's map loses
     const ComparisonFacts* comparison = nullptr;

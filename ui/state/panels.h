@@ -12,6 +12,8 @@
 
 namespace si {
 
+struct Trial;
+
 /// Draws the row of menus, scene, presets, undo and save.
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the scene pictures with their toolbar and marks, and steers camera and lights by the mouse.
@@ -82,8 +84,17 @@ void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::ve
 void pin_settings(EditorState& state);
 /// Shows settings right of the swipe's line, before they are taken.
 void show_tried(EditorState& state, const Settings& settings);
-/// Ends show_tried(), and the comparison that it began.
+/// Ends show_tried(), and restores the comparison that it replaced.
 void hide_tried(EditorState& state);
+/// Ends show_tried() when other settings than bias, kernel and resolution, the scene or the comparison have changed.
+/// Call once a frame.
+void follow_tried(EditorState& state);
+/// Applies a drawn change to the settings. The log then compares the predicted errors with the measured ones
+/// (check_prediction()).
+void apply_trial(EditorState& state, const Trial& trial);
+/// Logs the errors that a search predicted for the present settings beside the measured ones, once those are known.
+/// Requests them until then. Call once a frame.
+void check_prediction(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
 void begin_flicker(EditorState& state);
 /// Shows the present settings again, with the comparison that begin_flicker() has replaced.

@@ -1,5 +1,6 @@
 #include "ui/state/quick_changes.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,8 +10,10 @@
 #include "renderer/base/index_of.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/axes.h"
+#include "renderer/reference/live_error.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
+#include "ui/state/editor_ui.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 
@@ -70,19 +73,37 @@ void scale_resolution(Settings& settings, bool twice) {
     n = std::clamp(twice ? n * 2 : n / 2, int(p.min), int(p.max));
 }
 
+void apply_trial(EditorState& state, const Trial& trial) {
+    for (const auto& [key, value] : trial.changes) set_setting(state.settings, key, value);
+    state.predicted = {measured_settings(state.settings), wrong_pixels(trial.metrics), trial.metrics.mae};
+}
+
+void check_prediction(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    if (!state.predicted) return;
+    if (measured_settings(state.settings) != state.predicted->settings) return state.predicted.reset();
+    requests.want_error = true;
+    if (!frame.error || !frame.reference || !frame.reference->current || !frame.result) return;
+    const std::size_t wrong = wrong_pixels(frame.error->metrics);
+    const double mae = frame.error->metrics.mae;
+    state.log.add(LogKind::Info,
+                  fmt::format("Applied: {} px wrong and mean error {:.4g} were predicted; {} and {:.4g} are measured",
+                              state.predicted->wrong, state.predicted->mae, wrong, mae));
+    state.predicted.reset();
+}
+
 void apply_fix(EditorState& state, const EditorFrame& frame) {
     const bool wrong = std::ranges::any_of(frame.diagnoses, [&](const PixelDiagnosis& d) {
         return d.light == shown_light(state.settings) && d.cause().artefact != Artefact::None;
     });
-    const FixSearch& search = frame.fixes;
+    const FixSearch& search = frame.pixel_fixes;
     const bool known = search.table && search.current && search.pixel == state.probe_pixel && !search.running;
     const Trial* const fix = verdict_follows(state, frame) ? nullptr : found_fix(search, state.probe_pixel);
     state.probe_panel.fix_waits = frame.result && !fix && (verdict_follows(state, frame) || (wrong && !known));
-    if (state.probe_panel.fix_waits) return state.log.add(LogKind::Info, "The fix is made once a tried change is one");
-    if (fix) {
-        for (const auto& [key, value] : fix->changes) set_setting(state.settings, key, value);
-        return;
+    if (state.probe_panel.fix_waits) {
+        if (!search.running) state.probe_panel.searched.reset();  // an earlier search was closed or cancelled
+        return state.log.add(LogKind::Info, "The fix is made once a tried change is one");
     }
+    if (fix) return apply_trial(state, *fix);
     state.log.add(LogKind::Info,
                   !state.probe_pixel
                       ? with_key("No fix to apply: click a wrong pixel first, or go to one", Command::NextWrongPixels)
@@ -92,11 +113,11 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
 
 void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
     if (!state.probe_panel.fix_waits) return;
-    const bool searched =
-        !frame.fixes.running && frame.fixes.table && frame.fixes.current && frame.fixes.pixel == state.probe_pixel;
+    const bool searched = !frame.pixel_fixes.running && frame.pixel_fixes.table && frame.pixel_fixes.current &&
+                          frame.pixel_fixes.pixel == state.probe_pixel;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // the click probes another pixel
         state.probe_panel.fix_waits = false;
-    else if (!verdict_follows(state, frame) && (searched || found_fix(frame.fixes, state.probe_pixel) ||
+    else if (!verdict_follows(state, frame) && (searched || found_fix(frame.pixel_fixes, state.probe_pixel) ||
                                                 std::ranges::all_of(frame.diagnoses, &PixelDiagnosis::right)))
         apply_fix(state, frame);
 }
@@ -104,7 +125,10 @@ void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
 void request_pixel_fix(EditorState& state, const EditorFrame& frame, FixRequests& requests) {
     const bool wanted = state.tab == BottomTab::Probe || state.probe_panel.fix_waits;
     if (!wanted || !state.probe_pixel || !frame.result || !frame.scene || verdict_follows(state, frame)) return;
-    const ProbePanel::Searched now{*state.probe_pixel, measured_settings(state.settings)};
+    const ProbePanel::Searched now{*state.probe_pixel,
+                                   {frame.result->colour.width, frame.result->colour.height},
+                                   frame.scene->id,
+                                   measured_settings(state.settings)};
     if (state.probe_panel.searched == now) return;
     for (const PixelDiagnosis& d : frame.diagnoses) {
         if (d.light != shown_light(state.settings) || d.cause().artefact == Artefact::None) continue;
