@@ -29,6 +29,12 @@
 namespace si {
 namespace {
 
+/// Formats a number that may be infinite, as of a surface edge-on to the light. @param digits significant digits
+std::string number_text(double value, int digits) {
+    if (std::isfinite(value)) return fmt::format("{:.{}g}", value, digits);
+    return value > 0 ? "infinite" : "-infinite";
+}
+
 /// Formats the kernel as a grid with one letter a tap, the map's top row first.
 void print_taps(const Probe::PerLight& p) {
     if (p.taps.size() < 2) return;
@@ -58,15 +64,16 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
                place_name(p.place));
     fmt::print("  4 own depth          {:.8g}   = {:.6g} m from the light along its axis\n", p.own, r.own_m);
     fmt::print("  5 N·L                {:.6g}\n", r.n_dot_l);
-    fmt::print("  6 bias               {:.6g} of depth = {:.4g} texels = {:.4g} m; normal offset {:.4g} m\n",
-               r.bias_depth, p.bias_texels, r.bias_m, r.normal_offset_m);
-    fmt::print("  7 compared depth     {:.8g}\n", p.compared);
+    fmt::print("  6 bias               {} of depth = {} texels = {} m; normal offset {:.4g} m\n",
+               number_text(r.bias_depth, 6), number_text(p.bias_texels, 4), number_text(r.bias_m, 4),
+               r.normal_offset_m);
+    fmt::print("  7 compared depth     {}\n", number_text(p.compared, 8));
     fmt::print("  8 stored depth       {:.8g}   = {:.6g} m, texel {},{} ({:.4g} m wide)\n", p.stored, p.stored_m,
                p.texel.x, p.texel.y, r.texel_m);
     const auto [nearer, farther] =
         reversed ? std::pair(p.stored, p.compared_nearest) : std::pair(p.compared_nearest, p.stored);
     const bool lit = strict ? nearer < farther : nearer <= farther;
-    fmt::print("  9 nearest texel      {:.8g} {} {:.8g} is {}\n", p.compared_nearest, than, p.stored,
+    fmt::print("  9 nearest texel      {} {} {:.8g} is {}\n", number_text(p.compared_nearest, 8), than, p.stored,
                lit ? "true: lit" : "false: in shadow");
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);
     if (!std::isnan(p.kernel.blocker_m))
@@ -140,7 +147,7 @@ std::vector<LostCaster> lost_before(const Session& session, const Probe& probe, 
 std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const Probe& probe,
                               const std::vector<PixelDiagnosis>& found) {
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
-    if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
+    if (light >= found.size() || !found[light].wants_fix()) return {};
     FixOptions options{.pixel = glm::ivec2(probe.x, probe.y), .first = true, .list = FixList::Whole};
     if (const auto& fix = found[light].fix) options.more.push_back(suggested_candidate(*fix, session.settings));
     ReferenceCache cache;

@@ -43,6 +43,8 @@ struct PixelDiagnosis {
     bool window_open() const { return least.depth < occluder.depth; }
     /// Returns the cause of the pixel's shadow error.
     Cause cause() const { return reference.cause; }
+    /// Returns true when a fix is wanted: the pixel is wrong, or right with faint acne or faint light.
+    bool wants_fix() const { return cause().artefact != Artefact::None || cause().faint || reference.any_leak; }
     /// Least power of two of map.resolution at which some depth bias is right. 0: at the present one. Infinite: at
     /// none, since the steps of the depth format alone are too coarse.
     double opening_resolution = 0;

@@ -62,7 +62,7 @@ TEST_F(LightMapCommand, BakesOnceAndKeepsItOnDisk) {
     ASSERT_EQ(added.size(), 1u);
     EXPECT_TRUE(draw({})["from_disk"]);
     EXPECT_EQ(picture(), first);
-    EXPECT_TRUE(draw("--set camera.azimuth=80")["from_disk"]);
+    EXPECT_TRUE(draw("--set camera.source=manual --set camera.azimuth=80")["from_disk"]);
     EXPECT_FALSE(draw("--no-cache")["from_disk"]);
 
     fs::resize_file(*added.begin(), 1000);

@@ -206,7 +206,7 @@ TEST(SweepCommand, InterruptedSweepContinues) {
     for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
         const std::string out = std::to_string(signal);
         // Enough cases that the sweep cannot end before the signal.
-        Words words = sweep_of(out, "--no-time --vary bias.constant=0:1.4:0.1");
+        Words words = sweep_of(out, "--no-time --vary bias.normal=0:1.4:0.1");
         const fs::path journal = folder / out / kJournalFile;
         const pid_t child = ::fork();
         if (child == 0) {

@@ -246,7 +246,7 @@ TEST(Autopilot, StopsWithWhatIsThere) {
     meter = timed.meter();
     int times = 0;
     meter.ms = [&, ms = meter.ms](const Settings& s) {
-        if (++times > 6) throw Cancelled();
+        if (++times > 2) throw Cancelled();
         return ms(s);
     };
     const AutopilotResult held = run_autopilot(Settings{}, axes_of(false), {.max_error = 0.01}, meter);

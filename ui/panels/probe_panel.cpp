@@ -218,7 +218,7 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, EditorSta
         coloured_wrapped(p.verdict, theme::muted());
     else if (frame.tracing_probe)
         ImGui::TextDisabled("tracing the reference...");
-    if (d && d->cause().artefact != Artefact::None && p.light == shown_light(state.settings)) fix_line(state, frame);
+    if (d && d->wants_fix() && p.light == shown_light(state.settings)) fix_line(state, frame);
 }
 
 /// Layout of blocks in columns, as many as fit into the width.
@@ -254,7 +254,7 @@ const PixelDiagnosis* diagnosis_of(const EditorFrame& frame, int light) {
 void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Probe::PerLight& p) {
     const PixelDiagnosis* const d = diagnosis_of(frame, p.light);
     // Fixes belong to the light whose shadows are measured.
-    const bool fixes = d && d->cause().artefact != Artefact::None && p.light == state.settings.view.light;
+    const bool fixes = d && d->wants_fix() && p.light == state.settings.view.light;
     if (fixes) {
         draw_fixes_button(frame.pixel_fixes, requests, state.probe_pixel, frame.result && frame.scene, true);
         same_line_if_fits(button_width("Hide stored-depth quads"));

@@ -93,7 +93,7 @@ void check_prediction(EditorState& state, const EditorFrame& frame, EditorReques
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
     const bool wrong = std::ranges::any_of(frame.diagnoses, [&](const PixelDiagnosis& d) {
-        return d.light == shown_light(state.settings) && d.cause().artefact != Artefact::None;
+        return d.light == shown_light(state.settings) && d.wants_fix();
     });
     const FixSearch& search = frame.pixel_fixes;
     const bool known = search.table && search.current && search.pixel == state.probe_pixel && !search.running;
@@ -118,7 +118,7 @@ void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // the click probes another pixel
         state.probe_panel.fix_waits = false;
     else if (!verdict_follows(state, frame) && (searched || found_fix(frame.pixel_fixes, state.probe_pixel) ||
-                                                std::ranges::all_of(frame.diagnoses, &PixelDiagnosis::right)))
+                                                std::ranges::none_of(frame.diagnoses, &PixelDiagnosis::wants_fix)))
         apply_fix(state, frame);
 }
 
@@ -131,7 +131,7 @@ void request_pixel_fix(EditorState& state, const EditorFrame& frame, FixRequests
                                    measured_settings(state.settings)};
     if (state.probe_panel.searched == now) return;
     for (const PixelDiagnosis& d : frame.diagnoses) {
-        if (d.light != shown_light(state.settings) || d.cause().artefact == Artefact::None) continue;
+        if (d.light != shown_light(state.settings) || !d.wants_fix()) continue;
         state.probe_panel.searched = now;
         requests.find_fixes = FixRequest{state.probe_pixel, true};
     }
