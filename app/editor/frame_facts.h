@@ -33,6 +33,7 @@ struct ReadBackFacts {
 struct FrameFacts {
     std::optional<DriverInfo> driver;  ///< nothing: there is no picture
     FrameResult result;
+    Settings settings;  ///< settings of the frame
     FrameRequest request;
     ReadBackFacts readings;
     std::optional<ReferenceFacts> reference;
@@ -49,6 +50,7 @@ struct FrameFacts {
     void fill(EditorFrame& f) const {
         f.driver = driver ? &*driver : nullptr;
         f.result = driver ? &result : nullptr;
+        f.drawn = driver ? &settings : nullptr;
         f.probe = readings.probe.get();
         f.anchor_place = readings.anchor_place;
         f.loupe = readings.loupe.get();

@@ -50,6 +50,7 @@ ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const 
 
 FrameFacts FrameLoop::facts() const {
     FrameFacts f = facts_;
+    f.settings = drawn_settings_;
     if (drawn_) {
         f.driver = renderer_.driver();
         if (facts_.result.smooth.texture != 0 && !picture_comparison_.facts() &&

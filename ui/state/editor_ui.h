@@ -132,6 +132,7 @@ struct EditorFrame : ProbeFacts,
                      LabFacts,
                      HealthFacts {
     const FrameResult* result = nullptr;
+    const Settings* drawn = nullptr;  ///< settings of the last frame
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
     FixSearch fixes;                             ///< of the picture

@@ -82,7 +82,8 @@ void check_prediction(EditorState& state, const EditorFrame& frame, EditorReques
     if (!state.predicted) return;
     if (measured_settings(state.settings) != state.predicted->settings) return state.predicted.reset();
     requests.want_error = true;
-    if (!frame.error || !frame.reference || !frame.reference->current || !frame.result) return;
+    if (!frame.error || !frame.reference || !frame.reference->current || !frame.drawn) return;
+    if (measured_settings(*frame.drawn) != state.predicted->settings) return;
     const std::size_t wrong = wrong_pixels(frame.error->metrics);
     const double mae = frame.error->metrics.mae;
     state.log.add(LogKind::Info,
