@@ -58,7 +58,7 @@ TEST(SectionCommand, DrawingsOfThePageMatchTheirCommands) {
                                                       {"peter-panning", "verdict: peter-panning: bias moves it"},
                                                       {"offset", "verdict: peter-panning by normal offset"},
                                                       {"undersampling", "verdict: undersampled"},
-                                                      {"light-bleeding", "verdict: leak"}};
+                                                      {"light-bleeding", "verdict: light bleeding"}};
         ASSERT_TRUE(said.contains(artefact)) << artefact;
         EXPECT_NE(r.out.find(said.at(artefact)), std::string::npos) << artefact << "\n" << r.out;
     }
