@@ -174,9 +174,10 @@ EditOptions& add_edit(CLI::App& app, Run& run) {
     c.add_value("--screenshot", o.screenshot, "F.png", "The picture that --headless writes");
     c.add_size({o.width, o.height});
     c.add_value("--probe", c.options.probe, "X,Y", "Probe this pixel of the scene's picture at the start");
-    c.app().add_option("--tab", o.tab,
-                       "The tab in front at the start: effects, probe, error, objects, compare, frontier, improve, lab, "
-                       "numbers or log");
+    c.app().add_option(
+        "--tab", o.tab,
+        "The tab in front at the start: effects, probe, error, objects, compare, frontier, improve, lab, "
+        "numbers or log");
     c.add_value("--theme", o.theme, "T", "dark or light (default: the theme chosen last)")
         ->check(CLI::IsMember({"dark", "light"}));
     c.add_value("--sweep", o.sweep, "DIR", "Show the sweep in this folder in the tab frontier");

@@ -204,7 +204,7 @@ Tool::Step open_tab(BottomTab tab) {
 constexpr std::pair<const char*, BottomTab> kTabs[] = {
     {"effects", BottomTab::Effects}, {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
     {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
-    {"improve", BottomTab::Improve},   {"lab", BottomTab::Lab},         {"numbers", BottomTab::Numbers},
+    {"improve", BottomTab::Improve}, {"lab", BottomTab::Lab},         {"numbers", BottomTab::Numbers},
     {"log", BottomTab::Log}};
 
 std::vector<Tool> all_tools() {
