@@ -83,7 +83,7 @@ TEST_F(MeasureTest, CountsLightInFullShadowLikeBruteForce) {
     const test::RayReference rays(scene);
     for (const LightType type : {LightType::Directional, LightType::Spot})
         for (const bool blurred : {false, true}) {
-            Settings s = test::texel_settings(blurred ? "esm" : "pcf3", 128, 0);
+            Settings s = test::texel_settings(blurred ? "esm" : "pcf3", blurred ? 512 : 128, 0);
             if (blurred)
                 set_all(s, {"map.blur_texels=1", "filter.exponent=0.5"});  // lit nearly everywhere
             else
