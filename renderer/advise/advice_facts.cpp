@@ -11,11 +11,6 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the width of a pixel at a depth along the camera's axis, metres.
-double pixel_m(const Camera& camera, double depth_m, int lines) {
-    return (camera.orthographic ? camera.height : 2 * depth_m * std::tan(0.5 * camera.fov_y_rad)) / lines;
-}
-
 /// Returns the width of the penumbra of an edge `gap_m` before a surface, metres across the light.
 double penumbra_m(const FittedLight& light, const glm::dvec3& at_ws, double gap_m) {
     if (light.type == LightType::Directional) return 2 * light.size * gap_m;
@@ -45,7 +40,7 @@ void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& set
         if (reference.state[i] != PixelState::Counted) continue;
         ++f.pixels;
         const Receiver& r = m.traced.receivers->pixels[i];
-        const double depth_m = glm::dot(m.camera.eye - r.position_ws, m.camera.axes[2]);
+        const double depth_m = depth_along_axis_m(m.camera, r.position_ws);
         f.nearest_m = std::min(f.nearest_m, depth_m);
         f.farthest_m = std::max(f.farthest_m, depth_m);
         if (i % 7 || light.views.empty() || m.classified[i].has(ClassifiedPixel::kOutside)) continue;
@@ -73,7 +68,7 @@ AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings&
     f.map_resolution = m.map_resolution;
     add_pixel_facts(f, m, s, renderer.driver());
     const FittedLight& light = m.lights[std::size_t(m.light)];
-    if (light.casts) f.starts = fix_facts(m, s, renderer.driver()).starts;
+    f.starts = bias_starts(m, s, renderer.driver());
     f.shadowed.assign(f.lights.size(), kUnknown);
     f.shadowed[std::size_t(m.light)] = shadowed_share(*m.traced.reference);
     for (std::size_t i = 0; i < f.lights.size(); ++i) {

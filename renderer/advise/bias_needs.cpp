@@ -118,6 +118,20 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 
 }  // namespace
 
+bool has_lit_receivers(const MeasuredError& measured) {
+    bool any = false;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver&) { any = true; });
+    return any;
+}
+
+double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws) {
+    return glm::dot(camera.eye - position_ws, camera.axes[2]);
+}
+
+double pixel_m(const Camera& camera, double depth_m, int lines) {
+    return (camera.orthographic ? camera.height : 2 * depth_m * std::tan(0.5 * camera.fov_y_rad)) / lines;
+}
+
 BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& r,
                                       const RasterTraits& driver) {
     const ReferenceGeometry& geometry = measured.traced.scene->geometry();

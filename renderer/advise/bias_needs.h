@@ -29,6 +29,15 @@ struct BiasNeeds {
 /// @param settings settings of the measured frame
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
+/// Returns true when some pixel is counted, lit in the reference and covered by the map.
+bool has_lit_receivers(const MeasuredError& measured);
+
+/// Returns the distance of a point from the camera along its axis, metres.
+double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws);
+/// Returns the width of a pixel at a depth along the camera's axis, metres. @param lines height of the picture in
+/// pixels
+double pixel_m(const Camera& camera, double depth_m, int lines);
+
 /// Computes the bias terms of one receiver of a measured frame under given settings, and the bias that it needs.
 BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
                                       const RasterTraits& driver);

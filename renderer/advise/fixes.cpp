@@ -74,7 +74,6 @@ void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
     if (fitted.chooser.choice == ViewChoice::Face)
         idea(
             "tighter fit", [](Settings&) {}, "six faces hold all directions");
-    idea("the light's own projection", [&](Settings& s) { s.lights[light].projection = LightProjection::Automatic; });
     if (!sun || by_hand || fitted.is_perspective()) return;
     for (int n = 1; n <= kMaxCascades; n *= 2)
         idea(fmt::format("{} cascades", n), [&](Settings& s) { s.lights[light].cascades = n; });
@@ -276,7 +275,7 @@ std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& s
 
 FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
     FixFacts f;
-    if (bias_needs(measured, settings, driver).pixels > 0) f.starts = bias_starts(measured, settings, driver);
+    f.starts = bias_starts(measured, settings, driver);
     f.lights = measured.lights;
     f.light = measured.light;
     f.map_resolution = measured.map_resolution;
@@ -345,7 +344,7 @@ std::vector<Candidate> fix_candidates(const Settings& base, const FixFacts& f, F
     const auto [down, up] = adjacent_kernels(base);
     if (!down.empty()) with_biases("narrower kernel", kernel(down));
     if (!up.empty()) with_biases("wider kernel", kernel(up));
-    // Where one kernel by moments bleeds, another one may not. Of all others the short list has the narrowest.
+    // Another kernel by moments may not bleed. Of all other kernels the short list has the narrowest.
     for (const std::string_view k : sweep_kernels()) {
         Settings with = base;
         set_setting(with, "filter.kernel", k);

@@ -20,6 +20,7 @@ constexpr double kTie = 1e-3;            // share of the score, and of the mean 
 constexpr double kGapTie = 0.02;         // share of the gap
 constexpr double kPlaneConstant = 0.25;  // texels
 constexpr double kCoarse[] = {1, 0, 0.5, 2, 0.25, 4, 1 / 8., 1 / 16., 1 / 32., 1 / 64.};
+constexpr double kLargestStrength = 8;
 constexpr int kBisections = 3;
 constexpr int kFine = 5;  // trials between the neighbours of the best coarse strength
 
@@ -43,13 +44,6 @@ std::vector<std::uint8_t> shadow_edges(const Reference& reference) {
     return edge;
 }
 
-/// Returns the width of a pixel of the reference at a point, metres.
-double pixel_m(const MeasuredError& m, const glm::dvec3& position_ws) {
-    const double depth_m = glm::dot(m.camera.eye - position_ws, m.camera.axes[2]);
-    const double high = m.camera.orthographic ? m.camera.height : 2 * depth_m * std::tan(0.5 * m.camera.fov_y_rad);
-    return high / m.traced.reference->height;
-}
-
 /// Search of one row's strength with the least score.
 class StrengthSearch {
 public:
@@ -64,7 +58,7 @@ public:
         for (const double strength : kCoarse) measure(strength);
         const auto best = std::ranges::min_element(tried_, {}, score);
         const double middle = best->strength;
-        double lo = 0, hi = 2 * kCoarse[0] * 4;
+        double lo = 0, hi = kLargestStrength;
         for (const TriedBias& t : tried_) {
             if (t.strength < middle) lo = std::max(lo, t.strength);
             if (t.strength > middle) hi = std::min(hi, t.strength);
@@ -139,8 +133,7 @@ std::size_t BiasTrial::lost() const {
 BiasScore::BiasScore(const MeasuredError& m, const Settings& settings, const RasterTraits& driver) {
     const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
-    const double reach_texels =
-        kernel_reach_in_light(settings, light, m.map_resolution).edge + settings.map.blur_texels;
+    const double reach_texels = edge_reach_texels(settings, light, m.map_resolution);
     const std::vector<float> distance_px = distance_to(shadow_edges(reference), reference.width, reference.height);
     near_edge_.resize(reference.state.size());
     for (std::size_t i = 0; i < near_edge_.size(); ++i) {
@@ -149,7 +142,8 @@ BiasScore::BiasScore(const MeasuredError& m, const Settings& settings, const Ras
         const LightReceiver at = measured_bias_breakdown(m, settings, r, driver).receiver;
         // A texel covers 1 / n.l of its width on the surface, and no more of the picture.
         const double reach_m = reach_texels * at.texel_m / std::max(at.n_dot_l, 1e-3);
-        near_edge_[i] = distance_px[i] <= 1 + reach_m / pixel_m(m, r.position_ws);
+        near_edge_[i] = distance_px[i] <=
+                        1 + reach_m / pixel_m(m.camera, depth_along_axis_m(m.camera, r.position_ws), reference.height);
     }
 }
 
@@ -170,6 +164,7 @@ double BiasScore::operator()(const MeasuredError& m) const {
 std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings& settings,
                                    const RasterTraits& driver) {
     std::vector<BiasStart> out;
+    if (!has_lit_receivers(measured)) return out;
     for (const Bias& row : biases()) {
         std::optional<BiasSettings> least = least_bias_of_row(row, measured, settings, driver);
         if (!least) continue;
@@ -289,19 +284,15 @@ std::string bias_text(const BiasSettings& b) {
     s.bias = b;
     const Bias& row = bias_of(s);
     std::string text(row.gives_needed_bias ? row.key : "");
-    const auto add = [&](const char* key, double value, const char* unit) {
-        if (value != 0 && reads_setting(row, key))
-            text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", key, digits_text(value), unit);
-    };
-    const char* const unit = b.unit == BiasUnit::Texels ? " texels" : b.unit == BiasUnit::Metres ? " m" : "";
-    add("bias.constant", b.constant, unit);
-    add("bias.slope", b.slope, unit);
-    const auto beside = [&](const char* key, double value, const char* of) {
+    const auto add = [&](const char* key, double value, const char* of) {
         if (value != 0) text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", key, digits_text(value), of);
     };
-    beside("bias.normal", b.normal, " texels");
-    beside("bias.raster_slope", b.raster_slope, "");
-    beside("bias.raster_units", b.raster_units, "");
+    const char* const unit = b.unit == BiasUnit::Texels ? " texels" : b.unit == BiasUnit::Metres ? " m" : "";
+    if (reads_setting(row, "bias.constant")) add("bias.constant", b.constant, unit);
+    if (reads_setting(row, "bias.slope")) add("bias.slope", b.slope, unit);
+    add("bias.normal", b.normal, " texels");
+    add("bias.raster_slope", b.raster_slope, "");
+    add("bias.raster_units", b.raster_units, "");
     return text.empty() ? "no bias" : text;
 }
 

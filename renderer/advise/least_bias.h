@@ -57,8 +57,9 @@ struct BiasStart {
     /// Returns true when the row has amounts that the strength changes.
     bool has_strength() const { return !(at_strength(1) == at_strength(0)); }
 };
-/// Computes the least bias by theory of each row of the bias table. Rows that compute it by themselves and add
-/// bias.constant get a quarter of a texel. Leaves out rows whose limits do not allow enough bias.
+/// Computes the least bias by theory of each row of the bias table; none when no pixel is lit within the map. Rows that
+/// compute it by themselves and add bias.constant get a quarter of a texel. Leaves out rows whose limits do not allow
+/// enough bias.
 std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 /// Bias of one row of the bias table that was tried.
