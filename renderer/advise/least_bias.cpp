@@ -11,6 +11,7 @@
 #include "renderer/measure/axes.h"
 #include "renderer/reference/distance_transform.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
@@ -257,9 +258,10 @@ FoundBias find_least_bias(Renderer& renderer, const Scene& scene, const Settings
     const TrialMeter meter = renderer_trial_meter(renderer, scene, width, height,
                                                   {.work = false, .reference = options.reference}, cache, quiet);
     const RasterTraits& driver = renderer.driver();
+    if (const std::string why = reason_without_bias(fit_lights(scene, base), base.view.light); !why.empty())
+        throw Error(why);
     if (report) report(0, "the present bias");
     const MeasuredError first = *meter.measure(base, base.view.light).frame;
-    if (const std::string why = reason_without_bias(first.lights, base.view.light); !why.empty()) throw Error(why);
     const BiasScore score(first, base, driver);
     const auto trial = [&](const MeasuredError& m, const Settings& s) {
         return BiasTrial{m.metrics, bias_needs(m, s, driver), score(m)};
