@@ -104,8 +104,8 @@ void print_tuned(const Tuned& tuned) {
                    wrong_pixels(t.trial.error), t.trial.acne(), metres_text(t.trial.needs.gap_p95_m),
                    metres_text(t.trial.needs.shift_p95_m), bias_text(t.bias), note);
     };
-    for (const TriedBias* t : found.best_of_rows()) print_row(*t, t == found.best() ? "  least score" : "");
-    if (const TriedBias* clean = found.best_without_acne()) print_row(*clean, "  least score without acne");
+    for (const TriedBias* t : found.best_of_rows()) print_row(*t, t == found.best() ? "  chosen" : "");
+    if (const TriedBias* clean = found.best_without_acne()) print_row(*clean, "  chosen without acne");
     if (!tuned.limits) return;
     for (const AutopilotCase& c : tuned.limits->cases)
         if (c.ms)

@@ -183,10 +183,15 @@ const TriedBias* FoundBias::least_score(const Bias* row, bool no_acne) const {
         return (!row || t.row == row) && (!no_acne || t.trial.has_no_acne()) &&
                (!max_gap_m || t.trial.needs.gap_p95_m <= *max_gap_m);
     };
+    const auto adds_none = [&](const TriedBias& t) {
+        return allowed(t) && wrong_pixels(t.trial.error) <= wrong_pixels(before.error);
+    };
+    const bool some_adds_none = std::ranges::any_of(tried, adds_none);
+    const auto may_win = [&](const TriedBias& t) { return some_adds_none ? adds_none(t) : allowed(t); };
     double score = std::numeric_limits<double>::infinity(), error = score, gap = score;
     for (const TriedBias& t : tried)
-        if (allowed(t)) score = std::min(score, t.trial.score);
-    const auto ties = [&](const TriedBias& t) { return allowed(t) && t.trial.score <= score * (1 + kTie) + 0.5; };
+        if (may_win(t)) score = std::min(score, t.trial.score);
+    const auto ties = [&](const TriedBias& t) { return may_win(t) && t.trial.score <= score * (1 + kTie) + 0.5; };
     for (const TriedBias& t : tried)
         if (ties(t)) error = std::min(error, t.trial.error.mae);
     const auto both_tie = [&](const TriedBias& t) { return ties(t) && t.trial.error.mae <= error * (1 + kTie); };

@@ -89,6 +89,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
         a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
         b.least_per_texel = a.least.without_kernel();
     }
+    b.in_map = a.in_map;
     if (!a.in_map) {
         a.least = {};
         b.least_per_texel = 0;

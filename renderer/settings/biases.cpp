@@ -25,11 +25,13 @@ double receiver_plane_bias(const BiasSettings& bias, const BiasInput& b) {
 }
 
 double receiver_plane_by_derivatives_bias(const BiasSettings& bias, const BiasInput& b) {
-    return receiver_plane_bias(bias, b) + std::abs(b.per_texel.x) + std::abs(b.per_texel.y);
+    const double error = b.in_map ? std::abs(b.per_texel.x) + std::abs(b.per_texel.y) : 0;
+    return receiver_plane_bias(bias, b) + error;
 }
 
 double bend_remainder(const BiasInput& b) {
     constexpr double kSlopeShare = 0.125;
+    if (!b.in_map) return 0;
     return b.curve.depth_change_towards_light(b.z, b.texel_m) +
            kSlopeShare * (std::abs(b.per_texel.x) + std::abs(b.per_texel.y));
 }

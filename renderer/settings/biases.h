@@ -29,6 +29,7 @@ struct BiasInput {
     double quantum = 0;          ///< step of the format at the greatest depth of the triangle
     double least_per_texel = 0;  ///< least depth bias of the plane if every texel has its own compared depth
     double least_common = 0;     ///< least depth bias of the plane if all texels share one compared depth
+    bool in_map = true;          ///< the map holds the receiver's own face, which can then shadow itself
 };
 
 /// Setting and the value that a choice brings along.

@@ -3,8 +3,9 @@
 // is allowed for, and an eighth of the plane's own slope. A plane that falls away from the light is not followed. Own
 // formula, docs/accuracy.md; the plane is the one of biases/receiver_plane.glsl.
 
-/// Returns the remainder per texel of distance, in depth-buffer units.
+/// Returns the remainder per texel of distance, in depth-buffer units; 0 for a face that is not in the map.
 float remainder_per_texel(BiasInput b) {
+    if (!b.in_map) return 0.0;
     float width = depth_change_towards_light(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, b.texel_m);
     return width + 0.125 * (abs(b.gradient.x) + abs(b.gradient.y)) / float(map_resolution);
 }

@@ -97,6 +97,7 @@ struct BiasInput {
     vec2 gradient;      // gradient of the plane's depth over the map; 0 unless BIAS_READS_PLANE
     float least_per_texel;  // least_bias_per_texel(); 0 unless BIAS_READS_PLANE
     float least_common;     // least_bias() of the chosen kernel; 0 unless BIAS_READS_PLANE
+    bool in_map;            // is_in_map(); false unless BIAS_READS_PLANE
 };
 
 /// Converts an amount in bias.unit to depth-buffer units.
@@ -117,8 +118,9 @@ float unit_depth(BiasInput b, float amount) {
 /// @param z distance of the looked-up point along the axis, metres
 BiasInput bias_input(Receiver r, float n_dot_l, float z) {
     BiasInput b = BiasInput(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), n_dot_l, r.texel_m, z, r.z, r.depth_per_m,
-                            vec2(0.0), 0.0, 0.0);
+                            vec2(0.0), 0.0, 0.0, false);
 #if BIAS_READS_PLANE
+    b.in_map = is_in_map(r);
     // A plane edge-on to the light has no gradient, and no look-up.
     if (faces_light(r)) {
 #if BIAS_BY_DERIVATIVES

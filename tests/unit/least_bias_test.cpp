@@ -125,6 +125,22 @@ TEST(LeastBias, TiesAreDecidedByErrorThenGap) {
     EXPECT_EQ(found.best()->row->key, "adaptive");
 }
 
+TEST(LeastBias, ABiasWithMoreWrongPixelsThanBeforeWinsOnlyIfAllHaveMore) {
+    FoundBias found;
+    found.before.error.artefacts[std::size_t(Artefact::Acne)] = 27;
+    const auto add = [&](const char* row, double score, std::size_t wrong) {
+        TriedBias t{&row_of(row), 1, none(), {}};
+        t.trial.score = score;
+        t.trial.error.artefacts[std::size_t(Artefact::PeterPanning)] = wrong;
+        found.tried.push_back(t);
+    };
+    add("receiver-plane", 33, 28);
+    EXPECT_EQ(found.best()->row->key, "receiver-plane");
+    add("adaptive", 46, 27);
+    add("constant", 50, 20);
+    EXPECT_EQ(found.best()->row->key, "adaptive");
+}
+
 TEST(LeastBias, StopsWithWhatIsThere) {
     const MadeUpFrame frame;
     int trials = 0;
