@@ -11,6 +11,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 namespace {
@@ -95,12 +96,16 @@ private:
     Settings settings_at(const AxisChoice& at) const {
         Settings s = start_;
         bool bias = false;
+        std::set<std::string> held;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
+            held.insert(axes_[i].held.begin(), axes_[i].held.end());
             const std::string& value = axes_[i].values[at[i]];
             if (value.empty()) continue;
             set_setting(s, axes_[i].key, value);
+            held.insert(axes_[i].key);
             bias |= axes_[i].key.starts_with("bias.");
         }
+        set_starting_values(start_, s, held);
         // Wider kernels need more bias.
         if (!bias && !(s.filter == start_.filter))
             s.bias = scale_bias(s.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));

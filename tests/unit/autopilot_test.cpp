@@ -228,6 +228,16 @@ TEST(Autopilot, HoldsIsUnknownWithinNoiseAndWithoutATime) {
     EXPECT_TRUE(std::ranges::any_of(known.cases, [](const AutopilotCase& c) { return !c.holds; }));
 }
 
+TEST(Autopilot, AnotherKindOfBiasBringsItsStartingValues) {
+    World world;
+    const AutopilotResult r = run_autopilot(Settings{}, {{"bias.kind", {"", "slope"}}}, {}, world.meter());
+    ASSERT_EQ(r.cases.size(), 2u);
+    for (const AutopilotCase& c : r.cases) EXPECT_EQ(c.settings.bias.normal, c.axis_values[0] == 1 ? 3 : 0);
+    const AutopilotResult held =
+        run_autopilot(Settings{}, {{"bias.kind", {"", "slope"}, {"bias.normal"}}}, {}, world.meter());
+    for (const AutopilotCase& c : held.cases) EXPECT_EQ(c.settings.bias.normal, 0);
+}
+
 /// A search that is stopped keeps the best case so far.
 TEST(Autopilot, StopsWithWhatIsThere) {
     World world;
