@@ -14,6 +14,7 @@
 #include "renderer/base/error.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/starting_values.h"
 
 namespace si {
 
@@ -67,6 +68,16 @@ std::string command_of(const Json& results, const Json& row) {
                                    shell_quoted(results.at("scene").at("name").get<std::string>()), kBasePreset);
     Json sets = row.at("settings");
     if (row.contains("starts")) sets.update(row["starts"]);
+    // A --set brings starting values along, which the case did not take where the base held the setting.
+    for (const auto& [key, value] : row.at("settings").items()) {
+        const auto varied = find_setting(key);
+        if (!varied) continue;
+        for (const std::string& held : keys_with_starting_values(*varied)) {
+            if (sets.contains(held)) continue;
+            const SettingRef ref = *find_setting(held);
+            sets[held] = results.at("settings").value(held, value_text(*ref.param, default_value(ref)));
+        }
+    }
     for (const auto& [key, value] : sets.items())
         text += " --set " + shell_quoted(key + "=" + value.get<std::string>());
     return text;

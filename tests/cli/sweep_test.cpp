@@ -46,6 +46,20 @@ int shell(const std::string& command, const fs::path& folder) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+TEST(SweepCommand, CommandsOfTheReportKeepWhatTheBaseHolds) {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult r = run_program(
+        "sweep boxes --set bias.normal=2 --vary bias.kind=adaptive,slope --size 32x24 --rounds 1 --frames 1 -o out",
+        folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const std::string html = file_bytes(folder / "out/report.html");
+    const auto at = html.find("--set bias.kind=slope");
+    ASSERT_NE(at, std::string::npos);
+    const std::string command = html.substr(html.rfind("shadow-inspector edit", at), 300);
+    EXPECT_NE(command.find("--set bias.normal=2"), std::string::npos) << command;
+    EXPECT_NE(command.find("--set bias.constant=0.1"), std::string::npos) << command;
+}
+
 TEST(SweepCommand, WritesResultsAndReport) {
     const fs::path folder = fresh_test_folder();
     const ProcessResult r = run_program(sweep_of("out"), folder);

@@ -77,8 +77,8 @@ protected:
                 least = score(m);
                 least_bias = bias;
             }
-            // Steps of the score are whole pixels.
-            EXPECT_LE(score(result), 1.02 * least + 1)
+            // Steps of the score are whole pixels, and a score of few pixels has several minima.
+            EXPECT_LE(score(result), 1.02 * least + 2)
                 << best->row->key << " " << bias_text(best->bias) << " against " << bias_text(least_bias);
         }
         return trials;
