@@ -17,7 +17,8 @@
 namespace si {
 namespace {
 
-constexpr double kTie = 1e-3;            // share of the score, and of the mean error
+constexpr double kScoreTie = 0.01;       // share of the score
+constexpr double kErrorTie = 1e-3;       // share of the mean error
 constexpr double kGapTie = 0.02;         // share of the gap
 constexpr double kPlaneConstant = 0.25;  // texels
 constexpr double kCoarse[] = {1, 0, 0.5, 2, 0.25, 4, 1 / 8., 1 / 16., 1 / 32., 1 / 64.};
@@ -191,10 +192,10 @@ const TriedBias* FoundBias::least_score(const Bias* row, bool no_acne) const {
     double score = std::numeric_limits<double>::infinity(), error = score, gap = score;
     for (const TriedBias& t : tried)
         if (may_win(t)) score = std::min(score, t.trial.score);
-    const auto ties = [&](const TriedBias& t) { return may_win(t) && t.trial.score <= score * (1 + kTie) + 0.5; };
+    const auto ties = [&](const TriedBias& t) { return may_win(t) && t.trial.score <= score * (1 + kScoreTie) + 0.5; };
     for (const TriedBias& t : tried)
         if (ties(t)) error = std::min(error, t.trial.error.mae);
-    const auto both_tie = [&](const TriedBias& t) { return ties(t) && t.trial.error.mae <= error * (1 + kTie); };
+    const auto both_tie = [&](const TriedBias& t) { return ties(t) && t.trial.error.mae <= error * (1 + kErrorTie); };
     for (const TriedBias& t : tried)
         if (both_tie(t)) gap = std::min(gap, t.trial.needs.gap_p95_m);
     for (const TriedBias& t : tried)

@@ -77,7 +77,7 @@ struct FoundBias {
     std::optional<double> max_gap_m;
     bool stopped = false;  ///< stopped before all rows were tried
     /// Returns the bias with the least score whose gap is within LeastBiasOptions::max_gap_m; null: none. A bias with
-    /// more wrong pixels than the present one wins only if all have more. Scores closer than a thousandth tie; the
+    /// more wrong pixels than the present one wins only if all have more. Scores closer than a hundredth tie; the
     /// smaller mean error, then the smaller gap at casters decides.
     const TriedBias* best() const { return least_score(nullptr, false); }
     /// Returns the bias with the least score among those without acne; null: none.
