@@ -11,6 +11,7 @@
 
 #include "app/commands/commands.h"
 #include "renderer/base/error.h"
+#include "renderer/scenes/foreign_jobs.h"
 #include "tests/bench/curves.h"
 #include "tests/bench/gpu_report.h"
 #include "tests/bench/load_bench.h"
@@ -62,6 +63,7 @@ int run_command(std::span<char*> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    si::foreign_child_main(argc, argv, si::foreign_jobs());
     try {
         const int code = run_command(std::span(argv + 1, argv + argc));
         if (code >= 0) return code;

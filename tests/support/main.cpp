@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/foreign_jobs.h"
 #include "tests/support/missing_reason.h"
 #include "tests/support/traits.h"
 
@@ -105,6 +106,7 @@ TraitOf::TraitOf(Trait trait, const char* suite, const char* name) {
 
 int main(int argc, char** argv) {
     using namespace si::test;
+    si::foreign_child_main(argc, argv, all_foreign_jobs());
     testing::InitGoogleTest(&argc, argv);
     for (const Stated& s : stated())
         if (!means_a_test(s)) {
