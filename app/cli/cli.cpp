@@ -16,6 +16,7 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/importers/importers.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/settings/param.h"
 
@@ -207,7 +208,10 @@ void add_others(CLI::App& app, Run& run) {
 
     auto& sheet =
         add_command(app, run, "contact-sheet", "Draw every model below a folder into one picture", run_contact_sheet);
-    sheet.app().add_option("FOLDER", sheet.options.folder, "The folder to search for .gltf and .glb files")->required();
+    sheet.app()
+        .add_option("FOLDER", sheet.options.folder,
+                    fmt::format("The folder to search for models ({})", importer_extensions()))
+        ->required();
     sheet.add_output("SHEET", "The sheet, .png; its index is written next to it as .txt")->required();
     sheet.app()
         .add_option("--columns", sheet.options.columns, "Tiles in a row (default 8)")

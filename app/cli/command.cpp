@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "renderer/base/error.h"
+#include "renderer/importers/importers.h"
 #include "renderer/reference/light_map_cache.h"
 
 namespace si {
@@ -47,7 +48,7 @@ CLI::Validator one_of(const std::vector<std::string_view>& words) {
 
 CLI::Option* CommandParser::add_scene() {
     return app_.add_option("SCENE", options_->session.scene,
-                           "A .gltf or .glb file, or a built-in scene (`list scenes`)");
+                           fmt::format("A model ({}), or a built-in scene (`list scenes`)", importer_extensions()));
 }
 
 void CommandParser::add_session(bool scene_required) {

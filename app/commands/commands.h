@@ -157,7 +157,7 @@ struct ContactSheetOptions : CommandOptions {
     std::string folder;  ///< folder of the models
     int columns = 8;
 };
-/// Runs the command `contact-sheet`: draws every .gltf and .glb file below a folder into one picture, and writes an
+/// Runs the command `contact-sheet`: draws every model below a folder into one picture, and writes an
 /// index (.txt) next to it.
 void run_contact_sheet(const ContactSheetOptions& options);
 

@@ -15,7 +15,7 @@
 #include "app/report/health_report.h"
 #include "app/report/picture_comparison.h"
 #include "renderer/base/error.h"
-#include "renderer/base/lower_case.h"
+#include "renderer/importers/importers.h"
 #include "renderer/render/renderer.h"
 #include "ui/widgets/font_data.h"
 #include "ui/widgets/text.h"
@@ -36,11 +36,12 @@ std::vector<fs::path> models_below(const fs::path& folder) {
     std::vector<fs::path> out;
     for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
          it != fs::recursive_directory_iterator() && !error; it.increment(error)) {
-        const std::string extension = lower_extension(it->path());
-        if (it->is_regular_file() && (extension == ".gltf" || extension == ".glb")) out.push_back(it->path());
+        if (it->is_regular_file() && find_importer(it->path())) out.push_back(it->path());
     }
     if (error) throw Error(fmt::format("{}: {}", folder.string(), error.message()));
-    if (out.empty()) throw Error(fmt::format("{}: no .gltf or .glb file in this folder or below it", folder.string()));
+    if (out.empty())
+        throw Error(
+            fmt::format("{}: no model ({}) in this folder or below it", folder.string(), importer_extensions()));
     std::sort(out.begin(), out.end());
     return out;
 }

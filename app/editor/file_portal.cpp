@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "renderer/base/percent_decoded.h"
+#include "renderer/importers/importers.h"
 
 namespace si {
 namespace {
@@ -54,8 +55,13 @@ VariantMap options_of(const DesktopFileDialog& dialog) {
         options["filters"] = std::vector<Filter>{filter_of("Presets", {"json"})};
         return options;
     }
-    const std::vector<Filter> filters{filter_of("Scenes and presets", {"gltf", "glb", "json"}),
-                                      filter_of("Scenes", {"gltf", "glb"}), filter_of("Presets", {"json"})};
+    std::vector<std::string> scenes;
+    for (const Importer& importer : importers())
+        for (const std::string_view extension : importer.extensions) scenes.emplace_back(extension.substr(1));
+    std::vector<std::string> all = scenes;
+    all.emplace_back("json");
+    const std::vector<Filter> filters{filter_of("Scenes and presets", all), filter_of("Scenes", scenes),
+                                      filter_of("Presets", {"json"})};
     options["filters"] = filters;
     options["current_filter"] = filters[std::size_t(dialog.kind)];
     return options;

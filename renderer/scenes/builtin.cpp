@@ -7,8 +7,8 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
+#include "renderer/importers/importers.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/scenes/makers.h"
 #include "renderer/settings/param.h"
@@ -55,11 +55,14 @@ Scene load_scene(std::string_view name_or_path, const GltfOptions& options) {
         for (const HardCaseView& view : hard_case_views()) keys.push_back(view.name());
     }
     const std::filesystem::path path{std::string(name_or_path)};
-    const std::string extension = lower_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options);
-    throw UsageError(
-        fmt::format("no scene '{}': there is no built-in one of that name, and files end in .gltf or .glb{}",
-                    printable(name_or_path), did_you_mean(nearest_name(name_or_path, keys))));
+    if (const Importer* importer = find_importer(path)) return importer->load(path, options);
+    if (path.has_extension())
+        throw UsageError(fmt::format("cannot open '{}': files that end in {} are not read; models end in {}",
+                                     printable(name_or_path), printable(path.extension().string()),
+                                     importer_extensions()));
+    throw UsageError(fmt::format("no scene '{}': there is no built-in one of that name, and models end in {}{}",
+                                 printable(name_or_path), importer_extensions(),
+                                 did_you_mean(nearest_name(name_or_path, keys))));
 }
 
 }  // namespace si

@@ -21,7 +21,7 @@ std::span<const BuiltinScene> builtin_scenes();
 /// Returns true when `name` is a built-in scene or a hard case ("hard/grazing"), so that load_scene() reads no file.
 bool is_builtin_scene(std::string_view name);
 
-/// Loads a scene: a built-in scene by key, a hard case by name, or a .gltf/.glb file by path.
+/// Loads a scene: a built-in scene by key, a hard case by name, or a model file by path (importers()).
 /// @param options the options for files; built-in scenes ignore them and report no progress
 /// @throws Error naming file, place and fix
 Scene load_scene(std::string_view name_or_path, const GltfOptions& options = {});

@@ -209,7 +209,8 @@ TEST(LoadScene, KnowsTheKeysAndTheDefault) {
 }
 
 TEST(LoadScene, NamesTheNearestKeyAndTheExtensions) {
-    EXPECT_TRUE(test::fails_with([] { load_scene("teepot"); }, {"'teepot'", "did you mean teapot?", ".gltf or .glb"}));
+    EXPECT_TRUE(test::fails_with([] { load_scene("teepot"); }, {"'teepot'", "did you mean teapot?", ".gltf, .glb"}));
+    EXPECT_TRUE(test::fails_with([] { load_scene("cube.xyz"); }, {"cannot open 'cube.xyz'", ".xyz", ".gltf, .glb"}));
 }
 
 TEST(LoadScene, TakesExtensionsInAnyCase) {

@@ -74,7 +74,7 @@ void scene_combo(EditorState& state, EditorRequests& requests, float width) {
         if (!scene.help.empty()) plain_tooltip(std::string(scene.help));
     }
     ImGui::Separator();
-    if (path_input("##path", "path of a .gltf or .glb file", state.files.scene_input, "Open"))
+    if (path_input("##path", "path of a model", state.files.scene_input, "Open"))
         requests.load_scene = state.files.scene_input;
     ImGui::EndCombo();
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "renderer/importers/importers.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/text.h"
@@ -32,7 +33,8 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
         if (pressed) state.window.show_welcome = false;
         return pressed;
     };
-    if (button("Open a model…", "A .gltf or .glb file; dropping one on the window does the same"))
+    if (button("Open a model…",
+               fmt::format("A file of {}; dropping one on the window does the same", importer_labels()).c_str()))
         open_file_dialog(state.files.dialog, FileDialog::Job::Open, state.files.preset_path);
     if (button("Guided tour",
                fmt::format("The first guided preset; {} goes on", key_text(Command::NextPreset)).c_str()) &&

@@ -230,7 +230,7 @@ constexpr Shortcut kShortcutTable[] = {
         [](C c) { toggle_play(c.state, c.frame); }),
 
     section("Files and steps",
-            row(Command::OpenFile, with_ctrl(letter("O")), "open a .gltf or .glb scene, or a preset",
+            row(Command::OpenFile, with_ctrl(letter("O")), "open a model or a preset",
                 [](C c) { open_file_dialog(c.state.files.dialog, FileDialog::Job::Open, c.state.files.preset_path); })),
     joined(gesture("or drop a file")),
     row(Command::SavePreset, with_ctrl(letter("S"), Modifier::Up), "save the preset",

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "renderer/base/lower_case.h"
+#include "renderer/importers/importers.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -27,7 +28,8 @@ constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Sa
 
 bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind) {
     const std::string extension = lower_extension(file);
-    const bool model = extension == ".gltf" || extension == ".glb", preset = extension == ".json";
+    const bool model = find_importer(file) != nullptr;
+    const bool preset = extension == ".json";
     if (job == FileDialog::Job::SavePreset) return preset;
     return (model && kind != FileDialog::Kind::Presets) || (preset && kind != FileDialog::Kind::Models);
 }
@@ -104,8 +106,8 @@ std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
             ImGui::PopID();
         }
     if (d.entries.empty())
-        ImGui::TextDisabled(d.job == FileDialog::Job::Open ? "No folder, .json, .gltf or .glb file here."
-                                                           : "No folder or .json file here.");
+        ImGui::TextDisabled(d.job == FileDialog::Job::Open ? "No folder, preset or model here."
+                                                           : "No folder or preset here.");
     ImGui::EndChild();
     ImGui::PopStyleColor();
     return entered;

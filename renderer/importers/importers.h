@@ -1,0 +1,33 @@
+// Table of importers: the file formats that can be opened, and the function that reads each.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "renderer/gltf/gltf.h"
+#include "renderer/scene/scene.h"
+
+namespace si {
+
+/// Row of the table of importers: a file format with its name for people, its extensions and its loader.
+struct Importer {
+    std::string_view label;                                                        ///< "glTF"
+    std::span<const std::string_view> extensions;                                  ///< lower case, with the dot: ".glb"
+    Scene (*load)(const std::filesystem::path& path, const GltfOptions& options);  ///< throws Error, as load_gltf()
+};
+
+/// Returns the table of importers in the order of lists and help texts.
+std::span<const Importer> importers();
+
+/// Returns the importer of a file by its extension, in either case; null: no importer reads such files.
+const Importer* find_importer(const std::filesystem::path& path);
+
+/// Returns the names of all formats: "glTF, OBJ, FBX".
+std::string importer_labels();
+
+/// Returns the extensions of all formats with their dots: ".gltf, .glb, .obj".
+std::string importer_extensions();
+
+}  // namespace si
