@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "renderer/gltf/image_faults.h"
 #include "renderer/gltf/textures.h"
 
 namespace si::gltf {
@@ -32,7 +33,6 @@ std::size_t decoding_bytes(std::span<const std::uint8_t> bytes) {
 
 Image decode_image(std::span<const std::uint8_t> bytes) {
     const auto refused = [](std::string why) { return Image{0, 0, {}, std::move(why)}; };
-    if (bytes.empty()) return refused("the image is empty");
     if (const std::string kind = kind_of(bytes); !kind.empty()) {
         return refused(fmt::format("{} images are not supported, use PNG or JPEG", kind));
     }
@@ -40,18 +40,20 @@ Image decode_image(std::span<const std::uint8_t> bytes) {
 
     Image out;
     int channels = 0;
-    const std::unique_ptr<stbi_uc, decltype(&std::free)> decoded(
-        stbi_load_from_memory(bytes.data(), int(bytes.size()), &out.width, &out.height, &channels, STBI_rgb_alpha),
-        &std::free);
-    if (!decoded) {
-        const std::string_view why = stbi_failure_reason();
-        if (why == "too large") return refused("too large: at most 16384 x 16384 pixels are read; use a smaller one");
-        return refused(fmt::format("not a PNG or JPEG image, or damaged ({})", why));
-    }
+    const int bytes_size = int(bytes.size());
+    if (stbi_info_from_memory(bytes.data(), bytes_size, &out.width, &out.height, &channels) == 0)
+        return refused(image_fault(bytes));
     constexpr int kMostAcross = 32768;
-    if (out.width <= 0 || out.height <= 0 || out.width > kMostAcross || out.height > kMostAcross)
-        return refused(fmt::format("{} x {} pixels, at most {} each way are read; use a smaller one", out.width,
-                                   out.height, kMostAcross));
+    constexpr std::size_t kMostPixels = std::size_t(std::numeric_limits<int>::max()) / 4;  // of stb_image
+    if (out.width > kMostAcross || out.height > kMostAcross ||
+        std::size_t(out.width) * std::size_t(out.height) > kMostPixels)
+        return refused(fmt::format("{} x {} pixels, at most {} each way and {} in all are read; use a smaller one",
+                                   out.width, out.height, kMostAcross, kMostPixels));
+    const std::unique_ptr<stbi_uc, decltype(&std::free)> decoded(
+        stbi_load_from_memory(bytes.data(), bytes_size, &out.width, &out.height, &channels, STBI_rgb_alpha),
+        &std::free);
+    if (!decoded) return refused(image_fault(bytes));
+    if (out.width <= 0 || out.height <= 0) return refused(fmt::format("{} x {} pixels", out.width, out.height));
     const std::size_t size = std::size_t(out.width) * std::size_t(out.height) * 4;
     out.rgba.assign(decoded.get(), decoded.get() + size);
     return out;
