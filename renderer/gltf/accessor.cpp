@@ -248,11 +248,17 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
         for (std::size_t i = 0; i < positions.size(); ++i) out[positions[i]] = values[i];
         greatest = *std::max_element(out.begin(), out.end());  // sparse values have replaced some
     }
-    // The largest value of the type is primitive restart in OpenGL, which glTF forbids.
-    const std::uint64_t restart = (std::uint64_t{1} << (8 * component)) - 1;
-    if (greatest >= limit || greatest == restart) {
+    if (greatest >= limit) {
         context_.fail(place, fmt::format("accessor {}: index {} is out of range, there are {} vertices", accessor,
                                          greatest, limit));
+    }
+    // The largest value of the type is primitive restart in OpenGL. glTF forbids it, and exporters write it for the
+    // last of 256 or 65536 vertices.
+    if (greatest == (std::uint64_t{1} << (8 * component)) - 1) {
+        context_.warn(place,
+                      fmt::format("accessor {}: {} is the restart value of its type, which glTF forbids; read as "
+                                  "an index",
+                                  accessor, greatest));
     }
     return out;
 }

@@ -33,8 +33,8 @@ public:
     std::vector<float> numbers(int accessor, const Place& place, int width);
     /// Reads a glTF accessor of 4 x 4 matrices. @param place position in the JSON, for errors
     std::vector<glm::mat4> matrices(int accessor, const Place& place);
-    /// Reads a glTF accessor of unsigned integers below `limit`. @throws Error naming the first number that is not
-    /// below.
+    /// Reads a glTF accessor of unsigned integers below `limit`. The largest value of the type, which glTF forbids, is
+    /// an index with a warning. @throws Error naming the largest number when it is not below
     std::vector<std::uint32_t> indices(int accessor, const Place& place, std::size_t limit);
 
 private:

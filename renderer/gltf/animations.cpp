@@ -19,9 +19,14 @@ public:
     Reader(const tinygltf::Model& model, Accessors& accessors, const std::vector<int>& scene_node)
         : model_(model), accessors_(accessors), scene_node_(scene_node) {}
 
+    /// Returns the channels of the last animation that target a JSON pointer (KHR_animation_pointer); these are left
+    /// out.
+    std::size_t pointers() const { return pointers_; }
+
     /// Reads the channels of an animation. Returns the reason when one of them is invalid, else an empty text.
     std::string read(const Json& json, const Place& place, Animation& out) {
         const Json *channels = array_of(json, "channels"), *samplers = array_of(json, "samplers");
+        pointers_ = 0;
         if (!channels || !samplers || channels->empty()) return "has no channels or no samplers";
         for (const Json& channel : *channels) {
             const std::string broken = read_channel(channel, *samplers, place, out);
@@ -36,7 +41,11 @@ private:
         if (!sampler) return "a channel has no valid sampler";
         const auto target = json.find("target");
         if (target == json.end() || !target->is_object()) return "a channel has no target";
-        if (!target->contains("node")) return "";  // targets of extensions are ignored
+        if (extension_of(*target, "KHR_animation_pointer")) {
+            ++pointers_;
+            return "";
+        }
+        if (!target->contains("node")) return "";  // targets of other extensions are ignored
         const auto node = index_member(*target, "node", model_.nodes.size());
         if (!node) return "a channel's node does not exist";
         AnimationChannel channel;
@@ -96,6 +105,7 @@ private:
     const tinygltf::Model& model_;
     Accessors& accessors_;
     const std::vector<int>& scene_node_;
+    std::size_t pointers_ = 0;
 };
 
 }  // namespace
@@ -112,6 +122,12 @@ std::vector<Animation> read_animations(Context& context, const Json& root, const
         animation.name = printable(text_member((*all)[i], "name"));
         if (animation.name.empty()) animation.name = fmt::format("animation {}", i);
         const std::string broken = reader.read((*all)[i], place, animation);
+        if (reader.pointers() > 0) {
+            context.warn(place,
+                         fmt::format("{} of its channels need KHR_animation_pointer, which is not supported; they "
+                                     "are left out",
+                                     reader.pointers()));
+        }
         if (!broken.empty()) {
             context.warn(place, broken + "; left out");
         } else if (!animation.channels.empty()) {

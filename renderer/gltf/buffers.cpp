@@ -59,6 +59,7 @@ std::span<const std::uint8_t> Buffers::buffer(std::size_t i) {
 
 std::span<const std::uint8_t> Buffers::view(std::size_t i) {
     const Json& json = root_["bufferViews"][i];
+    if (json["byteLength"] == 0) return {};
     return buffer(json["buffer"].get<std::size_t>())
         .subspan(json.value("byteOffset", std::size_t{0}), json["byteLength"].get<std::size_t>());
 }

@@ -17,7 +17,8 @@ public:
     Buffers(Context& context, const Json& root, const Container& container);
     /// Returns the bytes of glTF buffer `i`; loads them on first use. @throws Error when they cannot be loaded.
     std::span<const std::uint8_t> buffer(std::size_t i);
-    /// Returns the bytes of glTF buffer view `i`. Its range was validated by check_data().
+    /// Returns the bytes of glTF buffer view `i`, whose range was validated by check_data(); empty for a faulty view,
+    /// which no accessor reads.
     std::span<const std::uint8_t> view(std::size_t i);
     /// Returns the bytes that files and data URIs may still take.
     std::size_t bytes_left() const { return bytes_left_; }

@@ -48,6 +48,7 @@ void load(Context& context, Scene& scene) {
     const PlacedNodes placed = place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
     add_rig(context, root, model, accessors, primitives, placed, scene);
     textures.decode();
+    make_full_blends_opaque(context, root, scene);
     if (scene.objects.empty()) context.warn("the file has no triangles to show");
     if (scene.lights.size() > std::size_t(kMaxLights)) {
         context.warn(fmt::format("the file has {} lights, the first {} can be used", scene.lights.size(), kMaxLights));

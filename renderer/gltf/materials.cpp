@@ -1,5 +1,6 @@
 #include "renderer/gltf/materials.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/base/printable.h"
@@ -78,6 +79,33 @@ UvSource Materials::uv_source(const Json& info, const Place& place) {
     if (good) return changed;
     context_.warn(Place(place, "KHR_texture_transform"), "has invalid values; ignored");
     return out;
+}
+
+void make_full_blends_opaque(Context& context, const Json& root, Scene& scene) {
+    constexpr float kFull = 254.f / 255;
+    std::vector<float> vertex_alpha(scene.materials.size(), 2);  // the least one; 2: no mesh has the material
+    for (const Mesh& mesh : scene.meshes) {
+        if (mesh.material < 0 || scene.materials[std::size_t(mesh.material)].alpha != AlphaMode::Blend) continue;
+        float& least = vertex_alpha[std::size_t(mesh.material)];
+        least = std::min(least, 1.f);
+        for (const glm::vec4& colour : mesh.colours) least = colour.a < least ? colour.a : least;
+    }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        Material& material = scene.materials[i];
+        if (material.alpha != AlphaMode::Blend || vertex_alpha[i] > 1) continue;
+        const bool has_texture =
+            member(member(&root["materials"][i], "pbrMetallicRoughness"), "baseColorTexture") != nullptr;
+        std::uint8_t texel_alpha = 255;
+        if (material.base_colour_texture >= 0) {
+            const auto& rgba = scene.textures[std::size_t(material.base_colour_texture)].rgba;
+            for (std::size_t at = 3; at < rgba.size(); at += 4) texel_alpha = std::min(texel_alpha, rgba[at]);
+        } else if (has_texture) {
+            continue;  // its alpha is unknown
+        }
+        if (!(material.base_colour.a * (float(texel_alpha) / 255) * vertex_alpha[i] >= kFull)) continue;
+        material.alpha = AlphaMode::Opaque;
+        context.warn(Place("materials", i), "alphaMode is BLEND with alpha 1 everywhere; drawn and cast as opaque");
+    }
 }
 
 const MaterialUv& Materials::use(int i) {

@@ -23,6 +23,10 @@ struct MaterialUv {
     UvSource base_colour, normal;
 };
 
+/// Makes materials opaque that blend with alpha 1 at every texel and vertex, with a warning for each: blending with it
+/// changes no pixel, and an opaque surface casts a shadow. Call after Textures::decode().
+void make_full_blends_opaque(Context& context, const Json& root, Scene& scene);
+
 /// Materials of one glTF file; textures are requested when a material is first used.
 class Materials {
 public:

@@ -14,6 +14,36 @@ namespace {
 
 constexpr std::size_t kMostObjects = 1'000'000;
 
+std::vector<int> parents_of(const tinygltf::Model& model) {
+    std::vector<int> parent(model.nodes.size(), -1);
+    for (std::size_t i = 0; i < parent.size(); ++i)
+        for (const int child : model.nodes[i].children) parent[std::size_t(child)] = int(i);
+    return parent;
+}
+
+/// Returns the nodes that a scene lists, each once. A listed child (UniGLTF 1.27) is drawn as other viewers do: below
+/// its parent when the scene shows that, else as a root.
+std::vector<int> listed_nodes(Context& context, const tinygltf::Model& model, int scene) {
+    const std::vector<int> parent = parents_of(model);
+    std::vector<char> listed(model.nodes.size(), 0);
+    std::vector<int> out;
+    for (const int node : model.scenes[std::size_t(scene)].nodes)
+        if (!std::exchange(listed[std::size_t(node)], 1)) out.push_back(node);
+    std::erase_if(out, [&](int node) {
+        const int above = parent[std::size_t(node)];
+        if (above < 0) return false;
+        int ancestor = above;
+        while (ancestor >= 0 && !listed[std::size_t(ancestor)]) ancestor = parent[std::size_t(ancestor)];
+        const bool is_shown_below = ancestor >= 0;
+        const Place scene_place("scenes", scene);
+        context.warn(Place(scene_place, "nodes"),
+                     fmt::format("node {} is no root, it is a child of node {}; drawn {}", node, above,
+                                 is_shown_below ? "below it" : "as a root, without its parent's transform"));
+        return is_shown_below;
+    });
+    return out;
+}
+
 std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int wanted, Scene& scene) {
     for (const tinygltf::Scene& s : model.scenes) scene.file_scenes.push_back(printable(s.name));
     if (wanted >= 0 && std::size_t(wanted) >= model.scenes.size()) {
@@ -23,27 +53,19 @@ std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int
     }
     const bool chosen = wanted >= 0;
     if (!chosen) wanted = model.defaultScene >= 0 ? model.defaultScene : 0;
-    std::vector<int> roots;
     if (!model.scenes.empty()) {
         scene.file_scene = wanted;
         if (model.scenes.size() > 1 && !chosen) {
             context.warn(Place("scenes"), fmt::format("the file has {} scenes; scene {} is shown, scene.index chooses",
                                                       model.scenes.size(), wanted));
         }
-        std::vector<char> seen(model.nodes.size(), 0);
-        for (const int node : model.scenes[std::size_t(wanted)].nodes) {
-            if (!std::exchange(seen[std::size_t(node)], 1)) roots.push_back(node);
-        }
-        return roots;
+        return listed_nodes(context, model, wanted);
     }
     // A file without scenes shows all root nodes.
-    std::vector<char> has_parent(model.nodes.size(), 0);
-    for (const auto& node : model.nodes) {
-        for (const int child : node.children) has_parent[std::size_t(child)] = 1;
-    }
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        if (!has_parent[i]) roots.push_back(int(i));
-    }
+    std::vector<int> roots;
+    const std::vector<int> parent = parents_of(model);
+    for (std::size_t i = 0; i < parent.size(); ++i)
+        if (parent[i] < 0) roots.push_back(int(i));
     return roots;
 }
 

@@ -61,15 +61,16 @@ struct Sizes {
 /// @throws Error when one is no array of objects, or they would need more than 512 MiB
 Sizes check_arrays(const Context& context, const Json& root);
 
-/// Validates the byte ranges of all buffers, views and accessors (sparse ones too) of a glTF file. @throws Error
-void check_data(const Context& context, const Json& root, const Sizes& sizes);
+/// Validates the byte ranges of all buffers, views and accessors (sparse ones too) of a glTF file. A faulty view that
+/// no accessor reads becomes an empty one in `root`, with a warning. @throws Error
+void check_data(Context& context, Json& root, const Sizes& sizes);
 
 /// Validates the references and the node graph of a glTF file: a forest (at most one parent, no cycle), at most 512
 /// levels deep. @throws Error
 void check_graph(Context& context, const Json& root, const Sizes& sizes);
 
-/// Validates materials, textures and samplers of a glTF file. Wrong values that affect the look alone are erased from
-/// `root` with a warning. @throws Error for others
+/// Validates materials, textures and samplers of a glTF file. Wrong values and references are erased from `root` with a
+/// warning, as they affect the look alone.
 void check_look(Context& context, Json& root, const Sizes& sizes);
 
 /// Returns the bytes of one component of a glTF componentType; 0 for an unknown type.

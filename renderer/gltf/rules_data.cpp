@@ -14,6 +14,7 @@ constexpr std::uint64_t kMostZeros = std::uint64_t{1} << 22;  ///< elements of a
 
 struct View {
     std::uint64_t bytes = 0, stride = 0;
+    std::string fault;  ///< empty: readable
 };
 
 std::vector<std::uint64_t> check_buffers(const Context& context, const Json& root) {
@@ -37,17 +38,26 @@ std::vector<View> check_views(const Context& context, const Json& root, const st
     for (std::size_t i = 0; i < views->size(); ++i) {
         const Place place("bufferViews", i);
         const Fields fields(context, (*views)[i], place);
-        const std::size_t buffer = fields.index_required("buffer", buffers.size());
+        const std::uint64_t buffer = fields.whole_required("buffer", ~std::uint64_t{0});
         const std::uint64_t offset = fields.whole("byteOffset", kMostBytes).value_or(0);
-        const View view{fields.whole_required("byteLength", kMostBytes), fields.whole("byteStride", 65535).value_or(0)};
-        if (view.bytes == 0) context.fail(Place(place, "byteLength"), "is 0");
-        if (offset + view.bytes > buffers[buffer]) {
-            context.fail(place, fmt::format("bytes {} to {} pass the end of buffer {}, which has {}", offset,
-                                            offset + view.bytes, buffer, buffers[buffer]));
+        View view{fields.whole_required("byteLength", kMostBytes), fields.whole("byteStride", 65535).value_or(0), {}};
+        if (buffer >= buffers.size()) {
+            view.fault = fmt::format("buffer {} does not exist, the file has {}", buffer, buffers.size());
+        } else if (view.bytes == 0) {
+            view.fault = "its byteLength is 0";
+        } else if (offset + view.bytes > buffers[buffer]) {
+            view.fault = fmt::format("bytes {} to {} pass the end of buffer {}, which has {}", offset,
+                                     offset + view.bytes, buffer, buffers[buffer]);
         }
-        out.push_back(view);
+        out.push_back(std::move(view));
     }
     return out;
+}
+
+/// Returns a view that something reads. @throws Error when it is faulty
+const View& readable(const Context& context, const std::vector<View>& views, std::size_t i) {
+    if (!views[i].fault.empty()) context.fail(Place("bufferViews", i), views[i].fault);
+    return views[i];
 }
 
 /// Throws Error unless `count` elements of `element` bytes, `stride` apart, lie inside the view.
@@ -78,7 +88,7 @@ void check_sparse(const Context& context, const Json& accessor, const Place& acc
         const std::size_t view = part.index_required("bufferView", views.size());
         // tinygltf stores these offsets in 32 bits.
         const std::uint64_t offset = part.whole("byteOffset", 0x7fffffff).value_or(0);
-        check_range(context, part.place(), views[view], offset, changed, bytes, bytes);
+        check_range(context, part.place(), readable(context, views, view), offset, changed, bytes, bytes);
     };
     check(indices, component_bytes(type));
     check(values, element);
@@ -106,13 +116,14 @@ void check_accessors(const Context& context, const Json& root, const std::vector
             normalized != accessor.end() && !normalized->is_boolean()) {
             context.fail(Place(place, "normalized"), "is neither true nor false");
         }
-        if (const auto view = fields.index("bufferView", views.size())) {
-            const std::uint64_t stride = views[*view].stride == 0 ? element : views[*view].stride;
+        if (const auto index = fields.index("bufferView", views.size())) {
+            const View& view = readable(context, views, *index);
+            const std::uint64_t stride = view.stride == 0 ? element : view.stride;
             if (stride < element) {
                 context.fail(place, fmt::format("its buffer view's byteStride {} is less than its element of {} bytes",
                                                 stride, element));
             }
-            check_range(context, place, views[*view], offset, count, stride, element);
+            check_range(context, place, view, offset, count, stride, element);
         } else if (count > kMostZeros) {
             context.fail(place, fmt::format("{} elements have no bufferView, at most {} are read", count, kMostZeros));
         }
@@ -141,8 +152,14 @@ std::size_t element_bytes(std::string_view type, std::uint64_t component_type) {
     return 0;
 }
 
-void check_data(const Context& context, const Json& root, const Sizes&) {
-    check_accessors(context, root, check_views(context, root, check_buffers(context, root)));
+void check_data(Context& context, Json& root, const Sizes&) {
+    const std::vector<View> views = check_views(context, root, check_buffers(context, root));
+    check_accessors(context, root, views);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].fault.empty()) continue;
+        context.warn(Place("bufferViews", i), views[i].fault + "; no accessor reads it, it counts as empty");
+        root["bufferViews"][i] = {{"buffer", 0}, {"byteLength", 0}};
+    }
 }
 
 }  // namespace si::gltf

@@ -110,17 +110,13 @@ void check_depth(const Context& context, const std::vector<std::size_t>& parent)
     }
 }
 
-void check_scenes(Context& context, const Json& root, const Sizes& sizes, const std::vector<std::size_t>& parent) {
+void check_scenes(Context& context, const Json& root, const Sizes& sizes) {
     const Place top("scene");
     if (const auto scene = root.find("scene"); scene != root.end()) checked_index(context, *scene, top, sizes.scenes);
     std::vector<std::size_t> seen_in(sizes.nodes, sizes.scenes);
     for (std::size_t i = 0; i < sizes.scenes; ++i) {
         const Place place("scenes", i);
         for (const std::size_t node : Fields(context, root["scenes"][i], place).indices("nodes", sizes.nodes)) {
-            if (parent[node] != sizes.nodes) {
-                context.fail(Place(place, "nodes"),
-                             fmt::format("node {} is no root, it is a child of node {}", node, parent[node]));
-            }
             if (seen_in[node] == i) context.warn(Place(place, "nodes"), fmt::format("node {} is listed twice", node));
             seen_in[node] = i;
         }
@@ -185,9 +181,8 @@ Sizes check_arrays(const Context& context, const Json& root) {
 
 void check_graph(Context& context, const Json& root, const Sizes& sizes) {
     check_meshes(context, root, sizes);
-    const auto parent = check_parents(context, root, sizes);
-    check_depth(context, parent);
-    check_scenes(context, root, sizes, parent);
+    check_depth(context, check_parents(context, root, sizes));
+    check_scenes(context, root, sizes);
     check_skins(context, root, sizes);
 }
 

@@ -1,5 +1,7 @@
-// Validation of materials, textures and samplers. A wrong reference is an error; a wrong value is dropped with a
-// warning.
+// Validation of materials, textures and samplers. Wrong values and references are dropped with a warning, as they
+// change the look alone.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,6 +20,19 @@ void erase_unless(Context& context, Json& object, const Place& place, const char
     object.erase(it);
 }
 
+/// Erases a reference to an element that does not exist, with a warning that ends in `consequence`.
+/// @param what the element: "image"
+void erase_missing(Context& context, Json& object, const Place& place, const char* key, std::string_view what,
+                   std::size_t size, std::string_view consequence) {
+    const auto it = object.find(key);
+    if (it == object.end() || index_member(object, key, size)) return;
+    const std::string fault = it->is_number_unsigned()
+                                  ? fmt::format("{} {} does not exist, the file has {}", what, it->dump(), size)
+                                  : fmt::format("names no {}", what);
+    context.warn(Place(place, key), fmt::format("{}; {}", fault, consequence));
+    object.erase(it);
+}
+
 bool is_object(const Json& value) {
     return value.is_object();
 }
@@ -27,7 +42,11 @@ void check_texture_info(Context& context, Json& owner, const Place& owner_place,
     const auto it = owner.find(key);
     if (it == owner.end()) return;
     const Place place(owner_place, key);
-    Fields(context, *it, place).index_required("index", sizes.textures);
+    erase_missing(context, *it, place, "index", "texture", sizes.textures, "drawn untextured");
+    if (!it->contains("index")) {
+        owner.erase(it);
+        return;
+    }
     erase_unless(context, *it, place, "texCoord",
                  [](const Json& v) { return v.is_number_unsigned() && v.get<std::uint64_t>() < 64; });
     erase_unless(context, *it, place, "scale", [](const Json& v) { return is_number_within(v, -1e6, 1e6); });
@@ -67,9 +86,9 @@ void check_look(Context& context, Json& root, const Sizes& sizes) {
     }
     for (std::size_t i = 0; i < sizes.textures; ++i) {
         const Place place("textures", i);
-        const Fields fields(context, root["textures"][i], place);
-        fields.index("sampler", sizes.samplers);
-        fields.index("source", sizes.images);
+        Json& texture = root["textures"][i];
+        erase_missing(context, texture, place, "sampler", "sampler", sizes.samplers, "the default is used");
+        erase_missing(context, texture, place, "source", "image", sizes.images, "what reads it is drawn untextured");
     }
     for (std::size_t i = 0; i < sizes.samplers; ++i) {
         const Place place("samplers", i);

@@ -100,7 +100,7 @@ std::string Textures::fetch(int image, std::span<const std::uint8_t>& bytes, Byt
     const auto view = index_member(json, "bufferView", views ? views->size() : 0);
     if (!view) return "its bufferView does not exist";
     bytes = buffers_.view(*view);
-    return "";
+    return bytes.empty() ? fmt::format("its bufferView {} is faulty", *view) : "";
 }
 
 Textures::Decoding Textures::start(const Job& job) {

@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
 #include "tests/support/missing_reason.h"
+#include "tests/unit/gltf_test_file.h"
 
 namespace si::test {
 namespace {
@@ -106,6 +107,31 @@ TEST(Corpus, EveryModelLoadsOrIsRefusedWithItsReason) {
 }
 TEST(Corpus, EveryBrokenFileGetsItsError) {
     run(kShared / "bad-gltf", "MANIFEST.tsv", 200);
+}
+
+/// Note that a real file's loading has to give: a part of it.
+struct RealFile {
+    const char *file, *note;
+};
+constexpr RealFile kRealFiles[] = {
+    {"pmndrs_diamond/diamond.glb", "textures[1].source: image 1 does not exist"},
+    {"webxr_stereo/stereo.gltf", "255 is the restart value of its type"},
+    {"sketches_bunny/bunny.glb", "BLEND with alpha 1 everywhere; drawn and cast as opaque"},
+    {"unigltf_tile/tile.glb", "node 1 is no root, it is a child of node 0"},
+    {"png_deflate_block_type_3.gltf", "images[0]: the PNG's compressed data is damaged; drawn untextured"},
+    {"jpeg_sos_unknown_component.gltf", "images[0]: the JPEG's scan names component"},
+    {"tex_noimage.glb", "textures[0].source: image 0 does not exist"},
+    {"zero_view_unused.gltf", "bufferViews[2]: its byteLength is 0; no accessor reads it"},
+};
+
+TEST(Corpus, FilesOfWebSitesLoadWithANote) {
+    const std::filesystem::path folder = kShared / "real-files";
+    if (!std::filesystem::exists(folder / "EXPECT.tsv")) GTEST_SKIP() << test::kMissingReason << folder;
+    run(folder, "EXPECT.tsv", 10);
+    for (const RealFile& row : kRealFiles) {
+        const Scene scene = load_gltf(folder / row.file);
+        EXPECT_TRUE(mentions(scene.warnings, row.note)) << row.file << ": " << testing::PrintToString(scene.warnings);
+    }
 }
 
 }  // namespace

@@ -216,6 +216,23 @@ TEST(Animation, SkinsWithBadReferencesAreRefused) {
     EXPECT_NE(file.error().find("skins[0].joints[1]: index 9 is out of range"), std::string::npos);
 }
 
+TEST(Animation, ChannelsOfAnimationPointersAreNamed) {
+    GltfFile file = skinned_triangle();
+    const Json pointer = {{"path", "pointer"},
+                          {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/0/scale"}}}}}};
+    const int times = file.floats({0, 1}, "SCALAR"), places = file.floats({0, 0, 0, 1, 0, 0}, "VEC3");
+    file.json["animations"] = {{{"samplers", {{{"input", times}, {"output", places}}}},
+                                {"channels",
+                                 {{{"sampler", 0}, {"target", pointer}},
+                                  {{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}};
+    const Scene scene = file.load();
+    ASSERT_TRUE(scene.rig);
+    ASSERT_EQ(scene.rig->animations.size(), 1u);
+    EXPECT_EQ(scene.rig->animations[0].channels.size(), 1u);
+    EXPECT_TRUE(mentions(scene.warnings,
+                         "animations[0]: 1 of its channels need KHR_animation_pointer, which is not supported"));
+}
+
 TEST(Animation, StaticSceneHasNoRig) {
     GltfFile file;
     file.add_triangle();

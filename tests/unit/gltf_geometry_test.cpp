@@ -92,7 +92,24 @@ TEST(GltfGeometry, IndicesBeyondTheVerticesAreRefused) {
     EXPECT_EQ(error_with(2, 3), "");
     EXPECT_NE(error_with(3, 3).find("meshes[0].primitives[0].indices: accessor 1: index 3 is out of range"),
               std::string::npos);
-    EXPECT_NE(error_with(65535, 70000), "");  // would restart the primitive
+    EXPECT_NE(error_with(65535, 65535), "");
+}
+
+TEST(GltfGeometry, RestartValuesThatNameAVertexAreIndices) {
+    const auto loaded = [](int indices, std::size_t vertices, GltfFile& file) {
+        std::vector<float> positions(3 * vertices);
+        positions[3] = positions[positions.size() - 2] = 1;  // the second and the last vertex
+        const int position = file.floats(positions, "VEC3");
+        file.root({{"mesh", file.mesh({{"attributes", {{"POSITION", position}}}, {"indices", indices}})}});
+        return file.load();
+    };
+    GltfFile bytes, shorts;
+    const Scene scene = loaded(bytes.indices(std::vector<std::uint8_t>{0, 1, 255}), 256, bytes);
+    EXPECT_EQ(corners(scene.meshes[0]), (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_TRUE(mentions(scene.warnings, "meshes[0].primitives[0].indices: accessor 0: 255 is the restart value"));
+    const Scene wide = loaded(shorts.indices(std::vector<std::uint16_t>{0, 1, 65535}), 65536, shorts);
+    EXPECT_EQ(wide.triangle_count(), 1u);
+    EXPECT_TRUE(mentions(wide.warnings, "65535 is the restart value"));
 }
 
 TEST(GltfGeometry, InterleavedAttributesAreSeparated) {

@@ -107,6 +107,22 @@ TEST(GltfGuard, UnsupportedRequiredExtensionsAreNamed) {
     }
 }
 
+TEST(GltfGuard, FaultyViewsAreRefusedOnlyWhereAnAccessorReadsThem) {
+    for (const auto& [view, fault] :
+         {std::pair<Json, const char*>{{{"buffer", 0}, {"byteLength", 0}}, "its byteLength is 0"},
+          {{{"buffer", 7}, {"byteLength", 4}}, "buffer 7 does not exist, the file has 1"},
+          {{{"buffer", 0}, {"byteOffset", 4}, {"byteLength", 4000}}, "bytes 4 to 4004 pass the end of buffer 0"}}) {
+        GltfFile file;
+        file.add_triangle();
+        file.append("bufferViews", view);
+        const Scene scene = file.load();
+        EXPECT_EQ(scene.triangle_count(), 1u);
+        EXPECT_TRUE(mentions(scene.warnings, std::string("bufferViews[1]: ") + fault)) << fault;
+        file.json["accessors"][0]["bufferView"] = 1;
+        EXPECT_NE(file.error().find(std::string("bufferViews[1]: ") + fault), std::string::npos) << file.error();
+    }
+}
+
 TEST(GltfGuard, VersionsOtherThanTwoAreRefused) {
     const auto with_asset = [](const Json& asset) {
         GltfFile file;

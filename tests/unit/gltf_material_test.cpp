@@ -175,6 +175,60 @@ TEST(GltfMaterial, BrokenImageDropsOnlyItsTexture) {
     EXPECT_TRUE(mentions(scene.warnings, "images[1]"));
 }
 
+TEST(GltfMaterial, WrongReferencesOfTexturesAreDropped) {
+    Textured file;
+    file.append("textures", {{"source", 4}, {"sampler", 2}});  // read by nothing
+    file.append("textures", {{"source", "leaf"}});
+    const Scene scene = file.load();
+    EXPECT_EQ(scene.materials.at(0).base_colour_texture, 0);
+    EXPECT_TRUE(mentions(scene.warnings, "textures[1].source: image 4 does not exist, the file has 1"));
+    EXPECT_TRUE(mentions(scene.warnings, "textures[1].sampler: sampler 2 does not exist, the file has 0"));
+    EXPECT_TRUE(mentions(scene.warnings, "textures[2].source: names no image"));
+    for (const int texture : {1, 9}) {
+        file.texture_info()["index"] = texture;
+        EXPECT_EQ(file.load().materials.at(0).base_colour_texture, -1) << texture;
+    }
+    EXPECT_TRUE(mentions(file.load().warnings, "texture 9 does not exist, the file has 3; drawn untextured"));
+}
+
+TEST(GltfMaterial, AnImageInAFaultyViewIsNotShown) {
+    Textured file;
+    file.json["images"][0]["bufferView"] = file.append("bufferViews", {{"buffer", 0}, {"byteLength", 4000}});
+    const Scene scene = file.load();
+    EXPECT_TRUE(scene.textures.empty());
+    EXPECT_TRUE(mentions(scene.warnings, "images[0]: its bufferView"));
+}
+
+TEST(GltfMaterial, BlendWithFullAlphaIsOpaque) {
+    const auto alpha = [](GltfFile& file) {
+        const Scene scene = file.load();
+        const bool opaque = scene.materials.at(0).alpha == AlphaMode::Opaque;
+        EXPECT_EQ(mentions(scene.warnings,
+                           "materials[0]: alphaMode is BLEND with alpha 1 everywhere; drawn and cast "
+                           "as opaque"),
+                  opaque);
+        return scene.materials.at(0).alpha;
+    };
+    Textured file;
+    file.material()["alphaMode"] = "BLEND";
+    EXPECT_EQ(alpha(file), AlphaMode::Blend) << "the texture's second texel has alpha 128";
+    Textured undecoded = file;
+    undecoded.json["images"][0] = {{"uri", "missing.png"}};
+    EXPECT_EQ(alpha(undecoded), AlphaMode::Blend) << "its alpha is unknown";
+    file.material()["pbrMetallicRoughness"].erase("baseColorTexture");
+    EXPECT_EQ(alpha(file), AlphaMode::Opaque);
+    for (const auto& [factor, mode] : {std::pair{0.9965, AlphaMode::Opaque}, {0.995, AlphaMode::Blend}}) {
+        file.material()["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, factor};
+        EXPECT_EQ(alpha(file), mode) << factor;
+    }
+    file.material()["pbrMetallicRoughness"].erase("baseColorFactor");
+    Json& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["COLOR_0"] = file.floats({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1}, "VEC4");
+    EXPECT_EQ(alpha(file), AlphaMode::Opaque);
+    attributes["COLOR_0"] = file.floats({1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 0.5f}, "VEC4");
+    EXPECT_EQ(alpha(file), AlphaMode::Blend);
+}
+
 TEST(GltfMaterial, WrongValuesFallBackWithAWarning) {
     Textured file;
     file.material()["alphaMode"] = "HASHED";

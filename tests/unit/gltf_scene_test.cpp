@@ -132,6 +132,34 @@ TEST(GltfScene, ReadsLightsOfThreeTypes) {
     EXPECT_NEAR(scene.lights[3].outer_cone_rad, std::numbers::pi / 4, 1e-12);
 }
 
+/// Makes a file with a triangle in node 1, a child of node 0 that moves it by 4. @param listed nodes of the scene
+GltfFile with_child(const Json& listed) {
+    GltfFile file;
+    file.append("nodes", {{"children", {1}}, {"translation", {4, 0, 0}}});
+    file.add_triangle();
+    file.json["scenes"][0]["nodes"] = listed;
+    return file;
+}
+
+TEST(GltfScene, AListedChildIsDrawnAsARootWithANote) {
+    const Scene scene = with_child({1}).load();
+    ASSERT_EQ(scene.objects.size(), 1u);
+    expect_place_near(scene.bounds.lo, {0, 0, 0});
+    EXPECT_TRUE(mentions(scene.warnings,
+                         "scenes[0].nodes: node 1 is no root, it is a child of node 0; drawn as a root, without its "
+                         "parent's transform"));
+}
+
+TEST(GltfScene, AListedChildOfAListedNodeIsDrawnOnceBelowIt) {
+    for (const Json& listed : {Json{0, 1}, Json{1, 0}}) {
+        const Scene scene = with_child(listed).load();
+        ASSERT_EQ(scene.objects.size(), 1u);
+        expect_place_near(scene.bounds.lo, {4, 0, 0});
+        EXPECT_TRUE(mentions(scene.warnings, "node 1 is no root, it is a child of node 0; drawn below it"));
+    }
+    EXPECT_TRUE(with_child({0}).load().warnings.empty());
+}
+
 TEST(GltfScene, CyclesSecondParentsAndDanglingChildrenAreRefused) {
     const auto with_children = [](std::initializer_list<Json> children) {
         GltfFile file;
