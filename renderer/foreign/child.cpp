@@ -30,7 +30,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int kPollMs = 50;
 constexpr std::size_t kBlock = std::size_t{1} << 20;
-constexpr std::size_t kHeaderBytes = 9;
 
 /// File descriptor that closes itself.
 struct Descriptor {
@@ -180,22 +179,19 @@ private:
     }
 
     bool receive_header(int socket) {
-        const ssize_t got = ::recv(socket, header_ + header_size_, kHeaderBytes - header_size_, MSG_DONTWAIT);
+        const ssize_t got = ::recv(socket, header_.data() + header_size_, header_.size() - header_size_, MSG_DONTWAIT);
         if (got < 0) return errno == EAGAIN || errno == EINTR;
         if (got == 0) return false;
         header_size_ += std::size_t(got);
-        if (header_size_ < kHeaderBytes) return true;
+        if (header_size_ < header_.size()) return true;
         header_size_ = 0;
-        kind_ = Message(header_[0]);
-        std::uint64_t bytes = 0;
-        std::memcpy(&bytes, header_ + 1, sizeof bytes);
-        const bool is_answer = kind_ == Message::Answer;
-        if (bytes > (is_answer ? limits_.answer_bytes : kMaxFailureBytes)) {
-            throw Error(fmt::format("{} returns {} bytes, more than the limit of {}", job_.label, bytes,
-                                    is_answer ? limits_.answer_bytes : kMaxFailureBytes));
-        }
+        const MessageHeader header = unpack(header_);
+        kind_ = header.kind;
+        const std::size_t limit = kind_ == Message::Answer ? limits_.answer_bytes : kMaxFailureBytes;
+        if (header.bytes > limit)
+            throw Error(fmt::format("{} returns {} bytes, more than the limit of {}", job_.label, header.bytes, limit));
         body_.clear();
-        wanted_ = std::size_t(bytes);
+        wanted_ = std::size_t(header.bytes);
         if (wanted_ == 0) finish_message();
         return true;
     }
@@ -216,7 +212,7 @@ private:
     const std::function<bool(double)>& progress_;
     std::vector<std::uint8_t> body_;
     std::size_t wanted_ = 0, header_size_ = 0;
-    char header_[kHeaderBytes] = {};
+    PackedHeader header_{};
     Message kind_ = Message::Failure;
     bool sending_ = true, done_ = false;
     double shown_ = 0;

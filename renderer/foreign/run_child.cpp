@@ -35,10 +35,8 @@ void write_all(const void* data, std::size_t size) {
 }
 
 void send_message(Message kind, std::span<const std::uint8_t> body) {
-    char header[9] = {char(kind)};
-    const std::uint64_t bytes = body.size();
-    std::memcpy(header + 1, &bytes, sizeof bytes);
-    write_all(header, sizeof header);
+    const PackedHeader header = pack({kind, body.size()});
+    write_all(header.data(), header.size());
     write_all(body.data(), body.size());
 }
 

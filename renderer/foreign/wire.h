@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <cstring>
 
 namespace si::foreign {
 
@@ -17,9 +17,24 @@ enum class Message : std::uint8_t {
 
 /// Header of a message: its kind, and the bytes that follow.
 struct MessageHeader {
-    std::uint64_t bytes = 0;
     Message kind = Message::Failure;
+    std::uint64_t bytes = 0;
 };
+using PackedHeader = std::array<std::uint8_t, 1 + sizeof(std::uint64_t)>;  ///< header as it is sent
+
+/// Returns a header as it is sent.
+inline PackedHeader pack(const MessageHeader& header) {
+    PackedHeader out{std::uint8_t(header.kind)};
+    std::memcpy(out.data() + 1, &header.bytes, sizeof header.bytes);
+    return out;
+}
+
+/// Returns the header that pack() packed.
+inline MessageHeader unpack(const PackedHeader& packed) {
+    MessageHeader out{Message(packed[0])};
+    std::memcpy(&out.bytes, packed.data() + 1, sizeof out.bytes);
+    return out;
+}
 
 inline constexpr std::size_t kMaxFailureBytes = 2000;
 inline constexpr const char* kChildOption = "--foreign-job";  ///< hidden first argument of a child
