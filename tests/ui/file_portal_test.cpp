@@ -5,10 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cctype>
 #include <cstdlib>
 
-#include "renderer/importers/importers.h"
 #include "tests/support/process.h"
 #include "tests/ui/fake_portal.h"
 #include "tests/ui/ui_harness.h"
@@ -61,20 +59,10 @@ TEST(FilePortal, FileIsChosen) {
     EXPECT_EQ(question.title, "Open a scene or a preset");
     const auto folder = question.options.at("current_folder").get<std::vector<std::uint8_t>>();
     EXPECT_EQ(std::string(folder.begin(), folder.end()), std::string("/some where") + '\0');
-    // Portals compare names letter by letter, so that each letter stands in both cases.
-    std::string scenes;
-    for (const Importer& importer : importers())
-        for (const std::string_view extension : importer.extensions) {
-            scenes += " *.";
-            for (const char c : extension.substr(1)) {
-                const bool is_letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
-                scenes += is_letter ? std::string{'[', c, char(std::toupper(static_cast<unsigned char>(c))), ']'}
-                                    : std::string{c};
-            }
-        }
-    EXPECT_NE(scenes.find(" *.[gG][lL][tT][fF] *.[gG][lL][bB]"), std::string::npos);
-    EXPECT_EQ(names(question.options), (std::vector<std::string>{"Scenes and presets:" + scenes + " *.[jJ][sS][oO][nN]",
-                                                                 "Scenes:" + scenes, "Presets: *.[jJ][sS][oO][nN]"}));
+    EXPECT_EQ(names(question.options),
+              (std::vector<std::string>{
+                  "Scenes and presets: *.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM] *.[jJ][sS][oO][nN]",
+                  "Scenes: *.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM]", "Presets: *.[jJ][sS][oO][nN]"}));
     using Filter = sdbus::Struct<std::string, std::vector<sdbus::Struct<std::uint32_t, std::string>>>;
     EXPECT_EQ(question.options.at("current_filter").get<Filter>().get<0>(), "Presets");
     desktop.answer(question, 0, {"file:///some%20where/gr%C3%B6%C3%9Fe%2520.json"});
