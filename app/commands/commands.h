@@ -157,8 +157,8 @@ struct ContactSheetOptions : CommandOptions {
     std::string folder;  ///< folder of the models
     int columns = 8;
 };
-/// Runs the command `contact-sheet`: draws every model below a folder into one picture, and writes an
-/// index (.txt) next to it.
+/// Runs the command `contact-sheet`: draws every model below a folder into one picture, and writes an index
+/// (.txt) next to it.
 void run_contact_sheet(const ContactSheetOptions& options);
 
 /// Options of the commands below `preset`.
