@@ -10,13 +10,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/base/regular_file.h"
 
 namespace si {
 namespace {
@@ -98,6 +97,17 @@ void write_file(const fs::path& path, std::string_view bytes) {
     write_atomically(path, {bytes});
 }
 
+void write_regular_file(const fs::path& path, std::string_view bytes) {
+    require_regular(path);
+    write_file(path, bytes);
+}
+
+void require_regular(const fs::path& path) {
+    std::error_code error;
+    if (is_special(path) && !fs::is_directory(path, error))
+        throw Error(fmt::format("{}: is not a regular file; move it away or choose another place", path.string()));
+}
+
 std::string png_bytes(const ByteImage& image) {
     std::vector<std::uint8_t> rgb(image.data.size() / 4 * 3);
     for (std::size_t i = 0; i < rgb.size() / 3; ++i) std::copy_n(&image.data[4 * i], 3, &rgb[3 * i]);
@@ -146,13 +156,9 @@ std::string read_text_file(const fs::path& path) {
     if (!fs::is_regular_file(status)) throw Error(fmt::format("{}: is not a file", path.string()));
     if (fs::file_size(path, error) > kMaxTextBytes)
         throw Error(fmt::format("{}: is larger than 16 MiB, which no text file of this program is", path.string()));
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw Error(fmt::format("{}: cannot be read: {}", path.string(), errno_text()));
-    std::ostringstream text;  // stream iterators would throw on a read error
-    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-    if (in.bad() || text.fail()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), errno_text()));
-    return text.str();
+    const ReadResult read = read_regular_file(path, kMaxTextBytes);
+    if (!read.error.empty()) throw Error(fmt::format("{}: {}", path.string(), read.error));
+    return std::string(read.bytes.text());
 }
 
 }  // namespace si

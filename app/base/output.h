@@ -30,6 +30,13 @@ void require_output(const std::filesystem::path& path, std::string_view what,
 /// Writes bytes to a file, replacing it atomically; devices and pipes are written directly. @throws Error
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Writes bytes to a regular file, replacing it atomically. A pipe, which could block, or a device is refused.
+/// @throws Error
+void write_regular_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Checks that no pipe and no device is at `path`. @throws Error
+void require_regular(const std::filesystem::path& path);
+
 /// Encodes an image as 8-bit RGB PNG; alpha is dropped. @throws Error
 std::string png_bytes(const ByteImage& image);
 

@@ -15,6 +15,7 @@
 #include "app/session/session.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/advise/bias_needs.h"
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/measure.h"
@@ -329,7 +330,7 @@ void run_docs_techniques(const DocsOptions& options) {
         }
     }
     if (options.check) return compare_page(output, page, folder, painter.pictures());
-    fs::create_directories(folder);
+    make_folders(folder);
     for (const auto& [file, bytes] : painter.pictures()) write_file(folder / file, bytes);
     write_file(output, page);
 }

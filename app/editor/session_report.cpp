@@ -59,7 +59,7 @@ void SessionReport::write(const Log& log) {
         row.update(memory_json(s.memory));
         json["memory_over_time"].push_back(std::move(row));
     }
-    write_file(path_, json_text(json));
+    write_regular_file(path_, json_text(json));
 }
 
 }  // namespace si

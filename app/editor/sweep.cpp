@@ -12,6 +12,7 @@
 #include "app/sweep/measured_cases.h"
 #include "app/sweep/progress_line.h"
 #include "app/sweep/results.h"
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
 
@@ -42,7 +43,7 @@ std::pair<fs::path, bool> folder_for(const fs::path& parent, const SweepSpec& sp
     std::string problem;
     for (int i = 1; i <= kMaxFolders; ++i) try {
             remove_sweep_files(numbered(i));
-            return {numbered(i), fs::create_directories(numbered(i))};
+            return {numbered(i), make_folders(numbered(i))};
         } catch (const std::exception& e) {
             problem = e.what();
         }
@@ -191,7 +192,7 @@ void EditorSweep::save(const fs::path& folder) const {
     const SweepState state = read_journal(shown_->folder);
     std::error_code error;
     if (!fs::equivalent(folder, shown_->folder, error)) {
-        fs::create_directories(folder);
+        make_folders(folder);
         if (has_journal(folder)) remove_sweep_files(folder);
         fs::copy_file(shown_->folder / kJournalFile, folder / kJournalFile);
         copy_pictures(shown_->folder, folder);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
 
@@ -78,7 +79,7 @@ void Autosave::forget_lost() {
 
 bool Autosave::claim_file() {
     if (lock_) return true;
-    fs::create_directories(folder_);
+    make_folders(folder_);
     for (int n = 0; n < 100 && !lock_; ++n) {
         file_ = folder_ / fmt::format("{}-{}{}", ::getpid(), n, kSessionExtension);
         std::error_code error;

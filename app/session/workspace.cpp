@@ -10,6 +10,7 @@
 
 #include "app/base/json_text.h"
 #include "app/base/output.h"
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 #include "renderer/base/index_of.h"
 
@@ -163,13 +164,13 @@ void Workspace::change(const std::function<void(WorkspaceData&)>& edit) {
         return;
     }
     try {
-        fs::create_directories(folder_);
+        make_folders(folder_);
         const LockFile lock(folder_ / "workspace.lock", true);
         WorkspaceData stored = data_;
         const bool ours = read(stored);
         edit(stored);
         data_ = std::move(stored);
-        if (ours) write_file(folder_ / kFile, to_text(data_));
+        if (ours) write_regular_file(folder_ / kFile, to_text(data_));
     } catch (const std::exception& e) {
         data_ = std::move(wanted);
         remarks_.push_back(fmt::format("layout and recent files are not remembered: {}", e.what()));

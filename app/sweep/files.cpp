@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 
 #include "app/base/output.h"
 #include "app/report/report.h"
@@ -24,6 +25,8 @@ constexpr const char* kResultsFile = "results.json";
 constexpr const char* kTableFile = "results.csv";
 constexpr const char* kReportFile = "report.html";
 constexpr const char* kPictures = "pictures";
+/// Names of the files in a sweep's folder.
+constexpr std::array kNames = {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile};
 
 /// Returns true for file names that picture_path() and artefacts_path() make.
 bool is_picture_of_case(const fs::path& path) {
@@ -35,7 +38,7 @@ bool is_picture_of_case(const fs::path& path) {
 /// Returns the first file in the folder that a sweep would replace; empty: none.
 std::string first_replaced_file(const fs::path& folder) {
     std::error_code error;
-    for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile})
+    for (const char* name : kNames)
         if (fs::exists(fs::symlink_status(folder / name, error))) return name;
     for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
         if (is_picture_of_case(entry.path())) return fmt::format("{}/{}", kPictures, entry.path().filename().string());
@@ -48,13 +51,13 @@ SweepResults write_sweep_files(const fs::path& folder, const SweepState& state, 
                                SweepFiles which) {
     SweepResults results = sweep_results(state, plan);
     const Json json = results_json(results);
-    write_file(folder / kResultsFile, json_text(json));
-    write_file(folder / kTableFile, results_csv(results));
+    write_regular_file(folder / kResultsFile, json_text(json));
+    write_regular_file(folder / kTableFile, results_csv(results));
     if (which == SweepFiles::Results) return results;
     const SweepSpec spec = spec_from_json(state.spec);
     save_preset({.about = "What all cases of a sweep have in common", .scene = spec.scene, .settings = spec.base},
                 folder / kBasePreset);
-    write_file(folder / kReportFile, report_html(json, folder));
+    write_regular_file(folder / kReportFile, report_html(json, folder));
     return results;
 }
 
@@ -89,8 +92,7 @@ void remove_sweep_files(const fs::path& folder) {
         throw Error(fmt::format("{}: another process is at this sweep; wait for it, or choose another folder",
                                 folder.string()));
     }
-    for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile})
-        fs::remove(folder / name, error);
+    for (const char* name : kNames) fs::remove(folder / name, error);
     for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
         if (is_picture_of_case(entry.path())) fs::remove(entry.path(), error);
     fs::remove(folder / kPictures, error);  // fails if other files are in the folder, which then stays
@@ -101,11 +103,21 @@ void require_sweep_folder(const fs::path& folder) {
     std::error_code error;
     if (fs::exists(folder, error) && !fs::is_directory(folder, error))
         throw Error(fmt::format("{}: is a file; name a folder", folder.string()));
+    for (const fs::path& file : sweep_files(folder)) require_regular(file);
     if (has_own_journal(folder)) return;
     if (const std::string name = first_replaced_file(folder); !name.empty())
         throw Error(
             fmt::format("{}: holds {}, and no {} says that a sweep wrote it; choose another folder, or move it away",
                         folder.string(), name, kJournalFile));
+}
+
+std::vector<fs::path> sweep_files(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const char* name : kNames) files.push_back(folder / name);
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
+        if (is_picture_of_case(entry.path())) files.push_back(entry.path());
+    return files;
 }
 
 bool lacks_pictures(const fs::path& folder, std::size_t case_number) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "app/sweep/results.h"
 
@@ -30,6 +31,9 @@ void remove_sweep_files(const std::filesystem::path& folder);
 /// Checks that a sweep may write into the folder. @throws Error when the folder holds files that a sweep would replace
 /// and no journal of a sweep
 void require_sweep_folder(const std::filesystem::path& folder);
+
+/// Returns the files that a sweep writes into the folder, with the pictures that are there.
+std::vector<std::filesystem::path> sweep_files(const std::filesystem::path& folder);
 
 /// Returns true if a picture of the case is missing in the folder.
 bool lacks_pictures(const std::filesystem::path& folder, std::size_t case_number);

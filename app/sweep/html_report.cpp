@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "app/sweep/columns.h"
@@ -12,6 +10,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
+#include "renderer/base/regular_file.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/starting_values.h"
@@ -84,10 +83,10 @@ std::string command_of(const Json& results, const Json& row) {
 }
 
 std::string data_uri(const fs::path& file, const char* type) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return {};
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    return bytes.empty() ? std::string() : fmt::format("data:{};base64,{}", type, base64(bytes));
+    constexpr std::size_t kMaxPictureBytes = std::size_t{16} << 20;
+    const ReadResult read = read_regular_file(file, kMaxPictureBytes);
+    if (!read.error.empty() || read.bytes.size == 0) return {};
+    return fmt::format("data:{};base64,{}", type, base64(read.bytes.text()));
 }
 
 /// Embeds pictures up to the size limit: those of the Pareto front first, then all thumbnails, then all artefact

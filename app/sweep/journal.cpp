@@ -3,17 +3,19 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "app/base/json_text.h"
 #include "app/base/output.h"
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/base/regular_file.h"
 
 namespace si {
 namespace {
@@ -21,12 +23,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMaxBadLines = 5;  ///< number of bad lines that notes name one by one
+constexpr std::size_t kMaxJournalBytes = std::size_t{4} << 30;
 
 /// Returns the journal's text up to its last line break; a rest without one was cut off.
 std::string whole_lines(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw Error(fmt::format("{}: cannot be read: {}", file.string(), errno_text()));
-    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const ReadResult read = read_regular_file(file, kMaxJournalBytes);
+    if (!read.error.empty()) throw Error(fmt::format("{}: {}; choose another folder", file.string(), read.error));
+    std::string text(read.bytes.text());
     const auto last = text.rfind('\n');
     text.resize(last == std::string::npos ? 0 : last + 1);
     return text;
@@ -36,6 +39,23 @@ std::string whole_lines(const fs::path& file) {
 std::size_t case_count(const SweepState& state) {
     const SweepSpec spec = spec_from_json(state.spec);
     return plan_sweep(spec.base, spec.axes).cases.size();
+}
+
+/// Reads one line of a journal. @throws Error, in this program's words
+void apply_line(SweepState& state, std::string_view text, bool& begins) {
+    Json line;
+    try {
+        line = parse_json_text(text, {});
+    } catch (const Error&) {
+        throw Error("it is cut short or damaged");
+    }
+    begins = line.contains("format");
+    if (!begins && state.spec.is_null()) throw Error("it stands before the line that says what is swept");
+    try {
+        state.apply(line);
+    } catch (const Json::exception&) {
+        throw Error("a number or a text is missing or of another kind");
+    }
 }
 
 SweepState state_of(std::string_view text, const fs::path& file) {
@@ -50,10 +70,7 @@ SweepState state_of(std::string_view text, const fs::path& file) {
         ++number;
         bool begins = false;
         try {
-            const Json line = parse_json_text(text.substr(0, end), "not readable");
-            begins = line.contains("format");
-            if (!begins && state.spec.is_null()) throw Error("it stands before the line that says what is swept");
-            state.apply(line);
+            apply_line(state, text.substr(0, end), begins);
             if (begins) state.case_count = case_count(state);
         } catch (const OtherMeaning& e) {
             refuse(number, e.what());
@@ -126,13 +143,14 @@ SweepState read_journal(const fs::path& folder) {
 }
 
 Journal::Journal(const fs::path& folder, const Json& spec, const std::string& plan) : file_(folder / kJournalFile) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    make_folders(folder);
     require_writable(file_);
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0644);
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644);
     if (descriptor_ < 0) throw Error(fmt::format("{}: cannot be written: {}", file_.string(), errno_text()));
     try {
+        struct stat status {};
+        if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode))
+            throw Error(fmt::format("{}: is not a regular file; choose another folder", file_.string()));
         if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
             throw Error(fmt::format("{}: another process is at this sweep; wait for it, or choose another folder",
                                     folder.string()));

@@ -7,6 +7,7 @@
 #include "app/base/output.h"
 #include "app/sweep/files.h"
 #include "app/sweep/results.h"
+#include "renderer/base/error.h"
 
 namespace si {
 namespace {
@@ -17,11 +18,13 @@ std::string why_failed(const Attempt& attempt) {
     try {
         attempt();
         return {};
-    } catch (const std::bad_alloc&) {
-        return "out of memory";
-    } catch (const std::exception& e) {
+    } catch (const Error& e) {
         const std::string why = one_line(e.what());
         return why.empty() ? "failed without a reason" : why;
+    } catch (const std::bad_alloc&) {
+        return "out of memory";
+    } catch (const std::exception&) {
+        return "a library of the program failed; the same command with --retry tries it again";
     }
 }
 
@@ -79,8 +82,8 @@ bool SweepRunner::step_facts() {
         why = why_failed([&] { facts = meter_.facts(c); });
         if (why.empty()) {
             make_picture_folder(folder_);
-            if (!facts.picture_jpg.empty()) write_file(folder_ / picture_path(number), facts.picture_jpg);
-            if (!facts.artefacts_png.empty()) write_file(folder_ / artefacts_path(number), facts.artefacts_png);
+            if (!facts.picture_jpg.empty()) write_regular_file(folder_ / picture_path(number), facts.picture_jpg);
+            if (!facts.artefacts_png.empty()) write_regular_file(folder_ / artefacts_path(number), facts.artefacts_png);
             journal_.add(facts_line(number, facts));
         }
     }

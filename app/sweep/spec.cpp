@@ -147,6 +147,8 @@ SweepSpec spec_from_json(const Json& json, int settings_version) {
         for (const auto& [key, value] : json["settings"].items()) set_setting(spec.base, key, value.get<std::string>());
         spec.shard = parse_shard(json.at("shard").get<std::string>());
         return spec;
+    } catch (const Json::exception&) {
+        throw Error("what the sweep is of cannot be read: a member is missing or of another kind");
     } catch (const std::exception& e) {
         throw Error(fmt::format("what the sweep is of cannot be read: {}", e.what()));
     }

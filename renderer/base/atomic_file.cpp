@@ -126,6 +126,13 @@ fs::path writable_target(const fs::path& path) {
     return target;
 }
 
+bool make_folders(const fs::path& folder) {
+    std::error_code error;
+    const bool made = fs::create_directories(folder, error);
+    if (error) throw Error(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+    return made;
+}
+
 void write_atomically(const fs::path& path, std::initializer_list<std::string_view> parts) {
     const fs::path target = writable_target(path);
     struct stat old {};

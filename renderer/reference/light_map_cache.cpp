@@ -4,15 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <utility>
 
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/key.h"
+#include "renderer/base/regular_file.h"
 #include "renderer/reference/ray_scenes.h"
 
 namespace si {
@@ -56,25 +55,29 @@ std::string_view bytes_of(const Header& header) {
 /// Reads a light map file. Returns nothing without a file, or with an unusable one. @param remark receives the reason
 std::optional<LightMap> read_map(const fs::path& path, std::uint64_t content, const LightMapLayout& layout,
                                  std::string& remark) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {};
+    std::error_code missing;
+    if (!fs::exists(fs::symlink_status(path, missing))) return {};
     const auto unusable = [&](std::string_view why) {
         remark = fmt::format("{}: {}; the light map is baked again", path.string(), why);
         return std::nullopt;
     };
-    std::array<char, kMagic.size()> magic;
+    const std::size_t texels = std::size_t(layout.side) * std::size_t(layout.side);
+    const std::size_t bytes = kMagic.size() + sizeof(Header) + texels;
+    const ReadResult file = read_regular_file(path, 2 * bytes);
+    if (!file.error.empty()) return unusable(file.error);
+    std::string_view rest = file.bytes.text();
+    if (!rest.starts_with(kMagic)) return unusable("no light map");
+    rest.remove_prefix(kMagic.size());
     Header header;
-    file.read(magic.data(), magic.size());
-    if (!file || std::string_view(magic.data(), magic.size()) != kMagic) return unusable("no light map");
-    file.read(reinterpret_cast<char*>(&header), sizeof header);
-    if (!file) return unusable("cut short");
+    if (rest.size() < sizeof header) return unusable("cut short");
+    std::memcpy(&header, rest.data(), sizeof header);
+    rest.remove_prefix(sizeof header);
     if (header.version != kVersion) return unusable("of another version of the program");
     if (header.content != content || header.side != layout.side || header.layout != key_of(layout))
         return unusable("of another scene, light or version of the program");
     LightMap out;
-    out.texels.resize(std::size_t(layout.side) * std::size_t(layout.side));
-    file.read(reinterpret_cast<char*>(out.texels.data()), std::streamsize(out.texels.size()));
-    if (!file || file.peek() != std::ifstream::traits_type::eof()) return unusable("cut short, or too long");
+    if (rest.size() != texels) return unusable("cut short, or too long");
+    out.texels.assign(rest.begin(), rest.end());
     if (key_of(out.texels) != header.texels_key) return unusable("damaged");
     out.rays = header.rays;
     out.held = TrackedMemory("light maps", array_bytes(out.texels));
@@ -118,7 +121,7 @@ void make_room(const fs::path& folder, std::uint64_t most) {
 /// Writes a light map file. Returns the error; empty: success.
 std::string write_map(const fs::path& folder, std::uint64_t max_bytes, std::uint64_t content, const LightMap& map) {
     try {
-        fs::create_directories(folder);
+        make_folders(folder);
         const Header header{.side = map.layout->side,
                             .content = content,
                             .layout = key_of(*map.layout),

@@ -14,6 +14,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/fake_sweep.h"
 #include "tests/support/process.h"
+#include "tests/support/text.h"
 
 namespace si {
 namespace {
@@ -145,6 +146,19 @@ TEST(Sweep, BadLineLosesOnlyItsCase) {
     for (int i = 0; i < 1000; ++i) changed += "x\n";
     std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
     EXPECT_LT(read_journal(f.folder).notes.size(), 10u);
+    // Notes are sentences of this program, not of its libraries.
+    changed = lines[0] + "\n";
+    for (const char* line :
+         {"{\"facts\":1", "{\"facts\":1,\"error\":3}", "{\"turn\":0,\"round\":\"a\"}", "[1]", "\xff"})
+        changed += line + std::string("\n");
+    std::ofstream(f.folder / kJournalFile, std::ios::binary) << changed;
+    const SweepState damaged = read_journal(f.folder);
+    EXPECT_EQ(damaged.notes.size(), 5u);
+    for (const std::string& note : damaged.notes)
+        for (const char* foreign : {"json.exception", "parse", "type must be", "literal", "syntax", "cannot use"})
+            EXPECT_EQ(note.find(foreign), note.npos) << note;
+    EXPECT_EQ(test::lacking(damaged.notes[0], {"line 2 is left out: it is cut short or damaged"}), "");
+    EXPECT_EQ(test::lacking(damaged.notes[1], {"line 3 is left out: a number or a text is missing"}), "");
 }
 
 TEST(Sweep, ImpossibleNumbersAreMeasuredAgain) {

@@ -1,4 +1,4 @@
-#include "renderer/gltf/file.h"
+#include "renderer/base/regular_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <cstring>
 #include <new>
 
-namespace si::gltf {
+namespace si {
 namespace {
 
 struct Descriptor {
@@ -66,4 +66,4 @@ ReadResult read_regular_file(const std::filesystem::path& path, std::size_t max_
     return result;
 }
 
-}  // namespace si::gltf
+}  // namespace si
