@@ -22,15 +22,23 @@ void handle(int signal, void (*handler)(int)) {
     ::sigaction(signal, &action, nullptr);
 }
 
+/// Installs a handler for each signal that requests a stop. A SIGHUP that `nohup` ignores stays ignored.
+void handle_all(void (*handler)(int)) {
+    for (const int signal : {SIGINT, SIGTERM}) handle(signal, handler);
+    struct sigaction present {};
+    ::sigaction(SIGHUP, nullptr, &present);
+    if (present.sa_handler != SIG_IGN) handle(SIGHUP, handler);
+}
+
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
     g_signal = 0;
-    for (const int signal : {SIGINT, SIGTERM}) handle(signal, note);
+    handle_all(note);
 }
 
 InterruptGuard::~InterruptGuard() {
-    for (const int signal : {SIGINT, SIGTERM}) handle(signal, SIG_DFL);
+    handle_all(SIG_DFL);
 }
 
 bool InterruptGuard::stop_requested() const {

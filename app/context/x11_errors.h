@@ -1,10 +1,24 @@
-// Handling of errors reported by the X server.
+// Handling of errors reported by the X server, and of its end.
 #pragma once
+
+#include <functional>
+#include <string>
 
 namespace si {
 
 /// Prints X errors to stderr instead of ending the program. Some are harmless: a file manager that closes during a drag
-/// leaves messages to a window that is gone. Call after creating windows, since GLFW restores Xlib's own handler.
+/// leaves messages to a window that is gone. When the X server ends, the program ends with a sentence and exit code 1.
+/// Call after creating windows, since GLFW restores Xlib's own handler.
 void survive_x_errors();
+
+/// Scope in which `save` keeps the user's work if the X server ends. It runs on the thread of this object and may not
+/// use the window. It returns a clause for the message: "the next start offers the unsaved settings".
+class XServerGuard {
+public:
+    explicit XServerGuard(std::function<std::string()> save);
+    ~XServerGuard();
+    XServerGuard(const XServerGuard&) = delete;
+    XServerGuard& operator=(const XServerGuard&) = delete;
+};
 
 }  // namespace si

@@ -17,6 +17,7 @@
 #include "app/base/output.h"
 #include "app/context/imgui_session.h"
 #include "app/context/window_context.h"
+#include "app/context/x11_errors.h"
 #include "app/editor/file_portal.h"
 #include "app/editor/headless_editor.h"
 #include "app/editor/model.h"
@@ -140,9 +141,13 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     FilePortal portal(WindowContext::wake);
     model.has_desktop_dialog = true;
     std::string titled;
-    const InterruptGuard interrupt;  // SIGTERM ends the editor cleanly
-    int due = kSettleFrames;         // frames to draw before the editor may sleep
-    int still = 0;                   // consecutive polls without work
+    const InterruptGuard interrupt;  // SIGTERM and SIGHUP end the editor cleanly
+    const XServerGuard server([&]() -> std::string {
+        model.save_before_crash();
+        return options.state_folder.empty() ? "" : "the next start offers the settings that were not saved";
+    });
+    int due = kSettleFrames;  // frames to draw before the editor may sleep
+    int still = 0;            // consecutive polls without work
     while (!window.should_close() && !interrupt.stop_requested()) {
         if (due > 0)
             window.poll_events();
@@ -185,7 +190,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         try {
             gl::check_context_alive();
         } catch (const gl::ContextLost&) {
-            model.save_autosave_now();  // the next start offers the session
+            model.save_before_crash();  // the next start offers the session
             throw;
         }
         window.hold_cursor(requests.hold_cursor);

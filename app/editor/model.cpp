@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include "app/editor/clipboard.h"
@@ -149,6 +150,11 @@ void EditorModel::write_when_due() {
         session_.stop_writing();
         report(state, e.what());
     }
+}
+
+void EditorModel::save_before_crash() {
+    persistence_.write_when_due(state, std::numeric_limits<double>::infinity());
+    attempt(state, [&] { session_.write(state.log); });
 }
 
 void EditorModel::follow_memory(bool wanted) {

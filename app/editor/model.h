@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,8 +95,8 @@ public:
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
     /// Writes autosave, workspace and session report, each when it is due. Call regularly, also while nothing is drawn.
     void write_when_due();
-    /// Writes the autosave at once, before an unclean end.
-    void save_autosave_now() { persistence_.write_when_due(state, std::numeric_limits<double>::infinity()); }
+    /// Writes autosave, workspace and session report at once, before an unclean end. Errors go to the log.
+    void save_before_crash();
     /// Remembers the window's size (screen coordinates at scale 1).
     void note_window_size(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
     /// Writes workspace and report at the end. Settings that no preset holds are offered at the next start.

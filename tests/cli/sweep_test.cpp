@@ -217,7 +217,7 @@ TEST(SweepCommand, ErrorsOfAnotherDefinitionAreNeitherContinuedNorMerged) {
 
 TEST(SweepCommand, InterruptedSweepContinues) {
     const fs::path folder = fresh_test_folder();
-    for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
         const std::string out = std::to_string(signal);
         // Enough cases that the sweep cannot end before the signal.
         Words words = sweep_of(out, "--no-time --vary bias.normal=0:1.4:0.1");

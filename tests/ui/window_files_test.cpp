@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <thread>
 
@@ -188,7 +189,7 @@ TEST_F(WindowFiles, ClosedEditorOffersUnsavedSettingsAgain) {
 
     ASSERT_NO_FATAL_FAILURE(start());
     change_bias();
-    program_->send_sigterm();
+    program_->send(SIGTERM);
     EXPECT_TRUE(wait_until([&] { return !program_->running(); }));
     EXPECT_EQ(program_->code(), 0) << log();
     EXPECT_FALSE(kept().is_null()) << "ended by a signal, and lost";

@@ -57,8 +57,8 @@ Process::~Process() {
     waitpid(pid_, nullptr, 0);
 }
 
-void Process::send_sigterm() {
-    if (pid_ > 0) ::kill(pid_, SIGTERM);
+void Process::send(int signal) const {
+    if (pid_ > 0) ::kill(pid_, signal);
 }
 
 void Process::hold(bool held) {

@@ -35,8 +35,8 @@ public:
     bool running();
     /// Ends the process by SIGKILL.
     void kill_at_once();
-    /// Ends the process by SIGTERM, as batch systems do.
-    void send_sigterm();
+    /// Sends a signal to the process.
+    void send(int signal) const;
     /// Stops the process (SIGSTOP), as a slow frame would, or continues it (SIGCONT).
     void hold(bool held);
     /// Returns the exit code; valid once running() is false.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <thread>
 
 #include "tests/ui/test_editor.h"
@@ -21,6 +22,33 @@ TEST_F(Window, WaitingEndsWithTheProgramAndWithTheServer) {
     server_->kill_at_once();
     EXPECT_FALSE(wait_until(never));
     EXPECT_EQ(looks, 4);
+}
+
+TEST_F(Window, EndOfTheServerKeepsTheSessionAndIsASentence) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    keys("u");  // all bias away
+    wait_until_idle();
+    server_->kill_at_once();
+    wait_until([&] { return !program_->running(); });
+    for (int i = 0; i < 600 && program_->running(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    ASSERT_FALSE(program_->running());
+    EXPECT_EQ(program_->code(), 1) << log();
+    EXPECT_NE(log().find("shadow-inspector: the X server has ended; the next start offers"), std::string::npos)
+        << log();
+    std::size_t kept = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(state_folder() / "sessions"))
+        if (entry.path().extension() == ".json") kept += !json_of(entry.path())["settings"].empty();
+    EXPECT_EQ(kept, 1u);
+}
+
+TEST_F(Window, ClosedTerminalEndsTheEditorCleanly) {
+    ASSERT_NO_FATAL_FAILURE(start());
+    keys("u");
+    wait_until_idle();
+    program_->send(SIGHUP);
+    wait_until([&] { return !program_->running(); });
+    EXPECT_EQ(program_->code(), 0) << log();
+    EXPECT_TRUE(std::filesystem::exists(state_folder() / "workspace.json")) << "the layout is kept";
 }
 
 TEST_F(Window, FrontierDotIsClicked) {
