@@ -168,8 +168,8 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
     if (!has_comma || second.ec != std::errc() || second.ptr != end)
         throw UsageError(fmt::format("{} {}: must be X,Y from the top left, such as 640,360", option, text));
     if (x < 0 || y < 0 || x >= size.width || y >= size.height)
-        throw UsageError(fmt::format("{} {}: outside of the picture of {} x {} pixels (0,0 to {},{})", option, text,
-                                     size.width, size.height, size.width - 1, size.height - 1));
+        throw UsageError(fmt::format("{} {}: outside of the picture of {} x {} pixels; the last one is {},{}", option,
+                                     text, size.width, size.height, size.width - 1, size.height - 1));
     return {x, y};
 }
 

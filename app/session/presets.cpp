@@ -165,7 +165,19 @@ Preset load_preset(const std::string& name_or_path) {
 }
 
 void save_preset(const Preset& preset, const std::filesystem::path& path) {
-    write_file(path, preset_text(preset));
+    // JSON would replace the bytes, and the preset would then name nothing.
+    const auto require_utf8 = [&](std::string_view what, const std::string& text) {
+        if (!is_utf8(text))
+            refuse(path.string(),
+                   fmt::format("{} \"{}\" is not UTF-8, which a preset must be; rename it", what, printable(text)));
+    };
+    require_utf8("the name", path.filename().string());
+    require_utf8("the scene", preset.scene);
+    require_utf8("the title", preset.title);
+    require_utf8("the topic", preset.topic);
+    require_utf8("the sentence", preset.about);
+    for (const auto& [object, own] : preset.settings.objects) require_utf8("the object", object);
+    write_regular_file(path, preset_text(preset));
 }
 
 std::vector<BuiltinPreset> builtin_presets() {

@@ -28,7 +28,7 @@ std::string preset_text(const Preset& preset);
 
 /// Loads a built-in preset by key, or a preset file. @throws Error
 Preset load_preset(const std::string& name_or_path);
-/// Writes a preset file atomically. @throws Error
+/// Writes a preset file atomically. @throws Error, also for a name or text that is not UTF-8
 void save_preset(const Preset& preset, const std::filesystem::path& path);
 
 /// Key and texts of a preset that is embedded in the program.

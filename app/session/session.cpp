@@ -46,13 +46,18 @@ std::pair<std::string, std::string> key_and_value(const std::string& assignment)
     return {assignment.substr(0, equals), assignment.substr(equals + 1)};
 }
 
+/// Formats the indices of `count` things: "0", "0 to 5".
+std::string indices(int count) {
+    return count == 1 ? "0" : fmt::format("0 to {}", count - 1);
+}
+
 /// @throws UsageError when the scene lacks the chosen camera; with `left_out`, the first one is chosen instead.
 void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::string>* left_out) {
     const int count = int(scene.cameras.size());
     if (camera.index <= 0 || camera.index < count) return;
     const std::string text =
         fmt::format("camera.index {}: {} has {} camera{}; {}", camera.index, scene.name, count, count == 1 ? "" : "s",
-                    count == 0 ? "leave it out" : fmt::format("choose 0 to {}, or -1 to show everything", count - 1));
+                    count == 0 ? "leave it out" : fmt::format("choose {}, or -1 to show everything", indices(count)));
     if (!left_out) throw UsageError(text);
     left_out->push_back(text);
     camera.index = 0;
@@ -140,8 +145,8 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
         const int count = int(scene.rig->animations.size());
         if (settings.animation < -1 || settings.animation >= count)
             throw UsageError(
-                fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
-                            settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
+                fmt::format("scene.animation {}: {} has {} animation{}; choose {}, or -1 for the rest pose",
+                            settings.animation, scene.name, count, count == 1 ? "" : "s", indices(count)));
         // Bounds and animation are known before the lights of a file are placed.
         measure_animation_bounds(scene, settings.fit_animation ? settings.animation : -1);
         // Ground and camera are set before posing, so that they do not depend on scene.time.

@@ -52,4 +52,15 @@ std::string printable(std::string_view text, std::size_t max_bytes) {
     return out;
 }
 
+bool is_utf8(std::string_view text) {
+    constexpr char32_t kFirstOfLength[] = {0, 0, 0x80, 0x800, 0x10000};  // shorter forms are not valid
+    while (!text.empty()) {
+        const Decoded d = decode(text);
+        const bool surrogate = d.code >= 0xd800 && d.code <= 0xdfff;
+        if (d.bytes == 0 || d.code < kFirstOfLength[d.bytes] || surrogate || d.code > 0x10ffff) return false;
+        text.remove_prefix(d.bytes);
+    }
+    return true;
+}
+
 }  // namespace si

@@ -10,4 +10,7 @@ namespace si {
 /// escapes such as \x1b or \u202e. Text longer than `max_bytes` is cut at a character and ends in "…".
 std::string printable(std::string_view text, std::size_t max_bytes = 160);
 
+/// Returns true for text that is valid UTF-8, as JSON requires.
+bool is_utf8(std::string_view text);
+
 }  // namespace si

@@ -47,9 +47,9 @@ std::vector<int> listed_nodes(Context& context, const tinygltf::Model& model, in
 std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int wanted, Scene& scene) {
     for (const tinygltf::Scene& s : model.scenes) scene.file_scenes.push_back(printable(s.name));
     if (wanted >= 0 && std::size_t(wanted) >= model.scenes.size()) {
-        context.fail(Place("scenes"),
-                     fmt::format("scene {} does not exist, the file has {}", wanted, model.scenes.size()),
-                     "choose another scene");
+        context.fail(
+            Place("scenes"), fmt::format("scene {} does not exist, the file has {}", wanted, model.scenes.size()),
+            model.scenes.size() < 2 ? "leave scene.index out" : fmt::format("choose 0 to {}", model.scenes.size() - 1));
     }
     const bool chosen = wanted >= 0;
     if (!chosen) wanted = model.defaultScene >= 0 ? model.defaultScene : 0;

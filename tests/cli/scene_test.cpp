@@ -132,6 +132,11 @@ TEST(SceneCommand, SettingsSelectSceneAndCamera) {
     EXPECT_EQ(report_of("two.glb --set scene.index=1", folder)["scene"]["triangles"], 2);
     const Words render = "render -o b.png --size 32x32 --set";
     expect_error(render + "camera.index=2 two.glb", 2, "has 2 cameras; choose 0 to 1, or -1", folder);
+    write(folder / "one.glb", rich_model());
+    expect_error(render + "scene.animation=3 one.glb", 2, "has 1 animation; choose 0, or -1 for the rest pose", folder);
+    expect_error(render + "camera.index=3 one.glb", 2, "has 1 camera; choose 0, or -1 to show everything", folder);
+    expect_error(render + "scene.index=3 one.glb", 1, "scene 3 does not exist, the file has 1; leave scene.index out",
+                 folder);
     expect_error(render + "scene.index=2 two.glb", 1, "scene 2 does not exist, the file has 2", folder);
     expect_error(render + "scene.index=0 boxes", 0, "no effect", folder);
 }

@@ -223,6 +223,9 @@ TEST(GltfGuard, Base64IsStrict) {
 
 TEST(GltfGuard, NamesAreMadePrintable) {
     EXPECT_EQ(printable("größe 模型 ❤"), "größe 模型 ❤");
+    EXPECT_TRUE(is_utf8("größe 模型 ❤"));
+    for (const char* broken : {"\xff", "a\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\x80"})
+        EXPECT_FALSE(is_utf8(broken)) << printable(broken);
     EXPECT_EQ(printable("a\x1b[31m\n"), "a\\x1b[31m\\x0a");
     EXPECT_EQ(printable("\u202e"
                         "x\xff"),
