@@ -19,8 +19,10 @@ void run_export(const CommandOptions& options) {
     }
     hide_objects(session.scene, {});  // hidden objects are exported, and hidden again by their setting
     remove_ground(session.scene);     // the ground is not part of the scene
+    const std::vector<std::string> changes = export_notes(session.scene);
     save_gltf(session.scene, options.output);
     print_notes(session.notes);
+    print_notes(changes);
 }
 
 }  // namespace si

@@ -25,6 +25,7 @@ Bytes Buffers::load(const Json& buffer, const Place& place) {
             context_.fail(here, fmt::format("\"{}\": {}", uri.substr(0, 120), resolved.error),
                           "put the file next to the model and name it by a relative path");
         }
+        context_.note_file(resolved.path);
         read = read_regular_file(resolved.path, bytes_left_, [this](double) { context_.progress(0.4); });
         if (!read.error.empty()) {
             context_.fail(here, fmt::format("\"{}\" {}", uri.substr(0, 120), read.error),

@@ -48,6 +48,10 @@ void Context::close_warnings() {
     not_kept_ = 0;
 }
 
+void Context::note_file(const std::filesystem::path& path) {
+    if (std::ranges::find(files_, path, &StampedFile::path) == files_.end()) files_.push_back(stamped(path));
+}
+
 void Context::progress(double fraction) {
     shown_ = std::max(shown_, fraction);
     if (options_.progress && !options_.progress(shown_)) throw Error("cancelled");

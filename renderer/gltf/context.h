@@ -51,6 +51,11 @@ public:
     /// @throws Error "cancelled" when the callback returns false.
     void progress(double fraction);
 
+    /// Records a file that the scene depends on. Call before reading it, even if it is missing.
+    void note_file(const std::filesystem::path& path);
+    /// Returns the recorded files.
+    std::vector<StampedFile> take_files() { return std::move(files_); }
+
     /// Returns the path of the glTF file.
     const std::filesystem::path& path() const { return path_; }
     /// Returns the options of load_gltf().
@@ -60,6 +65,7 @@ private:
     std::filesystem::path path_;
     const GltfOptions& options_;
     std::vector<std::string>& warnings_;
+    std::vector<StampedFile> files_;
     std::size_t not_kept_ = 0;
     double shown_ = 0;
 };

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "renderer/scene/scene.h"
 
@@ -22,5 +24,9 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options = 
 /// Saves a scene as one self-contained file, atomically: .gltf (JSON with embedded buffers) or .glb, by extension.
 /// @throws Error naming the file
 void save_gltf(const Scene& scene, const std::filesystem::path& path);
+
+/// Lists what save_gltf() bakes or drops of a scene, one sentence each: pose, skins, morph targets, animations,
+/// placement, and parts of its file that the scene does not hold.
+std::vector<std::string> export_notes(const Scene& scene);
 
 }  // namespace si

@@ -6,6 +6,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/gltf/extras.h"
+#include "renderer/gltf/not_written.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/scene/scene_lights.h"
@@ -26,6 +27,7 @@ std::string about(const Json& root) {
 }
 
 void load(Context& context, Scene& scene) {
+    context.note_file(context.path());
     ReadResult file = read_regular_file(context.path(), context.options().max_file_bytes,
                                         [&](double part) { context.progress(0.4 * part); });
     if (!file.error.empty()) context.fail(file.error, "give the path of a .gltf or .glb file");
@@ -36,6 +38,7 @@ void load(Context& context, Scene& scene) {
     check_data(context, root, sizes);
     check_graph(context, root, sizes);
     check_look(context, root, sizes);
+    scene.not_written = parts_not_written(root);
     const tinygltf::Model model = read_model(context, root);
     scene.about = about(root);
     read_scene_extras(context, root, context.options().scene, scene);
@@ -92,6 +95,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
     try {
         gltf::load(context, scene);
         context.close_warnings();
+        scene.files = context.take_files();
         context.progress(0.95);
         finalise(scene);
         // Exported light settings that the user changed take precedence over those that the lights suggest.

@@ -87,6 +87,7 @@ std::string Textures::fetch(int image, std::span<const std::uint8_t>& bytes, Byt
         } else {
             const ResolvedUri resolved = resolve_uri(context_.path().parent_path(), uri);
             if (!resolved.error.empty()) return fmt::format("\"{}\": {}", uri.substr(0, 120), resolved.error);
+            context_.note_file(resolved.path);
             read = read_regular_file(resolved.path, buffers_.bytes_left());
         }
         if (!read.error.empty()) return read.error;

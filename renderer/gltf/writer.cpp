@@ -19,6 +19,7 @@
 #include "renderer/base/lower_case.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/scene/animation.h"
 #include "renderer/scene/scene_lights.h"
 
 namespace si {
@@ -352,6 +353,39 @@ std::string words(std::initializer_list<std::uint64_t> values) {
 }
 
 }  // namespace
+
+std::vector<std::string> export_notes(const Scene& scene) {
+    std::vector<std::string> notes;
+    const auto count = [](std::size_t n, std::string_view what) {
+        return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+    };
+    std::size_t skinned = 0, morphed = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        if (!mesh.deformer) continue;
+        if (mesh.deformer->skin) ++skinned;
+        if (mesh.deformer->source && !mesh.deformer->source->targets.empty()) ++morphed;
+    }
+    if (skinned > 0)
+        notes.push_back(fmt::format("the skin of {} is baked: the file holds the vertices of this pose, without joints",
+                                    count(skinned, "mesh")));
+    if (morphed > 0)
+        notes.push_back(fmt::format("morph targets of {} are baked: the file holds the vertices of this pose",
+                                    count(morphed, "mesh")));
+    if (scene.rig && !scene.rig->animations.empty())
+        notes.push_back(fmt::format("{} dropped: the file holds the pose at scene.time",
+                                    scene.rig->animations.size() == 1
+                                        ? "the animation is"
+                                        : fmt::format("{} animations are", scene.rig->animations.size())));
+    if (scene.placement != glm::dmat4(1.0))
+        notes.push_back("scene.distance, scene.direction and scene.scale are baked into the root nodes");
+    if (scene.file_scenes.size() > 1)
+        notes.push_back(fmt::format("{} of the file dropped: the file holds the shown one",
+                                    scene.file_scenes.size() == 2
+                                        ? "the other scene is"
+                                        : fmt::format("the other {} scenes are", scene.file_scenes.size() - 1)));
+    notes.insert(notes.end(), scene.not_written.begin(), scene.not_written.end());
+    return notes;
+}
 
 void save_gltf(const Scene& scene, const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);

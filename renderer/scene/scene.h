@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/base/file_stamp.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/base/shared_array.h"
 #include "renderer/settings/settings.h"
@@ -194,6 +195,7 @@ struct Scene {
     std::string about;                     ///< description in a sentence
     std::vector<std::string> file_scenes;  ///< names (or "") of all scenes in the scene's file
     int file_scene = 0;                    ///< index of this scene among them
+    std::vector<StampedFile> files;  ///< the scene's file, and the buffers and images that it names; empty: built in
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
@@ -206,8 +208,10 @@ struct Scene {
     /// Suggested settings (key, value), used where the user set nothing.
     std::vector<std::pair<std::string, std::string>> suggested;
     std::vector<std::string> warnings;  ///< data of the file that was dropped or approximated, and the reason
-    Bounds bounds;                      ///< world, with hidden objects, without the ground; set by finalise()
-    Bounds ground_bounds;               ///< world, of the ground disc; empty: none. Set by finalise()
+    /// Parts of the file that an export of the scene lacks, one sentence each.
+    std::vector<std::string> not_written;
+    Bounds bounds;                   ///< world, with hidden objects, without the ground; set by finalise()
+    Bounds ground_bounds;            ///< world, of the ground disc; empty: none. Set by finalise()
     Bounds bounds_without_floor;     ///< world, without the file's floor (unless it is all there is). Set by finalise()
     bool has_floor = false;          ///< the file has its own floor and needs no ground disc: see add_ground()
     std::vector<glm::dvec3> framed;  ///< extreme_points() of a file's scene in its first pose; empty: not computed

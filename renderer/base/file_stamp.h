@@ -1,0 +1,41 @@
+// Identity and time of a file's content, by which a later change is found without reading the file.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace si {
+
+/// Inode, size and time of the last write of a regular file. A file that was saved again has another stamp.
+struct FileStamp {
+    std::uint64_t device = 0, inode = 0;
+    std::int64_t bytes = 0;
+    std::int64_t written_ns = 0;  ///< since 1970
+    bool operator==(const FileStamp&) const = default;
+};
+
+/// Returns the stamp of a regular file, links resolved; nothing if there is none. Opens no file.
+inline std::optional<FileStamp> file_stamp(const std::filesystem::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
+    return FileStamp{.device = std::uint64_t(status.st_dev),
+                     .inode = std::uint64_t(status.st_ino),
+                     .bytes = std::int64_t(status.st_size),
+                     .written_ns = std::int64_t(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec};
+}
+
+/// File with its stamp at the time when it was read; no stamp: it did not exist.
+struct StampedFile {
+    std::filesystem::path path;
+    std::optional<FileStamp> stamp;
+};
+
+/// Returns the file with its present stamp.
+inline StampedFile stamped(const std::filesystem::path& path) {
+    return {path, file_stamp(path)};
+}
+
+}  // namespace si

@@ -1,0 +1,15 @@
+// Parts of a glTF file that an export of its scene lacks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/gltf/json_guard.h"
+
+namespace si::gltf {
+
+/// Lists the parts of a file that save_gltf() cannot write, because Scene does not hold them: extensions, properties of
+/// materials, formats of images, extras and the copyright. One sentence each. @param root JSON of the file
+std::vector<std::string> parts_not_written(const Json& root);
+
+}  // namespace si::gltf
