@@ -85,6 +85,17 @@ void require_distinct(const fs::path& a, std::string_view one, const fs::path& b
         throw UsageError(fmt::format("{}: {} and {} are one file; name two", b.string(), one, other));
 }
 
+void require_no_input(std::span<const fs::path> outputs, std::span<const fs::path> inputs) {
+    for (const fs::path& output : outputs)
+        for (const fs::path& input : inputs)
+            if (std::error_code error; fs::equivalent(output, input, error))
+                throw OutputIsInput(
+                    output == input
+                        ? fmt::format("{}: is read, so it cannot be written; name another file", output.string())
+                        : fmt::format("{}: is the file {}, which is read; name another file to write", output.string(),
+                                      input.string()));
+}
+
 void require_output(const fs::path& path, std::string_view what, std::initializer_list<std::string_view> extensions) {
     if (std::ranges::find(extensions, lower_extension(path)) == extensions.end())
         throw UsageError(fmt::format("{}: {} must end in {}", path.string(), what, fmt::join(extensions, " or ")));

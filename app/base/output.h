@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "renderer/base/error.h"
 #include "renderer/frame/frame.h"
 
 namespace si {
@@ -21,6 +23,15 @@ void require_writable(const std::filesystem::path& path);
 /// of the options that gave the paths, for the message @throws UsageError
 void require_distinct(const std::filesystem::path& a, std::string_view one, const std::filesystem::path& b,
                       std::string_view other);
+
+/// Output of a command that it reads, too.
+struct OutputIsInput : UsageError {
+    using UsageError::UsageError;
+};
+
+/// Checks that no output is a file that is read: the same file, also through links and hard links.
+/// @throws OutputIsInput
+void require_no_input(std::span<const std::filesystem::path> outputs, std::span<const std::filesystem::path> inputs);
 
 /// Checks before long work that a file can be written at `path` and that its extension is one of `extensions`.
 /// @param what the file in the message: "the sheet" @throws UsageError, Error

@@ -41,7 +41,7 @@ void add_render(CLI::App& app, Run& run) {
         "--view", o.view, "V",
         "shaded, visibility, shadow-map, camera-depth or an overlay (`list views`); without it the picture with "
         "the overlays and panes of view.*");
-    c.add_size();
+    c.add_size({}, 0);
     auto* against = c.add_value("--against", o.against, "WHAT",
                                 "Draw another picture of the same frame right of the picture, to compare: truth (the "
                                 "ray-traced reference), or a preset (its light, maps, bias, filter and shading)");
@@ -57,7 +57,8 @@ void add_render(CLI::App& app, Run& run) {
                 "Fit view-dependent maps and cascades to the camera of this preset instead of the picture's; shadows "
                 "outside its view frustum may be missing");
     c.add_numeric();
-    c.add_value("--report", o.report, "F.json", "Write facts of the frame as JSON: fit, settings, passes and times");
+    c.add_file_to_write("--report", o.report, "F.json",
+                        "Write facts of the frame as JSON: fit, settings, passes and times");
 }
 
 void add_reference(CLI::App& app, Run& run) {
@@ -77,8 +78,8 @@ void add_reference(CLI::App& app, Run& run) {
         ->check(number_between(0, 1));
     c.add_value("--threads", o.threads, "N", "Threads that trace (default: all)")->check(CLI::Range(1, 1024));
     c.add_numeric();
-    c.add_size();
-    c.add_value("--report", o.report, "F.json", "Write counts, rays, noise and times as JSON");
+    c.add_size({}, kTracedPixelBytes);
+    c.add_file_to_write("--report", o.report, "F.json", "Write counts, rays, noise and times as JSON");
 }
 
 void add_measure(CLI::App& app, Run& run) {
@@ -92,7 +93,7 @@ void add_measure(CLI::App& app, Run& run) {
     c.add_numeric();
     c.app().add_flag("--cures", c.options.fixes,
                      "Try fixes for wrong pixels and measure each: pixels cured and broken, time and bytes");
-    c.add_size();
+    c.add_size({}, kMeasuredPixelBytes);
     c.add_json("All numbers as JSON");
 }
 
@@ -155,6 +156,8 @@ void start_editor(const EditOptions& o) {
     e.size_given = o.size_given;
     if (!e.report.empty()) require_writable(e.report);
     require_distinct(e.screenshot, "--screenshot", e.report, "--report");
+    require_no_input(std::vector{e.screenshot, e.report},
+                     std::vector<std::filesystem::path>{o.session.scene, o.session.preset});
     tab_named(e.tab);
     if (!o.probe.empty()) std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe, o.size, "--probe");
     e.session = o.session;
@@ -234,7 +237,7 @@ void add_others(CLI::App& app, Run& run) {
     overview.add_session(false);
     overview.add_output("DIR", "The folder; made if missing (default out)");
     overview.add_numeric();
-    overview.add_size();
+    overview.add_size({}, kComparedPixelBytes);
 
     auto& docs = add_command(
         app, run, "docs",

@@ -19,7 +19,7 @@ void add_sweep(CLI::App& app, Run& run) {
         ->allow_extra_args(false);
     c.add_output("DIR", "The folder of the results; made if missing. The same command continues an interrupted sweep")
         ->required();
-    c.add_size(kSmallPicture);
+    c.add_size(kSmallPicture, kMeasuredPixelBytes);
     c.app()
         .add_option("--rounds", o.timing.rounds,
                     "Largest number of rounds of timed frames (default 10); fewer if every case's time has settled")
@@ -62,7 +62,7 @@ void add_tune(CLI::App& app, Run& run) {
                 "Largest lit gap at casters that touch their receiver, in metres, for 95 % of the lit surface")
         ->check(CLI::PositiveNumber);
     c.add_area();
-    c.add_size();
+    c.add_size({}, kMeasuredPixelBytes);
     c.add_cost();
     c.add_numeric();
     c.add_json("Attempts and result as JSON");
@@ -111,7 +111,7 @@ void add_advise(CLI::App& app, Run& run) {
     c.add_cost();
     c.add_numeric();
     c.add_area();
-    c.add_size();
+    c.add_size({}, kMeasuredPixelBytes);
     c.add_json("All results and attempts as JSON");
 }
 
@@ -125,7 +125,7 @@ void add_precision(CLI::App& app, Run& run) {
          "--over", c.options.over, "WHAT",
          fmt::format("Series of scenes farther away, larger, or deeper: {}", fmt::join(precision_series(), ", ")))
         ->check(one_of(precision_series()));
-    c.add_size(kSmallPicture);
+    c.add_size(kSmallPicture, kMeasuredPixelBytes);
     c.add_json();
 }
 
@@ -152,7 +152,7 @@ void add_shimmer(CLI::App& app, Run& run) {
     c.add_value("--step-texels", o.step_texels, "T", "Length of a step in texels of the map (default 0.3)")
         ->check(number_between(1e-3, 100));
     c.add_output("OUT", "A picture of the share of steps in which each pixel flips: .png or .pfm");
-    c.add_size(kSmallPicture);
+    c.add_size(kSmallPicture, kMeasuredPixelBytes);
     c.add_json();
 }
 

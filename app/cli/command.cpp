@@ -64,14 +64,20 @@ void CommandParser::add_session(bool scene_required) {
     app_.footer([] { return settings_help(); });
 }
 
-void CommandParser::add_size(PictureSize standard) {
+void CommandParser::add_size(PictureSize standard, std::uint64_t bytes_per_pixel) {
     options_->size = standard;
+    bytes_per_pixel_ = bytes_per_pixel;
     add_value("--size", size_, "WxH",
               fmt::format("Size of the picture in pixels (default {}x{})", standard.width, standard.height));
 }
 
 CLI::Option* CommandParser::add_output(const char* type, const char* help) {
-    return add_value("-o,--output", options_->output, type, help);
+    return add_file_to_write("-o,--output", options_->output, type, help);
+}
+
+CLI::Option* CommandParser::add_file_to_write(const char* name, std::string& to, const char* type, const char* help) {
+    files_to_write_.push_back(&to);
+    return add_value(name, to, type, help);
 }
 
 void CommandParser::add_numeric() {
@@ -116,7 +122,10 @@ void CommandParser::finish() {
     if (!size_.empty()) {
         options_->size = parse_size(size_);
         options_->size_given = true;
+        if (bytes_per_pixel_ > 0) require_picture_memory(options_->size, bytes_per_pixel_);
     }
+    for (const std::string* file : files_to_write_)
+        if (!file->empty()) options_->session.outputs.emplace_back(*file);
     options_->session.sets.insert(options_->session.sets.end(), sets_.begin(), sets_.end());
 }
 

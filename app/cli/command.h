@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -42,9 +43,12 @@ public:
     /// Adds SCENE alone.
     CLI::Option* add_scene();
     /// Adds --size, the size of the picture in pixels. @param standard size without the option
-    void add_size(PictureSize standard = {});
+    /// @param bytes_per_pixel memory that the command takes, PixelBytes; 0: the command checks it
+    void add_size(PictureSize standard = {}, std::uint64_t bytes_per_pixel = kDrawnPixelBytes);
     /// Adds -o, the file or folder to write.
     CLI::Option* add_output(const char* type, const char* help);
+    /// Adds a further option that names a file to write. @param type name of the value in the help
+    CLI::Option* add_file_to_write(const char* name, std::string& to, const char* type, const char* help);
     /// Adds --check-numeric, which searches frames for NaN, infinite and out-of-range numbers.
     void add_numeric();
     /// Adds --cost, the kind of frames to time.
@@ -67,6 +71,8 @@ protected:
 
 private:
     std::string size_;
+    std::uint64_t bytes_per_pixel_ = 0;
+    std::vector<const std::string*> files_to_write_;
     std::vector<std::string> sets_;  ///< KEY=VALUE
 };
 

@@ -1,6 +1,7 @@
 // Options and functions of all commands. Each command throws Error or UsageError with a one-line message.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,20 @@ struct PictureSize {
 
 /// Parses the value of --size, such as "1280x720". @throws UsageError
 PictureSize parse_size(const std::string& text);
+
+/// Memory that a command takes for each pixel of its picture, measured with the software rasteriser.
+enum PixelBytes : std::uint64_t {
+    kDrawnPixelBytes = 20,     ///< a picture is drawn, read back and written
+    kComparedPixelBytes = 40,  ///< two pictures are
+    kTracedPixelBytes = 170,   ///< rays are traced
+    kMeasuredPixelBytes = 250  ///< wrong pixels are classified
+};
+
+/// Returns what a large picture takes ("16384 x 16384 pixels take about 5120 MiB of memory; 9000 MiB are free"); empty
+/// for less than 1 GiB. @param available free memory, bytes; 0: unknown @throws Error if the picture cannot fit
+std::string picture_memory_note(const PictureSize& size, std::uint64_t bytes_per_pixel, std::uint64_t available);
+/// Prints the note of picture_memory_note() for this machine. Call before the work. @throws Error
+void require_picture_memory(const PictureSize& size, std::uint64_t bytes_per_pixel);
 
 /// Parses a pixel "X,Y" (from the top left) within a picture of `size`. @param option name of the option, for the
 /// message @throws UsageError

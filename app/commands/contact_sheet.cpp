@@ -133,10 +133,12 @@ struct Tile {
     bool failed = false;
 };
 
-Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& size, bool check_numeric) {
+/// @param outputs files of the sheet @throws OutputIsInput if one of them belongs to the model
+Tile draw_tile(Renderer& renderer, const fs::path& model, const std::vector<fs::path>& outputs, const PictureSize& size,
+               bool check_numeric) {
     Tile tile;
     try {
-        const Session session = open_session({.scene = model.string()});
+        const Session session = open_session({.scene = model.string(), .outputs = outputs});
         FrameRequest request{.width = size.width, .height = size.height};
         FrameRequest rested = request;  // smoothed, as the editor shows a static view
         if (session.settings.view.smooth) rested.smoothed = kMaxSmoothedShadings;
@@ -151,6 +153,8 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
                 tile.notes.push_back(tile.unsound);
             }
         }
+    } catch (const OutputIsInput&) {
+        throw;
     } catch (const std::exception& e) {
         tile.failed = true;
         tile.text = one_line(e.what());
@@ -181,7 +185,8 @@ void run_contact_sheet(const ContactSheetOptions& options) {
     int failures = 0;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const int x = int(i) % columns * step_x, y = int(i) / columns * step_y;
-        const Tile tile = draw_tile(renderer, models[i], options.size, options.check_numeric);
+        const Tile tile =
+            draw_tile(renderer, models[i], {options.output, index_path}, options.size, options.check_numeric);
         if (tile.failed) {
             ++failures;
             sheet.fill(x, y, options.size.width, options.size.height, {92, 30, 30});

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
@@ -10,7 +9,7 @@
 #include "app/report/health_report.h"
 #include "app/report/map_report.h"
 #include "app/report/views.h"
-#include "renderer/base/error.h"
+#include "renderer/base/atomic_file.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/render/reference_frames.h"
 
@@ -42,11 +41,12 @@ void draw_editor(const CommandOptions& options, const std::string& path) {
 }  // namespace
 
 void run_overview(const CommandOptions& options) {
-    std::error_code error;
-    fs::create_directories(options.output, error);
-    if (error) throw Error(fmt::format("{}: cannot be made: {}", options.output, error.message()));
+    make_folders(options.output);
     const auto file = [&](const std::string& name) { return (fs::path(options.output) / name).string(); };
-    const Session session = open_session(options.session);
+    SessionOptions opened = options.session;
+    for (const char* name : {"scene.png", "shadow-map.png", "visibility.png", "editor.png"})
+        opened.outputs.emplace_back(file(name));
+    const Session session = open_session(opened);
     FrameResult frame;
     DriverInfo driver;
     std::optional<MapReport> map;

@@ -101,6 +101,10 @@ void run_render(const RenderOptions& options) {
     }
     std::optional<Settings> fit_camera;
     if (!options.fit_camera.empty()) fit_camera = load_preset(options.fit_camera).settings;
+    require_no_input(options.session.outputs, std::vector<std::filesystem::path>{options.against, options.fit_camera});
+    require_picture_memory(options.size, !against                     ? kDrawnPixelBytes
+                                         : options.against == "truth" ? kTracedPixelBytes
+                                                                      : kComparedPixelBytes);
     Session session = open_session(options.session);
     // --view shaded draws the plain picture; without --view the settings decide on overlays, panes and slabs.
     if (options.view == "shaded") {

@@ -65,7 +65,9 @@ void run_sweep(const SweepOptions& options) {
     require_sweep_folder(folder);
     SessionPlan opened = plan_session(options.session);
     hold_assigned(axes, assigned_keys(opened.sets));
-    Session session = compose_session(opened, load_scene(opened.scene_name, scene_options(opened)));
+    Scene scene = load_scene(opened.scene_name, scene_options(opened));
+    require_no_input(sweep_files(folder), scene, opened.preset_path);
+    Session session = compose_session(opened, std::move(scene));
     SweepSpec spec = sweep_spec(session.scene_name, session.scene, session.settings, std::move(axes),
                                 options.size.width, options.size.height);
     spec.shard = shard;

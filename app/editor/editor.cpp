@@ -219,6 +219,7 @@ std::vector<std::string> run_editor(const EditorOptions& options) {
     editor.settle();
     editor.add_all_samples();
     editor.model().require_scene();
+    require_no_input(std::vector{options.screenshot}, *editor.model().facts().scene, options.session.preset);
     write_png(options.screenshot, editor.picture());
     editor.model().end();
     require_sound_session(editor.model());

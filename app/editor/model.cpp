@@ -192,7 +192,19 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     request(scenes_.undo_step_waits(), [&] { scenes_.show_undo_step(); });
     changed |= work_.fulfil(scenes_, frames_.facts(), requests);
-    request(requests.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *requests.save_map); });
+    const auto require_own = [&](const std::string& path) {
+        if (const Scene* scene = scenes_.scene())
+            require_no_input(std::vector<std::filesystem::path>{path}, *scene, {});
+    };
+    request(requests.save_error.has_value(), [&] {
+        const std::string path = *std::exchange(requests.save_error, {});
+        require_own(path);
+        requests.save_error = path;
+    });
+    request(requests.save_map.has_value(), [&] {
+        require_own(*requests.save_map);
+        frames_.save_map(scenes_.require(), *requests.save_map);
+    });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
     request(scenes_.scene_settings_changed() && !frames_.under_way(), [&] { scenes_.follow_scene_settings(); });
     changed |= presets_.compare();

@@ -70,6 +70,7 @@ void PresetRequestHandler::save(const std::string& path, const std::optional<std
         state_.files.replace = Replacement{path, about};
         return;
     }
+    if (const Scene* scene = scenes_.scene()) require_no_input(std::vector<fs::path>{path}, *scene, {});
     // A file that was opened keeps its title, topic and sentence.
     Preset preset = files_.contains(key) ? files_.at(key) : Preset{};
     if (about) preset.about = *about;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/base/output.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/scene/animation.h"
@@ -249,9 +250,17 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
     return {plan.scene_name, std::move(scene), std::move(composed.settings), std::move(composed.notes)};
 }
 
+void require_no_input(std::span<const fs::path> outputs, const Scene& scene, const std::string& preset) {
+    std::vector<fs::path> inputs{preset};
+    for (const StampedFile& file : scene.files) inputs.push_back(file.path);
+    require_no_input(outputs, inputs);
+}
+
 Session open_session(const SessionOptions& options) {
     const SessionPlan plan = plan_session(options);
-    return compose_session(plan, load_scene(plan.scene_name, scene_options(plan)));
+    Scene scene = load_scene(plan.scene_name, scene_options(plan));
+    require_no_input(options.outputs, scene, plan.preset_path);
+    return compose_session(plan, std::move(scene));
 }
 
 }  // namespace si

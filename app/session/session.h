@@ -1,6 +1,7 @@
 // Session: a scene with its settings, composed from a preset, the scene's suggestions and --set.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <span>
@@ -19,6 +20,8 @@ struct SessionOptions {
     std::string scene;              ///< built-in key or path; empty: the preset's scene, else the default scene
     std::string preset;             ///< built-in key or path; empty: none
     std::vector<std::string> sets;  ///< "KEY=VALUE", applied in order after everything else
+    /// Files that the command writes. open_session() refuses one that it reads.
+    std::vector<std::filesystem::path> outputs = {};
 };
 
 /// Loaded scene with its composed settings.
@@ -59,6 +62,10 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
 /// @param left_out receives one line for each chosen thing that the scene lacks (an object, a camera), which is then
 /// ignored; null: throws instead @throws UsageError, Error
 Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out = nullptr);
+
+/// Checks that no output of a command is a file that it reads: the scene's files or the preset.
+/// @throws UsageError
+void require_no_input(std::span<const std::filesystem::path> outputs, const Scene& scene, const std::string& preset);
 
 /// Opens a session: checks the options, loads the scene, poses it and composes the settings. @throws UsageError, Error
 Session open_session(const SessionOptions& options);

@@ -1,6 +1,8 @@
 #include "renderer/base/held_memory.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -102,6 +104,29 @@ ProcessMemory process_memory() {
     out.heap_free = info.fordblks;
 #endif
     return out;
+}
+
+std::uint64_t available_memory() {
+    std::uint64_t least = 0;
+    const auto limit = [&](std::uint64_t bytes) {
+        if (bytes > 0 && (least == 0 || bytes < least)) least = bytes;
+    };
+    // proc(5): "MemAvailable:    1234 kB"
+    std::ifstream machine("/proc/meminfo");
+    for (std::string line; std::getline(machine, line);)
+        if (line.starts_with("MemAvailable:")) limit(std::stoull(line.substr(13)) * 1024);
+    std::uint64_t group = 0, group_used = 0;  // "max" is no number: there is no limit
+    if (std::ifstream("/sys/fs/cgroup/memory.max") >> group)
+        if (std::ifstream("/sys/fs/cgroup/memory.current") >> group_used)
+            limit(group > group_used ? group - group_used : 1);
+    rlimit space{};
+    std::uint64_t pages = 0;
+    if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY)
+        if (std::ifstream("/proc/self/statm") >> pages) {
+            const std::uint64_t used = pages * std::uint64_t(::sysconf(_SC_PAGESIZE));
+            limit(space.rlim_cur > used ? space.rlim_cur - used : 1);
+        }
+    return least;
 }
 
 void trim_heap() {

@@ -61,6 +61,9 @@ struct MemoryReport {
 MemoryReport memory_report();
 /// Returns resident, peak and heap bytes of this process now.
 ProcessMemory process_memory();
+/// Returns the bytes that this process can still get: free memory of the machine, within the limits of its control
+/// group and of the process. 0: unknown on this system.
+std::uint64_t available_memory();
 /// Returns freed heap pages that malloc() keeps to the system (malloc_trim). Call after a large scene was closed or a
 /// sweep ended: it takes some ten milliseconds. Does nothing where the C library has no such function.
 void trim_heap();
