@@ -159,6 +159,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
             due = kSettleFrames;
         }
         if (take_file(portal, model)) due = kSettleFrames;
+        if (model.follow_scene_files()) due = std::max(due, 1);
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())
             due = std::max(due, 1);

@@ -80,6 +80,7 @@ EditorFrame EditorModel::facts() const {
     persistence_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
     f.desktop_dialogs = has_desktop_dialog;
+    f.scene_saved = scenes_.files_changed();
     f.problem = scenes_.scene() ? frames_.facts().problem : scenes_.problem();
     const SceneLoading& loading = scenes_.loading();
     if (const std::string name = loading.wanted(); !name.empty())
@@ -142,6 +143,10 @@ void EditorModel::copy_command_line() {
     state.log.add(LogKind::Info, "Copied: " + text);
 }
 
+bool EditorModel::follow_scene_files() {
+    return follow_scene_files(steady_seconds());
+}
+
 void EditorModel::write_when_due() {
     persistence_.write_when_due(state, steady_seconds());
     try {
@@ -183,6 +188,11 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
         scenes_.reset_scene_index();
     });
     request(requests.load_scene.has_value(), [&] { scenes_.load({.scene_name = *requests.load_scene}); });
+    request(requests.reload_scene, [&] {
+        const glm::ivec2 size = picture_size();
+        scenes_.reload(double(std::max(size.x, 1)) / std::max(size.y, 1));
+    });
+    request(requests.keep_scene, [&] { scenes_.keep_scene(); });
     request(requests.load_preset.has_value(), [&] { presets_.open(*requests.load_preset); });
     request(requests.open_file.has_value(), [&] { open(*requests.open_file); });
     request(requests.save_preset.has_value(),

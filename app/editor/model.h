@@ -48,6 +48,10 @@ public:
     /// Writes the probed pixel's cross-section with verdict and legend into a file, drawn in a readable size. Does
     /// nothing and returns false if the request is for another kind of screenshot, or no cross-section is shown.
     bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
+    /// Looks whether other programs have saved the scene's files. Call regularly, also while nothing is drawn. Returns
+    /// true if the editor has to be drawn again. @param now_s time of a steady clock, seconds
+    bool follow_scene_files(double now_s) { return scenes_.follow_files(now_s); }
+    bool follow_scene_files();
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
     /// Returns true while a scene is read, or the thread of a cancelled one has not ended.

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "app/editor/requests.h"
 #include "renderer/base/error.h"
+#include "renderer/scene/animation.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "ui/state/selection.h"
 
 namespace si {
@@ -91,7 +95,10 @@ bool SceneLoader::poll() {
     if (!outcome) return true;
     try {
         if (!outcome->scene) throw Error(outcome->error);
-        show_scene(std::move(*outcome->scene), arrival_);
+        if (arrival_.reload)
+            show_reloaded(std::move(*outcome->scene), arrival_);
+        else
+            show_scene(std::move(*outcome->scene), arrival_);
     } catch (const std::exception& e) {
         if (!has_scene_) {
             problem_ = e.what();
@@ -99,11 +106,72 @@ bool SceneLoader::poll() {
         }
         reset_scene_index();
         drop_undo_step();
-        report(state_, e.what());
+        report(state_, arrival_.reload ? fmt::format("{}. The scene that was read before is shown", e.what())
+                                       : std::string(e.what()));
+        if (arrival_.reload) watch_.accept();
         if (std::error_code error; !std::filesystem::exists(arrival_.scene_name, error))
             persistence_.drop_recent(arrival_.scene_name);
     }
     return true;
+}
+
+void SceneLoader::reload(double aspect) {
+    if (!has_scene_ || scene_.files.empty())
+        throw Error(fmt::format("{}: is built in, so there is no file to read again", state_.scene_name));
+    load({.scene_name = state_.scene_name,
+          .file_scene = file_scene_,
+          .guide = state_.files.guide,
+          .reload = true,
+          .aspect = aspect});
+}
+
+void SceneLoader::show_reloaded(Scene loaded, const Arrival& arrival) {
+    if (std::ranges::any_of(loaded.files, differs_now))
+        throw Error(fmt::format("{}: has changed while it was read; reload it when it is written", arrival.scene_name));
+    std::vector<std::string> left_out;
+    const Settings before = state_.settings;
+    Settings kept = before;
+    try {
+        pose_scene(loaded, kept.scene);
+    } catch (const UsageError& e) {
+        left_out.emplace_back(e.what());
+        kept.scene.animation = SceneSettings{}.animation;
+        kept.scene.time = SceneSettings{}.time;
+        pose_scene(loaded, kept.scene);
+    }
+    const Settings base = suggests_ ? base_settings(loaded) : Settings{};
+    const auto follow = [&](const Settings& settings) {
+        Settings out = rebased(settings, base_, base);
+        out.camera = settings.camera;
+        out.scene = kept.scene;
+        out.objects = settings.objects;
+        return out;
+    };
+    given_ = follow(given_);
+    kept = follow(kept);
+    check_objects(loaded, kept, arrival.scene_name, &left_out);
+    // A camera that frames the scene would move with its bounds.
+    const bool automatic = kept.camera.source == CameraSource::Automatic;
+    const CameraSettings camera = manual_camera(scene_, before, arrival.aspect);
+    if (automatic && !(manual_camera(loaded, kept, arrival.aspect) == camera)) kept.camera = camera;
+    scene_ = std::move(loaded);
+    base_ = base;
+    state_.settings = kept;
+    if (kept != before) state_.history.amend_step(before, kept);
+    posed_ = kept.scene;
+    given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
+    follow_objects();
+    watch_.watch(scene_.files);
+    std::set<std::string> selected = selected_objects(state_);
+    std::erase_if(selected, [&](const std::string& path) {
+        return std::ranges::find(scene_.nodes, path, &Node::path) == scene_.nodes.end();
+    });
+    select_objects(state_, std::vector(selected.begin(), selected.end()));
+    if (!scene_.rig || scene_.rig->animations.empty()) state_.playback.playing = false;
+    state_.log.add(LogKind::Info, fmt::format("Read {} again: {} objects, {} triangles", state_.scene_name,
+                                              scene_.object_count(), scene_.triangle_count()));
+    for (const std::string& warning : scene_.warnings) state_.log.add(LogKind::Warning, warning);
+    for (const std::string& text : left_out) state_.log.add(LogKind::Warning, text);
 }
 
 void SceneLoader::finish() {
@@ -145,6 +213,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     given_.scene.index = file_scene_;
     given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
     follow_objects();
+    watch_.watch(scene_.files);
     has_scene_ = true;
     failure_ = nullptr;
     problem_.clear();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editor/persistence.h"
+#include "app/editor/scene_watch.h"
 #include "app/session/scene_loading.h"
 #include "app/session/session.h"
 #include "ui/state/editor_ui.h"
@@ -26,6 +27,9 @@ struct Arrival {
     std::string remark = {};
     bool step = false;  ///< a step of undo or redo
     bool lost = false;  ///< the session that a crash has left
+    /// The shown scene again, from its changed files: settings, camera and selection stay.
+    bool reload = false;
+    double aspect = 1;  ///< with `reload`: width / height of the picture, whose camera stays
 };
 
 /// Loader of scenes in the background; switches the editor to a scene once it is loaded, and poses the shown scene.
@@ -52,6 +56,16 @@ public:
     void load(Arrival arrival);
     /// Shows the scene and settings of `arrival`. Loads the scene first unless it is shown already.
     void show(Arrival arrival);
+    /// Starts to read the shown scene's files again. A later poll() shows them; a failure keeps the shown scene.
+    /// @param aspect width / height of the picture
+    void reload(double aspect);
+    /// Looks whether the shown scene's files were saved again. Returns true if files_changed() is another one than
+    /// before. @param now_s time of a steady clock, seconds
+    bool follow_files(double now_s) { return !loading_.busy() && watch_.update(now_s); }
+    /// Returns true if the shown scene's files were saved again since they were read.
+    bool files_changed() const { return watch_.changed(); }
+    /// Keeps the shown scene until its files change once more.
+    void keep_scene() { watch_.accept(); }
     /// Cancels the loading of a scene; the shown scene stays.
     void cancel_loading();
     /// Resets the setting scene.index to the shown scene's, after a cancelled or failed loading.
@@ -91,6 +105,8 @@ public:
 private:
     /// Drops the step of undo or redo that waits for its scene, and stays at the present step.
     void drop_undo_step();
+    /// Makes the scene that was read again the shown one. @throws Error if its files have changed meanwhile
+    void show_reloaded(Scene loaded, const Arrival& arrival);
     /// Makes a loaded scene the shown one, and applies the settings that arrived with it.
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
@@ -123,6 +139,7 @@ private:
     std::map<std::pair<std::string, std::string>, Settings> given_at_;
     Arrival arrival_;
     SceneLoading loading_;
+    SceneWatch watch_;
 };
 
 }  // namespace si

@@ -21,7 +21,9 @@ void SceneLoading::start(const std::string& name_or_path, int file_scene) {
             report(fraction);
             return !workers.stop.stop_requested();
         };
+        const StampedFile file = stamped(name);
         Scene scene = read(name, options);
+        if (scene.files.empty() && file.stamp && !is_builtin_scene(name)) scene.files = {file};
         pose_scene(scene, {});
         return scene;
     });

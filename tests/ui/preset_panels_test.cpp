@@ -132,6 +132,14 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     const glm::vec4 lost = row("lost session");
     EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorRequests& a) { return a.restore_lost; }));
     EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorRequests& a) { return a.discard_lost; }));
+
+    ui.state.scene_name = "/a/model.glb";
+    ui.scene_saved = true;
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().shows("model.glb was saved by another program"));
+    const glm::vec4 saved = row("saved scene");
+    EXPECT_TRUE(click_along(ui, saved.x, saved.y, saved.z, [](const EditorRequests& a) { return a.reload_scene; }));
+    EXPECT_TRUE(click_along(ui, saved.x, saved.y, saved.z, [](const EditorRequests& a) { return a.keep_scene; }));
 }
 
 TEST(PresetStrips, SettingsLostByTheDriverAreSavedAtOnceOrUnderAnotherName) {

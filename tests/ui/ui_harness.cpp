@@ -119,6 +119,7 @@ EditorRequests UiHarness::frame() {
     facts.recent_presets = recent_presets;
     facts.comparison = comparison ? &*comparison : nullptr;
     facts.lost = lost;
+    facts.scene_saved = scene_saved;
     if (with_facts) {
         facts.result = &result_;
         facts.scene = &scene;

@@ -1,4 +1,5 @@
-// Strips between the top bar and the pictures: the note of the open preset, and the session that a crash has left.
+// Strips between the top bar and the pictures: the note of the open preset, the session that a crash has left, and a
+// scene that another program has saved.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -170,6 +171,19 @@ void draw_lost(const EditorFrame& frame, EditorRequests& requests, float width) 
           });
 }
 
+void draw_saved_scene(const EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
+    if (!frame.scene_saved || frame.loading) return;
+    const std::string text = fmt::format("{} was saved by another program.", scene_label(state.scene_name));
+    strip("saved scene", width, buttons_width({"Reload", "Keep"}), {{text, ImGui::GetFont(), theme::text()}}, 0, [&] {
+        if (hint_button("Reload",
+                        with_key("Reads it again; camera, settings and selection stay", Command::ReloadScene)))
+            requests.reload_scene = true;
+        ImGui::SameLine();
+        if (hint_button("Keep", "Shows the scene as it was read, until the file is saved once more"))
+            requests.keep_scene = true;
+    });
+}
+
 void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     if (!frame.driver_reset) return;
     constexpr const char* kText =
@@ -207,6 +221,7 @@ void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& r
     ImGui::BeginGroup();
     draw_reset(state, frame, requests, width);
     draw_lost(frame, requests, width);
+    draw_saved_scene(state, frame, requests, width);
     draw_guide(state, frame, requests, width);
     ImGui::EndGroup();
 }

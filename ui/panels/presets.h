@@ -31,7 +31,8 @@ struct Replacement {
 struct PresetsFacts {
     std::span<const PresetEntry> presets, hard_cases;            ///< two sequences, each in its order
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first
-    bool unsaved = false;  ///< state.files.preset_path does not hold the present settings
+    bool scene_saved = false;  ///< another program has saved the shown scene's files since they were read
+    bool unsaved = false;      ///< state.files.preset_path does not hold the present settings
     std::optional<LostFacts> lost;
 };
 
@@ -47,6 +48,8 @@ struct PresetRequests {
     bool discard_lost = false;               ///< delete it
     bool reset_all = false;                  ///< go back to the scene's own settings
     bool cancel_load = false;                ///< keep the scene that is shown
+    bool reload_scene = false;               ///< read the shown scene's files again
+    bool keep_scene = false;                 ///< do not offer that until they change once more
 };
 
 /// Draws the popup `id` of presets by topic, while it is open. @param open key of the preset that is open

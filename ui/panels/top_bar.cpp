@@ -38,6 +38,8 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     item("Open…", Command::OpenFile);
     recent_menu("Recent scenes", frame.recent_scenes, requests.load_scene);
     recent_menu("Recent presets", frame.recent_presets, requests.load_preset);
+    item("Reload the scene", Command::ReloadScene);
+    plain_tooltip(fmt::format("Reads {} again; camera, settings and selection stay", state.scene_name));
     ImGui::Separator();
     item("Save the preset", Command::SavePreset);
     plain_tooltip(state.files.preset_path);

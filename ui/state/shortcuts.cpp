@@ -233,6 +233,8 @@ constexpr Shortcut kShortcutTable[] = {
             row(Command::OpenFile, with_ctrl(letter("O")), "open a model or a preset",
                 [](C c) { open_file_dialog(c.state.files.dialog, FileDialog::Job::Open, c.state.files.preset_path); })),
     joined(gesture("or drop a file")),
+    row(Command::ReloadScene, with_ctrl(letter("R"), Modifier::Down), "read the scene's file again",
+        [](C c) { c.requests.reload_scene = true; }),
     row(Command::SavePreset, with_ctrl(letter("S"), Modifier::Up), "save the preset",
         [](C c) { c.requests.save_preset = c.state.files.preset_path; }),
     joined(row(Command::SavePresetAs, with_ctrl(letter("S"), Modifier::Down), "save it as",
@@ -240,7 +242,7 @@ constexpr Shortcut kShortcutTable[] = {
                    open_file_dialog(c.state.files.dialog, FileDialog::Job::SavePreset, c.state.files.preset_path,
                                     c.state.files.guide.about);
                })),
-    row(Command::RevertPreset, with_ctrl(letter("R")), "back to the preset as it was saved",
+    row(Command::RevertPreset, with_ctrl(letter("R"), Modifier::Up), "back to the preset as it was saved",
         [](C c) { c.requests.load_preset = c.state.files.preset_path; }),
     row(Command::NextPreset, mapped("Page down", ImGuiKey_PageDown), "the next guided preset",
         [](C c) { load_neighbour(c, +1); }),

@@ -53,6 +53,7 @@ enum class Command {
     ShowAllObjects,
     TogglePlay,
     OpenFile,
+    ReloadScene,
     SavePreset,
     SavePresetAs,
     RevertPreset,
