@@ -172,8 +172,7 @@ private:
 
     void write(const AutopilotResult& r) const {
         Settings after = session_.settings;
-        for (const auto& [key, value] : setting_changes(measured_settings(after), r.best.settings))
-            set_setting(after, key, value);
+        set_settings(after, setting_changes(measured_settings(after), r.best.settings));
         save_preset({"", "", r.summary, session_.scene_name, after}, o_.output);
         if (!o_.json) print_wrote(o_.output);
     }

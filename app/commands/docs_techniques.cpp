@@ -120,7 +120,7 @@ Entry with(const Settings& base, std::string_view setting, std::string_view valu
 }
 
 Settings changed(Settings s, std::initializer_list<std::pair<std::string_view, std::string_view>> sets) {
-    for (const auto& [key, value] : sets) set_setting(s, key, value);
+    set_settings(s, sets);
     return s;
 }
 

@@ -63,10 +63,7 @@ void print_fixes(const FixTable& table, std::size_t rows) {
         fmt::print("no fix: none of {} changes that were tried {} and makes nothing worse\n", table.drawn(),
                    table.rows.front().pixel ? "makes this pixel right" : "lowers the error");
     if (table.stopped) fmt::print("stopped: {} of {} changes were tried\n", table.drawn(), table.candidates);
-    const auto helps = [](const Trial& t) {
-        return t.is_drawn() && t.added_error() < 0 && t.pixel.value_or(PixelTrial()).right;
-    };
-    if (std::ranges::any_of(table.rows, helps) && rows > 0)
+    if (std::ranges::any_of(table.rows, &Trial::helps) && rows > 0)
         fmt::print(
             "changes that help, each drawn and measured ({} pixels are wrong now):\n  {:>8} {:>8} {:>10} {:>10} "
             "{:>9}\n",
@@ -76,7 +73,7 @@ void print_fixes(const FixTable& table, std::size_t rows) {
             fmt::print("  {:>49}  {}: not tried, {}\n", "", t.candidate.shown_name(), t.candidate.untried);
             continue;
         }
-        if (rows == 0 || !helps(t)) continue;
+        if (rows == 0 || !t.helps()) continue;
         --rows;
         fmt::print("  {:>8} {:>8} {:>+10.3g} {:>10} {:>9}  {}{}\n      {}\n", t.cured, t.broken, t.added_error(),
                    time_text(t.ms), map_bytes_text(t.map_bytes()), t.candidate.shown_name(),

@@ -116,7 +116,7 @@ void apply_sets(Settings& settings, std::span<const std::string> assignments) {
 Settings base_settings(const Scene& scene) {
     Settings settings;
     try {
-        for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
+        set_settings(settings, scene.suggested);
     } catch (const UsageError& e) {
         throw Error(fmt::format("{}: its suggested settings: {}", scene.name, e.what()));
     }

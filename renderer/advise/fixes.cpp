@@ -381,7 +381,7 @@ std::vector<Candidate> fix_candidates(const Settings& base, const FixFacts& f, F
 
 Candidate suggested_candidate(const SuggestedFix& fix, const Settings& settings) {
     Candidate c{.name = fix.text, .settings = settings, .label = fix_text(fix, settings) + equivalent_bias_text(fix)};
-    for (const auto& [key, value] : fix.settings) set_setting(c.settings, key, value);
+    set_settings(c.settings, fix.settings);
     return c;
 }
 

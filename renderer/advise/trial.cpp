@@ -81,6 +81,10 @@ std::size_t wrong_pixels(const ErrorMetrics& error) {
     return std::accumulate(error.artefacts.begin() + 1, error.artefacts.end(), std::size_t(0));
 }
 
+bool Trial::helps() const {
+    return is_drawn() && (why_not.empty() || (added_error() < 0 && pixel.value_or(PixelTrial()).right));
+}
+
 double Trial::tolerance() const {
     const double noise = std::isfinite(before.noise) ? before.noise : 0;
     return std::max({kSameErrorShare * before.error, kSameError, noise / 10});

@@ -121,6 +121,8 @@ struct Trial {
     long long more_bytes() const { return (long long)after.work.bytes_touched - (long long)before.work.bytes_touched; }
     /// Returns the bytes of maps that the change adds.
     long long map_bytes() const { return (long long)after.work.map_bytes - (long long)before.work.map_bytes; }
+    /// Returns true when the change helps: it is accepted, or lowers the error and puts the watched pixel right.
+    bool helps() const;
     /// Returns the number of cured minus broken pixels.
     long long gain() const { return (long long)cured - (long long)broken; }
 };

@@ -193,7 +193,7 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
         }
         for (const auto& [key, value] : starting_values(base, c.settings))
             if (!held.contains(std::string(key))) c.starts.emplace_back(key, value);
-        for (const auto& [key, value] : c.starts) set_setting(c.settings, key, value);
+        set_settings(c.settings, c.starts);
         const Settings measured = measured_settings(c.settings);
         if (!seen.insert(fingerprint(scene_varies ? measured : without_ineffective_settings(measured))).second)
             continue;

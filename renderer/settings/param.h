@@ -176,6 +176,10 @@ std::vector<std::pair<SettingRef, Value>> implied_values(const SettingRef& ref, 
 /// Sets the setting with the dotted key `key` from a text, and the settings that the text implies.
 /// @throws UsageError for a bad value, or for an unknown key with the nearest known one
 void set_setting(Settings& s, std::string_view key, std::string_view text);
+/// Sets several settings in order, as set_setting() does. @param changes pairs of key and text @throws UsageError
+void set_settings(Settings& s, const auto& changes) {
+    for (const auto& [key, text] : changes) set_setting(s, key, text);
+}
 
 /// Returns all settings in `s`, in table order: those of the scene, of lights 0 to 15, and of objects with an override.
 std::vector<SettingRef> all_settings(const Settings& s);

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include "renderer/advise/fixes.h"
@@ -34,11 +35,6 @@ std::string about(const Trial& t, const FixTable& table) {
     return text + fmt::format("A click applies it; {} takes it back.", key_text(Command::Undo));
 }
 
-/// Returns true when a trial helps: it lowers the error, and puts the watched pixel right.
-bool helps(const Trial& t) {
-    return t.is_drawn() && (t.why_not.empty() || (t.added_error() < 0 && t.pixel.value_or(PixelTrial()).right));
-}
-
 void row(const Trial& t, const FixTable& table, bool current, FixRequests& requests) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -64,7 +60,7 @@ void rows(const char* id, const FixSearch& search, bool helping, FixRequests& re
     int number = 0;
     for (const Trial& t : search.table->rows) {
         ImGui::PushID(number++);
-        if (helps(t) == helping) row(t, *search.table, search.current, requests);
+        if (t.helps() == helping) row(t, *search.table, search.current, requests);
         ImGui::PopID();
     }
     ImGui::EndTable();
@@ -106,8 +102,8 @@ void draw_fixes_table(const FixSearch& search, FixRequests& requests, std::optio
                             table.candidates, pixel ? "puts this pixel right" : "lowers the error");
     ImGui::SameLine();
     if (ImGui::SmallButton("Close##cures")) (pixel ? requests.forget_pixel_fixes : requests.forget_fixes) = true;
-    if (std::ranges::any_of(table.rows, helps)) rows("cures", search, true, requests);
-    const auto others = std::ranges::count_if(table.rows, [](const Trial& t) { return !helps(t); });
+    if (std::ranges::any_of(table.rows, &Trial::helps)) rows("cures", search, true, requests);
+    const auto others = std::ranges::count_if(table.rows, std::not_fn(&Trial::helps));
     if (others > 0 && ImGui::CollapsingHeader(fmt::format("{} others do not help###others", others).c_str()))
         rows("others", search, false, requests);
 }

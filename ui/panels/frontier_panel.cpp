@@ -228,7 +228,7 @@ double value_of(const SweepFacts& facts, const MeasuredCase& c, const MeasuredCo
 
 /// Applies a case's values of the varied settings, as a step of undo.
 void apply_case(SweepPanel& panel, Settings& settings, const MeasuredCase& c) {
-    for (const auto& [key, value] : c.settings) set_setting(settings, key, value);
+    set_settings(settings, c.settings);
     panel.chosen = c.number;
 }
 

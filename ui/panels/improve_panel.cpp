@@ -37,8 +37,7 @@ std::string list_of(Changes changes) {
 /// Draws the button that applies several changes as one step of undo.
 void apply_button(Settings& settings, Changes changes, bool current) {
     ImGui::BeginDisabled(!current || changes.empty());
-    if (ImGui::SmallButton("Apply"))
-        for (const auto& [key, value] : changes) set_setting(settings, key, value);
+    if (ImGui::SmallButton("Apply")) set_settings(settings, changes);
     ImGui::EndDisabled();
     wrapped_tooltip(list_of(changes) + (current ? fmt::format("{} takes it back.", key_text(Command::Undo))
                                                 : "Of other settings: run again."));

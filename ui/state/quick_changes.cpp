@@ -74,7 +74,7 @@ void scale_resolution(Settings& settings, bool twice) {
 }
 
 void apply_trial(EditorState& state, const Trial& trial) {
-    for (const auto& [key, value] : trial.changes) set_setting(state.settings, key, value);
+    set_settings(state.settings, trial.changes);
     state.predicted = {measured_settings(state.settings), wrong_pixels(trial.metrics), trial.metrics.mae};
 }
 
