@@ -34,11 +34,11 @@ void load(Context& context, Scene& scene) {
     const Container container = split_container(context, file.bytes.span());
     Json root = parse_json(context, container.json);
     check_asset_and_extensions(context, root);
+    scene.not_written = parts_not_written(root);
     const Sizes sizes = check_arrays(context, root);
     check_data(context, root, sizes);
     check_graph(context, root, sizes);
     check_look(context, root, sizes);
-    scene.not_written = parts_not_written(root);
     const tinygltf::Model model = read_model(context, root);
     scene.about = about(root);
     read_scene_extras(context, root, context.options().scene, scene);
