@@ -9,6 +9,7 @@
 #include "renderer/gltf/not_written.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
+#include "renderer/scene/main_part.h"
 #include "renderer/scene/scene_lights.h"
 #include "renderer/settings/settings.h"
 
@@ -86,6 +87,26 @@ void suggest_casters(Scene& scene) {
     if (2 * blended > all) scene.suggested.emplace_back(kKey, "mask");
 }
 
+/// Notes objects far from the rest and a scene that looks z-up. Fits that hold all casters would waste their maps on
+/// the way to far objects, so the view frustum is suggested.
+void describe_placement(Scene& scene) {
+    set_main_part(scene);
+    scene.far_objects = far_objects_text(scene);
+    if (!scene.far_objects.empty()) {
+        scene.warnings.push_back(fmt::format(
+            "{}; the first picture frames the rest, and light.fit starts as view; camera.index=-1 frames all",
+            scene.far_objects));
+        const auto is_fit = [](const auto& row) { return row.first.ends_with(".fit"); };
+        if (std::ranges::none_of(scene.suggested, is_fit))
+            for (std::size_t i = 0; i < std::clamp<std::size_t>(scene.lights.size(), 1, kMaxLights); ++i)
+                scene.suggested.emplace_back(fmt::format("light.{}.fit", i), "view");
+    }
+    scene.looks_z_up = looks_z_up(scene);
+    if (scene.looks_z_up)
+        scene.warnings.push_back(
+            "the scene looks z-up: it is low, and stands on a plane along z; --set scene.up=z turns it");
+}
+
 }  // namespace
 
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
@@ -102,6 +123,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         const auto of_lights = [](const auto& row) { return row.first.starts_with("light."); };
         if (std::ranges::none_of(scene.suggested, of_lights)) suggest_lights(scene);
         suggest_casters(scene);
+        describe_placement(scene);
     } catch (const std::bad_alloc&) {
         context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
     } catch (const gltf::Json::exception& error) {

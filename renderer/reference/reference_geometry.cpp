@@ -55,7 +55,7 @@ private:
 }  // namespace
 
 ReferenceGeometry::ReferenceGeometry(const Scene& scene, const Settings& settings)
-    : bounds(scene.bounds), key(reference_geometry_key(scene, settings).value()) {
+    : bounds(scene.bounds), centre(main_bounds(scene).centre()), key(reference_geometry_key(scene, settings).value()) {
     Copier copier(scene, settings);
     objects.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
@@ -75,7 +75,7 @@ std::size_t ReferenceGeometry::caster_triangles() const {
 
 UnitFrame ReferenceGeometry::unit_frame() const {
     UnitFrame frame;
-    if (!bounds.empty()) frame.centre = bounds.centre();
+    if (!bounds.empty()) frame.centre = centre;
     if (const double radius = bounds.radius(); radius > 0) frame.scale = std::exp2(-std::ilogb(radius));
     return frame;
 }

@@ -51,6 +51,7 @@ struct UnitFrame {
 struct ReferenceGeometry {
     std::vector<ReferenceObject> objects;
     Bounds bounds;
+    glm::dvec3 centre{0};  ///< of the scene's main part
     std::uint64_t key = 0;
 
     ReferenceGeometry(const Scene& scene, const Settings& settings);
@@ -62,7 +63,7 @@ struct ReferenceGeometry {
     /// 0 where they cancel, or where there are none.
     glm::dvec3 smooth_normal(std::uint32_t object, std::uint32_t primitive, const glm::dvec3& position_ws) const;
     /// Returns the coordinate frame in which rays are traced, so that single precision suffices: centred on the scene's
-    /// bounds and about one unit long.
+    /// main part and about one unit long.
     UnitFrame unit_frame() const;
     /// Adds the content of the geometry to a cache key that is the same in every process.
     void add_content(Key& key) const;

@@ -141,7 +141,8 @@ ReferenceScene::ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry
     RayHierarchy& i = *impl_;
     i.geometry = geometry_.get();
     static_cast<UnitFrame&>(i) = geometry_->unit_frame();
-    i.radius = std::max(geometry_->bounds.radius() * i.scale, 1.0);
+    const double aside_m = glm::distance(geometry_->bounds.centre(), i.centre);
+    i.radius = std::max((geometry_->bounds.radius() + aside_m) * i.scale, 1.0);
     i.device.reset(rtcNewDevice(nullptr));
     if (!i.device) throw Error("the ray-traced reference cannot be prepared: Embree finds no device");
     const auto taken = [](void* held, ssize_t bytes, bool) {

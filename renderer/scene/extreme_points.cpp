@@ -59,8 +59,14 @@ public:
             if (const auto to = reach(part, i); to[0] > far_[2 * i] || to[1] > far_[2 * i + 1]) return true;
         return false;
     }
-    void add(const Part& part) {
-        const std::vector<glm::dvec3> positions = used_positions(*part.mesh);
+    /// Adds the vertices of a part that lie within a box; an empty box holds all.
+    void add(const Part& part, const Bounds& within) {
+        std::vector<glm::dvec3> positions = used_positions(*part.mesh);
+        if (!within.empty())
+            std::erase_if(positions, [&](const glm::dvec3& p) {
+                const glm::dvec3 at(part.world * glm::dvec4(p, 1));
+                return glm::any(glm::lessThan(at, within.lo)) || glm::any(glm::lessThan(within.hi, at));
+            });
         for (std::size_t i = 0; i < kAxes; ++i) {
             const glm::dvec3 along = glm::transpose(glm::dmat3(part.world)) * axes_[i];
             const double from = glm::dot(axes_[i], glm::dvec3(part.world[3]));
@@ -89,7 +95,10 @@ private:
 
 }  // namespace
 
-std::vector<glm::dvec3> extreme_points(const Scene& scene) {
+namespace {
+
+/// Returns the outermost points of a scene's objects that lie within a box; an empty box holds all.
+std::vector<glm::dvec3> extreme_points(const Scene& scene, const Bounds& within) {
     const glm::dmat4 unplaced = glm::inverse(scene.placement);
     std::vector<Part> parts;
     Bounds bounds;
@@ -98,7 +107,13 @@ std::vector<glm::dvec3> extreme_points(const Scene& scene) {
         const Part part{&mesh, unplaced * o->world};
         const Bounds own = mesh.bounds.transformed(part.world);
         if (own.empty() || !std::isfinite(own.radius())) continue;
-        bounds.add(own);
+        if (!within.empty()) {
+            const Bounds common{glm::max(own.lo, within.lo), glm::min(own.hi, within.hi)};
+            if (common.empty()) continue;
+            bounds.add(common);
+        } else {
+            bounds.add(own);
+        }
         parts.push_back(part);
     }
     if (parts.empty()) return {};
@@ -108,16 +123,28 @@ std::vector<glm::dvec3> extreme_points(const Scene& scene) {
         for (const std::size_t way : {0, 1}) {
             const Part& farthest =
                 *std::ranges::max_element(parts, {}, [&](const Part& part) { return found.reach(part, axis)[way]; });
-            if (found.may_hold(farthest)) found.add(farthest);
+            if (found.may_hold(farthest)) found.add(farthest, within);
         }
     for (const Part& part : parts)
-        if (found.may_hold(part)) found.add(part);
+        if (found.may_hold(part)) found.add(part, within);
     return found.points();
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> extreme_points(const Scene& scene) {
+    if (!scene.main_part.empty()) {
+        // Room for rounding. An animation may move everything out of the box.
+        const glm::dvec3 room = 1e-6 * (scene.main_part.hi - scene.main_part.lo);
+        auto points = extreme_points(scene, {scene.main_part.lo - room, scene.main_part.hi + room});
+        if (!points.empty()) return points;
+    }
+    return extreme_points(scene, {});
 }
 
 void store_framing_points(Scene& scene) {
     scene.framed = extreme_points(scene);
-    scene.framed_bounds = scene.bounds.transformed(glm::inverse(scene.placement));
+    scene.framed_bounds = main_bounds(scene).transformed(glm::inverse(scene.placement));
 }
 
 }  // namespace si

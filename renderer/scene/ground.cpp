@@ -31,7 +31,7 @@ public:
     void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         const glm::dvec2 p[3] = {cell(a), cell(b), cell(c)};
         const glm::dvec2 lo = glm::min(glm::min(p[0], p[1]), p[2]), hi = glm::max(glm::max(p[0], p[1]), p[2]);
-        const auto first = [](double at) { return std::clamp(int(std::ceil(at - 0.5)), 0, kCells); };
+        const auto first = [](double at) { return int(std::clamp(std::ceil(at - 0.5), 0.0, double(kCells))); };
         for (int y = first(lo.y); y < first(hi.y); ++y)
             for (int x = first(lo.x); x < first(hi.x); ++x)
                 if (holds(p, {x + 0.5, y + 0.5})) cells_.set(std::size_t(y * kCells + x));
@@ -82,11 +82,12 @@ std::string free_name(const Scene& scene) {
 }  // namespace
 
 bool has_level_surface(const Scene& scene) {
-    if (scene.bounds.empty()) return false;
-    const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo;
+    const Bounds bounds = main_bounds(scene);
+    if (bounds.empty()) return false;
+    const glm::dvec3 size = bounds.hi - bounds.lo;
     if (!(size.x > 0 && size.z > 0)) return false;
-    const double bottom = scene.bounds.lo.y + kBottom * size.y;
-    Cover level(scene.bounds), gentle(scene.bounds), above(scene.bounds);
+    const double bottom = bounds.lo.y + kBottom * size.y;
+    Cover level(bounds), gentle(bounds), above(bounds);
     for (const Object& object : scene.objects) {
         if (object.ground) continue;
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
@@ -111,10 +112,11 @@ bool has_level_surface(const Scene& scene) {
 
 void add_ground(Scene& scene) {
     if (scene.has_floor || !scene.ground_bounds.empty()) return;
-    if (!(scene.bounds.radius() > 0) || !std::isfinite(scene.bounds.radius())) return;
+    const Bounds bounds = main_bounds(scene);
+    if (!(bounds.radius() > 0) || !std::isfinite(bounds.radius())) return;
     scene.has_floor = has_level_surface(scene);
     if (scene.has_floor) return;
-    const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo, centre = scene.bounds.centre();
+    const glm::dvec3 size = bounds.hi - bounds.lo, centre = bounds.centre();
     const double radius = kShadowLengths * (0.5 * std::hypot(size.x, size.z) + size.y);
     Mesh disc = make_disc(radius);
     disc.name = "Ground";
@@ -126,8 +128,8 @@ void add_ground(Scene& scene) {
     Node node;
     node.name = node.path = free_name(scene);
     // Node transforms are relative to Scene::placement.
-    node.local[3] = glm::inverse(scene.placement) *
-                    glm::dvec4(centre.x, scene.bounds.lo.y - kBelow * scene.bounds.radius(), centre.z, 1);
+    node.local[3] =
+        glm::inverse(scene.placement) * glm::dvec4(centre.x, bounds.lo.y - kBelow * bounds.radius(), centre.z, 1);
     for (int axis = 0; axis < 3; ++axis) node.local[axis] /= glm::length(scene.placement[0]);
     scene.nodes.push_back(std::move(node));
     scene.meshes.push_back(std::move(disc));

@@ -421,6 +421,7 @@ void finalise(Scene& scene) {
     for (Texture& texture : scene.textures) texture.rgba.track_memory(kHolder);
     for (Mesh& mesh : scene.meshes) track_arrays(mesh);
     scene.held = TrackedMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
+    scene.main_part = {};
     set_bounds_without_floor(scene);
     scene.id = next_version();
 }
@@ -505,8 +506,9 @@ std::vector<const Object*> objects_without_floor(const Scene& scene) {
     std::erase_if(all, [&](const Object* o) {
         return o->ground || !finite(o->world) || scene.meshes[std::size_t(o->mesh)].bounds.empty();
     });
+    const Bounds main = main_bounds(scene);
     std::ranges::copy_if(all, std::back_inserter(without_floor), [&](const Object* o) {
-        return !is_floor(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world), scene.bounds);
+        return !is_floor(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world), main);
     });
     return without_floor.empty() ? all : without_floor;
 }
@@ -516,6 +518,10 @@ void place(Scene& scene, const glm::dmat4& placement) {
     for (SceneCamera& camera : scene.cameras) camera.world = placement * camera.home;
     for (SceneLight& light : scene.lights) light.world = placement * light.home;
     refresh(scene);
+}
+
+Bounds main_bounds(const Scene& scene) {
+    return scene.main_part.empty() ? scene.bounds : scene.main_part.transformed(scene.placement);
 }
 
 Bounds light_fit_bounds(const Scene& scene) {

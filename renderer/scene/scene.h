@@ -210,12 +210,15 @@ struct Scene {
     std::vector<std::string> warnings;  ///< data of the file that was dropped or approximated, and the reason
     /// Parts of the file that an export of the scene lacks, one sentence each.
     std::vector<std::string> not_written;
-    Bounds bounds;                   ///< world, with hidden objects, without the ground; set by finalise()
-    Bounds ground_bounds;            ///< world, of the ground disc; empty: none. Set by finalise()
+    std::string far_objects;  ///< far_objects_text() of a file's scene; empty: nothing lies far off
+    bool looks_z_up = false;  ///< looks_z_up() of a file's scene
+    Bounds bounds;            ///< world, with hidden objects, without the ground; set by finalise()
+    Bounds main_part;      ///< without what lies far off, before `placement`; empty: nothing does. See set_main_part()
+    Bounds ground_bounds;  ///< world, of the ground disc; empty: none. Set by finalise()
     Bounds bounds_without_floor;     ///< world, without the file's floor (unless it is all there is). Set by finalise()
     bool has_floor = false;          ///< the file has its own floor and needs no ground disc: see add_ground()
     std::vector<glm::dvec3> framed;  ///< extreme_points() of a file's scene in its first pose; empty: not computed
-    Bounds framed_bounds;            ///< `bounds` in that pose, before `placement`
+    Bounds framed_bounds;            ///< main_bounds() in that pose, before `placement`
     Bounds animation_bounds;         ///< `bounds` over an animation, before `placement`; empty: not computed
     int animation_bounds_of = -1;    ///< index of that animation; -1: none. See measure_animation_bounds()
     std::uint64_t id = 0;            ///< unique per finalise() in this process; part of cache keys
@@ -253,12 +256,16 @@ bool is_well_conditioned(const glm::dmat3& m);
 /// Returns all objects of a scene, shown and hidden, in the order of its file.
 std::vector<const Object*> all_objects(const Scene& scene);
 
-/// Returns the objects of a scene without ground and floor; all but the ground when nothing else remains.
+/// Returns the objects of a scene without ground and floor, which is compared with main_bounds(); all but the ground
+/// when nothing else remains.
 std::vector<const Object*> objects_without_floor(const Scene& scene);
 
 /// Transforms a whole scene, with its cameras and lights, from the coordinates of its file by `placement`. It replaces
 /// the previous placement. Calls refresh(); suggested settings stay.
 void place(Scene& scene, const glm::dmat4& placement);
+
+/// Returns the world-space bounds of a scene without what lies far from the rest; Scene::bounds where nothing does.
+Bounds main_bounds(const Scene& scene);
 
 /// Returns the world-space bounds that light fits use: Scene::animation_bounds where known, else Scene::bounds.
 Bounds light_fit_bounds(const Scene& scene);

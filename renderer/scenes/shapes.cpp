@@ -4,6 +4,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "renderer/scene/main_part.h"
+
 namespace si {
 namespace {
 
@@ -237,6 +239,7 @@ Scene named_scene(std::string name, std::string about) {
 Scene finished(Scene scene, std::vector<std::pair<std::string, std::string>> suggested) {
     scene.suggested = std::move(suggested);
     finalise(scene);
+    set_main_part(scene);
     return scene;
 }
 

@@ -93,8 +93,8 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.source), .label = "Camera", SI_CHOICES(kSources), .help = "The source of the camera."},
     {SI_FIELD(camera.index), .label = "Scene's camera", .min = -1, .max = 9999,
      SI_IDLE(s.camera.source != CameraSource::Automatic, "without effect: set camera.source to auto"),
-     .help = "The scene's camera that is used, counted from 0; -1 is a camera that shows the whole scene. Without "
-             "effect on scenes without cameras."},
+     .help = "The scene's camera that is used, counted from 0; -1 is a camera that shows the whole scene, with objects "
+             "far from the rest that the first picture leaves out. Without effect on scenes without either."},
     {SI_FIELD(camera.target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
      .help = "The point the camera looks at, world x."},
     {SI_FIELD(camera.target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,

@@ -96,7 +96,7 @@ enum class Slabs { None, Stored, Biased, Both };
 /// Settings of the camera: camera.*. Lengths in metres, angles in degrees.
 struct CameraSettings {
     CameraSource source = CameraSource::Automatic;
-    int index = 0;  ///< index of the scene's camera; -1: a camera that shows the whole scene
+    int index = 0;  ///< index of the scene's camera; -1: a camera that shows the whole scene, however far it reaches
     double target_x = 0, target_y = 0, target_z = 0;
     double azimuth = 35, elevation = 25, roll = 0;
     double distance = 10;

@@ -193,6 +193,35 @@ TEST(ContactSheet, ShowsModelsAndNamesFailures) {
               "");
 }
 
+/// Returns a triangle textured by a PNG of one pixel whose data is a deflate block of the reserved type 3. stb_image
+/// gives no reason for it.
+std::string model_with_reserved_block() {
+    GltfFile file;
+    const std::string png(
+        "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\6\0\0\0\0\0\0\0\0\0\0\3IDAT\x78\1\7\0\0\0\0"
+        "\0\0\0\0IEND\0\0\0\0",
+        60);
+    const Json attributes = {{"POSITION", file.triangle_positions()},
+                             {"TEXCOORD_0", file.floats({0, 0, 1, 0, 0, 1}, "VEC2")}};
+    file.root({{"mesh", file.mesh({{"attributes", attributes}, {"material", 0}})}});
+    file.append("images", {{"bufferView", file.view(std::vector<char>(png.begin(), png.end()))}});
+    file.append("textures", {{"source", 0}});
+    file.append("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    return file.glb();
+}
+
+TEST(ContactSheet, DrawsTheRestOfAFolderWithADamagedImage) {
+    const auto folder = fresh_test_folder();
+    write(folder / "models/good.glb", rich_model());
+    write(folder / "models/killer.glb", model_with_reserved_block());
+    const ProcessResult r = run_program("contact-sheet models -o sheet.png --columns 2 --size 64x48", folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    EXPECT_EQ(test::lacking(file_bytes(folder / "sheet.txt"),
+                            {"1\tshown\tgood.glb\t1 triangles", "2\tshown\tkiller.glb\t1 triangles",
+                             "images[0]: the PNG's compressed data is damaged; drawn untextured"}),
+              "");
+}
+
 /// Returns the RGB pixels below the tile of a model of that name. The model is unreadable, which is faster and keeps
 /// the label.
 std::vector<std::uint8_t> label_below(const std::string& name, int tile_width = 160) {

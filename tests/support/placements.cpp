@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "renderer/scene/main_part.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
 #include "tests/support/combinations.h"
@@ -99,6 +100,7 @@ void place_scene(Scene& scene, const glm::dmat4& placed) {
         if (node.parent < 0) node.local = placed * node.local;
     for (SceneCamera& camera : scene.cameras) camera.world = placed * camera.world;
     finalise(scene);
+    set_main_part(scene);
 }
 
 bool place_settings(Settings& settings, const Placement& placement) {

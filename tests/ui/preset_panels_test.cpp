@@ -142,6 +142,25 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     EXPECT_TRUE(click_along(ui, saved.x, saved.y, saved.z, [](const EditorRequests& a) { return a.keep_scene; }));
 }
 
+TEST(PresetStrips, FarObjectsAreNamedAndOneClickFramesAll) {
+    UiHarness ui(1280, 720);
+    ui.frames(3);
+    EXPECT_FALSE(window_of("far objects"));
+    ui.scene.far_objects = "node 'Rock' reaches 1e+06 m from the rest";
+    ui.frames(3);
+    EXPECT_TRUE(ui.drawn().shows("node 'Rock' reaches 1e+06 m from the rest"));
+    ui.click(ui.find("far objects", "", "Frame all"));
+    ui.frames(2);
+    EXPECT_EQ(ui.state.settings.camera, (CameraSettings{.index = -1}));
+    EXPECT_FALSE(window_of("far objects"));
+    ui.state.settings.camera = {};
+    ui.frames(3);
+    ui.click(ui.find("far objects", "", "Hide"));
+    ui.frames(2);
+    EXPECT_FALSE(window_of("far objects"));
+    EXPECT_EQ(ui.state.settings.camera, CameraSettings{});
+}
+
 TEST(PresetStrips, SettingsLostByTheDriverAreSavedAtOnceOrUnderAnotherName) {
     UiHarness ui(1280, 720);
     ui.state.files.preset_path = "mine.json";

@@ -1,5 +1,5 @@
-// Strips between the top bar and the pictures: the note of the open preset, the session that a crash has left, and a
-// scene that another program has saved.
+// Strips between the top bar and the pictures: the note of the open preset, notes on the scene, the session that a
+// crash has left, and a scene that another program has saved.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -10,6 +10,7 @@
 #include <iterator>
 #include <vector>
 
+#include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/text.h"
@@ -200,6 +201,35 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& re
           });
 }
 
+/// Draws a note on the scene with a button that acts on it, until the user hides it or acts.
+void draw_scene_note(EditorState& state, const char* id, const std::string& text, const char* action,
+                     const char* action_hint, float width, const auto& act) {
+    if (state.files.hidden_scene_note == text) return;
+    strip(id, width, buttons_width({action, "Hide"}), {{text, ImGui::GetFont(), theme::text()}}, 0, [&] {
+        if (hint_button(action, action_hint)) act();
+        ImGui::SameLine();
+        if (hint_button("Hide", "Until another scene with such a note is opened")) state.files.hidden_scene_note = text;
+    });
+}
+
+void draw_scene_notes(EditorState& state, const EditorFrame& frame, float width) {
+    if (!frame.scene) return;
+    CameraSettings& camera = state.settings.camera;
+    if (!frame.scene->far_objects.empty() && camera.source == CameraSource::Automatic && camera.index >= 0)
+        draw_scene_note(state, "far objects",
+                        fmt::format("The first picture frames most of {}: {}.", scene_label(frame.scene->name),
+                                    frame.scene->far_objects),
+                        "Frame all", "camera.index -1: the whole scene, with what is far", width,
+                        [&] { camera = {.index = -1}; });
+    const auto up = find_setting("scene.up");
+    if (frame.scene->looks_z_up && up && get_value(state.settings, *up) == default_value(*up))
+        draw_scene_note(
+            state, "up axis",
+            fmt::format("{} looks z-up: it is low, and stands on a plane along z.", scene_label(frame.scene->name)),
+            "Turn z up", "scene.up z: reads the file again with z upwards", width,
+            [&] { set_setting(state.settings, "scene.up", "z"); });
+}
+
 }  // namespace
 
 std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame) {
@@ -222,6 +252,7 @@ void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& r
     draw_reset(state, frame, requests, width);
     draw_lost(frame, requests, width);
     draw_saved_scene(state, frame, requests, width);
+    draw_scene_notes(state, frame, width);
     draw_guide(state, frame, requests, width);
     ImGui::EndGroup();
 }

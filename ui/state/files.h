@@ -16,6 +16,7 @@ struct FilesState {
     std::string preset_path = "preset.json";  ///< file that saving writes
     std::string error_path = "error.json";    ///< file that saving the errors writes
     GuideNote guide;                          ///< sentence of the preset that was opened last
+    std::string hidden_scene_note;            ///< note on the scene that the user has hidden; empty: none
     std::string hidden_guide;                 ///< preset key of the note that the user has hidden; empty: none
     FileDialog dialog;
     std::optional<Replacement> replace;  ///< file that is replaced once the user agrees

@@ -58,7 +58,7 @@ glm::dvec3 suggested_light(const Scene& scene) {
 
 /// Points of the model that the picture has to contain, world.
 std::vector<glm::dvec3> points_to_frame(const Scene& scene) {
-    const Box box = scene.bounds_without_floor.corners();
+    const Box box = (scene.main_part.empty() ? scene.bounds_without_floor : main_bounds(scene)).corners();
     if (scene.framed.empty()) return {box.begin(), box.end()};
     std::vector<glm::dvec3> points;
     for (const glm::dvec3& p : scene.framed) points.emplace_back(scene.placement * glm::dvec4(p, 1));
@@ -83,7 +83,7 @@ ShadowView view_for_shadow(const Bounds& standing) {
 std::vector<glm::dvec3> with_shadows(const Scene& scene, const std::vector<glm::dvec3>& standing,
                                      const Bounds& bounds) {
     const bool own_floor = scene.ground_bounds.empty();
-    const Bounds whole = scene.framed.empty() ? scene.bounds : scene.framed_bounds.transformed(scene.placement);
+    const Bounds whole = scene.framed.empty() ? main_bounds(scene) : scene.framed_bounds.transformed(scene.placement);
     std::vector<glm::dvec3> points = standing;
     const glm::dvec3 to_light = suggested_light(scene);
     if (to_light.y <= 0) return points;

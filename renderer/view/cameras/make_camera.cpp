@@ -13,9 +13,8 @@
 namespace si {
 namespace {
 
-/// Bounds that the camera looks at: a unit box around zero when the scene is empty.
-Bounds view_bounds(const Scene& scene) {
-    Bounds b = scene.bounds;
+/// Returns bounds that a camera can look at: a unit box around zero when `b` is empty, and no point.
+Bounds view_bounds(Bounds b) {
     if (b.empty() || !std::isfinite(b.radius())) return {glm::dvec3(-1), glm::dvec3(1)};
     const double scale = std::max({1e-7, b.radius() * 1e-3, glm::length(b.centre()) * 1e-9});
     if (b.radius() < scale) {
@@ -27,7 +26,8 @@ Bounds view_bounds(const Scene& scene) {
 
 /// Sets near and far planes tight around the bounds. Depth is a reversed float, so a small near plane costs little
 /// precision.
-void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
+/// @param main part of the bounds that must not be cut off, even where they reach a million times as far
+void fit_range(Camera& c, const Bounds& bounds, const Bounds& main, double near, double far) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (const glm::dvec3& p : bounds.corners()) {
         const double z = glm::dot(c.axes[2], c.eye - p);
@@ -42,7 +42,8 @@ void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
         return;
     }
     c.curve.far = far > 0 ? far : std::max(farthest + pad, c.focus * 1e-2);
-    c.curve.near = near > 0 ? near : std::max({0.9 * nearest, c.curve.far * 1e-6, c.focus * 1e-4});
+    const double least = main == bounds ? c.curve.far * 1e-6 : std::min(c.curve.far * 1e-6, 1e-2 * main.radius());
+    c.curve.near = near > 0 ? near : std::max({0.9 * nearest, least, c.focus * 1e-4});
     if (!(c.curve.far > c.curve.near * 1.0001)) {
         if (near > 0)
             c.curve.far = 2 * c.curve.near;
@@ -97,7 +98,8 @@ double clamped_fov_rad(double fov_deg) {
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> fitted_without_camera) {
     const CameraSettings& s = settings.camera;
-    const Bounds bounds = view_bounds(scene);
+    const Bounds whole = view_bounds(scene.bounds);
+    const Bounds bounds = scene.main_part.empty() ? whole : view_bounds(main_bounds(scene));
     Camera c;
     c.aspect = positive_or(aspect, 1);
     c.orthographic = s.orthographic;
@@ -132,17 +134,19 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
         const CameraSettings standard;
         c.orthographic = false;
         c.fov_y_rad = clamped_fov_rad(standard.fov);
-        if (should_frame_shadow(scene, settings)) {
+        const bool far_too = s.index < 0 && !scene.main_part.empty();
+        if (should_frame_shadow(scene, settings) && !far_too) {
             frame_with_shadow(c, scene);
         } else {
             c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
-            frame_bounds(c, bounds);
+            frame_bounds(c, far_too ? whole : bounds);
         }
     }
     c.curve.perspective = !c.orthographic;
-    Bounds seen = bounds;
+    Bounds seen = whole, main = bounds;
     seen.add(scene.ground_bounds);
-    fit_range(c, seen, near, far);
+    main.add(scene.ground_bounds);
+    fit_range(c, seen, main, near, far);
     return c;
 }
 

@@ -94,7 +94,9 @@ PlacedLights place_lights(const Scene& scene, const Settings& settings) {
     PlacedLights out{shape, {}, {}};
     for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
         out.lights.push_back(place(settings.lights[std::size_t(i)], *shape));
-    for (PlacedLight& light : out.lights) light.map_origin = counted_from(settings, shape->centre);
+    // Floats are finest near the origin, so it lies where objects lie close together.
+    const glm::dvec3 nearby = scene.main_part.empty() ? shape->centre : main_bounds(scene).centre();
+    for (PlacedLight& light : out.lights) light.map_origin = counted_from(settings, nearby);
     normalise_punctual(out.lights, settings, *shape);
     for (const PlacedLight& light : out.lights)
         out.shapes.push_back(
