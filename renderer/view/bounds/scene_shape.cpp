@@ -136,6 +136,7 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
     s.centre = bounds.centre();
     // A single point gets a radius of the resolution of a double at its distance from the origin.
     s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});
+    s.main_radius = scene.main_part.empty() ? s.radius : main_bounds(scene).radius();
     return s;
 }
 

@@ -19,6 +19,7 @@ namespace si {
 struct SceneShape {
     glm::dvec3 centre{0};
     double radius = 1;                     ///< radius of the sphere around the bounds, metres; never 0
+    double main_radius = 1;                ///< radius around main_bounds(), metres; `radius` where nothing is far
     bool one_box = false;                  ///< one box stands for all objects
     std::vector<Box> boxes;                ///< world boxes, one an object or one for the scene; never empty
     std::vector<bool> box_casts;           ///< objects that cast; indexed as `boxes`, like all members named box_*

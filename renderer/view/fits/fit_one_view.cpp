@@ -93,8 +93,11 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
     }
     const glm::dvec2 size = region.hi - region.lo;
     view.eye += view.axes * glm::dvec3(0.5 * (region.lo + region.hi), 0);
-    view.half_width =
-        half_extent_with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
+    // Floats count from map_origin, in the scene's main part: they are finer there than the whole scene's size tells.
+    const glm::dvec2 aside(glm::transpose(view.axes) * (view.eye - light.map_origin));
+    const double scale =
+        c.shape.main_radius < c.shape.radius ? std::max(c.shape.main_radius, glm::length(aside)) : c.shape.radius;
+    view.half_width = half_extent_with_margin(0.5 * std::max(size.x, size.y), scale, c.resolution, c.margin_texels);
     ViewExtent held;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) held.add(extent_inside_view(c.shape, i, view));
     if (!(held.lo.z <= held.hi.z)) held = extent_in_view(c.shape, view);  // too far away for double precision
