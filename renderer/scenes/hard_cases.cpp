@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <ranges>
@@ -284,6 +285,41 @@ Scene hard_bars_over_cover() {
     Scene scene = on_floor(10, {0, 0.1875, 3.75}, {0, 0, 0});
     for (int i = -3; i <= 3; ++i) add_shape(scene, "Bar", 0, make_plane(0.5, 8), 0, moved(i, 4, 0));
     return with_bodies(std::move(scene), {{"Cover", make_plane(8, 8), moved(0, 0.25, 0)}});
+}
+
+/// Makes a smooth hill whose positions are steps of 1/32 m, as 8 bits over 8 m store them. Its normals are exact.
+Scene hard_quantised() {
+    constexpr double kStep = 1.0 / 32;
+    Mesh hill = make_plane(8, 8, 48, 48);
+    hill.uv.clear();
+    std::vector<glm::vec3>&positions = hill.positions.edit(), &normals = hill.normals.edit();
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::dvec3 p(positions[i]);
+        const double height = 0.25 * std::exp(-0.25 * (p.x * p.x + p.z * p.z));
+        normals[i] = glm::vec3(glm::normalize(glm::dvec3(0.5 * p.x * height, 1, 0.5 * p.z * height)));
+        positions[i] = glm::vec3(kStep * glm::round(glm::dvec3(p.x, height, p.z) / kStep));
+    }
+    return with_bodies(on_floor(8, {-2, 5, 5}, {0, 0, 0}), {{"Hill", std::move(hill), moved(0, 0.0625, 0)},
+                                                            {"Box", make_box({1, 0.5, 1}), moved(2.5, 0.75, 0)}});
+}
+
+/// Makes hard_floor_and_box() with a triangle below the floor, one of whose vertices is 1,000 km off.
+Scene hard_stray_vertex() {
+    Scene scene = box_under(glm::dmat4(1));
+    Mesh stray;
+    stray.name = "Stray";
+    stray.positions = {{0, 0, 0}, {1.0f / 1024, 0, 0}, {0, 0, 1048576}};
+    stray.indices = {0, 1, 2};
+    add_shape(scene, "Stray", 0, std::move(stray), 0, moved(0, -1, 0));
+    return finished(std::move(scene));
+}
+
+/// Makes hard_floor_and_box() at 1/1024 of its size: a model in kilometres that was read as metres.
+Scene hard_kilometres() {
+    constexpr double kScale = 1.0 / 1024;
+    return with_bodies(on_floor(kScale * 10, kScale * kEye, kScale * kTarget),
+                       {{"Box", make_box(kScale * glm::dvec3(1.5, 1, 2)), moved(0, kScale * 0.75, 0)},
+                        {"Ball", make_sphere(kScale * 0.625, 24, 12), moved(kScale * -2, kScale * 1.5, kScale)}});
 }
 
 constexpr std::string_view kPixels = "share of pixels", kCount = "pixels";
@@ -571,6 +607,31 @@ constexpr HardCase kCases[] = {
      "warped by e^(40 x), the bars are nothing beside the cover; a few pixels lie at the cover's own sides",
      "the same under depths that are not warped", 0.1, hard_bars_over_cover,
      "map.resolution=256 light.elevation=90 filter.blur=6 filter.bleed=0", "filter.kernel=vsm", "filter.kernel=evsm4"},
+    {39, "quantised", "Quantised positions",
+     "Positions in 8 bits make terraces of a gentle hill: a bias that suits its stored normals is too small for facets "
+     "that the light meets flatter.",
+     "A bias by the triangle's own plane and its neighbours (receiver plane and remainder). 14 bits make steps 64 "
+     "times less high.",
+     "share of pixels with acne", 2e-4, kPixels, "facets meet in inner corners within a pixel",
+     "share of pixels with acne under a bias by stored normals, beyond that of the exact hill", 5e-4, hard_quantised,
+     "map.resolution=1024 light.azimuth=30 light.elevation=20 light.fit=scene filter.kernel=hard bias.normal=0",
+     "bias.kind=slope bias.slope=3 bias.constant=0.5", "bias.kind=receiver-plane-remainder"},
+    {40, "stray-vertex", "One vertex far off",
+     "One forgotten vertex 1,000 km off makes a map of the whole scene as wide: each texel covers 2 km, and no shadow "
+     "is left.",
+     "A fit to the view frustum (light.fit=view); numbers are relative to the scene's main part, and the file's note "
+     "names the object.",
+     "pixels that differ from the same scene without that vertex", 5e-4, kPixels, kTwin,
+     "share of pixels that differ under a fit to the whole scene", 0.01, hard_stray_vertex,
+     "map.resolution=512 light.azimuth=90 light.elevation=30", "light.fit=scene", "light.fit=view"},
+    {41, "units", "Kilometres read as metres",
+     "Read in a wrong unit, a model is 1000 times as small or as large: a bias in metres swallows every shadow, or is "
+     "lost in one texel.",
+     "A bias in texels, which grow with the scene.",
+     "pixels that differ from the same scene in metres, in units of 1/1024 and of 1024", 5e-4, kPixels, kTwin,
+     "share of pixels that differ under a bias in metres", 0.01, hard_kilometres,
+     "map.resolution=512 light.azimuth=30 light.elevation=40 bias.kind=constant", "bias.unit=metres bias.constant=0.05",
+     "bias.unit=texels bias.constant=5"},
 };
 
 /// Calls `use` with key and value of each setting of a view. Settings that both views of a case share come first.
