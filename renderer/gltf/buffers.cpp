@@ -58,6 +58,13 @@ std::span<const std::uint8_t> Buffers::buffer(std::size_t i) {
     return spans_[i] = all.first(std::size_t(wanted));
 }
 
+void Buffers::add(std::vector<std::uint8_t> bytes) {
+    decoded_.push_back(std::move(bytes));
+    spans_.push_back(decoded_.back());
+    spend(decoded_.back().size());
+    bytes_loaded_ += decoded_.back().size();
+}
+
 std::span<const std::uint8_t> Buffers::view(std::size_t i) {
     const Json& json = root_["bufferViews"][i];
     if (json["byteLength"] == 0) return {};

@@ -20,6 +20,8 @@ public:
     /// Returns the bytes of glTF buffer view `i`, whose range was validated by check_data(); empty for a faulty view,
     /// which no accessor reads.
     std::span<const std::uint8_t> view(std::size_t i);
+    /// Appends a buffer of decoded bytes, whose index is the number of those before. The document needs it too.
+    void add(std::vector<std::uint8_t> bytes);
     /// Returns the bytes that files and data URIs may still take.
     std::size_t bytes_left() const { return bytes_left_; }
     /// Returns the bytes of all buffers loaded so far.
@@ -35,6 +37,7 @@ private:
     const Json& root_;
     const Container& container_;
     std::vector<Bytes> loaded_;
+    std::vector<std::vector<std::uint8_t>> decoded_;
     std::vector<std::span<const std::uint8_t>> spans_;
     std::size_t bytes_left_ = 0, bytes_loaded_ = 0;
 };

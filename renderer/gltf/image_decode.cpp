@@ -1,3 +1,5 @@
+#include "renderer/gltf/image_decode.h"
+
 #include <fmt/format.h>
 #include <stb/stb_image.h>
 
@@ -6,14 +8,12 @@
 #include <memory>
 
 #include "renderer/gltf/image_faults.h"
-#include "renderer/gltf/textures.h"
 
 namespace si::gltf {
 namespace {
 
 std::string kind_of(std::span<const std::uint8_t> bytes) {
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.size() >= 12 && text.substr(0, 4) == "RIFF" && text.substr(8, 4) == "WEBP") return "WebP";
     if (text.substr(0, 8) == std::string_view("\xABKTX 20\xBB")) return "KTX2";
     return "";
 }

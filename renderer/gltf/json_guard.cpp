@@ -27,26 +27,19 @@ std::array<int, 2> version_numbers(const std::string& text) {
 
 bool is_read_here(const std::string& extension) {
     static constexpr std::string_view kRead[] = {
-        "KHR_lights_punctual", "KHR_texture_transform",   "KHR_mesh_quantization",
-        "KHR_materials_unlit", "EXT_mesh_gpu_instancing",
+        "KHR_lights_punctual",     "KHR_texture_transform",      "KHR_mesh_quantization",
+        "KHR_materials_unlit",     "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",
+        "KHR_meshopt_compression", "KHR_draco_mesh_compression", "EXT_texture_webp",
     };
     return std::find(std::begin(kRead), std::end(kRead), extension) != std::end(kRead);
 }
 
 /// Returns true for extensions that change only the look of surfaces, so that the geometry is right without them.
 bool is_only_look(const std::string& extension) {
-    static constexpr std::string_view kTexture[] = {"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif",
-                                                    "MSFT_texture_dds", "KHR_xmp_json_ld"};
+    static constexpr std::string_view kTexture[] = {"KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds",
+                                                    "KHR_xmp_json_ld"};
     return extension.rfind("KHR_materials_", 0) == 0 ||
            std::find(std::begin(kTexture), std::end(kTexture), extension) != std::end(kTexture);
-}
-
-std::string fix_for_error(const std::string& extension) {
-    if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
-        extension == "KHR_meshopt_compression") {
-        return "export the model without mesh compression (gltf-transform copy IN OUT decodes it)";
-    }
-    return "export the model without it";
 }
 
 /// Removes extensions and extras from a JSON value and all values within.
@@ -108,7 +101,8 @@ void check_asset_and_extensions(Context& context, const Json& root) {
         const auto& name = entry.get_ref<const std::string&>();
         if (is_read_here(name)) continue;
         if (!is_only_look(name)) {
-            context.fail(Place("extensionsRequired"), fmt::format("{} is not supported", name), fix_for_error(name));
+            context.fail(Place("extensionsRequired"), fmt::format("{} is not supported", name),
+                         "export the model without it");
         }
         context.warn(Place("extensionsRequired"),
                      fmt::format("{} is not supported; surfaces look plainer without it", name));

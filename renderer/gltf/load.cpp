@@ -5,6 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/gltf/decompress.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/not_written.h"
 #include "renderer/gltf/rig.h"
@@ -36,6 +37,9 @@ void load(Context& context, Scene& scene) {
     Json root = parse_json(context, container.json);
     check_asset_and_extensions(context, root);
     scene.not_written = parts_not_written(root);
+    check_arrays(context, root);
+    Buffers buffers(context, root, container);
+    decompress(context, root, buffers);
     const Sizes sizes = check_arrays(context, root);
     check_data(context, root, sizes);
     check_graph(context, root, sizes);
@@ -44,7 +48,6 @@ void load(Context& context, Scene& scene) {
     scene.about = about(root);
     read_scene_extras(context, root, context.options().scene, scene);
 
-    Buffers buffers(context, root, container);
     Accessors accessors(context, model, buffers);
     Textures textures(context, root, model, buffers, scene);
     Materials materials(context, root, model, textures, scene);

@@ -117,8 +117,12 @@ const MaterialUv& Materials::use(int i) {
     const Place place("materials", i);
     Material& material = scene_.materials[at];
     if (const Json* info = member(member(&json, "pbrMetallicRoughness"), "baseColorTexture")) {
-        material.base_colour_texture = textures_.use((*info)["index"].get<int>(), true);
-        if (material.base_colour_texture >= 0) uv.base_colour = uv_source(*info, Place(place, "baseColorTexture"));
+        const int texture = (*info)["index"].get<int>();
+        material.base_colour_texture = textures_.use(texture, true);
+        if (material.base_colour_texture >= 0)
+            uv.base_colour = uv_source(*info, Place(place, "baseColorTexture"));
+        else
+            textures_.warn_lost_alpha(at, textures_.is_ktx2_alone(texture));
     }
     if (const Json* info = member(&json, "normalTexture")) {
         material.normal_texture = textures_.use((*info)["index"].get<int>(), false);

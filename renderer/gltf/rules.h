@@ -61,6 +61,9 @@ struct Sizes {
 /// @throws Error when one is no array of objects, or they would need more than 512 MiB
 Sizes check_arrays(const Context& context, const Json& root);
 
+/// Validates the buffers of a glTF file. Returns their lengths in bytes. @throws Error
+std::vector<std::uint64_t> check_buffers(const Context& context, const Json& root);
+
 /// Validates the byte ranges of all buffers, views and accessors (sparse ones too) of a glTF file. A faulty view that
 /// no accessor reads becomes an empty one in `root`, with a warning. @throws Error
 void check_data(Context& context, Json& root, const Sizes& sizes);

@@ -17,20 +17,6 @@ struct View {
     std::string fault;  ///< empty: readable
 };
 
-std::vector<std::uint64_t> check_buffers(const Context& context, const Json& root) {
-    std::vector<std::uint64_t> bytes;
-    const auto buffers = root.find("buffers");
-    if (buffers == root.end()) return bytes;
-    for (std::size_t i = 0; i < buffers->size(); ++i) {
-        const Place place("buffers", i);
-        const Fields fields(context, (*buffers)[i], place);
-        fields.string("uri");
-        bytes.push_back(fields.whole_required("byteLength", kMostBytes));
-        if (bytes.back() == 0) context.fail(Place(place, "byteLength"), "is 0");
-    }
-    return bytes;
-}
-
 std::vector<View> check_views(const Context& context, const Json& root, const std::vector<std::uint64_t>& buffers) {
     std::vector<View> out;
     const auto views = root.find("bufferViews");
@@ -150,6 +136,20 @@ std::size_t element_bytes(std::string_view type, std::uint64_t component_type) {
     if (type == "MAT3") return matrix(3);
     if (type == "MAT4") return matrix(4);
     return 0;
+}
+
+std::vector<std::uint64_t> check_buffers(const Context& context, const Json& root) {
+    std::vector<std::uint64_t> bytes;
+    const auto buffers = root.find("buffers");
+    if (buffers == root.end()) return bytes;
+    for (std::size_t i = 0; i < buffers->size(); ++i) {
+        const Place place("buffers", i);
+        const Fields fields(context, (*buffers)[i], place);
+        fields.string("uri");
+        bytes.push_back(fields.whole_required("byteLength", kMostBytes));
+        if (bytes.back() == 0) context.fail(Place(place, "byteLength"), "is 0");
+    }
+    return bytes;
 }
 
 void check_data(Context& context, Json& root, const Sizes&) {

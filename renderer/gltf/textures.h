@@ -7,21 +7,10 @@
 #include <tuple>
 
 #include "renderer/gltf/buffers.h"
+#include "renderer/gltf/image_decode.h"
 #include "renderer/gltf/tinygltf_model.h"
 
 namespace si::gltf {
-
-/// Decoded image with 8-bit RGBA pixels, or the reason why it could not be decoded.
-struct Image {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> rgba;
-    std::string error;  ///< empty: decoded
-};
-
-/// Decodes a PNG or JPEG file in memory to RGBA8 (stb_image). Failures are reported in Image::error.
-Image decode_image(std::span<const std::uint8_t> bytes);
-/// Estimates the peak memory of decode_image() in bytes from the image's header; 0 when the header is unreadable.
-std::size_t decoding_bytes(std::span<const std::uint8_t> bytes);
 
 /// Textures of one glTF file: collects the textures that materials use, then decodes their images in parallel.
 class Textures {
@@ -30,33 +19,47 @@ public:
     /// Requests a glTF texture. Returns its index in the scene; -1, with a warning, when it cannot be shown.
     /// @param srgb true for colours, false for data such as normals
     int use(int texture, bool srgb);
+    /// Warns that the shadow of a material is wrong, because the image that holds its alpha is not read.
+    /// @param material index; nothing happens for an opaque one @param is_ktx2 true where it can be converted
+    void warn_lost_alpha(std::size_t material, bool is_ktx2);
+    /// Returns true when a glTF texture has no other image than a KTX2 one.
+    bool is_ktx2_alone(int texture) const;
     /// Decodes all requested textures on all processors. Textures that fail are removed from the scene and its
     /// materials.
     void decode();
 
 private:
+    /// Reason why a texture of the scene has no pixels.
+    enum class Failure { None, Unreadable, Ktx2 };
     /// A requested texture whose image has to be decoded.
     struct Job {
         int image = -1;
         std::size_t scene_texture = 0;
+        bool says_webp = false;  ///< its texture has EXT_texture_webp
     };
     /// An image that another thread decodes, with its encoded bytes.
     struct Decoding {
         Bytes storage;
         std::string error;
         std::size_t cost = 0;
-        std::future<Image> image;  ///< valid when `error` is empty; last, so that it ends before its bytes do
+        std::span<const std::uint8_t> webp;  ///< bytes of a WebP image, which decode_webp_images() decodes
+        std::future<Image> image;  ///< valid without `error` and `webp`; last, so that it ends before its bytes do
     };
     /// Starts decoding the image of a texture on another thread.
     Decoding start(const Job& job);
+    /// Returns the image of a glTF texture by EXT_texture_webp; nothing where it has none.
+    std::optional<int> webp_image(int texture) const;
     /// Returns the image index of a glTF texture; nothing when only an extension that is not read provides one.
     std::optional<int> readable_image(int texture);
+    /// Decodes WebP images in child processes, several at once. Returns them in the order of `waiting`.
+    std::vector<Image> decode_webp_images(const std::vector<Decoding>& waiting);
+    /// Keeps a decoded image in its texture, or warns why it is not there. Sets its failure.
+    void keep(const Job& job, Image image);
     /// Finds the encoded bytes of a glTF image. Returns an error text, empty on success.
     /// @param storage owns the bytes when they come from a file or data URI
     std::string fetch(int image, std::span<const std::uint8_t>& bytes, Bytes& storage);
-    /// Removes textures that could not be decoded from the scene and its materials. @param failed flags by texture:
-    /// true where it failed
-    void remove_failed(const std::vector<char>& failed);
+    /// Removes textures that could not be decoded from the scene and its materials.
+    void remove_failed();
 
     Context& context_;
     const Json& root_;
@@ -65,6 +68,8 @@ private:
     Scene& scene_;
     std::map<std::tuple<int, int, bool>, int> known_;  ///< image, sampler, srgb
     std::vector<Job> jobs_;
+    std::vector<Failure> failures_;  ///< by texture of the scene
+    std::size_t decoded_bytes_ = 0;  ///< of all textures
 };
 
 }  // namespace si::gltf

@@ -1,4 +1,4 @@
-// Fuzz targets for models, presets and setting values.
+// Fuzz targets for models, presets, setting values and decoders.
 #include "tests/fuzz/targets.h"
 
 #include <fmt/format.h>
@@ -7,15 +7,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 
 #include "app/session/presets.h"
 #include "app/session/session.h"
 #include "renderer/base/error.h"
+#include "renderer/foreign/pack.h"
+#include "renderer/gltf/draco.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/gltf/meshopt.h"
+#include "renderer/gltf/webp.h"
 #include "renderer/measure/axes.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/param.h"
@@ -132,10 +138,61 @@ void fuzz_value(std::span<const std::uint8_t> bytes) {
     require(sanitise(settings).empty(), "repaired settings are repaired again");
 }
 
+/// Runs a decoder, which may refuse its input also for want of memory. Decoders run in this process here, so that a
+/// sanitizer sees their faults.
+template <class Action>
+bool is_decoded(const Action& action) {
+    try {
+        return is_accepted(action);
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+}
+
+/// A byte for the type of the attribute with the id 0, then Draco data.
+void fuzz_draco(std::span<const std::uint8_t> bytes) {
+    if (bytes.empty()) return;
+    static constexpr int kTypes[] = {5126, 5120, 5121, 5122, 5123, 5125};
+    gltf::DracoMesh mesh;
+    mesh.bytes = bytes.subspan(1);
+    mesh.attributes = {{0, kTypes[bytes[0] % 6], 1 + bytes[0] / 6 % 4}};
+    is_decoded([&] {
+        const auto answer = gltf::decode_packed_draco(gltf::pack_draco({&mesh, 1}), [](double) {});
+        PackReader in(answer);
+        if (!in.text().empty()) return;
+        const std::uint64_t points = in.number(), faces = in.number();
+        const auto indices = in.block();
+        require(indices.size() == faces * 12, "other indices than faces");
+        for (std::size_t i = 0; i < indices.size(); i += 4) {
+            std::uint32_t index = 0;
+            std::memcpy(&index, indices.data() + i, 4);
+            require(index < points, "an index is out of range");
+        }
+    });
+}
+
+/// Three bytes for mode and filter, stride and count, then the stream.
+void fuzz_meshopt(std::span<const std::uint8_t> bytes) {
+    if (bytes.size() < 3) return;
+    static constexpr const char* kModes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+    static constexpr const char* kFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
+    const gltf::MeshoptStream stream{kModes[bytes[0] % 3], kFilters[bytes[0] / 3 % 4], bytes[2], bytes[1]};
+    is_decoded([&] {
+        std::vector<std::uint8_t> out(gltf::checked_meshopt_bytes(stream, bytes.size() - 3));
+        gltf::decode_meshopt(stream, bytes.subspan(3), out);
+    });
+}
+
+void fuzz_webp(std::span<const std::uint8_t> bytes) {
+    constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
+    is_decoded([&] { gltf::decode_packed_webp(gltf::pack_webp({&bytes, 1}, kMaxBytes), [](double) {}); });
+}
+
 }  // namespace
 
 const std::vector<Target>& targets() {
-    static const std::vector<Target> all = {{"gltf", fuzz_gltf}, {"preset", fuzz_preset}, {"value", fuzz_value}};
+    static const std::vector<Target> all = {{"gltf", fuzz_gltf},   {"preset", fuzz_preset},   {"value", fuzz_value},
+                                            {"draco", fuzz_draco}, {"meshopt", fuzz_meshopt}, {"webp", fuzz_webp}};
     return all;
 }
 

@@ -150,13 +150,13 @@ TEST(GltfMaterial, NormalTextureHasCoordinatesOfItsOwnOnlyWhenTheyDiffer) {
 
 TEST(GltfMaterial, UnreadableFormatFallsBackOrIsUntextured) {
     Textured file;
-    file.json["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 0;
+    file.json["textures"][0]["extensions"]["EXT_texture_avif"]["source"] = 0;
     EXPECT_EQ(file.load().textures.size(), 1u);  // the plain source is the fallback
     file.json["textures"][0].erase("source");
     const Scene scene = file.load();
     EXPECT_TRUE(scene.textures.empty());
     EXPECT_EQ(scene.materials.at(0).base_colour_texture, -1);
-    EXPECT_TRUE(mentions(scene.warnings, "EXT_texture_webp is not supported"));
+    EXPECT_TRUE(mentions(scene.warnings, "EXT_texture_avif is not supported"));
 }
 
 TEST(GltfMaterial, BrokenImageDropsOnlyItsTexture) {
