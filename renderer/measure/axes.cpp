@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <ranges>
 #include <set>
 
 #include "renderer/base/did_you_mean.h"
@@ -21,7 +20,12 @@ constexpr std::size_t kMaxValues = 1000;
 
 std::vector<std::string> split(std::string_view text, char at) {
     std::vector<std::string> parts;
-    for (const auto part : text | std::views::split(at)) parts.emplace_back(part.begin(), part.end());
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find(at, from), text.size());
+        parts.emplace_back(text.substr(from, end - from));
+        from = end + 1;
+        if (end + 1 == text.size()) parts.emplace_back();  // after a last separator
+    }
     return parts;
 }
 

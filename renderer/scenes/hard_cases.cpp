@@ -5,7 +5,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <ranges>
 #include <vector>
 
 #include "renderer/base/error.h"
@@ -638,8 +637,9 @@ constexpr HardCase kCases[] = {
 template <class Use>
 void each_setting(const HardCaseView& view, Use use) {
     for (const std::string_view list : {view.row->view, view.fixed ? view.row->fixed : view.row->broken})
-        for (const auto part : list | std::views::split(' ')) {
-            const std::string_view one(part.begin(), part.end());
+        for (std::size_t from = 0, end = 0; from < list.size(); from = end + 1) {
+            end = std::min(list.find(' ', from), list.size());
+            const std::string_view one = list.substr(from, end - from);
             if (const auto equals = one.rfind('='); equals != std::string_view::npos)
                 use(one.substr(0, equals), one.substr(equals + 1));
         }
