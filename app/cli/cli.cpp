@@ -204,9 +204,13 @@ void add_others(CLI::App& app, Run& run) {
                     "Print the contents of a scene, and the parts of its file that were dropped and why", run_scene);
     scene.add_scene()->required();
     scene
-        .add_value("--index", scene.options.file_scene, "N",
-                   "Index of the scene in a glTF file, from 0 (default: the file's own default)")
+        .add_setting<int>("--index", "scene.index", "N",
+                          "Index of the scene in a glTF file, from 0 (default: the file's own default)")
         ->check(CLI::Range(0, 9999));
+    scene.add_setting<std::string>("--up", "scene.up", "AXIS",
+                                   "Axis of the file that points up: x, y, z, -x, -y, -z (default: as the file says)");
+    scene.add_setting<double>("--unit", "scene.unit", "M",
+                              "Metres in one unit of the file (default: as the file says)");
     scene.add_json();
 
     auto& sheet =

@@ -159,13 +159,9 @@ std::vector<std::string> list_kinds();
 /// Runs the command `info`: prints the OpenGL driver, its limits and the program's version.
 void run_info(const CommandOptions& options);
 
-/// Options of the command `scene`.
-struct SceneOptions : CommandOptions {
-    int file_scene = -1;  ///< index of the scene in a glTF file; -1: its default
-};
 /// Runs the command `scene`: prints what a scene holds, and which parts of its file were dropped or approximated and
 /// why.
-void run_scene(const SceneOptions& options);
+void run_scene(const CommandOptions& options);
 
 /// Options of the command `contact-sheet`. The size is that of each tile.
 struct ContactSheetOptions : CommandOptions {

@@ -159,9 +159,9 @@ void print_facts(const Json& f) {
 
 }  // namespace
 
-void run_scene(const SceneOptions& options) {
-    const std::string& name = options.session.scene;
-    const Json found = facts(load_scene(name, {.scene = options.file_scene}), name);
+void run_scene(const CommandOptions& options) {
+    const SessionPlan plan = plan_session(options.session);
+    const Json found = facts(load_scene(plan.scene_name, scene_options(plan)), plan.scene_name);
     if (options.json)
         fmt::print("{}", json_text(found));
     else

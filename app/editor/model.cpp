@@ -185,7 +185,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     };
     request(requests.cancel_load, [&] {
         scenes_.cancel_loading();
-        scenes_.reset_scene_index();
+        scenes_.reset_file_choices();
     });
     request(requests.load_scene.has_value(), [&] { scenes_.load({.scene_name = *requests.load_scene}); });
     request(requests.reload_scene, [&] {

@@ -35,7 +35,7 @@ PresetRequestHandler::PresetRequestHandler(EditorState& state, EditorPersistence
 
 void PresetRequestHandler::start(SessionPlan plan, std::string remark) {
     Arrival arrival{
-        .scene_name = plan.scene_name, .file_scene = plan.settings.scene.index, .remark = std::move(remark)};
+        .scene_name = plan.scene_name, .file = file_choices(plan.settings.scene), .remark = std::move(remark)};
     if (plan.preset) arrival.guide = note(plan.preset_path, *plan.preset, plan.scene_name);
     arrival.plan = std::move(plan);
     scenes_.load(std::move(arrival));
@@ -53,7 +53,7 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
         about.empty() ? "Opened " + name_or_path : fmt::format("Opened {}: {}", name_or_path, about);
     const bool has_own_scene = !plan.preset->scene.empty();
     plan.scene_name = scenes_.known_name(plan.scene_name);
-    const bool shown = scenes_.is_shown(plan.scene_name, plan.settings.scene.index);
+    const bool shown = scenes_.is_shown(plan.scene_name, file_choices(plan.settings.scene));
     if (has_own_scene && !shown) return start(std::move(plan), remark);
     if (has_own_scene) scenes_.cancel_loading();  // the preset belongs to the shown scene
     const std::vector<std::string> left_out = scenes_.apply_settings(plan.settings, name_or_path);
@@ -159,7 +159,7 @@ void PresetRequestHandler::restore_lost() {
     const Autosave::Lost* lost = persistence_.lost();
     if (!lost) return;
     scenes_.show({.scene_name = lost->preset.scene,
-                  .file_scene = lost->preset.settings.scene.index,
+                  .file = file_choices(lost->preset.settings.scene),
                   .settings = lost->preset.settings,
                   .remark = "Restored what was shown when the editor ended",
                   .lost = true});

@@ -49,14 +49,14 @@ const Scene& SceneLoader::require() const {
 void SceneLoader::load(Arrival arrival) {
     cancel_loading();
     if (!has_scene_) problem_.clear();
-    loading_.start(arrival.scene_name, arrival.file_scene);
+    loading_.start(arrival.scene_name, arrival.file);
     arrival_ = std::move(arrival);
     state_.between_steps = arrival_.step;
 }
 
 void SceneLoader::show(Arrival arrival) {
     arrival.scene_name = known_name(arrival.scene_name);
-    if (!is_shown(arrival.scene_name, arrival.file_scene)) return load(std::move(arrival));
+    if (!is_shown(arrival.scene_name, arrival.file)) return load(std::move(arrival));
     cancel_loading();
     std::vector<std::string> left_out;
     state_.settings = *arrival.settings;
@@ -82,10 +82,11 @@ void SceneLoader::drop_undo_step() {
     state_.between_steps = false;
 }
 
-void SceneLoader::reset_scene_index() {
-    if (!has_scene_ || state_.settings.scene.index == file_scene_) return;
+void SceneLoader::reset_file_choices() {
+    if (!has_scene_ || file_choices(state_.settings.scene) == file_) return;
     const Settings before = state_.settings;
-    state_.settings.scene.index = seen_index_ = file_scene_;
+    seen_file_ = file_;
+    set_file_choices(state_.settings.scene, file_);
     state_.history.amend_step(before, state_.settings);
 }
 
@@ -104,7 +105,7 @@ bool SceneLoader::poll() {
             problem_ = e.what();
             failure_ = std::current_exception();
         }
-        reset_scene_index();
+        reset_file_choices();
         drop_undo_step();
         report(state_, arrival_.reload ? fmt::format("{}. The scene that was read before is shown", e.what())
                                        : std::string(e.what()));
@@ -208,9 +209,10 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
         for (const std::string& warning : scene_.warnings) notes.push_back(warning);
         base_ = base;
     }
-    state_.settings.scene.index = file_scene_ = seen_index_ = arrival.file_scene;
+    file_ = seen_file_ = arrival.file;
+    set_file_choices(state_.settings.scene, file_);
     posed_ = state_.settings.scene;
-    given_.scene.index = file_scene_;
+    set_file_choices(given_.scene, file_);
     given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
     follow_objects();
     watch_.watch(scene_.files);
@@ -248,19 +250,19 @@ void SceneLoader::show_undo_step() {
     const Place place = state_.history.place();
     const Settings settings = state_.history.settings();
     show({.scene_name = place.scene,
-          .file_scene = settings.scene.index,
+          .file = file_choices(settings.scene),
           .settings = settings,
           .guide = place.guide,
           .step = true});
 }
 
 bool SceneLoader::scene_settings_changed() const {
-    return has_scene_ && (state_.settings.scene.index != seen_index_ || state_.settings.scene != posed_ ||
+    return has_scene_ && (file_choices(state_.settings.scene) != seen_file_ || state_.settings.scene != posed_ ||
                           state_.settings.objects != followed_objects_);
 }
 
 void SceneLoader::follow_scene_settings() {
-    if (state_.settings.scene.index != seen_index_) follow_file_scene();
+    if (file_choices(state_.settings.scene) != seen_file_) follow_file_choices();
     if (state_.settings.scene != posed_) follow_time();
     follow_objects();
 }
@@ -270,12 +272,12 @@ void SceneLoader::follow_objects() {
     hide_objects(scene_, hidden_paths(state_.settings));
 }
 
-void SceneLoader::follow_file_scene() {
-    const int wanted = seen_index_ = state_.settings.scene.index;
-    if (wanted == file_scene_)
+void SceneLoader::follow_file_choices() {
+    seen_file_ = file_choices(state_.settings.scene);
+    if (seen_file_ == file_)
         cancel_loading();
     else
-        load({.scene_name = state_.scene_name, .file_scene = wanted});
+        load({.scene_name = state_.scene_name, .file = seen_file_});
 }
 
 void SceneLoader::follow_time() {

@@ -20,7 +20,7 @@ namespace si {
 /// given settings. With neither, the settings that the user changed are kept.
 struct Arrival {
     std::string scene_name;
-    int file_scene = -1;
+    FileChoices file = {};
     std::optional<SessionPlan> plan = {};
     std::optional<Settings> settings = {};  ///< exact settings; the scene's suggested settings are not added
     GuideNote guide = {};
@@ -68,8 +68,8 @@ public:
     void keep_scene() { watch_.accept(); }
     /// Cancels the loading of a scene; the shown scene stays.
     void cancel_loading();
-    /// Resets the setting scene.index to the shown scene's, after a cancelled or failed loading.
-    void reset_scene_index();
+    /// Resets scene.index, scene.up and scene.unit to those of the shown scene, after a cancelled or failed loading.
+    void reset_file_choices();
     /// Switches the editor to a scene whose loading has ended. Returns true if a loading has ended or failed.
     bool poll();
     /// Waits for the scene that is being loaded and switches the editor to it.
@@ -82,14 +82,13 @@ public:
     /// Returns true if scene.* (scene of the file, time, placement) or settings of objects differ from those of the
     /// shown scene.
     bool scene_settings_changed() const;
-    /// Makes the shown scene match scene.* and the settings of objects. Loads another scene of the file if scene.index
-    /// has changed, else poses the shown scene. @throws Error
+    /// Makes the shown scene match scene.* and the settings of objects. Reads the file again if
+    /// scene.index, scene.up or scene.unit has changed, else poses the shown scene. @throws Error
     void follow_scene_settings();
 
-    /// Returns true if the editor shows this scene. @param file_scene index of the scene in a glTF file; -1: its
-    /// default
-    bool is_shown(const std::string& scene_name, int file_scene) const {
-        return has_scene_ && scene_name == state_.scene_name && file_scene == file_scene_;
+    /// Returns true if the editor shows this scene. @param file scene of the file, up axis and unit
+    bool is_shown(const std::string& scene_name, const FileChoices& file) const {
+        return has_scene_ && scene_name == state_.scene_name && file == file_;
     }
     /// Returns the name under which the editor knows a scene: the shown scene's name if `name` is another path of the
     /// same file, else `name`. Compare scenes by this name, so that a shown file is not loaded again.
@@ -111,9 +110,9 @@ private:
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
     Settings base_of_scene() const { return suggests_ ? base_settings(scene_) : Settings{}; }
-    /// Starts to load the scene of the file that scene.index names, unless the editor shows it. Called when scene.index
-    /// has changed; cancels a loading if the shown scene is named again.
-    void follow_file_scene();
+    /// Starts to read the file as scene.index, scene.up and scene.unit say, unless the editor shows it so. Called when
+    /// one of them has changed; cancels a loading if the shown scene is named again.
+    void follow_file_choices();
     /// Poses the shown scene by scene.* (time, animation, placement), and updates settings of lights that the file
     /// animates.
     void follow_time();
@@ -132,8 +131,8 @@ private:
     Settings base_;
     SceneSettings posed_;
     std::map<std::string, ObjectSettings> followed_objects_;
-    int file_scene_ = -1;  ///< scene.index of the shown scene
-    int seen_index_ = -1;  ///< scene.index as last acted upon
+    FileChoices file_;       ///< scene.index, scene.up and scene.unit of the shown scene
+    FileChoices seen_file_;  ///< the same settings as last acted upon
     Settings given_;
     /// Settings that scenes (first) and presets (second, key) have brought, for steps of undo.
     std::map<std::pair<std::string, std::string>, Settings> given_at_;

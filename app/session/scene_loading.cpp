@@ -11,12 +11,12 @@ SceneLoading::SceneLoading(SceneReader read) : read_(std::move(read)) {
     if (!read_) read_ = [](const std::string& name, const GltfOptions& options) { return load_scene(name, options); };
 }
 
-void SceneLoading::start(const std::string& name_or_path, int file_scene) {
+void SceneLoading::start(const std::string& name_or_path, const FileChoices& file) {
     name_ = name_or_path;
     began_ = std::chrono::steady_clock::now();
-    Job::start([read = read_, name = name_or_path, file_scene](const Workers& workers, const auto& report) {
+    Job::start([read = read_, name = name_or_path, file](const Workers& workers, const auto& report) {
         GltfOptions options;
-        options.scene = file_scene;
+        options.file = file;
         options.progress = [&](double fraction) {
             report(fraction);
             return !workers.stop.stop_requested();

@@ -25,9 +25,9 @@ public:
     /// Makes a loader that loads nothing yet. @param read function that reads a scene; empty: load_scene()
     explicit SceneLoading(SceneReader read = {});
 
-    /// Starts loading a scene in the background and cancels the loading before. @param file_scene index of the scene in
-    /// a glTF file; -1: the file's default @throws std::system_error when the system has no thread left
-    void start(const std::string& name_or_path, int file_scene = -1);
+    /// Starts loading a scene in the background and cancels the loading before. @param file scene of
+    /// the file, up axis and unit @throws std::system_error when the system has no thread left
+    void start(const std::string& name_or_path, const FileChoices& file = {});
     /// Cancels the loading; poll() then reports nothing.
     void cancel() { drop(); }
 

@@ -67,7 +67,7 @@ void check_camera(const Scene& scene, CameraSettings& camera, std::vector<std::s
 }  // namespace
 
 GltfOptions scene_options(const SessionPlan& plan) {
-    return {.scene = plan.settings.scene.index};
+    return {.file = file_choices(plan.settings.scene)};
 }
 
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
@@ -223,8 +223,9 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
         out.notes.push_back(
             fmt::format("{} was saved with the scene {}, where its camera stood: camera.source=auto shows all of {}",
                         plan.preset_path, plan.preset->scene, scene.name));
-    if (moment.index >= 0 && scene.file_scenes.empty())
-        out.notes.push_back(fmt::format("{} is no glTF file: scene.index has no effect", scene.name));
+    if (file_choices(moment) != FileChoices{} && scene.file_scenes.empty())
+        out.notes.push_back(
+            fmt::format("{} is no file: scene.index, scene.up and scene.unit have no effect", scene.name));
     return out;
 }
 

@@ -44,7 +44,7 @@ struct SessionPlan {
 /// Checks session options and reads the preset, but not the scene. @throws UsageError, Error (an unreadable preset)
 SessionPlan plan_session(const SessionOptions& options);
 
-/// Returns the options for load_scene(): which scene of a glTF file the plan names.
+/// Returns the options for load_scene(): the scene of the file, up axis and unit that the plan names.
 GltfOptions scene_options(const SessionPlan& plan);
 
 /// Settings with the notes made while composing them.

@@ -19,11 +19,11 @@ CaseSessions::Prepared CaseSessions::prepare(const Values& values) {
         apply_set(plan.settings, plan.sets.back());
     }
     const SceneSettings& moment = plan.settings.scene;
-    auto known = loaded_.find(moment.index);
+    auto known = loaded_.find(file_choices(moment));
     if (known == loaded_.end()) {
         Scene scene = load_scene(plan.scene_name, scene_options(plan));
         std::string remark = pose_scene(scene, moment);
-        known = loaded_.emplace(moment.index, Loaded{std::move(scene), moment, std::move(remark)}).first;
+        known = loaded_.emplace(file_choices(moment), Loaded{std::move(scene), moment, std::move(remark)}).first;
     }
     Loaded& loaded = known->second;
     if (loaded.posed != moment) {

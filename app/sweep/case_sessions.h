@@ -17,9 +17,9 @@ public:
     explicit CaseSessions(SessionPlan plan) : plan_(std::move(plan)) {}
 
     /// Adds a scene that is loaded already, so that prepare() need not read its file. @param as scene settings that the
-    /// scene was posed with: index in the file, animation, time, placement
+    /// scene was posed with: index in the file, up axis, unit, animation, time, placement
     void add_scene(Scene scene, const SceneSettings& as) {
-        loaded_.insert_or_assign(as.index, Loaded{std::move(scene), as, {}});
+        loaded_.insert_or_assign(file_choices(as), Loaded{std::move(scene), as, {}});
     }
 
     /// Scene and settings with which one case of a sweep is drawn.
@@ -28,8 +28,8 @@ public:
         Settings settings;
         std::vector<std::string> notes;
     };
-    /// Prepares one case of a sweep: loads another scene if scene.index differs, poses the scene, composes the
-    /// settings.
+    /// Prepares one case of a sweep: loads another scene if scene.index, scene.up or scene.unit differs, poses the
+    /// scene, composes the settings.
     /// @param values key and value of each axis @throws UsageError, Error as open_session()
     Prepared prepare(const Values& values);
 
@@ -45,7 +45,7 @@ private:
         std::string remark;  ///< note of pose_scene()
     };
     SessionPlan plan_;
-    std::map<int, Loaded> loaded_;  ///< by scene.index
+    std::map<FileChoices, Loaded> loaded_;  ///< by scene.index, scene.up and scene.unit
 };
 
 }  // namespace si

@@ -50,6 +50,23 @@ void read_scene_extras(Context& context, const Json& root, int scene_index, Scen
     }
 }
 
+void read_importer_extras(Context& context, const Json& root, Scene& scene) {
+    const Json* const own = own_extras(root["asset"]);
+    if (!own) return;
+    if (const Json* const notes = member(own, "notes"); notes && notes->is_array())
+        for (const Json& note : *notes)
+            if (note.is_string()) context.warn(note.get_ref<const std::string&>());
+    Settings said;
+    try {
+        if (own->contains("up")) set_setting(said, "scene.up", text_member(*own, "up"));
+    } catch (const UsageError& e) {
+        context.warn(e.what());
+    }
+    if (said.scene.up != UpAxis::File) scene.file_up = said.scene.up;
+    const Json* const unit = member(own, "unit");
+    if (unit && is_number_within(*unit, 1e-9, 1e9)) scene.file_unit_m = unit->get<double>();
+}
+
 bool is_automatic_camera_field(const Json& camera, const char* name) {
     const Json* own = own_extras(camera);
     return own && own->value(name, Json()) == Json(true);

@@ -14,6 +14,10 @@ inline constexpr const char* kExtrasKey = "shadow_inspector";
 /// with a warning. @param scene_index scene of the file; -1: the default one
 void read_scene_extras(Context& context, const Json& root, int scene_index, Scene& scene);
 
+/// Reads what an importer says of a converted model in the extras of its asset: notes, which become warnings, up axis
+/// and unit of the original file.
+void read_importer_extras(Context& context, const Json& root, Scene& scene);
+
 /// Returns true when the exporter marked a number of a camera as automatic. @param name "znear_automatic"
 bool is_automatic_camera_field(const Json& camera, const char* name);
 

@@ -1,8 +1,10 @@
 // Loading and saving of glTF 2.0 files.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,11 +17,17 @@ struct GltfOptions {
     /// Progress callback, called with 0..1; returning false cancels (load_gltf throws Error "cancelled").
     std::function<bool(double)> progress;
     std::size_t max_file_bytes = std::size_t{4} << 30;
-    int scene = -1;  ///< index of the scene in the file; -1: the file's default
+    FileChoices file = {};  ///< scene of the file, up axis, unit
 };
 
 /// Loads a scene from a .gltf or .glb file. @throws Error naming the file, the position in the file, and a fix.
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
+
+/// Loads a scene from the bytes of a GLB that an importer has made of another format. The bytes are as little trusted
+/// as a file, and may name no other file. Notes, up axis and unit come from the extras of its asset.
+/// @param path the user's file, for messages and Scene::name @throws Error as load_gltf()
+Scene load_converted(std::span<const std::uint8_t> glb, const std::filesystem::path& path,
+                     const GltfOptions& options = {});
 
 /// Saves a scene as one self-contained file, atomically: .gltf (JSON with embedded buffers) or .glb, by extension.
 /// @throws Error naming the file

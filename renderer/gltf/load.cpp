@@ -10,6 +10,7 @@
 #include "renderer/gltf/not_written.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
+#include "renderer/scene/axes.h"
 #include "renderer/scene/main_part.h"
 #include "renderer/scene/scene_lights.h"
 #include "renderer/settings/settings.h"
@@ -28,12 +29,20 @@ std::string about(const Json& root) {
     return out;
 }
 
-void load(Context& context, Scene& scene) {
-    context.note_file(context.path());
-    ReadResult file = read_regular_file(context.path(), context.options().max_file_bytes,
-                                        [&](double part) { context.progress(0.4 * part); });
-    if (!file.error.empty()) context.fail(file.error, "give the path of a .gltf or .glb file");
-    const Container container = split_container(context, file.bytes.span());
+/// Refuses buffers and images in files: a converted model holds all its bytes.
+void refuse_files(const Context& context, const Json& root) {
+    for (const char* list : {"buffers", "images"}) {
+        const auto found = root.find(list);
+        if (found == root.end()) continue;
+        for (std::size_t i = 0; i < found->size(); ++i)
+            if (const Json& entry = (*found)[i]; entry.is_object() && entry.contains("uri"))
+                context.fail(Place(list, i), "names a file, which no converted model may");
+    }
+}
+
+/// @param converted true: the bytes were made by an importer
+void load(Context& context, std::span<const std::uint8_t> bytes, bool converted, Scene& scene) {
+    const Container container = split_container(context, bytes);
     Json root = parse_json(context, container.json);
     check_asset_and_extensions(context, root);
     scene.not_written = parts_not_written(root);
@@ -46,14 +55,20 @@ void load(Context& context, Scene& scene) {
     check_look(context, root, sizes);
     const tinygltf::Model model = read_model(context, root);
     scene.about = about(root);
-    read_scene_extras(context, root, context.options().scene, scene);
+    if (converted) {
+        refuse_files(context, root);
+        read_importer_extras(context, root, scene);
+    }
+    read_scene_extras(context, root, context.options().file.scene, scene);
 
     Accessors accessors(context, model, buffers);
     Textures textures(context, root, model, buffers, scene);
     Materials materials(context, root, model, textures, scene);
     Primitives primitives(context, model, accessors, materials, scene);
-    const PlacedNodes placed = place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
+    const PlacedNodes placed =
+        place_nodes(context, root, model, accessors, primitives, context.options().file.scene, scene);
     add_rig(context, root, model, accessors, primitives, placed, scene);
+    apply_file_choices(scene, context.options().file);
     textures.decode();
     make_full_blends_opaque(context, root, scene);
     if (scene.objects.empty()) context.warn("the file has no triangles to show");
@@ -91,8 +106,8 @@ void suggest_casters(Scene& scene) {
 }
 
 /// Notes objects far from the rest and a scene that looks z-up. Fits that hold all casters would waste their maps on
-/// the way to far objects, so the view frustum is suggested.
-void describe_placement(Scene& scene) {
+/// the way to far objects, so the view frustum is suggested. An up axis that the user has chosen is not questioned.
+void describe_placement(Scene& scene, const FileChoices& choices) {
     set_main_part(scene);
     scene.far_objects = far_objects_text(scene);
     if (!scene.far_objects.empty()) {
@@ -104,20 +119,20 @@ void describe_placement(Scene& scene) {
             for (std::size_t i = 0; i < std::clamp<std::size_t>(scene.lights.size(), 1, kMaxLights); ++i)
                 scene.suggested.emplace_back(fmt::format("light.{}.fit", i), "view");
     }
-    scene.looks_z_up = looks_z_up(scene);
+    scene.looks_z_up = choices.up == UpAxis::File && looks_z_up(scene);
     if (scene.looks_z_up)
         scene.warnings.push_back(
             "the scene looks z-up: it is low, and stands on a plane along z; --set scene.up=z turns it");
 }
 
-}  // namespace
-
-Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
+/// Completes a scene that `read` fills, and turns exceptions of libraries into errors that name the file.
+template <typename Read>
+Scene load_with(const std::filesystem::path& path, const GltfOptions& options, const Read& read) {
     Scene scene;
     scene.name = path.string();
     gltf::Context context(path, options, scene.warnings);
     try {
-        gltf::load(context, scene);
+        read(context, scene);
         context.close_warnings();
         scene.files = context.take_files();
         context.progress(0.95);
@@ -126,7 +141,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         const auto of_lights = [](const auto& row) { return row.first.starts_with("light."); };
         if (std::ranges::none_of(scene.suggested, of_lights)) suggest_lights(scene);
         suggest_casters(scene);
-        describe_placement(scene);
+        describe_placement(scene, options.file);
     } catch (const std::bad_alloc&) {
         context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
     } catch (const gltf::Json::exception& error) {
@@ -134,6 +149,25 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
     }
     context.progress(1);
     return scene;
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
+    return load_with(path, options, [](gltf::Context& context, Scene& scene) {
+        context.note_file(context.path());
+        const gltf::ReadResult file = gltf::read_regular_file(context.path(), context.options().max_file_bytes,
+                                                              [&](double part) { context.progress(0.4 * part); });
+        if (!file.error.empty()) context.fail(file.error, "give the path of a .gltf or .glb file");
+        gltf::load(context, file.bytes.span(), false, scene);
+    });
+}
+
+Scene load_converted(std::span<const std::uint8_t> glb, const std::filesystem::path& path, const GltfOptions& options) {
+    return load_with(path, options, [&](gltf::Context& context, Scene& scene) {
+        context.note_file(path);
+        gltf::load(context, glb, true, scene);
+    });
 }
 
 }  // namespace si

@@ -6,14 +6,28 @@
 #include <vector>
 
 #include "renderer/base/lower_case.h"
+#include "renderer/importers/assimp.h"
 
 namespace si {
 namespace {
 
 constexpr std::string_view kGltf[] = {".gltf", ".glb", ".vrm"};
+constexpr std::string_view kObj[] = {".obj"};
+constexpr std::string_view kFbx[] = {".fbx"};
+constexpr std::string_view kCollada[] = {".dae", ".zae"};
+constexpr std::string_view kPly[] = {".ply"};
+constexpr std::string_view kStl[] = {".stl"};
+constexpr std::string_view k3ds[] = {".3ds"};
+constexpr std::string_view kX3d[] = {".x3d"};
+constexpr std::string_view kOff[] = {".off"};
+constexpr std::string_view kX[] = {".x"};
 
 constexpr Importer kImporters[] = {
-    {"glTF", kGltf, load_gltf},
+    {"glTF", kGltf, load_gltf},    {"OBJ", kObj, load_by_assimp},
+    {"FBX", kFbx, load_by_assimp}, {"COLLADA", kCollada, load_by_assimp},
+    {"PLY", kPly, load_by_assimp}, {"STL", kStl, load_by_assimp},
+    {"3DS", k3ds, load_by_assimp}, {"X3D", kX3d, load_by_assimp},
+    {"OFF", kOff, load_by_assimp}, {"DirectX X", kX, load_by_assimp},
 };
 
 }  // namespace

@@ -195,6 +195,8 @@ struct Scene {
     std::string about;                     ///< description in a sentence
     std::vector<std::string> file_scenes;  ///< names (or "") of all scenes in the scene's file
     int file_scene = 0;                    ///< index of this scene among them
+    UpAxis file_up = UpAxis::Y;            ///< axis of the file that its loader has turned upwards
+    double file_unit_m = 1;                ///< metres per unit of the file, which its loader has applied
     std::vector<StampedFile> files;  ///< the scene's file, and the buffers and images that it names; empty: built in
     std::vector<Texture> textures;
     std::vector<Material> materials;

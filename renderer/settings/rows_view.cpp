@@ -133,6 +133,16 @@ constexpr Choice kPlacedAlong[] = {
     {"z", "z", "Along the world's z axis."},
 };
 
+constexpr Choice kUpAxes[] = {
+    {"file", "as the file says", "The axis that the file names; y where it names none."},
+    {"x", "x", "The file's x axis points up."},
+    {"y", "y", "The file's y axis points up, as in glTF."},
+    {"z", "z", "The file's z axis points up, as in many files for CAD and 3D printing."},
+    {"-x", "-x", "The file's x axis points down."},
+    {"-y", "-y", "The file's y axis points down, as in many scans."},
+    {"-z", "-z", "The file's z axis points down."},
+};
+
 constexpr Choice kGrounds[] = {
     {"auto", "if the file has none",
      "A file without a large level surface gets a ground, which receives shadows and casts none. Maps cover only the "
@@ -144,6 +154,15 @@ constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.index), .label = "Scene of the file", .min = -1, .max = 9999,
      .help =
          "The shown scene of a glTF file, counted from 0; -1 is the file's default. A change reads the file again."},
+    {SI_FIELD(scene.up), .label = "Up axis of the file", SI_CHOICES(kUpAxes),
+     .help = "The axis of the file that points up, for a file that lies on its side. A change reads the file again. "
+             "Without effect on built-in scenes.",
+     .also = "axis conversion, y-up, z-up, forward axis, bake axis conversion"},
+    {SI_FIELD(scene.unit), .label = "Unit of the file", .unit = "m", .min = 0, .max = 1e6, .logarithmic = true,
+     .zero_is_auto = true,
+     .help = "Metres in one unit of the file: 0.01 for centimetres. 0 is the unit that the file names, 1 m where it "
+             "names none. A change reads the file again. Without effect on built-in scenes.",
+     .also = "scale factor, convert units, file scale, unit scale factor, import scale"},
     {SI_FIELD(scene.animation), .label = "Animation", .min = -1, .max = 9999,
      .help = "The shown animation of the scene's file, counted from 0; -1 is the rest pose. Without effect on scenes "
              "without animations.",

@@ -90,6 +90,8 @@ enum class MapTransform { World, Eye };
 enum class MapOrigin { Near, World };
 /// Direction in which the scene is moved (scene.direction).
 enum class PlacedAlong { Aslant, X, Y, Z };
+/// Axis of a file that points up (scene.up); File: the axis that the file names, else y.
+enum class UpAxis { File, X, Y, Z, MinusX, MinusY, MinusZ };
 /// Texels drawn as quads in the scene (view.slabs).
 enum class Slabs { None, Stored, Biased, Both };
 
@@ -109,7 +111,9 @@ struct CameraSettings {
 
 /// Settings of the shown scene: scene.*.
 struct SceneSettings {
-    int index = -1;       ///< index of the file's scene; -1: default scene
+    int index = -1;  ///< index of the file's scene; -1: default scene
+    UpAxis up = UpAxis::File;
+    double unit = 0;      ///< metres per unit of the file; 0: the unit that the file names, else 1
     int animation = 0;    ///< index of the animation; -1: rest pose
     double time = 0;      ///< time of the animation, seconds
     double distance = 0;  ///< translation of the scene, metres
@@ -119,6 +123,26 @@ struct SceneSettings {
     bool fit_animation = false;
     bool operator==(const SceneSettings&) const = default;
 };
+
+/// Choices about reading a scene's file. A change reads the file again.
+struct FileChoices {
+    int scene = -1;  ///< index of the file's scene; -1: default scene
+    UpAxis up = UpAxis::File;
+    double unit = 0;  ///< metres per unit of the file; 0: the unit that the file names, else 1
+    auto operator<=>(const FileChoices&) const = default;
+};
+
+/// Returns the settings of a scene that choose how its file is read: scene.index, scene.up, scene.unit.
+inline FileChoices file_choices(const SceneSettings& settings) {
+    return {settings.index, settings.up, settings.unit};
+}
+
+/// Replaces the settings of a scene that choose how its file is read.
+inline void set_file_choices(SceneSettings& settings, const FileChoices& choices) {
+    settings.index = choices.scene;
+    settings.up = choices.up;
+    settings.unit = choices.unit;
+}
 
 /// Settings of the shadow maps: map.*.
 struct MapSettings {

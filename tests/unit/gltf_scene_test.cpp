@@ -56,9 +56,9 @@ TEST(GltfScene, OtherScenesAreLeftOut) {
     file.json["scene"] = 1;
     EXPECT_EQ(file.load().nodes.at(0).name, "second");
     GltfOptions options;
-    options.scene = 0;
+    options.file.scene = 0;
     EXPECT_EQ(file.load(options).nodes.at(0).name, "first");
-    options.scene = 2;
+    options.file.scene = 2;
     EXPECT_THROW(file.load(options), Error);
     file.json.erase("scenes");
     file.json.erase("scene");

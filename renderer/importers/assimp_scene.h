@@ -1,0 +1,27 @@
+// Conversion of a model that Assimp has read to a GLB.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace si::assimp {
+
+/// Facts of a conversion beside Assimp's scene.
+struct Source {
+    std::string label;               ///< name of the format: "OBJ"
+    std::string extension;           ///< of the model's file, lower case, with the dot
+    int folder = -1;                 ///< descriptor of the model's folder, for textures
+    std::vector<std::string> notes;  ///< remarks from reading, for people
+};
+
+/// Converts a model to a GLB: triangles in their rest pose, hierarchy, base colours, masks, normal maps, cameras and
+/// lights. The root nodes turn the file's up axis upwards and scale its unit to metres. The extras of the asset hold
+/// notes about everything that is left out, the up axis and the unit (renderer/gltf/extras.h reads them).
+/// @throws Error when the model cannot be converted
+std::vector<std::uint8_t> to_glb(const aiScene& scene, const Source& source);
+
+}  // namespace si::assimp

@@ -1,0 +1,20 @@
+// Up axis and unit of a scene's file.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderer/scene/scene.h"
+
+namespace si {
+
+/// Returns the rotation from a file's axes to the scene's, in which y is up. UpAxis::File rotates nothing.
+glm::dmat3 y_up_from(UpAxis up);
+
+/// Returns the axis that a rotation of y_up_from() turns upwards; UpAxis::Y for any other matrix.
+UpAxis up_axis_of(const glm::dmat3& rotation);
+
+/// Turns and scales a loaded scene, with its skins, animations, cameras and lights, from the up axis and unit that its
+/// loader has applied (Scene::file_up, Scene::file_unit_m) to those that are chosen. Call it before finalise().
+void apply_file_choices(Scene& scene, const FileChoices& choices);
+
+}  // namespace si
