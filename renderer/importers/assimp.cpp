@@ -7,7 +7,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/importers/assimp_job.h"
-#include "renderer/importers/importers.h"
 
 namespace si {
 namespace {
@@ -35,12 +34,19 @@ fs::path checked_path(const fs::path& path, std::size_t max_bytes) {
     return real;
 }
 
+/// Returns the name of a file's format for messages: its extension in capitals, "OBJ".
+std::string format_of(const fs::path& path) {
+    std::string out = path.extension().string().substr(1);
+    for (char& c : out)
+        if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+    return out;
+}
+
 }  // namespace
 
 Scene load_by_assimp(const fs::path& path, const GltfOptions& options) {
     const fs::path real = checked_path(path, options.max_file_bytes);
-    const Importer* const importer = find_importer(path);
-    const AssimpRequest request{real.filename().string(), std::string(importer ? importer->label : "a model")};
+    const AssimpRequest request{real.filename().string(), format_of(path)};
     bool cancelled = false;
     const auto report = [&](double share) {
         if (options.progress && !options.progress(share)) cancelled = true;
