@@ -11,18 +11,10 @@
 #include <cstring>
 #include <new>
 
+#include "renderer/base/descriptor.h"
+
 namespace si {
 namespace {
-
-struct Descriptor {
-    int fd = -1;
-    explicit Descriptor(int fd_) : fd(fd_) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (fd >= 0) ::close(fd);
-    }
-};
 
 ReadResult failed(std::string why) {
     return {{}, std::move(why)};

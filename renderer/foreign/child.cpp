@@ -18,6 +18,7 @@
 #include <string>
 #include <thread>
 
+#include "renderer/base/descriptor.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/foreign/sanitized.h"
@@ -31,25 +32,11 @@ using Clock = std::chrono::steady_clock;
 constexpr int kPollMs = 50;
 constexpr std::size_t kBlock = std::size_t{1} << 20;
 
-/// File descriptor that closes itself.
-struct Descriptor {
-    int fd = -1;
-    Descriptor() = default;
-    explicit Descriptor(int fd_) : fd(fd_) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() { close(); }
-    void close() {
-        if (fd >= 0) ::close(fd);
-        fd = -1;
-    }
-    /// Moves the descriptor above those that a child takes.
-    void raise() {
-        const int high = ::fcntl(fd, F_DUPFD_CLOEXEC, kFolder + 1);
-        close();
-        fd = high;
-    }
-};
+/// Moves a descriptor above those that a child takes.
+void raise_descriptor(Descriptor& of) {
+    const int high = ::fcntl(of.fd, F_DUPFD_CLOEXEC, kFolder + 1);
+    of = Descriptor(high);
+}
 
 /// Running child process. Its destructor kills the whole process group.
 class Process {
@@ -229,11 +216,11 @@ std::vector<std::uint8_t> run_foreign_job(const ForeignJob& job, std::span<const
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair) != 0)
         throw Error(fmt::format("{} cannot be started as a process ({})", job.label, std::strerror(errno)));
     Descriptor here(pair[0]), there(pair[1]), files;
-    there.raise();
+    raise_descriptor(there);
     if (folder) {
         files.fd = ::open(folder->empty() ? "." : folder->c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (files.fd < 0) throw Error(fmt::format("the file's folder cannot be opened ({})", std::strerror(errno)));
-        files.raise();
+        raise_descriptor(files);
     }
     Process process(job, limits, there.fd, files.fd);
     there.close();

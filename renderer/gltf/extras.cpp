@@ -19,6 +19,17 @@ const Json* own_extras(const Json& object) {
     return own && own->is_object() ? own : nullptr;
 }
 
+/// Notes a file that an importer needed beside the model. A name that leaves the folder is passed over.
+void note_file_below(Context& context, const std::string& name) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path model = fs::canonical(context.path(), error);
+    const fs::path path = fs::path(name).lexically_normal();
+    if (error || path.empty() || path.is_absolute() || *path.begin() == ".." || name.find('\0') != name.npos) return;
+    const fs::path whole = model.parent_path() / path;
+    if (whole != model) context.note_file(whole);
+}
+
 }  // namespace
 
 void read_scene_extras(Context& context, const Json& root, int scene_index, Scene& scene) {
@@ -65,6 +76,9 @@ void read_importer_extras(Context& context, const Json& root, Scene& scene) {
     if (said.scene.up != UpAxis::File) scene.file_up = said.scene.up;
     const Json* const unit = member(own, "unit");
     if (unit && is_number_within(*unit, 1e-9, 1e9)) scene.file_unit_m = unit->get<double>();
+    if (const Json* const files = member(own, "files"); files && files->is_array())
+        for (const Json& file : *files)
+            if (file.is_string()) note_file_below(context, file.get_ref<const std::string&>());
 }
 
 bool is_automatic_camera_field(const Json& camera, const char* name) {

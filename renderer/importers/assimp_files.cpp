@@ -9,7 +9,8 @@
 #include <cerrno>
 #include <filesystem>
 #include <string_view>
-#include <utility>
+
+#include "renderer/base/descriptor.h"
 
 namespace si::assimp {
 namespace {
@@ -18,30 +19,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 constexpr std::size_t kMaxMissing = 20;
+constexpr std::size_t kMaxNames = 1000;
 constexpr std::size_t kMaxPathBytes = 4096;
-
-/// Opened file or folder; closes itself.
-class Opened {
-public:
-    explicit Opened(int fd) : fd_(fd) {}
-    Opened(Opened&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-    Opened& operator=(Opened&& other) noexcept {
-        std::swap(fd_, other.fd_);
-        return *this;
-    }
-    ~Opened() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    int fd() const { return fd_; }
-
-private:
-    int fd_;
-};
 
 /// Opens a regular file below a folder, one path component after the other, so that no link is followed. Holds -1 on
 /// failure.
-Opened open_below(int folder, std::string name) {
-    Opened at(-1);
+Descriptor open_below(int folder, std::string name) {
+    Descriptor at(-1);
     if (name.find('\0') != name.npos || name.size() > kMaxPathBytes) return at;
     std::ranges::replace(name, '\\', '/');
     const fs::path path = fs::path(name).lexically_normal();
@@ -49,24 +33,29 @@ Opened open_below(int folder, std::string name) {
     for (auto part = path.begin(); part != path.end(); ++part) {
         const bool last = std::next(part) == path.end();
         const int flags = O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | (last ? 0 : O_DIRECTORY);
-        at = Opened(::openat(at.fd() < 0 ? folder : at.fd(), part->c_str(), flags));
-        if (at.fd() < 0) return at;
+        at = Descriptor(::openat(at.fd < 0 ? folder : at.fd, part->c_str(), flags));
+        if (at.fd < 0) return at;
     }
     struct stat status {};
-    if (::fstat(at.fd(), &status) != 0 || !S_ISREG(status.st_mode)) return Opened(-1);
+    if (::fstat(at.fd, &status) != 0 || !S_ISREG(status.st_mode)) return Descriptor(-1);
     return at;
 }
 
 }  // namespace
 
-std::optional<std::vector<std::uint8_t>> read_below(int folder, const std::string& name) {
-    const Opened file = open_below(folder, name);
+bool ModelFolder::has(const std::string& name) const {
+    return open_below(descriptor_, name).fd >= 0;
+}
+
+std::optional<std::vector<std::uint8_t>> ModelFolder::read(const std::string& name) {
+    if (names_.size() < kMaxNames && std::ranges::find(names_, name) == names_.end()) names_.push_back(name);
+    const Descriptor file = open_below(descriptor_, name);
     struct stat status {};
-    if (file.fd() < 0 || ::fstat(file.fd(), &status) != 0) return std::nullopt;
+    if (file.fd < 0 || ::fstat(file.fd, &status) != 0) return std::nullopt;
     if (std::uint64_t(status.st_size) > kMaxFileBytes) return std::nullopt;
     std::vector<std::uint8_t> bytes(std::size_t(status.st_size));
     for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t got = ::read(file.fd(), bytes.data() + done, bytes.size() - done);
+        const ssize_t got = ::read(file.fd, bytes.data() + done, bytes.size() - done);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return std::nullopt;
         done += std::size_t(got);
@@ -75,12 +64,12 @@ std::optional<std::vector<std::uint8_t>> read_below(int folder, const std::strin
 }
 
 bool FolderFiles::Exists(const char* file) const {
-    return open_below(folder_, file).fd() >= 0;
+    return folder_.has(file);
 }
 
 Assimp::IOStream* FolderFiles::Open(const char* file, const char* mode) {
     if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
-    const auto bytes = read_below(folder_, file);
+    const auto bytes = folder_.read(file);
     if (!bytes) {
         if (missing_.size() < kMaxMissing && std::ranges::find(missing_, file) == missing_.end())
             missing_.emplace_back(file);

@@ -10,16 +10,29 @@
 
 namespace si::assimp {
 
-/// Reads a regular file at or below a folder. Never follows a link and never waits for a pipe or device.
-/// @param folder descriptor of the folder @param name relative path; '\' counts as '/'
-/// Returns nothing for a path that is absolute or leaves the folder, and for a file that is missing or too large.
-std::optional<std::vector<std::uint8_t>> read_below(int folder, const std::string& name);
+/// Folder of a model, with the regular files in it and below it. Never follows a link and never waits for a pipe or
+/// device. Names are relative paths, in which '\' counts as '/'.
+class ModelFolder {
+public:
+    /// @param descriptor of the folder; stays open while this object lives
+    explicit ModelFolder(int descriptor) : descriptor_(descriptor) {}
+    /// Returns true for a regular file that can be opened.
+    bool has(const std::string& name) const;
+    /// Reads a whole file. Returns nothing for a path that is absolute or leaves the folder, and for a file that is
+    /// missing or larger than 1 GiB.
+    std::optional<std::vector<std::uint8_t>> read(const std::string& name);
+    /// Returns the names of all files that read() was called for, missing ones too; at most 1,000.
+    const std::vector<std::string>& names() const { return names_; }
+
+private:
+    int descriptor_;
+    std::vector<std::string> names_;
+};
 
 /// File access of Assimp, limited to one folder. Reads whole files and writes none.
 class FolderFiles final : public Assimp::IOSystem {
 public:
-    /// @param folder descriptor of the folder; stays open while this object lives
-    explicit FolderFiles(int folder) : folder_(folder) {}
+    explicit FolderFiles(ModelFolder& folder) : folder_(folder) {}
     bool Exists(const char* file) const override;
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* file, const char* mode) override;
@@ -32,7 +45,7 @@ public:
     const std::vector<std::string>& missing() const { return missing_; }
 
 private:
-    int folder_;
+    ModelFolder& folder_;
     std::vector<std::string> missing_;
 };
 

@@ -10,8 +10,6 @@
 #include <memory>
 #include <string_view>
 
-#include "renderer/importers/assimp_files.h"
-
 namespace si::assimp {
 namespace {
 
@@ -103,7 +101,7 @@ std::optional<std::vector<std::uint8_t>> Images::file(const std::string& path, s
     // Many models name files by the path on the machine of their author.
     const std::string name = path.substr(path.find_last_of("/\\") + 1);
     for (const std::string& place : {path, name, "textures/" + name})
-        if (auto bytes = read_below(folder_, place)) return bytes;
+        if (auto bytes = folder_.read(place)) return bytes;
     why = "there is no such file in the model's folder";
     return std::nullopt;
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/importers/assimp_files.h"
+
 namespace si::assimp {
 
 /// Encoded image of a texture.
@@ -20,8 +22,8 @@ struct EncodedImage {
 /// Reader of the images that a model names, in its file or below its folder.
 class Images {
 public:
-    /// @param scene model with embedded images; outlives this object @param folder descriptor of the model's folder
-    Images(const aiScene& scene, int folder) : scene_(scene), folder_(folder) {}
+    /// @param scene model with embedded images; outlives this object @param folder outlives it too
+    Images(const aiScene& scene, ModelFolder& folder) : scene_(scene), folder_(folder) {}
 
     /// Returns the image of a texture; nothing, with a reason, where it cannot be read.
     /// PNG and JPEG files stay as they are. Others are decoded and become PNG files.
@@ -38,7 +40,7 @@ private:
     std::optional<std::vector<std::uint8_t>> file(const std::string& path, std::string& why) const;
 
     const aiScene& scene_;
-    int folder_;
+    ModelFolder& folder_;
 };
 
 }  // namespace si::assimp

@@ -53,12 +53,13 @@ std::vector<std::uint8_t> assimp_work(std::span<const std::uint8_t> request,
                                       const std::function<void(double)>& progress, int folder) {
     const std::string text(request.begin(), request.end());
     const std::size_t end = std::min(text.find('\0'), text.size() - 1);
-    assimp::Source source{.label = text.substr(0, end), .extension = {}, .folder = folder, .notes = {}};
+    assimp::ModelFolder model_folder(folder);
+    assimp::Source source{.label = text.substr(0, end), .extension = {}, .folder = model_folder, .notes = {}};
     const std::string file = text.substr(end + 1);
     source.extension = lower_extension(file);
 
     Assimp::Importer importer;
-    auto* const files = new assimp::FolderFiles(folder);  // the importer owns it
+    auto* const files = new assimp::FolderFiles(model_folder);  // the importer owns it
     importer.SetIOHandler(files);
     importer.SetProgressHandler(new ForwardedProgress(progress));
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);

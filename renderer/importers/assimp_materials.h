@@ -17,7 +17,7 @@ namespace si::assimp {
 class Materials {
 public:
     /// @param notes receives a sentence for each texture that cannot be read
-    Materials(const aiScene& scene, int folder, GlbWriter& glb, std::vector<std::string>& notes)
+    Materials(const aiScene& scene, ModelFolder& folder, GlbWriter& glb, std::vector<std::string>& notes)
         : scene_(scene), images_(scene, folder), glb_(glb), notes_(notes) {}
 
     /// Writes all materials, so that a material keeps its index.

@@ -137,6 +137,7 @@ public:
         }
         add_remarks();
         json extras = {{"notes", notes_}, {"unit", axes_.unit_m}, {"up", up_key(axes_.up)}};
+        extras["files"] = source_.folder.names();
         glb_.root["asset"]["extras"] = {{gltf::kExtrasKey, std::move(extras)}};
         json scene = {{"extras", {{gltf::kExtrasKey, {{"about", about()}}}}}};
         if (!roots.empty()) scene["nodes"] = std::move(roots);

@@ -8,19 +8,22 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/importers/assimp_files.h"
+
 namespace si::assimp {
 
 /// Facts of a conversion beside Assimp's scene.
 struct Source {
     std::string label;               ///< name of the format: "OBJ"
     std::string extension;           ///< of the model's file, lower case, with the dot
-    int folder = -1;                 ///< descriptor of the model's folder, for textures
+    ModelFolder& folder;             ///< where textures are
     std::vector<std::string> notes;  ///< remarks from reading, for people
 };
 
 /// Converts a model to a GLB: triangles in their rest pose, hierarchy, base colours, masks, normal maps, cameras and
 /// lights. The root nodes turn the file's up axis upwards and scale its unit to metres. The extras of the asset hold
-/// notes about everything that is left out, the up axis and the unit (renderer/gltf/extras.h reads them).
+/// notes about everything that is left out, the up axis, the unit and the names of all files that it needs
+/// (renderer/gltf/extras.h reads them).
 /// @throws Error when the model cannot be converted
 std::vector<std::uint8_t> to_glb(const aiScene& scene, const Source& source);
 
