@@ -120,7 +120,7 @@ void SceneLoader::reload(double aspect) {
     if (!has_scene_ || scene_.files.empty())
         throw Error(fmt::format("{}: is built in, so there is no file to read again", state_.scene_name));
     load({.scene_name = state_.scene_name,
-          .file_scene = file_scene_,
+          .file = file_,
           .guide = state_.files.guide,
           .reload = true,
           .aspect = aspect});

@@ -21,9 +21,9 @@ void SceneLoading::start(const std::string& name_or_path, const FileChoices& fil
             report(fraction);
             return !workers.stop.stop_requested();
         };
-        const StampedFile file = stamped(name);
+        const StampedFile read_file = stamped(name);
         Scene scene = read(name, options);
-        if (scene.files.empty() && file.stamp && !is_builtin_scene(name)) scene.files = {file};
+        if (scene.files.empty() && read_file.stamp && !is_builtin_scene(name)) scene.files = {read_file};
         pose_scene(scene, {});
         return scene;
     });

@@ -68,10 +68,9 @@ std::optional<T> number(std::string_view text) {
 }
 
 void run(const ForeignJob& job, bool folder) {
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point shown{};
+    std::chrono::steady_clock::time_point shown{};
     const auto progress = [&](double fraction) {
-        const auto now = Clock::now();
+        const auto now = std::chrono::steady_clock::now();
         if (now - shown < std::chrono::milliseconds(20)) return;
         shown = now;
         const auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(double)>>(fraction);
