@@ -79,6 +79,14 @@ bool holds(const Bounds& box, const glm::dvec3& p) {
     return glm::all(glm::lessThanEqual(box.lo, p)) && glm::all(glm::lessThanEqual(p, box.hi));
 }
 
+/// Returns the area of the triangles that lie below a height. @param corners of whole triangles, three by three
+double area_below(const std::vector<Corner>& corners, double y) {
+    double out = 0;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+        if (std::max({corners[i].at.y, corners[i + 1].at.y, corners[i + 2].at.y}) <= y) out += corners[i].area;
+    return out;
+}
+
 /// Returns the bounds of an object's part within a region.
 Bounds part_within(const Scene& scene, const Object& object, const Bounds& region) {
     const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
@@ -146,10 +154,12 @@ bool looks_z_up(const Scene& scene) {
     const Bounds main = main_bounds(scene);
     if (main.empty()) return false;
     const glm::dvec3 size = main.hi - main.lo;
-    constexpr double kLow = 0.25, kFlat = 0.01, kLowest = 0.05, kPlane = 1e-3;
+    constexpr double kLow = 0.25, kFlat = 0.01, kLowest = 0.05, kPlane = 1e-3, kFloor = 0.5;
     const double height = size.y / std::max(size.x, size.z);
     if (!(height < kLow && height > kFlat) || !(size.z > 0)) return false;  // what is flat is a floor
     std::vector<Corner> corners = chosen_corners(scene);
+    const double floor_m2 = area_below(corners, main.lo.y + kPlane * size.y);
+    if (floor_m2 > kFloor * size.x * size.z) return false;
     std::erase_if(corners, [&](const Corner& c) { return !holds(main, c.at); });
     const Bounds above = percentile_box(corners, &Corner::count, kLowest, 1);
     return above.lo.z - main.lo.z <= kPlane * size.z;

@@ -18,7 +18,8 @@ void set_main_part(Scene& scene);
 std::string far_objects_text(const Scene& scene);
 
 /// Returns true when a scene looks as if z were its up axis: its height is below a quarter of its width or depth, and
-/// the lowest 5 % of its triangles' corners along z lie in one plane.
+/// the lowest 5 % of its triangles' corners along z lie in one plane. A scene with a floor, which covers more than half
+/// of its ground plan, looks y-up.
 bool looks_z_up(const Scene& scene);
 
 }  // namespace si

@@ -121,6 +121,9 @@ TEST(LooksZUp, IsAskedOfLowScenesThatStandOnAPlaneAlongZ) {
     EXPECT_FALSE(looks_z_up(standing(false)));
     EXPECT_FALSE(looks_z_up(boxes({})));
     EXPECT_FALSE(looks_z_up(boxes({{{10, 0, 10}, {0, 0, 0}}}))) << "a floor";
+    EXPECT_TRUE(looks_z_up(boxes({{{10, 1, 1}, {0, 0.5, 0}}, {{1, 1, 9}, {0, 0.5, 4}}}))) << "two low walls";
+    EXPECT_FALSE(looks_z_up(boxes({{{10, 1, 1}, {0, 0.5, 0}}, {{1, 1, 9}, {0, 0.5, 4}}, {{10, 0, 10}, {0, 0, 4}}})))
+        << "two low walls on a floor";
     const Scene scene = loaded(standing(true));
     EXPECT_TRUE(scene.looks_z_up);
     EXPECT_TRUE(mentions(scene.warnings, "the scene looks z-up")) << testing::PrintToString(scene.warnings);
