@@ -100,6 +100,11 @@ void check_asset_and_extensions(Context& context, const Json& root) {
             context.fail(Place("extensionsRequired"), "holds something that is no name", "repair the file");
         const auto& name = entry.get_ref<const std::string&>();
         if (is_read_here(name)) continue;
+        if (name == "KHR_animation_pointer") {
+            context.warn(Place("extensionsRequired"),
+                         fmt::format("{} is not supported; the properties that it animates keep their values", name));
+            continue;
+        }
         if (!is_only_look(name)) {
             context.fail(Place("extensionsRequired"), fmt::format("{} is not supported", name),
                          "export the model without it");

@@ -231,6 +231,10 @@ TEST(Animation, ChannelsOfAnimationPointersAreNamed) {
     EXPECT_EQ(scene.rig->animations[0].channels.size(), 1u);
     EXPECT_TRUE(mentions(scene.warnings,
                          "animations[0]: 1 of its channels need KHR_animation_pointer, which is not supported"));
+    file.json["extensionsRequired"] = {"KHR_animation_pointer"};
+    EXPECT_TRUE(mentions(file.load().warnings,
+                         "extensionsRequired: KHR_animation_pointer is not supported; the "
+                         "properties that it animates keep their values"));
 }
 
 TEST(Animation, StaticSceneHasNoRig) {
