@@ -21,13 +21,25 @@ constexpr std::string_view k3ds[] = {".3ds"};
 constexpr std::string_view kX3d[] = {".x3d"};
 constexpr std::string_view kOff[] = {".off"};
 constexpr std::string_view kX[] = {".x"};
+// Of these only .ac has been compared with a glTF twin.
+constexpr std::string_view kOthers[] = {".3mf", ".ac",  ".amf", ".ase",  ".b3d", ".blend", ".cob",     ".dxf",
+                                        ".hmp", ".ifc", ".iqm", ".irr",  ".lwo", ".lws",   ".lxo",     ".md2",
+                                        ".md3", ".mdc", ".mdl", ".ms3d", ".nff", ".ogex",  ".md5mesh", ".pmx",
+                                        ".q3o", ".sib", ".smd", ".ter",  ".xgl"};
+constexpr std::string_view kOthersLabel = "others by Assimp";
 
 constexpr Importer kImporters[] = {
-    {"glTF", kGltf, load_gltf},    {"OBJ", kObj, load_by_assimp},
-    {"FBX", kFbx, load_by_assimp}, {"COLLADA", kCollada, load_by_assimp},
-    {"PLY", kPly, load_by_assimp}, {"STL", kStl, load_by_assimp},
-    {"3DS", k3ds, load_by_assimp}, {"X3D", kX3d, load_by_assimp},
-    {"OFF", kOff, load_by_assimp}, {"DirectX X", kX, load_by_assimp},
+    {"glTF", kGltf, load_gltf},
+    {"OBJ", kObj, load_by_assimp},
+    {"FBX", kFbx, load_by_assimp},
+    {"COLLADA", kCollada, load_by_assimp},
+    {"PLY", kPly, load_by_assimp},
+    {"STL", kStl, load_by_assimp},
+    {"3DS", k3ds, load_by_assimp},
+    {"X3D", kX3d, load_by_assimp},
+    {"OFF", kOff, load_by_assimp},
+    {"DirectX X", kX, load_by_assimp},
+    {kOthersLabel, kOthers, load_by_assimp},
 };
 
 }  // namespace
@@ -52,7 +64,9 @@ std::string importer_labels() {
 std::string importer_extensions() {
     std::vector<std::string_view> extensions;
     for (const Importer& importer : kImporters)
-        extensions.insert(extensions.end(), importer.extensions.begin(), importer.extensions.end());
+        if (importer.label != kOthersLabel)
+            extensions.insert(extensions.end(), importer.extensions.begin(), importer.extensions.end());
+    extensions.push_back(kOthersLabel);
     return fmt::format("{}", fmt::join(extensions, ", "));
 }
 

@@ -24,10 +24,11 @@ std::span<const Importer> importers();
 /// Returns the importer of a file by its extension, in either case; null: no importer reads such files.
 const Importer* find_importer(const std::filesystem::path& path);
 
-/// Returns the names of all formats: "glTF, OBJ, FBX".
+/// Returns the names of all formats: "glTF, OBJ, FBX, others by Assimp".
 std::string importer_labels();
 
-/// Returns the extensions of all formats with their dots: ".gltf, .glb, .obj".
+/// Returns the extensions of the usual formats with their dots, and that there are others: ".gltf, .glb, .obj, others by
+/// Assimp".
 std::string importer_extensions();
 
 }  // namespace si

@@ -59,10 +59,16 @@ TEST(FilePortal, FileIsChosen) {
     EXPECT_EQ(question.title, "Open a scene or a preset");
     const auto folder = question.options.at("current_folder").get<std::vector<std::uint8_t>>();
     EXPECT_EQ(std::string(folder.begin(), folder.end()), std::string("/some where") + '\0');
-    EXPECT_EQ(names(question.options),
-              (std::vector<std::string>{
-                  "Scenes and presets: *.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM] *.[jJ][sS][oO][nN]",
-                  "Scenes: *.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM]", "Presets: *.[jJ][sS][oO][nN]"}));
+    const std::vector<std::string> filters = names(question.options);
+    ASSERT_EQ(filters.size(), 3u);
+    const std::string models = "*.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM] *.[oO][bB][jJ] *.[fF][bB][xX] ";
+    const std::string presets = " *.[jJ][sS][oO][nN]";
+    EXPECT_TRUE(filters[0].starts_with("Scenes and presets: " + models)) << filters[0];
+    EXPECT_TRUE(filters[0].ends_with(" *.[xX][gG][lL]" + presets)) << filters[0];
+    EXPECT_TRUE(filters[1].starts_with("Scenes: " + models)) << filters[1];
+    EXPECT_NE(filters[1].find(" *.3[dD][sS] "), std::string::npos) << filters[1];
+    EXPECT_TRUE(filters[1].ends_with(" *.[xX][gG][lL]")) << filters[1];
+    EXPECT_EQ(filters[2], "Presets:" + presets);
     using Filter = sdbus::Struct<std::string, std::vector<sdbus::Struct<std::uint32_t, std::string>>>;
     EXPECT_EQ(question.options.at("current_filter").get<Filter>().get<0>(), "Presets");
     desktop.answer(question, 0, {"file:///some%20where/gr%C3%B6%C3%9Fe%2520.json"});

@@ -147,7 +147,7 @@ TEST(Importers, ChoicesTurnAndScaleGltfToo) {
 }
 
 TEST(Importers, FilesWithoutMaterialsLoadWithNotes) {
-    for (const char* name : {"plate.obj", "plate.off"}) {
+    for (const char* name : {"plate.obj", "plate.off", "plate.ac"}) {
         const Scene scene = load(name);
         EXPECT_EQ(scene.triangle_count(), 2u) << name;
         expect_near(scene.bounds.hi, {2, 1, 3}, kTolerance, name);
