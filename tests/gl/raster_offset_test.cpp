@@ -42,7 +42,9 @@ TEST_F(RasterOffset, UnitsAreThoseOfTheTrianglesGreatestDepth) {
                 finer += depth_quantum(s.map.format, a.own) * 1.9 * units < offset;
             }
             // Otherwise the pixel's own step would do.
-            if (s.map.format == MapFormat::D32F) EXPECT_GT(finer, 0);
+            if (s.map.format == MapFormat::D32F) {
+                EXPECT_GT(finer, 0);
+            }
         }
 }
 

@@ -122,7 +122,9 @@ TEST(ImageDecode, DamagedFilesNeverGetTheReasonOfAnother) {
     for (std::thread& thread : threads) thread.join();
     // stb_image reads parts of its tables that damaged data leaves unset: a file may decode one time and not another.
     for (std::size_t i = 0; i < files.size(); ++i)
-        if (!together[i].empty() && !alone[i].empty()) EXPECT_EQ(together[i], alone[i]) << i;
+        if (!together[i].empty() && !alone[i].empty()) {
+            EXPECT_EQ(together[i], alone[i]) << i;
+        }
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (alone[i].empty()) continue;
         EXPECT_EQ(alone[i].find(i % 2 ? "PNG's" : "JPEG's"), alone[i].npos) << alone[i];
