@@ -27,8 +27,8 @@ const Importer* find_importer(const std::filesystem::path& path);
 /// Returns the names of all formats: "glTF, OBJ, FBX, others by Assimp".
 std::string importer_labels();
 
-/// Returns the extensions of the usual formats with their dots, and that there are others: ".gltf, .glb, .obj, others by
-/// Assimp".
+/// Returns the extensions of the usual formats with their dots, and that there are others: ".gltf, .glb, .obj, others
+/// by Assimp".
 std::string importer_extensions();
 
 }  // namespace si
