@@ -69,6 +69,8 @@ void load(Context& context, std::span<const std::uint8_t> bytes, bool converted,
         place_nodes(context, root, model, accessors, primitives, context.options().file.scene, scene);
     add_rig(context, root, model, accessors, primitives, placed, scene);
     apply_file_choices(scene, context.options().file);
+    if (converted || scene.file_up != UpAxis::Y || scene.file_unit_m != 1)
+        scene.about += fmt::format("; read as {} up, {:g} m a unit", up_axis_key(scene.file_up), scene.file_unit_m);
     textures.decode();
     make_full_blends_opaque(context, root, scene);
     if (scene.objects.empty()) context.warn("the file has no triangles to show");

@@ -17,7 +17,6 @@
 #include "renderer/gltf/extras.h"
 #include "renderer/importers/assimp_materials.h"
 #include "renderer/scene/axes.h"
-#include "renderer/settings/param.h"
 
 namespace si::assimp {
 namespace {
@@ -136,7 +135,7 @@ public:
             }
         }
         add_remarks();
-        json extras = {{"notes", notes_}, {"unit", axes_.unit_m}, {"up", up_key(axes_.up)}};
+        json extras = {{"notes", notes_}, {"unit", axes_.unit_m}, {"up", up_axis_key(axes_.up)}};
         extras["files"] = source_.folder.names();
         glb_.root["asset"]["extras"] = {{gltf::kExtrasKey, std::move(extras)}};
         json scene = {{"extras", {{gltf::kExtrasKey, {{"about", about()}}}}}};
@@ -147,16 +146,8 @@ public:
     }
 
 private:
-    static std::string up_key(UpAxis up) {
-        Settings settings;
-        settings.scene.up = up;
-        const SettingRef ref = *find_setting("scene.up");
-        return value_text(*ref.param, get_value(settings, ref));
-    }
-
     std::string about() const {
-        std::string out =
-            fmt::format("{} file, read as {} up, {:g} m a unit", source_.label, up_key(axes_.up), axes_.unit_m);
+        std::string out = fmt::format("{} file", source_.label);
         aiString generator;
         if (scene_.mMetaData && scene_.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) && generator.length > 0)
             out += fmt::format(", written by {}", text_of(generator));

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "renderer/scene/animation.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -82,6 +83,13 @@ UpAxis up_axis_of(const glm::dmat3& rotation) {
         if (most < kRounding) return axis;
     }
     return UpAxis::Y;
+}
+
+std::string up_axis_key(UpAxis up) {
+    Settings settings;
+    settings.scene.up = up;
+    const SettingRef ref = *find_setting("scene.up");
+    return value_text(*ref.param, get_value(settings, ref));
 }
 
 void apply_file_choices(Scene& scene, const FileChoices& choices) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string>
 
 #include "renderer/scene/scene.h"
 
@@ -12,6 +13,9 @@ glm::dmat3 y_up_from(UpAxis up);
 
 /// Returns the axis that a rotation of y_up_from() turns upwards; UpAxis::Y for any other matrix.
 UpAxis up_axis_of(const glm::dmat3& rotation);
+
+/// Returns the value of scene.up that means an axis: "z".
+std::string up_axis_key(UpAxis up);
 
 /// Turns and scales a loaded scene, with its skins, animations, cameras and lights, from the up axis and unit that its
 /// loader has applied (Scene::file_up, Scene::file_unit_m) to those that are chosen. Call it before finalise().

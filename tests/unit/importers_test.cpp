@@ -128,6 +128,9 @@ TEST(Importers, UnitsAndAxesOfAFileAreApplied) {
     expect_near(m.bounds.lo, {1, 0, -1}, kTolerance, "lo");
     expect_near(m.bounds.hi, {3, 3, 0}, kTolerance, "hi");
     EXPECT_EQ(cm.file_unit_m, 0.01);
+    EXPECT_TRUE(cm.about.ends_with("; read as y up, 0.01 m a unit")) << cm.about;
+    const std::string chosen = load("plate_cm.fbx", {.up = UpAxis::X, .unit = 1}).about;
+    EXPECT_TRUE(chosen.ends_with("; read as x up, 1 m a unit")) << chosen;
     EXPECT_EQ(m.file_up, UpAxis::Z);
     expect_near(load("plate_zup_m.fbx", {.up = UpAxis::Y}).bounds.hi, {3, 1, 3}, kTolerance, "y instead of z");
     expect_near(load("plate_cm.fbx", {.unit = 1}).bounds.hi, {300, 100, 300}, kTolerance * 100, "metres");
