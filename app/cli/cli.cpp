@@ -97,6 +97,25 @@ void add_measure(CLI::App& app, Run& run) {
     c.add_json("All numbers as JSON");
 }
 
+void add_compare_pictures(CLI::App& app, Run& run) {
+    auto& c =
+        add_command(app, run, "compare-pictures",
+                    "Print the difference of two pictures of equal size as a person sees it (FLIP): 0 none, 1 the "
+                    "largest",
+                    run_compare_pictures);
+    ComparePicturesOptions& o = c.options;
+    c.app().add_option("A", o.picture, "A picture, .png")->required();
+    c.app().add_option("B", o.other_picture, "The other picture, .png, of the same size")->required();
+    c.add_output("HEATMAP.png", "Write the difference of each pixel as a heat map, dark blue 0 to yellow 1");
+    c.add_value(
+         "--ppd", o.pixels_per_degree, "N",
+         fmt::format("Pixels per degree of visual angle (default {:.0f}: a monitor of 3840 pixels and 0.7 m, 0.7 m "
+                     "away)",
+                     kFlipPixelsPerDegree))
+        ->check(number_between(kMinPixelsPerDegree, kMaxPixelsPerDegree));
+    c.add_json("Mean and maximum as JSON");
+}
+
 void add_probe(CLI::App& app, Run& run) {
     auto& c = add_command(app, run, "probe", "Print the shadow test of one pixel, step by step", run_probe);
     c.add_session();
@@ -332,8 +351,8 @@ int run_cli(int argc, const char* const* argv) {
     Run run;
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
-    for (const auto add :
-         {add_render, add_reference, add_measure, add_probe, add_list, add_measure_commands, add_presets, add_others})
+    for (const auto add : {add_render, add_reference, add_measure, add_compare_pictures, add_probe, add_list,
+                           add_measure_commands, add_presets, add_others})
         add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {

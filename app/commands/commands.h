@@ -10,6 +10,7 @@
 
 #include "app/sweep/spec.h"
 #include "renderer/measure/shimmer.h"
+#include "renderer/reference/flip.h"
 #include "renderer/reference/metrics.h"
 
 namespace si {
@@ -186,6 +187,14 @@ void run_preset_show(const PresetOptions& options);
 void run_preset_diff(const PresetOptions& options);
 /// Runs the command `preset save`: writes the session's settings as a preset.
 void run_preset_save(const PresetOptions& options);
+/// Options of the command `compare-pictures`. Its output is a heat map, .png.
+struct ComparePicturesOptions : CommandOptions {
+    std::string picture, other_picture;               ///< PNG files of equal size
+    double pixels_per_degree = kFlipPixelsPerDegree;  ///< of visual angle
+};
+/// Runs the command `compare-pictures`: prints the difference of two pictures as a person sees it (LDR-FLIP).
+void run_compare_pictures(const ComparePicturesOptions& options);
+
 /// Runs the command `export`: writes the session's scene as a glTF file.
 void run_export(const CommandOptions& options);
 
