@@ -116,6 +116,7 @@ void EditorReference::start_save(Renderer& renderer, const Scene& scene, const S
     const FrameResult frame = renderer.render(scene, settings, classified);
     auto measured =
         std::make_shared<MeasuredError>(read_classified_pixels(renderer, frame, *request.reference, settings));
+    measured->pictures = draw_picture_pair(renderer, scene, settings, request);
     doing_ = "Measuring";
     doing_key_ = request.reference->key;
     job_.start([path, measured = std::move(measured)](const Workers& workers, const auto&) {

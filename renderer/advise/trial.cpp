@@ -137,10 +137,11 @@ TrialMeter renderer_trial_meter(Renderer& renderer, const Scene& scene, int widt
         if (workers.stop.stop_requested()) throw Cancelled();
         FrameRequest own = request;
         trace_sources(renderer, scene, s, own, cache, workers);
-        const auto m = std::make_shared<const MeasuredError>(measure_error(
-            renderer, scene, s, own, light, options.reference.value_or(reference_options(s)), cache, workers));
-        own.force = true;
         const Metric& metric = *options.error;
+        const auto m = std::make_shared<const MeasuredError>(
+            measure_error(renderer, scene, s, own, light, options.reference.value_or(reference_options(s)), cache,
+                          workers, metric.of_pictures));
+        own.force = true;
         return MeasuredSettings{distance_from_best(metric.better, metric.value(m->metrics)), m->traced.reference->noise,
                                 options.work ? work_cost(s, renderer.render(scene, s, own)) : map_cost(s, *m),
                                 m->camera, m};

@@ -1,5 +1,9 @@
 #include "renderer/measure/measured_error.h"
 
+#include <utility>
+
+#include "renderer/measure/axes.h"
+#include "renderer/reference/flip.h"
 #include "renderer/reference/umbra.h"
 #include "renderer/view/lights/kernel_reach.h"
 
@@ -40,11 +44,24 @@ void sum_error_metrics(MeasuredError& measured, const Workers& workers) {
     find_leaks(measured, workers);
     measured.metrics =
         error_metrics(measured.classified, *measured.traced.reference, same_surface_bits(*measured.traced.receivers));
+    if (!measured.pictures) return;
+    const PicturePair pair = *std::exchange(measured.pictures, std::nullopt);
+    measured.metrics.flip = flip_difference(pair.drawn, pair.by_reference, kFlipPixelsPerDegree, workers).mean;
+}
+
+PicturePair draw_picture_pair(Renderer& renderer, const Scene& scene, const Settings& settings,
+                              const FrameRequest& request) {
+    FrameRequest pair = request;
+    pair.outputs = {.colour = true, .true_colour = true};
+    pair.timing = pair.force = false;
+    pair.smoothed = 0;
+    const FrameResult frame = renderer.render(scene, measured_settings(settings), pair);
+    return {renderer.read_colour(frame.colour), renderer.read_colour(frame.true_colour)};
 }
 
 MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
                             const FrameRequest& request, int light, const ReferenceOptions& options,
-                            ReferenceCache& cache, const Workers& workers) {
+                            ReferenceCache& cache, const Workers& workers, bool of_pictures) {
     Settings shown = settings;
     shown.view.light = light;
     ReferenceOptions wanted = options;
@@ -54,6 +71,7 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
     classified.timing = classified.force = false;
     const FrameResult frame = render_with_reference(renderer, scene, shown, classified, cache, workers, wanted);
     MeasuredError out = read_classified_pixels(renderer, frame, *classified.reference, shown);
+    if (of_pictures) out.pictures = draw_picture_pair(renderer, scene, shown, classified);
     sum_error_metrics(out, workers);
     return out;
 }

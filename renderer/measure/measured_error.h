@@ -10,6 +10,11 @@
 
 namespace si {
 
+/// Picture of a frame and the same picture with the reference's shadows of one light, both without overlays.
+struct PicturePair {
+    ByteImage drawn, by_reference;
+};
+
 /// Shadow error of one light in one frame: the reference, every pixel's classification, and metrics over them.
 struct MeasuredError {
     TracedReference traced;
@@ -20,15 +25,22 @@ struct MeasuredError {
     int light = 0, map_resolution = 0;
     double reach_texels = 0;  ///< reach of the kernel and of the depth blur (map.blur_texels); 0 without a map
     glm::ivec2 picture{0};    ///< size of the frame; the reference may have fewer pixels
+    std::optional<PicturePair> pictures;  ///< pictures for Metric::of_pictures; released once these are computed
 };
 
 /// Measures a light's shadow error in a frame: traces the reference unless `cache` has it, draws the frame, classifies
 /// its pixels and computes the metrics. Call on the renderer's thread.
 /// @param light index of light.*
+/// @param of_pictures true: also draws pictures and computes metrics of them (Metric::of_pictures)
 /// @throws Cancelled; Error when there is no such light, or as Renderer::render() does
 MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
                             const FrameRequest& request, int light, const ReferenceOptions& options,
-                            ReferenceCache& cache, const Workers& workers = {});
+                            ReferenceCache& cache, const Workers& workers = {}, bool of_pictures = false);
+
+/// Draws the pictures for metrics of pictures (Metric::of_pictures) of view.light.
+/// @param request holds the reference of this frame
+PicturePair draw_picture_pair(Renderer& renderer, const Scene& scene, const Settings& settings,
+                              const FrameRequest& request);
 
 /// Reads back the classified pixels of a frame that was drawn with `picture` and Outputs::classified, without metrics:
 /// sum_error_metrics() computes those, on any thread.
@@ -36,7 +48,7 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
                                      const Settings& settings);
 /// Finds light in the umbra by rays (ClassifiedPixel::any_leak), and computes MeasuredError::metrics from the
-/// classified pixels. @throws Cancelled
+/// classified pixels and MeasuredError::pictures. @throws Cancelled
 void sum_error_metrics(MeasuredError& measured, const Workers& workers = {});
 
 }  // namespace si

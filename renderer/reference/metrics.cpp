@@ -93,6 +93,16 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .formula = "sum (V - R) / n",
      .member = &M::signed_mean,
      .better = Better::NearZero},
+    {.key = "flip",
+     .label = "FLIP",
+     .unit = "",
+     .help = "Difference to the picture with the reference's shadows, as a person sees it who alternates between both: "
+             "0 none, 1 the largest.",
+     .formula = "mean of LDR-FLIP over all pixels, at 67 pixels per degree, without overlays and smoothing",
+     .paper = "Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild, FLIP: A Difference Evaluator for "
+              "Alternating Images, HPG 2020",
+     .member = &M::flip,
+     .of_pictures = true},
     {.key = "false_shadow",
      .label = "False shadow",
      .help = "Lit in the reference, dark in the picture: the sum of its causes.",

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -55,14 +56,14 @@ std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers);
 
 /// Error metrics of visibility V against the reference R over the n counted pixels (PixelState::Counted). metrics() has
 /// a row that describes each number. Shadow is below 0.5. Fractions are of n, and 0 when n is 0. False shadow and false
-/// light are the sums of their parts.
+/// light are the sums of their parts. `flip` compares pictures over all pixels.
 struct ErrorMetrics {
     std::size_t counted = 0;
     double false_shadow = 0, false_light = 0, acne = 0, leak = 0, light_bleeding = 0, bias_false_light = 0,
            lost_false_light = 0, offset_false_shadow = 0, contact_false_shadow = 0, boundary_false_shadow = 0,
            boundary_false_light = 0, outside_false_shadow = 0, outside_false_light = 0, any_acne = 0, visible_acne = 0,
            any_leak = 0, within_noise = 0, mae = 0, rmse = 0, signed_mean = 0, iou = 1, boundary_px_mean = 0,
-           boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0;
+           boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0, flip = std::numeric_limits<double>::quiet_NaN();
     std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState
     std::size_t ground_pixels = 0;                    ///< counted pixels on the ground disc under a model
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
@@ -99,6 +100,7 @@ struct Metric {
     std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause
     bool rare = false;         ///< shown to people only when not 0
     bool cpu_only = false;     ///< needs rays or contours, which the GPU's sums cannot provide: NaN in LiveError
+    bool of_pictures = false;  ///< compares pictures, see MeasuredError::pictures: NaN where none were drawn
 
     /// Returns the value of this error metric in a measurement.
     double value(const ErrorMetrics& m) const;

@@ -1,4 +1,4 @@
-// Tests of `compare-pictures`.
+// Tests of `compare-pictures`, and of the difference that `measure` prints.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -75,6 +75,38 @@ TEST_F(ComparePictures, NamesTheFileThatCannotBeCompared) {
     expect_error({"compare-pictures", "mine.png", a, "-o", "mine.png"}, 2, "is read", folder_);
     expect_error({"compare-pictures", a, "mine.png", "-o", "link.png"}, 2, "is read", folder_);
     EXPECT_EQ(file_bytes(folder_ / "mine.png"), before);
+}
+
+const Words kAcne =
+    "boxes --size 128x72 --set filter.kernel=hard --set bias.kind=constant --set bias.constant=0 --set bias.normal=0";
+
+TEST(MeasuredFlip, IsPrintedAndIsThatOfTheDrawnPictures) {
+    const auto folder = fresh_test_folder();
+    const Json error = program_json("measure --no-time" + kAcne)["error"];
+    const double flip = error["flip"];
+    EXPECT_GT(flip, 0.02);
+    const ProcessResult text = run_program("measure --no-time" + kAcne);
+    EXPECT_NE(text.out.find("  FLIP "), std::string::npos) << text.out;
+    // The picture left of a line at the right side, and the reference's right of one at the left side.
+    for (const auto& [file, line] : {std::pair{"drawn.png", "1"}, {"reference.png", "0"}}) {
+        const ProcessResult r = run_program("render" + kAcne + Words{"-o", file} +
+                                                Words("--set view.smooth=false --against truth --swipe") + Words{line},
+                                            folder);
+        ASSERT_EQ(r.code, 0) << r.err;
+    }
+    const Json pictures = program_json("compare-pictures drawn.png reference.png --json", folder);
+    EXPECT_NEAR(pictures["flip"]["mean"], flip, 1e-6);
+}
+
+TEST(MeasuredFlip, IsAColumnOfSweeps) {
+    const auto folder = fresh_test_folder();
+    const ProcessResult r =
+        run_program(Words("sweep") + kAcne + Words("--vary map.resolution=128,2048 --no-time -o swept"), folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const Json rows = Json::parse(file_bytes(folder / "swept/results.json"))["rows"];
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_GT(rows[0]["error"]["flip"], rows[1]["error"]["flip"]);
+    EXPECT_NE(file_bytes(folder / "swept/results.csv").find("error.flip"), std::string::npos);
 }
 
 }  // namespace
