@@ -33,6 +33,7 @@ constexpr std::string_view kResultNames[] = {
     "picture by the reference",
     "errors of single precision",
     "shaded picture",
+    "perceived difference",
     "smooth picture",
     "overlay values",
     "picture with overlay",

@@ -77,6 +77,7 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
     if (pane.row() && pane.row()->reads_reference)
         pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Classified});
     if (pane.row() && pane.row()->reads_precision) pass.reads.push_back(Result::Precision);
+    if (pane.row() && pane.row()->reads_flip) pass.reads.push_back(Result::Flip);
     if (!pane.row()) {
         pass.unneeded = pane.lacks_reference ? "the reference of this frame is not traced" : "no overlay is chosen";
         return pass;

@@ -97,7 +97,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .label = "FLIP",
      .unit = "",
      .help = "Difference to the picture with the reference's shadows, as a person sees it who alternates between both: "
-             "0 none, 1 the largest.",
+             "0 none, 1 the largest. The live error has it while the overlay `flip-difference` is shown.",
      .formula = "mean of LDR-FLIP over all pixels, at 67 pixels per degree, without overlays and smoothing",
      .paper = "Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and Fairchild, FLIP: A Difference Evaluator for "
               "Alternating Images, HPG 2020",

@@ -6,6 +6,7 @@
 #include "renderer/passes/blobs.h"
 #include "renderer/passes/camera_images.h"
 #include "renderer/passes/depth_blur.h"
+#include "renderer/passes/flip.h"
 #include "renderer/passes/light_depth.h"
 #include "renderer/passes/light_map.h"
 #include "renderer/passes/map_bounds.h"
@@ -41,6 +42,7 @@ struct AllPasses {
     ReferencePasses reference;
     ReferenceShadePass reference_shade;
     ShadePasses shade;
+    FlipPass flip;
     PrecisionPass precision;
     PanePasses panes{pages};
     MapCoordinatesPass map_coordinates;
@@ -57,7 +59,7 @@ struct AllPasses {
                                &shadow_volumes});
         if (!paged) out.push_back(&seen_surfaces);
         out.insert(out.end(), {&blobs, &light_map, &visibility, &unfiltered_map, &reference, &reference_shade, &shade,
-                               &precision, &panes, &map_coordinates, &texels_read, &map_view, &numeric_health});
+                               &flip, &precision, &panes, &map_coordinates, &texels_read, &map_view, &numeric_health});
         return out;
     }
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "renderer/reference/live_error.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
@@ -64,6 +65,11 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     if (made.contains(Result::MapView)) describe_map_view(f, passes.map_view, result);
     if (made.contains(Result::Visibility)) result.visibility = passes.visibility.layer_image(f.settings.view.light);
     if (made.contains(Result::Error)) result.error = passes.reference.error();
+    if (result.error && made.contains(Result::Flip)) {
+        LiveError error = *result.error;
+        error.metrics.flip = passes.flip.mean();
+        result.error = std::make_shared<const LiveError>(error);
+    }
     if (made.contains(Result::Precision)) result.precision = passes.precision.found();
     if (made.contains(Result::Evidence)) {
         for (std::size_t i = 0; i < result.evidence.size(); ++i)

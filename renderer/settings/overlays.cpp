@@ -264,6 +264,14 @@ constexpr Overlay kOverlays[] = {
      .group = OverlayGroup::Wrong,
      .max = 0.5,
      .reads_reference = true},
+    {.key = "flip-difference",
+     .label = "FLIP",
+     .help = "Difference to the picture with the reference's shadows, as a person sees it who alternates between both: "
+             "0 none, 1 the largest. At 67 pixels per degree.",
+     .group = OverlayGroup::Wrong,
+     .paper = "Andersson et al.: FLIP: A Difference Evaluator for Alternating Images, HPG 2020",
+     .reads_reference = true,
+     .reads_flip = true},
 };
 
 }  // namespace

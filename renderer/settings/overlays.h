@@ -35,6 +35,7 @@ struct Overlay {
     bool names_views = false;          ///< colours are a light's views
     bool reads_reference = false;      ///< needs the ray-traced reference and the classification of the pixels
     bool reads_precision = false;      ///< needs the comparison of the look-ups with double precision
+    bool reads_flip = false;           ///< needs the difference to the picture with the reference's shadows
     bool keeps_optimisations = false;  ///< drawn with the optimisations of the picture's look-ups
     OverlayDraw draw = OverlayDraw::Fragments;
     /// Returns the GLSL file of the overlay below shaders/: its key with underscores.

@@ -29,6 +29,7 @@ const int UNIT_BLURRED_ROWS = 17;  // result of a blur along x
 const int UNIT_MAP_SAMPLES = 18;   // samples of a multisampled map
 const int UNIT_MAP_CHANNEL = 19;   // moment in the map viewer
 const int UNIT_PAGE_TABLE = 20;
+const int UNIT_FLIP = 22;
 const int UNIT_BLOBS = 23;
 const int UNIT_SEEN_SURFACES = 24;  // and four after it
 

@@ -1,4 +1,4 @@
-// Tests of FLIP between the picture and the picture with the reference's shadows.
+// Tests of FLIP between the picture and the picture with the reference's shadows: metric, live error and overlay.
 #include "renderer/reference/flip.h"
 
 #include "renderer/measure/measured_error.h"
@@ -55,6 +55,47 @@ TEST_F(FlipFrameTest, MetricIsMeasuredOnRequestAlone) {
     const FrameResult frame = render_with_reference(renderer, scene, s, request, cache);
     ASSERT_TRUE(frame.error);
     EXPECT_TRUE(std::isnan(frame.error->metrics.flip));
+    const PassInfo* pass = frame.pass(Result::Flip);
+    ASSERT_TRUE(pass);
+    EXPECT_EQ(pass->state, PassState::Skipped) << pass->reason;
+    EXPECT_EQ(frame.pass(Result::ReferenceLitPicture)->state, PassState::Skipped);
+}
+
+TEST_F(FlipFrameTest, OverlayAndLiveErrorShowTheMetric) {
+    Settings s = test::texel_settings("hard", 256, 0);
+    const Flip flip = flip_of_pictures(s);
+    set_setting(s, "view.overlay", "flip-difference");
+    request.outputs = {.colour = true, .overlay = true, .error = true};
+    const FrameResult frame = render_with_reference(renderer, scene, s, request, cache);
+    ASSERT_TRUE(frame.error);
+    EXPECT_NEAR(frame.error->metrics.flip, flip.mean, 1e-7);
+    EXPECT_EQ(frame.overlay_min, 0);
+    EXPECT_EQ(frame.overlay_max, 1);
+    const FloatImage values = renderer.read_float(frame.overlay, 4);
+    int shown = 0;
+    float off = 0;
+    for (int y = 0; y < values.height; ++y)
+        for (int x = 0; x < values.width; ++x) {
+            if (!(values.at(x, y, 3) > 0)) continue;
+            ++shown;
+            off = std::max(off, std::abs(values.at(x, y) - flip.map.at(x, y)));
+        }
+    EXPECT_GT(shown, 20000);
+    EXPECT_LT(off, 1e-6f);
+}
+
+TEST_F(FlipFrameTest, OverlayIsComputedAgainOnlyWhenAPictureChanges) {
+    Settings s = test::texel_settings("hard", 256, 0);
+    set_setting(s, "view.overlay", "flip-difference");
+    request.outputs = {.colour = true, .error = true};
+    const auto draw = [&] { return render_with_reference(renderer, scene, s, request, cache); };
+    const FrameResult first = draw(), again = draw();
+    EXPECT_EQ(again.pass(Result::Flip)->state, PassState::Cached) << again.pass(Result::Flip)->reason;
+    EXPECT_EQ(again.error->metrics.flip, first.error->metrics.flip);
+    s.bias.constant = 4;
+    const FrameResult biased = draw();
+    EXPECT_EQ(biased.pass(Result::Flip)->state, PassState::Drawn);
+    EXPECT_LT(biased.error->metrics.flip, first.error->metrics.flip / 2);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+// Pass that measures the perceived difference between the picture and the picture with the reference's shadows.
+#pragma once
+
+#include "renderer/frame/frame_pass.h"
+#include "renderer/frame/state.h"
+
+namespace si {
+
+/// Reads back both pictures, computes LDR-FLIP on the CPU (flip_difference()) and uploads it for the overlay.
+class FlipPass : public FramePass {
+public:
+    void declare(FrameState& f) override;
+    /// Returns the mean over all pixels of the last run; 0 before the first.
+    double mean() const { return mean_; }
+
+private:
+    gl::Target map_;  ///< R32F, rows from the bottom
+    double mean_ = 0;
+};
+
+}  // namespace si
