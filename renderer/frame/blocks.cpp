@@ -92,12 +92,22 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
     if (light.is_cascaded()) b.span = glm::vec4(light.chooser.spans[i].ends, light.chooser.spans[i].blends_from, 0, 0);
     // Matrices of the block are stored by rows. Nothing reads the last row of a map without perspective.
     b.uvd_from_relative = glm::transpose(glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin)));
-    b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
-    if (const auto& warp = v.curve.warp) b.warp = glm::vec4(warp->middle_m, warp->near_m, warp->far_m, warp->rise);
+    // Two texels a side are as long as half of the map.
+    const double half = v.warped() ? 0 : v.texel_size(1, 2);
+    b.curve = glm::vec4(v.curve.near, v.curve.far, half, 1.0 / f.map_resolution);
+    if (light.is_warped()) {
+        const DepthWarp warp = v.curve.warp.value_or(DepthWarp{0, v.curve.near, v.curve.far, 0});
+        b.warp = glm::vec4(warp.middle_m, warp.near_m, warp.far_m, warp.rise);
+    }
     if (light.chooser.choice == ViewChoice::One) b.span.x = b.curve.w;
     // Single precision, as in lib/receiver.glsl for all other views.
     b.span.z = 2.f * b.curve.z * b.curve.w;
     b.span.w = 1.f / (b.curve.y - b.curve.x);
+    if (v.curve.perspective) {
+        const glm::dvec2 scale(std::abs(v.projection[0][0]), std::abs(v.projection[1][1]));
+        b.span.z = float(scale.x / std::max(scale.x, scale.y));
+        b.span.w = float(scale.y / std::max(scale.x, scale.y));
+    }
     return b;
 }
 

@@ -4,50 +4,73 @@
 #include <glm/glm.hpp>
 
 #include "renderer/projection/depth_curve.h"
+#include "renderer/projection/map_size.h"
 
 namespace si {
 
-/// Size of a texel in metres, measured across the light's ray, along its longest and shortest direction. Both are equal
-/// unless the view is warped.
+/// Size of a texel in metres, measured across the light's axis, along its longest and shortest direction. Both are
+/// equal in a square map of a view that is as wide as high and not warped.
 struct TexelSize {
     double longest = 0, shortest = 0;
 };
 
-/// View and projection of one square shadow map: a directional or spot map, a cube face, a cascade or a clip level.
+/// Rectangle across a light view's axis: metres, or in perspective tangents.
+struct CrossSection {
+    glm::dvec2 lo{0}, hi{0};
+};
+
+/// View and projection of one shadow map: a directional or spot map, a cube face, a cascade or a clip level. The matrix
+/// decides what the map covers; set_half_extents() makes a centred one, view_of_matrix() takes any.
 struct LightView {
-    glm::dvec3 eye{0};           ///< world
-    glm::dmat3 axes{1.0};        ///< columns right, up, back (the view looks along -back)
-    glm::dmat4 projection{1.0};  ///< to clip space of curve.convention
-    DepthCurve curve;            ///< depth range
-    bool clamps_near = false;    ///< casters before the near plane are drawn on it (pancaking)
-    double half_width = 1;       ///< half extent in metres; in perspective the tangent of the half angle
+    glm::dvec3 eye{0};     ///< world
+    glm::dmat3 axes{1.0};  ///< columns right, up, back (the view looks along -back)
+    /// To clip space of curve.convention. In perspective w is the distance along the axis; for parallel rays w is 1 at
+    /// the eye.
+    glm::dmat4 projection{1.0};
+    DepthCurve curve;          ///< depth range
+    bool clamps_near = false;  ///< casters before the near plane are drawn on it (pancaking)
+    /// Sets the projection to one that is centred on the axis, by `curve`.
+    /// @param half half of the width and height: metres, or in perspective tangents of half the angles
+    void set_half_extents(const glm::dvec2& half);
+    /// Sets the depth of a centred projection by `curve`; width and height stay.
+    void update_depth();
     /// Returns the light view's matrix to clip space from positions relative to `origin` (world), composed in double
     /// precision.
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
-    /// Returns true for a warped shadow map (light.fit lispsm): parallel rays, but a clip-space w that changes across
-    /// them. Texels and depth ranges then differ from row to row.
+    /// Returns true for parallel rays whose texels are not squares of one size, or whose depth range differs from row
+    /// to row: a clip-space w that changes across the rays (light.fit lispsm), shear, or unequal width and height.
     bool warped() const { return curve.warp.has_value(); }
+    /// Returns true for a perspective view whose width and height differ.
+    bool stretched() const { return curve.perspective && glm::abs(projection[0][0]) != glm::abs(projection[1][1]); }
+    /// Returns the rectangle around the map across the view's axis.
+    CrossSection cross_section() const;
+    /// Returns half of the width and height of a centred view. For other views: the largest distance of the map's sides
+    /// from the axis, horizontally and vertically. Metres, or in perspective tangents.
+    glm::dvec2 half_extents() const;
+    /// Returns the larger of half_extents().
+    double half_extent() const;
     /// Returns the world-space position at shadow map coordinates `uv` and distance z along the light's axis, metres.
     glm::dvec3 position_ws(const glm::dvec2& uv, double z) const;
-    /// Returns the world size of a shadow map texel in metres at distance z along the axis. Not valid for a warped
+    /// Returns the longest side of a shadow map's texel in metres at distance z along the axis. Not valid for a warped
     /// view.
-    /// @param resolution texels a side of the map
-    double texel_size(double z, int resolution) const {
-        return 2 * half_width * (curve.perspective ? z : 1.0) / resolution;
-    }
-    /// Returns the world size of the shadow map texel that contains a point, measured across the point's ray. Both
-    /// lengths are equal unless the view is warped.
-    /// @param resolution texels a side of the map
-    TexelSize texel_size_at(const glm::dvec3& point_ws, int resolution) const;
+    /// @param size texels of the map
+    double texel_size(double z, MapSize size) const { return texel_sizes(z, size).longest; }
+    /// Returns the world size of the shadow map texel that contains a point, measured across the light's axis.
+    /// @param size texels of the map
+    TexelSize texel_size_at(const glm::dvec3& point_ws, MapSize size) const;
     /// Returns the sizes of the smallest and largest texels of the shadow map; in perspective those within the depth
     /// range.
-    /// @param resolution texels a side of the map
-    TexelSize texel_size_range(int resolution) const;
+    /// @param size texels of the map
+    TexelSize texel_size_range(MapSize size) const;
     /// Returns the depth curve along the light's ray through a world-space point.
     DepthCurve ray_depth_curve(const glm::dvec3& point_ws) const;
     /// Returns the relative change of clip-space w per metre across the light direction (LiSPSM) at a point; 0 for
     /// unwarped views.
     double relative_dw_per_m(const glm::dvec3& point_ws) const;
+
+private:
+    /// Returns the sizes of texels of an unwarped view at distance z along the axis.
+    TexelSize texel_sizes(double z, MapSize size) const;
 };
 
 }  // namespace si

@@ -20,14 +20,9 @@ std::size_t face_of(const glm::dvec3& d) {
 
 /// Returns max(|u|, |v|) of a point from a map's centre; infinite outside the near and far planes. For parallel rays.
 double from_centre(const LightView& view, const glm::dvec3& point_ws) {
-    if (view.warped()) {
-        const glm::dvec4 h = uvd_from_clip(view.curve.convention) * view.clip_from_relative(point_ws)[3];
-        if (!(h.w > 0 && h.z >= 0 && h.z <= h.w)) return std::numeric_limits<double>::infinity();
-        return std::max(std::abs(h.x / h.w - 0.5), std::abs(h.y / h.w - 0.5));
-    }
-    const glm::dvec3 v = glm::transpose(view.axes) * (point_ws - view.eye);
-    if (!(-v.z >= view.curve.near && -v.z <= view.curve.far)) return std::numeric_limits<double>::infinity();
-    return std::max(std::abs(v.x), std::abs(v.y)) / (2 * view.half_width);
+    const glm::dvec4 h = uvd_from_clip(view.curve.convention) * view.clip_from_relative(point_ws)[3];
+    if (!(h.w > 0 && h.z >= 0 && h.z <= h.w)) return std::numeric_limits<double>::infinity();
+    return std::max(std::abs(h.x / h.w - 0.5), std::abs(h.y / h.w - 0.5));
 }
 
 }  // namespace

@@ -200,6 +200,7 @@ std::string light_constants(const FrameState& f) {
            array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
            array("LIGHT_EMPTY", [&](std::size_t i) { return int(f.shades_as_lit(i)); }) +
            array("LIGHT_WARPED", [&](std::size_t i) { return int(lights[i].casts && lights[i].is_warped()); }) +
+           array("LIGHT_STRETCHED", [&](std::size_t i) { return int(lights[i].casts && lights[i].is_stretched()); }) +
            array("LIGHT_PERSPECTIVE",
                  [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });
 }

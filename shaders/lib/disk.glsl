@@ -20,8 +20,11 @@ vec2 disk_rotation(Receiver r) {
 /// @param turn cosine and sine
 vec2 rotated(vec2 v, vec2 turn) { return vec2(v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x); }
 
-/// Converts a place of a disk across the light's rays to the map. In a warped map the unit is the shortest texel.
-vec2 disk_to_map(Receiver r, vec2 place) { return LIGHT_WARPED[r.light] != 0 ? r.disk * place : place; }
+/// Converts a place of a disk across the light's rays to the map. In a warped or stretched map the unit is the shortest
+/// texel.
+vec2 disk_to_map(Receiver r, vec2 place) {
+    return LIGHT_WARPED[r.light] != 0 || LIGHT_STRETCHED[r.light] != 0 ? r.disk * place : place;
+}
 
 /// Converts a place of the disk of filter.radius to the map. A radius in metres is across the light's rays, one in texels
 /// in the map.

@@ -43,7 +43,7 @@ struct Receiver {
     float texel_m;      // world size of a texel here, along its longest direction
     float texel_short_m;  // size along the shortest direction; differs from texel_m if LIGHT_WARPED
     float relative_dw_per_m;   // relative change of w per metre across the rays if LIGHT_WARPED; else 0
-    mat2 disk;          // if LIGHT_WARPED: maps a disk across the rays to the map, in texel_short_m
+    mat2 disk;          // if LIGHT_WARPED or LIGHT_STRETCHED: maps a disk across the rays to the map, in texel_short_m
     float z;            // distance along the axis from a perspective light, metres above 0; else 1
     float depth_per_m;  // |d depth / d metres along the axis| here
     float bias_depth;   // applied depth bias, depth-buffer units; >= 0 shifts towards the light
@@ -197,6 +197,10 @@ Receiver receiver_in(Surface s, int index, int layer) {
     r.depth_per_m = perspective ? near * far / ((far - near) * r.z * r.z) : view.span.w;
 
     if (LIGHT_WARPED[index] != 0) find_warped_texel(r, h, view);
+    if (LIGHT_STRETCHED[index] != 0) {
+        r.texel_short_m = r.texel_m * min(view.span.z, view.span.w);
+        r.disk = mat2(view.span.z, 0.0, 0.0, view.span.w);
+    }
 
     vec4 o = h;
     float offset_z = r.z;

@@ -80,7 +80,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirectio
         EXPECT_EQ(j.unlit_beyond, 0u);
         EXPECT_TRUE(j.metrics.outside_map == 0 || !j.light.closed);
         EXPECT_LE(j.metrics.mae, 1.1 * whole.metrics.mae + 2e-3) << "a map that holds less holds it finer";
-        EXPECT_LE(j.light.views[0].half_width, 1.05 * whole.light.views[0].half_width);
+        EXPECT_LE(j.light.views[0].half_extent(), 1.05 * whole.light.views[0].half_extent());
     }
 }
 
@@ -144,7 +144,7 @@ TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
             EXPECT_GT(j.shadowed, 300u);
             // The same map with manual settings has an outside.
             s.lights[0].fit = LightFit::Manual;
-            s.lights[0].extent = j.light.views[0].half_width;
+            s.lights[0].extent = j.light.views[0].half_extent();
             EXPECT_GT(compare_with_reference(scene, s).metrics.outside_map, 0.1);
         }
 }
@@ -164,11 +164,11 @@ TEST_F(FitsTest, KernelsAreCompleteAtTheMapsRim) {
         const LightView view = frame.lights[0].views[0];
         LightSettings& light = s.lights[0];
         light.fit = LightFit::Manual;
-        light.extent = view.half_width;
+        light.extent = view.half_extent();
         const glm::dvec3 aside = view.eye - frame.lights[0].position;
         set_target(light, aside);
         const FrameResult by_hand = renderer.render(scene, s, request);
-        ASSERT_NEAR(by_hand.lights[0].views[0].half_width, view.half_width, 1e-9);
+        ASSERT_NEAR(by_hand.lights[0].views[0].half_extent(), view.half_extent(), 1e-9);
         const FloatImage read = renderer.read_float(by_hand.visibility, 1);
         std::size_t differs = 0, grey = 0;
         for (std::size_t i = 0; i < read.data.size(); ++i) {
@@ -200,7 +200,7 @@ TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
             scene, {{"light.fit", fit}, "camera.source=manual", "camera.distance=4", {"camera.azimuth", azimuth}});
         const FrameResult frame = renderer.render(scene, s, small_request());
         EXPECT_TRUE(frame.lights[0].closed);
-        return std::pair(frame.lights[0].views[0].half_width, frame.lights[0].views[0].eye);
+        return std::pair(frame.lights[0].views[0].half_extent(), frame.lights[0].views[0].eye);
     };
     EXPECT_EQ(half_width("casters", "0"), half_width("casters", "130"));
     EXPECT_NE(half_width("view", "0"), half_width("view", "130"));

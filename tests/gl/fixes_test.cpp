@@ -303,7 +303,7 @@ TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     EXPECT_EQ(fit->map_bytes(), 0);
     const MeasuredError after = measure(scene, with(s, *fit));
     EXPECT_EQ(after.metrics.outside_map, 0);
-    EXPECT_LT(after.lights[0].views[0].half_width, 0.5 * measure(scene, s).lights[0].views[0].half_width);
+    EXPECT_LT(after.lights[0].views[0].half_extent(), 0.5 * measure(scene, s).lights[0].views[0].half_extent());
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
                 set_setting(s, "light.fit", fit.key);
                 set_setting(s, "light.type", type);
                 const auto a = fit_lights(with.scene, s, seen_by), b = fit_lights(without.scene, s, seen_by);
-                EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (1 + 1e-9));
+                EXPECT_LE(a[0].views[0].half_extent(), b[0].views[0].half_extent() * (1 + 1e-9));
             }
     const auto drawn = [&](const Scene& scene) {
         FrameRequest whole = small_request({.shadow_map = true});
@@ -231,7 +231,7 @@ TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
             const auto a = fit_lights(model.with.scene, s, &camera), b = fit_lights(model.without.scene, s, &camera);
             ASSERT_EQ(a[0].views.size(), b[0].views.size());
             const LightView &stands = a[0].views[0], &floats = b[0].views[0];
-            EXPECT_LE(stands.half_width, floats.half_width * (1 + 1e-9));
+            EXPECT_LE(stands.half_extent(), floats.half_extent() * (1 + 1e-9));
             EXPECT_NEAR(stands.texel_size_range(512).longest / floats.texel_size_range(512).longest, 1, 1e-9);
             EXPECT_EQ(a[0].closed, b[0].closed);
         }
@@ -344,7 +344,7 @@ TEST_F(GroundTest, AMapOfPartOfAModelCoversOnlyItsCasters) {
         t.camera.distance *= nearer;
         set_setting(t, "light.fit", fit);
         const Camera camera = make_camera(scene, t, 16.0 / 9);
-        return fit_lights(scene, t, &camera)[0].views[0].half_width;
+        return fit_lights(scene, t, &camera)[0].views[0].half_extent();
     };
     const double margin = 2 * fit_margin_texels(s, 512) / 512;
     const double casters = half_width(table.without.scene, "scene", 1) * (1 - 4.0 / 512) / (1 - margin);

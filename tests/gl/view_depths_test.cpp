@@ -134,7 +134,7 @@ TEST_F(ViewDepthsTest, PancakingGivesTheSameShadowFromAShorterRange) {
                     if (place.elevation == 90) {
                         EXPECT_NEAR(b.curve.far, sheet + 30, 0.1);
                     }
-                    EXPECT_EQ(a.half_width, b.half_width);
+                    EXPECT_EQ(a.half_extent(), b.half_extent());
                 }
             }
         }
@@ -236,7 +236,7 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
             for (std::size_t v = 0; v < own.lights[0].views.size(); ++v) {
                 EXPECT_EQ(frozen.lights[0].views[v].clip_from_relative(own.camera.eye),
                           own.lights[0].views[v].clip_from_relative(own.camera.eye));
-                EXPECT_NE(moved.lights[0].views[v].half_width, own.lights[0].views[v].half_width);
+                EXPECT_NE(moved.lights[0].views[v].half_extent(), own.lights[0].views[v].half_extent());
             }
             EXPECT_EQ(frozen.lights[0].chooser.from_ws, own.lights[0].chooser.from_ws);
             EXPECT_EQ(frozen.notes, own.notes);

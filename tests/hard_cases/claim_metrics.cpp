@@ -64,7 +64,7 @@ double texel_slide(const GuidedDrawing& g) {
         const Camera camera = make_camera(g.scene, s, 16.0 / 9);
         const std::vector<LightView> now = fit_lights(g.scene, s, &camera)[0].views;
         for (std::size_t v = 0; v < before.size(); ++v) {
-            if (before[v].half_width != now[v].half_width) return 0.5;
+            if (before[v].half_extent() != now[v].half_extent()) return 0.5;
             const glm::dvec3 moved = glm::transpose(now[v].axes) * (now[v].eye - before[v].eye);
             const glm::dvec2 texels = glm::dvec2(moved) / now[v].texel_size(1, s.map.resolution);
             const glm::dvec2 part = glm::abs(texels - glm::round(texels));
@@ -102,7 +102,7 @@ double split_ratio(const GuidedDrawing& g, std::size_t i) {
     return spans_of(g).at(i + 1).ends / spans_of(g).at(i).ends;
 }
 double width_per_distance(const GuidedDrawing& g, std::size_t i) {
-    return g.shot.view(i).half_width / spans_of(g).at(i).ends;
+    return g.shot.view(i).half_extent() / spans_of(g).at(i).ends;
 }
 
 /// Draws two frames with a new renderer, so that only the first fills the caches. Returns the second. @param changes
@@ -201,11 +201,12 @@ const std::map<std::string, double (*)(S, G)> kOfOne = {
     {"w_ratio", [](S, G g) { return 1 / (1 + g.shot.view().curve.warp.value().rise); }},
     {"texel_slide", [](S, G g) { return texel_slide(g); }},
     // Cascades
-    {"half_width_m", [](S, G g) { return g.shot.view(0).half_width; }},
+    {"half_width_m", [](S, G g) { return g.shot.view(0).half_extent(); }},
     {"least_width_ratio",
      [](S, G g) {
-         return least_of(g.shot.light().views.size() - 1,
-                         [&](std::size_t i) { return g.shot.view(i + 1).half_width / g.shot.view(i).half_width; });
+         return least_of(g.shot.light().views.size() - 1, [&](std::size_t i) {
+             return g.shot.view(i + 1).half_extent() / g.shot.view(i).half_extent();
+         });
      }},
     {"least_width_per_distance",
      [](S, G g) {

@@ -78,8 +78,8 @@ TEST_P(StoredDepth, IsTheMetricDistanceWithinAStep) {
             for (int x = 0; x < map.width; ++x) {
                 const float stored = map.at(x, y);
                 // The plane under the texel's centre; row 0 is the top of the map.
-                const double u = (2 * (x + 0.5) / map.width - 1) * view.half_width;
-                const double v = (1 - 2 * (y + 0.5) / map.height) * view.half_width;
+                const double u = (2 * (x + 0.5) / map.width - 1) * view.half_extent();
+                const double v = (1 - 2 * (y + 0.5) / map.height) * view.half_extent();
                 const glm::dvec3 aside = u * view.axes[0] + v * view.axes[1];
                 const bool p = view.curve.perspective;
                 const glm::dvec3 origin = p ? view.eye : view.eye + aside;

@@ -162,7 +162,7 @@ TEST_P(HardCase9, EverySpotAngleGivesFiniteMaps) {
     s.lights[0].distance = 6;
     const Shot shot = draw_shot(scene, s);
     EXPECT_TRUE(shot.light().casts);
-    for (const LightView& view : shot.light().views) expect_within_limit(9, view.half_width / std::tan(1.5));
+    for (const LightView& view : shot.light().views) expect_within_limit(9, view.half_extent() / std::tan(1.5));
     const bool meaningful = GetParam() >= 60 && GetParam() <= 171;
     if (meaningful) {
         EXPECT_GT(shadow_share(shot), 0.01) << "the box must still cast";

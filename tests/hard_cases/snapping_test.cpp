@@ -69,7 +69,7 @@ Walk walk(const glm::dvec3& at, const char* fit, int cascades, double azimuth, d
         const Camera camera = make_camera(scene, s, 16.0 / 9);
         const FittedLight light = fit_lights(scene, s, &camera)[0];
         std::vector<double> now_wide;
-        for (const LightView& view : light.views) now_wide.push_back(view.half_width);
+        for (const LightView& view : light.views) now_wide.push_back(view.half_extent());
         out.widths += !widths.empty() && now_wide != widths;
         widths = now_wide;
         std::vector<Texel> now;

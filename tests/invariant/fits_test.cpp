@@ -91,7 +91,7 @@ TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     const Shot shot = draw_shot(scene, s);
     const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
     // The widest texels of both maps bound the distance to an edge; compared depths may lie to its side.
-    const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
+    const FittedLight& wider = shot.view().half_extent() > whole.view().half_extent() ? shot.light() : whole.light();
     const double reach = kernel_reach_in_light(s, wider, whole.frame.map_resolution).edge + 1.5;
     const ReferenceImage reference = trace_reference(RayReference(scene), whole.frame.camera, wider, whole.width,
                                                      whole.height, whole.frame.map_resolution, reach);
@@ -125,7 +125,7 @@ TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     EXPECT_TRUE(row.narrows || !shot.light().closed);
     if (row.narrows && c.light != LightType::Point) {
         EXPECT_TRUE(shot.light().closed);
-        EXPECT_LT(shot.view().half_width, 0.95 * whole.view().half_width) << "else there was nothing to narrow";
+        EXPECT_LT(shot.view().half_extent(), 0.95 * whole.view().half_extent()) << "else there was nothing to narrow";
     }
     if (row.narrows && c.light == LightType::Directional && !c.seen_in_part) {
         EXPECT_GT(beyond, 100);

@@ -107,7 +107,7 @@ TEST(LightDrag, DirectionalLightMovesItsTarget) {
         const FittedLight after = c.fitted();
         expect_near(after.views[0].eye, before.views[0].eye + glm::dvec3(0, 30 * kMetresPerPixel, 0));
         expect_near(after.to_light, before.to_light);
-        EXPECT_NEAR(after.views[0].half_width, before.views[0].half_width, 1e-9);
+        EXPECT_NEAR(after.views[0].half_extent(), before.views[0].half_extent(), 1e-9);
         EXPECT_NEAR(after.views[0].curve.far, before.views[0].curve.far, 1e-9);
     }
 }
@@ -136,7 +136,7 @@ TEST(LightDrag, PlanesMoveAlongTheAxis) {
         after = c.fitted().views[0];
         EXPECT_NEAR(after.curve.near, before.curve.near + 8 * kMetresPerPixel, 1e-9);
         EXPECT_NEAR(after.curve.far, before.curve.far + 12 * kMetresPerPixel, 1e-9);
-        EXPECT_NEAR(after.half_width, before.half_width, 1e-9);
+        EXPECT_NEAR(after.half_extent(), before.half_extent(), 1e-9);
         EXPECT_EQ(c.light.fit, LightFit::Manual);
     }
 }
@@ -177,9 +177,9 @@ TEST(LightDrag, ExtentIsTheDistanceFromTheAxis) {
          {LightHandle::ExtentRight, LightHandle::ExtentTop, LightHandle::ExtentLeft, LightHandle::ExtentBottom}) {
         const glm::dvec3 way = handle_axis(pose, h);
         if (std::abs(way.z) > 0.5) continue;  // along the line of sight
-        const double before = c.fitted().views[0].half_width;
+        const double before = c.fitted().views[0].half_extent();
         c.drag(h, front_view(), {20 * way.x + 3 * way.y, -20 * way.y + 3 * way.x});
-        EXPECT_NEAR(c.fitted().views[0].half_width, before + 20 * kMetresPerPixel, 1e-9);
+        EXPECT_NEAR(c.fitted().views[0].half_extent(), before + 20 * kMetresPerPixel, 1e-9);
         EXPECT_EQ(c.light.fit, LightFit::Manual);
         c.drag(h, front_view(), {-1e4 * way.x, 1e4 * way.y});
         EXPECT_GT(c.light.extent, 0) << "dragged across the axis";

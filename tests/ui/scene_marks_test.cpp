@@ -27,8 +27,7 @@ FittedLight from_above(double height, bool perspective) {
     view.eye = {0, height, 0};
     view.axes = orthonormal_basis({0, 1, 0});
     view.curve = {perspective, 2, 12, {}};
-    view.half_width = perspective ? 0.5 : 5;
-    view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
+    view.set_half_extents(glm::dvec2(perspective ? 0.5 : 5));
     light.views = {view};
     return light;
 }

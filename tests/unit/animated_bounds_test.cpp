@@ -105,7 +105,7 @@ std::vector<double> numbers_of(const std::vector<FittedLight>& lights) {
             add(view.clip_from_relative(light.map_origin), 4, 4);
             for (const glm::dvec3& v : {view.eye, light.map_origin, light.position})
                 for (int k = 0; k < 3; ++k) out.push_back(v[k]);
-            out.insert(out.end(), {view.curve.near, view.curve.far, view.half_width});
+            out.insert(out.end(), {view.curve.near, view.curve.far, view.half_extent()});
         }
     return out;
 }

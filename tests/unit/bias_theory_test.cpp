@@ -46,7 +46,7 @@ double brute_force(const LitPlane& lit, int radius, bool bilinear, int resolutio
     const ReceiverPlane start = receiver_plane(lit.view, lit.point, lit.normal);
     // The world point of the plane at map position (u, v), on the light's ray and independent of the theory.
     const auto depth_at = [&](double u, double v) {
-        const double x = (2 * u - 1) * lit.view.half_width, y = (2 * v - 1) * lit.view.half_width;
+        const double x = (2 * u - 1) * lit.view.half_extent(), y = (2 * v - 1) * lit.view.half_extent();
         const glm::dvec3 aside = lit.view.axes[0] * x + lit.view.axes[1] * y, back = lit.view.axes[2];
         const bool p = lit.view.curve.perspective;
         const glm::dvec3 origin = p ? lit.view.eye : lit.view.eye + aside;

@@ -211,9 +211,9 @@ TEST(Cascades, NearCascadesAreFinerThanTheSceneMap) {
     const Cascaded several(c), one(c, 1);
     ASSERT_EQ(one.light.views.size(), 1u);
     EXPECT_EQ(one.light.chooser.choice, ViewChoice::One);
-    EXPECT_LT(several.light.views[0].half_width, 0.4 * one.light.views[0].half_width);
+    EXPECT_LT(several.light.views[0].half_extent(), 0.4 * one.light.views[0].half_extent());
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_LE(several.light.views[i].half_width, 1.1 * one.light.views[0].half_width);
+        EXPECT_LE(several.light.views[i].half_extent(), 1.1 * one.light.views[0].half_extent());
         const DepthCurve &part = several.light.views[i].curve, &whole = one.light.views[0].curve;
         EXPECT_LE(part.far - part.near, 1.001 * (whole.far - whole.near));
     }
@@ -273,7 +273,7 @@ TEST(Cascades, ReadTheCameraOnlyUnderCascadedFits) {
     const Camera camera = make_camera(away.scene, away.settings, 1.5);
     const std::vector<FittedLight> lights = fit_lights(away.scene, away.settings, &camera);
     for (const LightView& view : lights[0].views) {
-        EXPECT_TRUE(std::isfinite(view.half_width) && view.half_width > 0);
+        EXPECT_TRUE(std::isfinite(view.half_extent()) && view.half_extent() > 0);
         EXPECT_GT(view.curve.far, view.curve.near);
     }
 }

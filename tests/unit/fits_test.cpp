@@ -32,7 +32,7 @@ LightView spot(const glm::dvec3& eye, const glm::dvec3& at, double cone_deg) {
     view.axes = orthonormal_basis(glm::normalize(eye - at));
     view.eye = eye;
     view.curve.perspective = true;
-    view.half_width = std::tan(0.5 * cone_deg * kDegree);
+    view.set_half_extents(glm::dvec2(std::tan(0.5 * cone_deg * kDegree)));
     return view;
 }
 
@@ -329,7 +329,7 @@ public:
         const double facing = glm::dot(p.normal, test::direction_to(light_, p.position));
         if (p.two_sided ? std::abs(facing) < 1e-5 : facing < 1e-5) return;
         const glm::dvec3 v = glm::transpose(view_.axes) * (p.position - view_.eye);
-        if (view_.curve.perspective && std::max(std::abs(v.x), std::abs(v.y)) > -v.z * view_.half_width) return;
+        if (view_.curve.perspective && std::max(std::abs(v.x), std::abs(v.y)) > -v.z * view_.half_extent()) return;
         const glm::dvec2 at = glm::dvec2(v) / (view_.curve.perspective ? -v.z : 1.0);
         const double rim = 1e-6 * (view_.curve.perspective ? 1 : scene_.bounds.radius());
         const bool is_outside = at.x < region_.lo.x - rim || at.y < region_.lo.y - rim || at.x > region_.hi.x + rim ||
@@ -529,7 +529,7 @@ TEST(ViewFit, HoldsTheSceneIfNothingIsVisible) {
         const FittedLight of_view = fit_lights(m.scene, s, &away)[0];
         EXPECT_FALSE(of_view.closed);
         s.lights[0].fit = LightFit::Scene;
-        EXPECT_EQ(of_view.views[0].half_width, fit_lights(m.scene, s, &away)[0].views[0].half_width);
+        EXPECT_EQ(of_view.views[0].half_extent(), fit_lights(m.scene, s, &away)[0].views[0].half_extent());
     }
 }
 

@@ -34,7 +34,7 @@ bool all_finite(const FittedLight& light) {
         const glm::dmat4 m = v.clip_from_relative(light.position);
         for (int i = 0; i < 4; ++i)
             for (int j = 0; j < 4; ++j) ok = ok && std::isfinite(m[i][j]);
-        ok = ok && std::isfinite(v.half_width) && v.half_width > 0 && v.curve.far > v.curve.near;
+        ok = ok && std::isfinite(v.half_extent()) && v.half_extent() > 0 && v.curve.far > v.curve.near;
         ok = ok && (!v.curve.perspective || v.curve.near > 0);
         ok = ok && float(v.curve.far) > float(v.curve.near);  // in the precision of shaders
     }
@@ -237,7 +237,7 @@ TEST(LightFit, SpotAnglesStayFinite) {
                 const bool narrow = std::isnan(cone) || cone < 0.1;
                 EXPECT_EQ(!light.notes.empty(), wide || narrow) << cone;
                 if (!wide && !narrow && projection != LightProjection::Orthographic) {
-                    EXPECT_NEAR(light.views[0].half_width, std::tan(0.5 * cone * M_PI / 180), 0.01 * std::tan(1.5));
+                    EXPECT_NEAR(light.views[0].half_extent(), std::tan(0.5 * cone * M_PI / 180), 0.01 * std::tan(1.5));
                 }
                 EXPECT_LE(light.cos_cone_outer, light.cos_cone_inner);
             }
@@ -247,12 +247,12 @@ TEST(LightFit, ManualMapOfASpotIsAtMostItsCone) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = settings_with(one_light(LightType::Spot), {"light.fit=manual", "light.cone=60", "light.distance=8"});
     LightSettings& l = s.lights[0];
-    const double of_cone = fit_lights(scene, s)[0].views[0].half_width;
+    const double of_cone = fit_lights(scene, s)[0].views[0].half_extent();
     EXPECT_NEAR(of_cone, std::tan(M_PI / 6), 0.01);
     l.extent = 2;
-    EXPECT_DOUBLE_EQ(fit_lights(scene, s)[0].views[0].half_width, 2.0 / 8);
+    EXPECT_DOUBLE_EQ(fit_lights(scene, s)[0].views[0].half_extent(), 2.0 / 8);
     l.extent = 100;
-    EXPECT_EQ(fit_lights(scene, s)[0].views[0].half_width, of_cone);
+    EXPECT_EQ(fit_lights(scene, s)[0].views[0].half_extent(), of_cone);
     l.extent = 1e-300;
     EXPECT_TRUE(all_finite(fit_lights(scene, s)[0]));
 }
@@ -373,7 +373,7 @@ TEST(LightFit, ManualFitUsesItsNumbers) {
                                                           "light.near=2", "light.far=30", "light.target_x=1"});
     LightSettings& l = s.lights[0];
     FittedLight light = fit_lights(scene, s)[0];
-    EXPECT_EQ(light.views[0].half_width, 3);
+    EXPECT_EQ(light.views[0].half_extent(), 3);
     EXPECT_EQ(light.views[0].curve.near, 2);
     EXPECT_EQ(light.views[0].curve.far, 30);
     EXPECT_NEAR(glm::distance(light.views[0].eye, glm::dvec3(1, 0, 0) + 12.0 * light.to_light), 0, 1e-12);

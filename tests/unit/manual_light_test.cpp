@@ -16,7 +16,7 @@ namespace {
 double clip_space_difference(const LightView& a, const LightView& b) {
     double most = 0;
     for (int i = 0; i < 8; ++i) {
-        const double z = i & 4 ? b.curve.far : b.curve.near, half = b.half_width * (b.curve.perspective ? z : 1.0);
+        const double z = i & 4 ? b.curve.far : b.curve.near, half = b.half_extent() * (b.curve.perspective ? z : 1.0);
         const glm::dvec3 p = b.eye + b.axes * glm::dvec3(i & 1 ? half : -half, i & 2 ? half : -half, -z);
         for (const LightView* v : {&a, &b}) EXPECT_GT((v->clip_from_relative(p) * glm::dvec4(0, 0, 0, 1)).w, 0);
         const glm::dvec4 pa = a.clip_from_relative(p) * glm::dvec4(0, 0, 0, 1);
@@ -89,7 +89,7 @@ TEST(ManualLight, FarIsKeptWhenTheSceneShrinks) {
     s.lights[0] = manual_light(s.lights[0], before);
     scene.objects.pop_back();
     const FittedLight after = fit_lights(scene, s)[0];
-    EXPECT_NEAR(after.views[0].half_width, before.views[0].half_width, 1e-9);
+    EXPECT_NEAR(after.views[0].half_extent(), before.views[0].half_extent(), 1e-9);
     EXPECT_NEAR(after.views[0].curve.near, before.views[0].curve.near, 1e-9);
     EXPECT_NEAR(after.views[0].curve.far, before.views[0].curve.far, 1e-9);
 }

@@ -186,9 +186,9 @@ std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, c
         if (!drag_direction(s, start, view, ray, step)) return {};
     } else if (is_extent(h)) {
         const glm::dvec3 way = handle_axis(start, h);
-        const auto t = nearest_on_line(ray, handle_position(start, h, view) - way * start.view.half_width, way);
+        const auto t = nearest_on_line(ray, handle_position(start, h, view) - way * start.view.half_extent(), way);
         if (!t) return {};
-        s.extent = std::max(snapped(*t, step), std::max(kMinShare * start.view.half_width, step));
+        s.extent = std::max(snapped(*t, step), std::max(kMinShare * start.view.half_extent(), step));
     } else if (is_cone(h)) {
         if (!drag_cone(s, start, h, ray, step)) return {};
     } else if (h == LightHandle::Range) {
@@ -223,7 +223,7 @@ std::string handle_numbers(const LightPose& pose, LightHandle h) {
     if (h == LightHandle::Near) return metres_text(pose.view.curve.near);
     if (h == LightHandle::Far) return metres_text(pose.view.curve.far);
     if (is_cone(h)) return fmt::format("{:.1f}°", s.cone);
-    return metres_text(pose.view.half_width);
+    return metres_text(pose.view.half_extent());
 }
 
 }  // namespace si

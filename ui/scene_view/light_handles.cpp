@@ -137,7 +137,7 @@ glm::dvec3 handle_position(const LightPose& pose, LightHandle h, const PictureVi
     }
     const glm::dvec3 way = handle_axis(pose, h);
     if (is_axis(h)) return pose.position + way * (kArrowPixels * view.ui_scale * view.metres_per_pixel(pose.position));
-    if (is_extent(h)) return along(0.5 * (map.curve.near + map.curve.far)) + way * map.half_width;
+    if (is_extent(h)) return along(0.5 * (map.curve.near + map.curve.far)) + way * map.half_extent();
     const double half = half_cone_rad(pose.settings);
     return pose.position + cone_rim_distance(pose) * (std::sin(half) * way - std::cos(half) * pose.to_light);
 }

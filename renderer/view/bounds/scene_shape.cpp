@@ -30,16 +30,16 @@ bool clipped(const Box& box, const LightView& view) {
     const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
     if (!view.curve.perspective) return extent_inside_view(box, view).lo.z < near;
     const ViewExtent e = extent_in_view(box, view);
-    return e.hi.z > 0 && std::max(0.0, pyramid_entry_m(e, view.half_width)) < near;
+    return e.hi.z > 0 && std::max(0.0, pyramid_entry_m(e, view.cross_section())) < near;
 }
 
 std::vector<HalfSpace> sides_of(const LightView& view) {
+    const auto [lo, hi] = view.cross_section();
     std::vector<HalfSpace> sides;
-    for (const int axis : {0, 1})
-        for (const double way : {-1.0, 1.0}) {
-            const glm::dvec3 inwards = way * view.axes[axis];
-            sides.push_back(HalfSpace::through(view.eye - view.half_width * inwards, inwards));
-        }
+    for (const int axis : {0, 1}) {
+        sides.push_back(HalfSpace::through(view.eye + hi[axis] * view.axes[axis], -view.axes[axis]));
+        sides.push_back(HalfSpace::through(view.eye + lo[axis] * view.axes[axis], view.axes[axis]));
+    }
     return sides;
 }
 
@@ -182,10 +182,13 @@ ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& v
 }
 
 Box view_pyramid(const LightView& view, double near, double far, double widening) {
+    const auto [lo, hi] = view.cross_section();
+    const glm::dvec2 middle = 0.5 * (lo + hi);
     Box box;
     for (unsigned i = 0; i < 8; ++i) {
-        const double z = i & 4 ? far : near, side = widening * z * view.half_width;
-        box[i] = view.eye + view.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
+        const double z = i & 4 ? far : near;
+        const glm::dvec2 side = glm::dvec2(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y) - middle;
+        box[i] = view.eye + view.axes * glm::dvec3(widening * z * side + z * middle, -z);
     }
     return box;
 }
@@ -232,10 +235,21 @@ ViewExtent extent_in_view(const SceneShape& shape, const LightView& view) {
     return all;
 }
 
-double pyramid_entry_m(const ViewExtent& e, double tan_half) {
-    const double aside_x = std::max({0.0, e.lo.x, -e.hi.x}), aside_y = std::max({0.0, e.lo.y, -e.hi.y});
-    const double z = std::max(e.lo.z, std::max(aside_x, aside_y) / tan_half);
-    return z <= e.hi.z ? z : std::numeric_limits<double>::infinity();
+double pyramid_entry_m(const ViewExtent& e, const CrossSection& sides) {
+    // A box beside an axis meets the pyramid between two distances, where its nearest side crosses the pyramid's sides.
+    double entry = e.lo.z, leaves = e.hi.z;
+    for (const int axis : {0, 1})
+        // z sides.hi >= e.lo and z sides.lo <= e.hi
+        for (const auto& [tangent, aside] :
+             {std::pair(sides.hi[axis], e.lo[axis]), std::pair(-sides.lo[axis], -e.hi[axis])}) {
+            if (tangent > 0)
+                entry = std::max(entry, std::max(aside, 0.0) / tangent);
+            else if (aside > 0)
+                return std::numeric_limits<double>::infinity();
+            else if (tangent < 0)
+                leaves = std::min(leaves, aside / tangent);
+        }
+    return entry <= leaves ? entry : std::numeric_limits<double>::infinity();
 }
 
 int count_near_clipped_casters(const SceneShape& shape, const std::vector<LightView>& views) {

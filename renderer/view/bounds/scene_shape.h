@@ -82,11 +82,11 @@ void widen_for_ground_shadow(ViewExtent& model, const ViewExtent& ground);
 /// Least widening across the view as a share of the model's width; smaller differences are rounding.
 constexpr double kMinGroundWidening = 1e-6;
 
-/// Returns the smallest distance along the axis, in metres, at which a box can meet the pyramid |x|, |y| <= z tan_half;
+/// Returns the smallest distance along the axis, in metres, at which a box can meet the pyramid of a perspective view;
 /// infinite if they do not meet.
 /// @param e extent of the box in the view
-/// @param tan_half tangent of half the pyramid's angle
-double pyramid_entry_m(const ViewExtent& e, double tan_half);
+/// @param sides LightView::cross_section()
+double pyramid_entry_m(const ViewExtent& e, const CrossSection& sides);
 
 /// Counts casters with a part in front of the near plane of any view, where the map cannot store them. Tests boxes, so
 /// the count is an upper bound.

@@ -77,7 +77,8 @@ bool look_through_light(Camera& c, const Settings& settings, const Bounds& bound
     const FittedLight& light = fitted[std::size_t(std::clamp(settings.view.light, 0, int(fitted.size()) - 1))];
     if (light.views.empty()) return false;
     const LightView& view = light.views[std::size_t(std::clamp(settings.view.face, 0, int(light.views.size()) - 1))];
-    const double half_y = view.half_width / std::min(c.aspect, 1.0);
+    const glm::dvec2 half = view.half_extents();
+    const double half_y = std::max(half.y, half.x / c.aspect);
     c.eye = view.eye;
     c.axes = view.axes;
     c.orthographic = !view.curve.perspective;

@@ -6,7 +6,6 @@
 
 #include "renderer/base/directions.h"
 #include "renderer/projection/camera.h"
-#include "renderer/projection/projection.h"
 #include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/cascades/cascades.h"
 #include "renderer/view/lights/light.h"
@@ -102,9 +101,8 @@ ClipLevels clip_levels(const ClipLevelRequest& q, const SceneShape& shape, const
         LightView view;
         view.axes = axes;
         view.eye = axes * glm::dvec3(middle, level.eye_m);
-        view.half_width = 0.5 * n * texel;
         view.curve = {false, range.step, range.step + (range.towards - range.away), q.convention};
-        view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
+        view.set_half_extents(glm::dvec2(0.5 * n * texel));
         out.views.push_back(view);
         out.levels.push_back(level);
         const bool last = i + 1 == q.count;
@@ -121,10 +119,9 @@ LightView block_view(const LightView& of_level, const ClipLevel& level, int page
     page = glm::ivec2(grid_page - block * glm::i64(kBlockPages));
     const double block_m = double(kBlockPages) * page_texels * level.texel_m();
     LightView view = of_level;
-    view.half_width = 0.5 * block_m;
     const glm::dvec2 middle = (glm::dvec2(block) + 0.5) * block_m;
     view.eye = view.axes * glm::dvec3(middle, level.eye_m);
-    view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
+    view.set_half_extents(glm::dvec2(0.5 * block_m));
     return view;
 }
 

@@ -58,7 +58,7 @@ public:
           number_(view),
           area_(area),
           uvd_from_relative_(uvd_from_clip(view_.curve.convention) * view_.clip_from_relative(light.map_origin)) {
-        const double wide = view_.curve.perspective ? 1 + view_.half_width : 1;
+        const double wide = view_.curve.perspective ? 1 + view_.half_extent() : 1;
         room_ = (area.reach_texels + std::abs(area.normal_texels) * wide + kLookupPadTexels) / area.resolution;
     }
 
@@ -133,7 +133,7 @@ private:
 
     /// Adds a body beside or around a light: the part of it between the view's sides.
     void add_in_front(const VisibleBodies& seen, const VisibleBody& body, double farthest) {
-        const double near = kMinLightDistanceShare * farthest, wide = 2 * near * (1 + view_.half_width);
+        const double near = kMinLightDistanceShare * farthest, wide = 2 * near * (1 + view_.half_extent());
         const Box pyramid = view_pyramid(view_, near, 1.01 * farthest);
         const Box about = Bounds{view_.eye - wide, view_.eye + wide}.corners();
         if (!seen.view.visible_points(body.box, &about).empty()) return add_all();

@@ -66,13 +66,14 @@ void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Ca
     if (!on_ground.empty()) widen_for_ground_shadow(seen, extent_in_view(on_ground, view));
     const DepthSpan receivers{seen.lo.z, seen.hi.z};
     const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
-    view.half_width = half_extent_with_margin(0.5 * std::max(seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y),
-                                              c.shape.radius, c.resolution, margin);
+    const double half = half_extent_with_margin(0.5 * std::max(seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y),
+                                                c.shape.radius, c.resolution, margin);
+    view.set_half_extents(glm::dvec2(half));
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         if (!c.shape.box_casts[i]) continue;
         const ViewExtent e = extent_in_view(c.shape.boxes[i], view);
-        const bool beside = e.hi.x < middle.x - view.half_width || e.lo.x > middle.x + view.half_width ||
-                            e.hi.y < middle.y - view.half_width || e.lo.y > middle.y + view.half_width;
+        const bool beside = e.hi.x < middle.x - half || e.lo.x > middle.x + half || e.hi.y < middle.y - half ||
+                            e.lo.y > middle.y + half;
         if (!beside) seen.lo.z = std::min(seen.lo.z, e.lo.z);
     }
     view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
@@ -86,7 +87,7 @@ void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const C
                 double margin) {
     Sphere sphere = bounding_sphere(camera, span);
     if (!(sphere.radius < c.shape.radius)) sphere = {c.shape.centre, c.shape.radius};
-    view.half_width = half_extent_with_margin(sphere.radius, c.shape.radius, c.resolution, margin + 1);
+    view.set_half_extents(glm::dvec2(half_extent_with_margin(sphere.radius, c.shape.radius, c.resolution, margin + 1)));
     const double texel = view.texel_size(1, c.resolution);
     // Positions relative to the scene's centre, so that a scene far from the origin loses no digits.
     const glm::dmat3 to_view = glm::transpose(view.axes);

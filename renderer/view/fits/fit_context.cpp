@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "renderer/base/finite.h"
-#include "renderer/projection/projection.h"
 #include "renderer/settings/fits.h"
 
 namespace si {
@@ -89,7 +88,7 @@ void add_finished_view(FittedLight& light, LightView view, const FitContext& c, 
         view.curve.perspective ? view.curve.far : std::max(c.shape.radius, 0x1p-30 * std::abs(view.curve.far));
     widen_range(view.curve, view.texel_size(reference_z, c.resolution), scale);
     step_view_forward(view);
-    view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
+    view.update_depth();
     light.views.push_back(view);
 }
 

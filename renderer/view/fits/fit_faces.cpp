@@ -41,7 +41,7 @@ void fit_faces(FittedLight& light, const FitContext& c) {
     for (int i = 0; i < 6; ++i) {
         faces[i].eye = light.position;
         faces[i].axes = cube_axes()[i];
-        faces[i].half_width = half_extent_with_margin(1.0, 0, c.resolution, c.face_margin_texels);
+        faces[i].set_half_extents(glm::dvec2(half_extent_with_margin(1.0, 0, c.resolution, c.face_margin_texels)));
         set_perspective_range(faces[i], c);
         const DepthCurve& curve = faces[i].curve;
         if (i == 0) range = curve;

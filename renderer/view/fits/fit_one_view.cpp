@@ -37,7 +37,7 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
         view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
         half = half_extent_with_margin(0.5 * std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y), c.shape.radius, c.resolution);
     }
-    view.half_width = half;
+    view.set_half_extents(glm::dvec2(half));
     if (in_front_only) {
         e.lo.z = std::clamp(e.lo.z, 0.0, c.reach_m);
         e.hi.z = std::clamp(e.hi.z, e.lo.z, c.reach_m);
@@ -63,7 +63,7 @@ void fit_perspective(FittedLight& light, LightView view, const FitContext& c, do
         tan_half = std::min(half_extent_with_margin(tangent, tangent, c.resolution), limit);
         if (tan_half == limit) add_note(light, "the light stands in the scene: its map covers 172 degrees only");
     }
-    view.half_width = tan_half;
+    view.set_half_extents(glm::dvec2(tan_half));
     set_perspective_range(view, c);
     add_finished_view(light, view, c, view.curve.far);
 }
@@ -89,7 +89,7 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
         const double tangent = std::max({aside.x, aside.y, kMinHalfAngle});
         return fit_perspective(light, view, c,
                                std::min(half_extent_with_margin(tangent, tangent, c.resolution, c.margin_texels),
-                                        half_extent_with_margin(view.half_width, 0, c.resolution)));
+                                        half_extent_with_margin(view.half_extent(), 0, c.resolution)));
     }
     const glm::dvec2 size = region.hi - region.lo;
     view.eye += view.axes * glm::dvec3(0.5 * (region.lo + region.hi), 0);
@@ -97,7 +97,8 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
     const glm::dvec2 aside(glm::transpose(view.axes) * (view.eye - light.map_origin));
     const double scale =
         c.shape.main_radius < c.shape.radius ? std::max(c.shape.main_radius, glm::length(aside)) : c.shape.radius;
-    view.half_width = half_extent_with_margin(0.5 * std::max(size.x, size.y), scale, c.resolution, c.margin_texels);
+    view.set_half_extents(
+        glm::dvec2(half_extent_with_margin(0.5 * std::max(size.x, size.y), scale, c.resolution, c.margin_texels)));
     ViewExtent held;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) held.add(extent_inside_view(c.shape, i, view));
     if (!(held.lo.z <= held.hi.z)) held = extent_in_view(c.shape, view);  // too far away for double precision
@@ -143,7 +144,7 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
         directional ? projection == LightProjection::Perspective : projection != LightProjection::Orthographic;
     if (perspective != directional) {  // otherwise the map's rays differ from the light's
         view.curve.perspective = perspective;
-        view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
+        view.set_half_extents(glm::dvec2(directional ? 1 : std::tan(light.half_cone_rad)));
         const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, ReceiverFilter::All};
         const FitFunction find = fit_function(c.settings.fit);
         if (const auto region = find ? region_of(input, find) : std::nullopt)

@@ -104,7 +104,6 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     u.widen(2 * least_m);
     v.widen(2 * least_m);
     const double au = 2 * share / u.size(), bu = -au * u.middle(), av = 2 * share / v.size(), bv = -av * v.middle();
-    view.half_width = 0.5 * std::max(x.size(), y.size()) / share;
     view.curve.convention = c.convention;
     view.curve.warp = DepthWarp{};
     view.projection = glm::dmat4(0.0);

@@ -34,7 +34,7 @@ bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
     return std::any_of(shape.boxes.begin(), shape.boxes.end(), [&](const Box& box) {
         return std::any_of(light.views.begin(), light.views.end(), [&](const LightView& view) {
             const ViewExtent e = extent_in_view(box, view);
-            const double z = view.curve.perspective ? pyramid_entry_m(e, view.half_width) : e.lo.z;
+            const double z = view.curve.perspective ? pyramid_entry_m(e, view.cross_section()) : e.lo.z;
             return e.hi.z > 0 && z < light.range_m;
         });
     });

@@ -33,9 +33,9 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
     s.near = view.curve.near;
     s.far = view.curve.far;
     // A map bounded by the cone keeps following the cone.
-    if (!orthographic && fitted.closed) s.extent = view.half_width * s.distance;
+    if (!orthographic && fitted.closed) s.extent = view.half_extent() * s.distance;
     if (!orthographic) return s;
-    s.extent = view.half_width;
+    s.extent = view.half_extent();
     glm::dvec2 middle(0);
     if (view.warped()) {  // the square around the corners of the warped map
         Bounds2 around;

@@ -24,7 +24,7 @@ Held held_by(const LightView& view, const SceneShape& shape) {
     ViewExtent all;
     for (const Box& box : shape.boxes) {
         const ViewExtent e = extent_in_view(box, view);
-        const double entry = view.curve.perspective ? pyramid_entry_m(e, view.half_width) : e.lo.z;
+        const double entry = view.curve.perspective ? pyramid_entry_m(e, view.cross_section()) : e.lo.z;
         if (!std::isfinite(entry)) continue;
         all.add(e);
         held.nearest = std::min(held.nearest, std::max(entry, view.curve.near));

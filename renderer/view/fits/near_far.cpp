@@ -90,7 +90,8 @@ void set_perspective_range(LightView& view, const FitContext& c) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         const ViewExtent e = extent_in_view(c.shape.boxes[i], view);
-        const double entry = choice == NearFar::Scene ? std::max(e.lo.z, 0.0) : pyramid_entry_m(e, view.half_width);
+        const double entry =
+            choice == NearFar::Scene ? std::max(e.lo.z, 0.0) : pyramid_entry_m(e, view.cross_section());
         if (!std::isfinite(entry) || e.hi.z <= 0) continue;
         if (bounds_near(c, i)) nearest = std::min(nearest, entry);
         if (bounds_far(c, i)) farthest = std::max(farthest, e.hi.z);

@@ -20,7 +20,7 @@ enum class ReceiverFilter { All, Model, Ground };
 struct FitInput {
     const Scene& scene;
     const SceneShape& shape;  ///< boxes of the scene
-    /// Place, axes and projection of the light. A perspective light lights nothing outside half_width.
+    /// Place, axes and projection of the light. A perspective light lights nothing outside the view.
     const LightView& view;
     double reach_m = std::numeric_limits<double>::infinity();  ///< range of a perspective light in metres
     const Camera* camera = nullptr;   ///< camera of the picture, for fits that read it; else null

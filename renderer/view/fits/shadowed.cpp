@@ -38,7 +38,11 @@ ViewExtent seen_from_light(const LightView& view, std::span<const glm::dvec3> po
 }
 
 bool is_within(const ViewExtent& e, const LightView& view, double near, double far) {
-    return e.lo.z >= near && e.hi.z <= far && std::max({-e.lo.x, e.hi.x, -e.lo.y, e.hi.y}) <= e.lo.z * view.half_width;
+    const auto [lo, hi] = view.cross_section();
+    const auto is_between = [&](int axis) {
+        return e.lo[axis] >= e.lo.z * lo[axis] && e.hi[axis] <= e.lo.z * hi[axis];
+    };
+    return e.lo.z >= near && e.hi.z <= far && is_between(0) && is_between(1);
 }
 
 /// Returns the extent of the part of a box that a light can reach; x and y as in MapRegion, z in metres. Empty if the

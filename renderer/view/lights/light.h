@@ -1,6 +1,7 @@
 // Lights as placed by the settings, and lights with the views of their shadow maps. CPU, double precision, no GL.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/type_precision.hpp>
@@ -73,8 +74,14 @@ struct FittedLight : PlacedLight {
     MapLimits limits;         ///< limits of the maps of a casting light
     /// Returns true when the light's shadow maps are perspective; false for a light without maps.
     bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
-    /// Returns true when the light's shadow maps are warped across their rays (LiSPSM).
-    bool is_warped() const { return !views.empty() && views[0].warped(); }
+    /// Returns true when a shadow map of the light is warped (LightView::warped).
+    bool is_warped() const {
+        return std::ranges::any_of(views, [](const LightView& v) { return v.warped(); });
+    }
+    /// Returns true when texels of a perspective shadow map are wider than high, or higher than wide.
+    bool is_stretched() const {
+        return std::ranges::any_of(views, [](const LightView& v) { return v.stretched(); });
+    }
     /// Returns true when each view of the light covers a part of the camera's frustum: cascades or clip levels.
     bool is_cascaded() const {
         return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map ||

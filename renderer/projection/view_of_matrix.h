@@ -1,0 +1,18 @@
+// A light view from a matrix of any origin: an engine's shadow map.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "renderer/projection/light_view.h"
+
+namespace si {
+
+/// Returns the view of a shadow map whose clip-space matrix is known. Place, axes, depth range and warp follow from the
+/// matrix alone: the eye is the point in which its rays meet, at infinity for parallel rays. It accepts frusta off
+/// their axis, unequal width and height, mirrored maps, and a w that changes from row to row (LiSPSM).
+/// @param clip_from_world any positive multiple; w is above 0 in the map
+/// @throws Error if the matrix is not finite or not invertible, if a plane of its depth range lies at infinity, if
+/// depth runs against the convention, or if depth or w depends on the column of the map
+LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConvention& convention);
+
+}  // namespace si
