@@ -76,7 +76,7 @@ void run_overview(const CommandOptions& options) {
     print_passes(frame, driver);
     if (map)
         fmt::print("the picture reads {:.1f} % of the {} x {} texels of light {}'s map{}\n",
-                   100 * map->exact_utilisation, map->resolution, map->resolution, map->light,
+                   100 * map->exact_utilisation, map->size.width, map->size.height, map->light,
                    map->utilisations.size() > 1 ? fmt::format(", face {}", map->face) : "");
     print_notes(session.notes);
     print_notes(frame.notes);

@@ -126,8 +126,8 @@ bool EditorReadBack::update_links(Renderer& renderer, const PictureState& state,
     }
     if (!is_due(links_of_)) return false;
     facts_.map_coordinates = std::make_shared<const FloatImage>(renderer.read_float(result.map_coordinates, 4));
-    facts_.usage = std::make_shared<const TexelUsage>(texel_usage(
-        *facts_.map_coordinates, state.settings, result.map_resolution, shown_face(state.settings, result)));
+    facts_.usage = std::make_shared<const TexelUsage>(
+        texel_usage(*facts_.map_coordinates, state.settings, result.map_size, shown_face(state.settings, result)));
     return true;
 }
 
@@ -159,7 +159,7 @@ bool EditorReadBack::update_frozen(Renderer& renderer, const Scene& scene, const
     if (result.map_coordinates.texture == 0) return true;
     const FloatImage coordinates = renderer.read_float(result.map_coordinates, 4);
     facts_.frozen_usage = std::make_shared<const TexelUsage>(
-        texel_usage(coordinates, state.settings, result.map_resolution, shown_face(state.settings, result)));
+        texel_usage(coordinates, state.settings, result.map_size, shown_face(state.settings, result)));
     return true;
 }
 

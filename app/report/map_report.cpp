@@ -27,9 +27,9 @@ std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Sett
     facts.light = settings.view.light;
     const auto& views = frame.lights[std::size_t(facts.light)].views;
     facts.face = std::clamp(settings.view.face, 0, int(views.size()) - 1);
-    facts.resolution = frame.map_resolution;
+    facts.size = frame.map_size;
     for (int face = 0; face < int(views.size()); ++face) {
-        TexelUsage usage = texel_usage(coordinates, settings, frame.map_resolution, face);
+        TexelUsage usage = texel_usage(coordinates, settings, frame.map_size, face);
         facts.utilisations.push_back(usage.utilisation());
         if (face == facts.face) facts.usage = std::move(usage);
     }
@@ -45,7 +45,7 @@ Json map_report_json(const MapReport& facts) {
     const DepthStatistics& d = facts.depth;
     Json json = {{"light", facts.light},
                  {"face", facts.face},
-                 {"resolution", facts.resolution},
+                 {"resolution", facts.size.longest()},
                  {"utilisation", facts.usage.utilisation()},
                  {"utilisation_exact", facts.exact_utilisation},
                  {"most_pixels_per_texel", facts.usage.max_pixels()},

@@ -13,7 +13,8 @@ namespace si {
 
 /// Statistics of one light's shadow map: which texels the picture reads, and which depths the map holds.
 struct MapReport {
-    int light = 0, face = 0, resolution = 0;
+    int light = 0, face = 0;
+    MapSize size;
     TexelUsage usage;                  ///< texels of the shown face that the picture reads
     std::vector<double> utilisations;  ///< share of texels read, per face
     double exact_utilisation = 0;  ///< share of texels of the shown face that the kernel fetches; not bounding boxes

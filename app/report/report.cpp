@@ -65,11 +65,11 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
     json["projection"] = first.curve.perspective ? "perspective" : first.warped() ? "warped" : "orthographic";
     json["matrices"] = view_json(first);
     if (first.warped()) {
-        const TexelSize sizes = first.texel_size_range(frame.map_resolution);
+        const TexelSize sizes = first.texel_size_range(frame.map_size);
         json["texel_sizes_m"] = {sizes.shortest, sizes.longest};
-        json["texel_size_m"] = first.texel_size_at(session.scene.bounds.centre(), frame.map_resolution).longest;
+        json["texel_size_m"] = first.texel_size_at(session.scene.bounds.centre(), frame.map_size).longest;
     } else {
-        json["texel_size_m"] = first.texel_size(at, frame.map_resolution);
+        json["texel_size_m"] = first.texel_size(at, frame.map_size);
     }
     json["texel_size_at_m"] = at;
     json["depth_range_m"] = {first.curve.near, first.curve.far};
@@ -79,7 +79,7 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
         for (const LightView& view : light.views) json["faces"].push_back(view_json(view));
     for (std::size_t v = 0; light.is_cascaded() && v < light.views.size(); ++v) {
         Json cascade = view_json(light.views[v]);
-        cascade["texel_size_m"] = light.views[v].texel_size_range(frame.map_resolution).longest;
+        cascade["texel_size_m"] = light.views[v].texel_size_range(frame.map_size).longest;
         cascade["depth_range_m"] = {light.views[v].curve.near, light.views[v].curve.far};
         const ViewSpan& span = light.chooser.spans[v];
         if (light.chooser.choice == ViewChoice::Interval) {

@@ -66,6 +66,7 @@ AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings&
     f.lights = m.lights;
     f.light = m.light;
     f.map_resolution = m.map_resolution;
+    f.map_size = m.map_size;
     add_pixel_facts(f, m, s, renderer.driver());
     const FittedLight& light = m.lights[std::size_t(m.light)];
     f.starts = bias_starts(m, s, renderer.driver());

@@ -12,7 +12,8 @@ struct AdviceFacts {
     std::vector<BiasStart> starts;  ///< rows of the bias table; empty when no pixel needs bias
     std::vector<FittedLight> lights;
     int light = 0;                         ///< view.light
-    int map_resolution = 0;                ///< texels per side
+    int map_resolution = 0;                ///< texels of the longer side
+    MapSize map_size;                      ///< texels of a map
     std::size_t pixels = 0;                ///< number of counted pixels
     double nearest_m = 0, farthest_m = 0;  ///< range of depths along the camera's axis
     double texel_px = 0;                   ///< median width of the map's texels in pixels of the picture

@@ -138,8 +138,7 @@ void fine_map(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 
 void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f)) return;
-    const double reach = kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge,
-                 width_px = 2 * reach * f.texel_px;
+    const double reach = kernel_reach_in_light(s, *f.fitted(), f.map_size).edge, width_px = 2 * reach * f.texel_px;
     if (!(width_px < 1.5)) return;
     const bool moments = filter_of(s).samples() == Samples::Moments;
     for (const std::string_view kernel : plain_kernels(s, 0, 2))
@@ -152,7 +151,7 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 
 void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || filter_of(s).samples() != Samples::Moments) return;
-    const double width_px = 2 * kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
+    const double width_px = 2 * kernel_reach_in_light(s, *f.fitted(), f.map_size).edge * f.texel_px;
     for (const std::string_view kernel : plain_kernels(s, 2, 1))
         offer(fmt::format("{} prepares the map to blur {} pixels: direct comparison of depths may be enough",
                           kernel_label(s), digits_text(width_px)),

@@ -142,8 +142,7 @@ BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Setti
                              .origin_ws = counted_from(settings, measured.camera.origin()),
                              .in_map = geometry.objects[r.object].casts && cull != (r.front ? Cull::Front : Cull::Back),
                              .corners_ws = geometry.triangle(r.object, r.primitive)};
-    return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution, point,
-                          driver);
+    return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_size, point, driver);
 }
 
 BiasSettings scale_bias(const BiasSettings& bias, double factor) {

@@ -135,7 +135,7 @@ std::size_t BiasTrial::lost() const {
 BiasScore::BiasScore(const MeasuredError& m, const Settings& settings, const RasterTraits& driver) {
     const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
-    const double reach_texels = edge_reach_texels(settings, light, m.map_resolution);
+    const double reach_texels = edge_reach_texels(settings, light, m.map_size);
     const std::vector<float> distance_px = distance_to(shadow_edges(reference), reference.width, reference.height);
     near_edge_.resize(reference.state.size());
     for (std::size_t i = 0; i < near_edge_.size(); ++i) {

@@ -54,6 +54,7 @@ WorkCost map_cost(const Settings& s, const MeasuredError& measured) {
     FrameResult maps;
     maps.lights = measured.lights;
     maps.map_resolution = measured.map_resolution;
+    maps.map_size = measured.map_size;
     return work_cost(s, maps);
 }
 

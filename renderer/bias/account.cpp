@@ -17,10 +17,10 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// Returns the largest coordinate in metres that shaders of this pixel compute with: the map's extent, or the distance
 /// from the origins of picture and map.
-double extent_m(const FittedLight& light, const LightReceiver& r, int resolution, const SurfacePoint& p) {
+double extent_m(const FittedLight& light, const LightReceiver& r, MapSize size, const SurfacePoint& p) {
     const glm::dvec3 farthest =
         glm::max(glm::abs(p.position_ws - p.origin_ws), glm::abs(p.position_ws - light.map_origin));
-    const double half_map = 0.5 * r.texel_m * resolution;
+    const double half_map = 0.5 * r.texel_m * size.longest();
     return std::max({half_map, farthest.x, farthest.y, farthest.z});
 }
 
@@ -50,7 +50,7 @@ double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
     double moved = std::clamp(glm::dot(plane.gradient, aside), -max_texel_shift, max_texel_shift);
     if (remainder_per_texel > 0) {
         const double away = curve.convention.reversed ? -1 : 1;
-        moved = away * (std::min(away * moved, 0.0) - remainder_per_texel * glm::length(aside) * resolution);
+        moved = away * (std::min(away * moved, 0.0) - remainder_per_texel * glm::length(aside * map_size.texels()));
     }
     const double depth = receiver.compared + moved;
     // The map may be empty where the plane continues beyond the far plane.
@@ -58,13 +58,13 @@ double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
                                      : std::min(depth, std::max(receiver.compared, 1.0));
 }
 
-BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, int resolution, const SurfacePoint& p,
+BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, MapSize size, const SurfacePoint& p,
                              const RasterTraits& driver) {
     const BiasSettings& bias = settings.bias;
     const Bias& row = bias_of(settings);
     BiasBreakdown a;
-    a.resolution = resolution;
-    a.receiver = light_receiver(light, bias, resolution, p.position_ws, p.geometric, p.bias_normal);
+    a.map_size = size;
+    a.receiver = light_receiver(light, bias, size, p.position_ws, p.geometric, p.bias_normal);
     LightReceiver& r = a.receiver;
     const LightView& view = light.views[r.view];
     a.plane = receiver_plane(view, p.position_ws, p.geometric);
@@ -75,18 +75,18 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
                 .n_dot_l = glm::dot(p.bias_normal, r.to_light),
                 .z = r.tap_m,
                 .polygon = driver.offset[std::size_t(settings.map.format)],
-                .per_texel = a.plane.gradient / double(resolution),
+                .per_texel = a.plane.gradient / size.texels(),
                 .quantum = depth_quantum(settings.map.format, view.curve, greatest_depth(view, p, r.uvd.z))};
-    const double kappa = kernel_reach_in_light(settings, light, resolution).bias;
-    const double extent = extent_m(light, r, resolution, p);
+    const double kappa = kernel_reach_in_light(settings, light, size).bias;
+    const double extent = extent_m(light, r, size, p);
     a.in_map = p.in_map && (view.curve.convention.reversed ? r.uvd.z <= 1 : r.uvd.z >= 0);
-    a.least = least_bias(a.plane.gradient, kappa, resolution, depth_quantum(settings.map.format, view.curve, r.uvd.z),
+    a.least = least_bias(a.plane.gradient, kappa, size, depth_quantum(settings.map.format, view.curve, r.uvd.z),
                          driver.subpixel_bits, rounding_bias(view, p.position_ws, extent));
     a.per_texel = compares_per_texel(settings);
     if (a.per_texel) {
         a.max_texel_shift = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
         a.least.kernel = a.least.kernel > a.max_texel_shift ? a.least.kernel - a.max_texel_shift : 0;
-        a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
+        a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, size);
         b.least_per_texel = a.least.without_kernel();
     }
     b.in_map = a.in_map;

@@ -62,7 +62,7 @@ struct BiasBreakdown {
     double max_texel_shift = 0;
     /// Further bias of a texel per texel of its distance from the look-up (Bias::remainder); 0: the plane alone.
     double remainder_per_texel = 0;
-    int resolution = 1;  ///< of the map, texels a side
+    MapSize map_size{1};  ///< texels of the map
     /// Returns the depth that is compared with one texel of the shadow map. @param centre the texel's map coordinates
     double compared_depth_at(const glm::dvec2& centre) const;
     /// Converts a depth shift at the surface point from depth-buffer units to texels and metres.
@@ -76,9 +76,9 @@ struct BiasBreakdown {
 };
 
 /// Computes the bias that the settings give a surface point under a light's shadow map, and the least that it needs.
-/// @param resolution of the map, texels a side
+/// @param size texels of the light's maps
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
-BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, int resolution,
+BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, MapSize size,
                              const SurfacePoint& point, const RasterTraits& driver);
 
 }  // namespace si

@@ -13,7 +13,7 @@ std::string_view place_name(std::optional<MapPlace> place) {
     return place ? kNames[std::size_t(*place)] : "no map";
 }
 
-LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,
+LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, MapSize size,
                              const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,
                              const glm::dvec3& bias_normal) {
     LightReceiver r;
@@ -31,7 +31,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const double w = r.clip.w;
     r.ndc = glm::dvec3(r.clip) / w;
     r.uvd = to_unit(r.ndc);
-    r.texel_m = view.texel_size_at(position_ws, resolution).longest;
+    r.texel_m = view.texel_size_at(position_ws, size).longest;
     r.curve = view.ray_depth_curve(position_ws);
     r.own_m = r.curve.distance(r.uvd.z);
     r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
@@ -44,8 +44,9 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const bool reversed = view.curve.convention.reversed;
     const bool beyond = reversed ? r.uvd.z < 0 : r.uvd.z > 1;
     const bool sides = r.uvd.x < 0 || r.uvd.x > 1 || r.uvd.y < 0 || r.uvd.y > 1;
-    const double rim = 1.0 / resolution;
-    const bool shadowless = light.closed && (r.uvd.x < rim || r.uvd.x > 1 - rim || r.uvd.y < rim || r.uvd.y > 1 - rim);
+    const glm::dvec2 rim = 1.0 / size.texels();
+    const bool shadowless =
+        light.closed && (r.uvd.x < rim.x || r.uvd.x > 1 - rim.x || r.uvd.y < rim.y || r.uvd.y > 1 - rim.y);
     r.place = w <= 0                   ? MapPlace::Behind
               : shadowless             ? MapPlace::OutsideCasterRegion
               : beyond                 ? MapPlace::BeyondFar

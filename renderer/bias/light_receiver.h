@@ -59,8 +59,8 @@ struct LightReceiver {
 /// Projects a surface point into a light's shadow map, with the normal offset. Leaves `bias_depth` and `bias_m` at 0:
 /// bias_breakdown() computes the depth bias of bias.kind.
 /// @param geometric_normal,bias_normal unit, world; the second is the one that bias.normal_source selects
-/// @param resolution of the map, texels a side
-LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,
+/// @param size texels of the light's maps
+LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, MapSize size,
                              const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,
                              const glm::dvec3& bias_normal);
 

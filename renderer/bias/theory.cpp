@@ -52,9 +52,10 @@ double depth_quantum(MapFormat format, const DepthCurve& curve, double depth) {
            4 * 0x1p-23 * z * curve.slope(z);
 }
 
-LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,
+LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, MapSize size, double quantum, int subpixel_bits,
                      double rounding) {
-    const double per_texel = (std::abs(gradient.x) + std::abs(gradient.y)) / resolution;
+    const glm::dvec2 shape = double(size.longest()) / size.texels();
+    const double per_texel = (std::abs(gradient.x) * shape.x + std::abs(gradient.y) * shape.y) / size.longest();
     LeastBias b;
     b.kernel = kappa_texels * per_texel;
     b.quantum = quantum;
@@ -71,8 +72,8 @@ double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double e
 }
 
 double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
-                        int resolution) {
-    const double across_m = view.texel_size_at(point_ws, resolution).shortest * resolution;
+                        MapSize size) {
+    const double across_m = view.texel_size_at(point_ws, size).shortest * size.shortest();
     return 4 * 0x1p-23 * extent_m * (1 / across_m + view.relative_dw_per_m(point_ws)) *
            (std::abs(gradient.x) + std::abs(gradient.y));
 }

@@ -55,7 +55,7 @@ struct LeastBias {
 /// @param quantum q, step of the stored depth; c_q = 1, as a driver may truncate
 /// @param subpixel_bits B, GL_SUBPIXEL_BITS; 0 or less leaves the snapping out
 /// @param rounding e_fp, see rounding_bias()
-LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolution, double quantum, int subpixel_bits,
+LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, MapSize size, double quantum, int subpixel_bits,
                      double rounding = 0);
 
 /// Returns the depth bias that covers float rounding in the shaders at a point, in depth-buffer units:
@@ -69,7 +69,7 @@ double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double e
 /// their own centre. `across` is the width of the map at the point in metres, by its shortest texels; w' belongs to a
 /// warped view. @param extent_m largest coordinate P in the shaders, metres
 double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
-                        int resolution);
+                        MapSize size);
 
 /// Returns the normal offset in metres that is equivalent to a depth bias `b_min` (depth-buffer units). Moving a plane
 /// by h along its normal n moves it by h / |n . r| along the light's ray r. For an orthographic light and texel size s

@@ -62,7 +62,7 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
     b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
     if (light.type == LightType::Directional) b.to_light.w = float(light.radiance.r);
-    const Reach reach = kernel_reach_in_light(f.settings, light, f.map_resolution);
+    const Reach reach = kernel_reach_in_light(f.settings, light, f.map_size);
     b.kernel = glm::vec4(light.size, reach.bias, reach.edge, reach.read);
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
     return b;
@@ -93,9 +93,12 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
     // Matrices of the block are stored by rows. Nothing reads the last row of a map without perspective.
     b.uvd_from_relative = glm::transpose(glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin)));
     // Two texels a side are as long as half of the map.
-    const double half = v.warped() ? 0 : v.texel_size(1, 2);
-    b.curve = glm::vec4(v.curve.near, v.curve.far, half, 1.0 / f.map_resolution);
-    if (light.is_warped()) {
+    const int longest = f.map_size.longest();
+    const double half = v.warped()               ? 0
+                        : f.map_size.is_square() ? v.texel_size(1, 2)
+                                                 : 0.5 * longest * v.texel_size(1, f.map_size);
+    b.curve = glm::vec4(v.curve.near, v.curve.far, half, 1.0 / longest);
+    if (light.derives_texels(f.map_size)) {
         const DepthWarp warp = v.curve.warp.value_or(DepthWarp{0, v.curve.near, v.curve.far, 0});
         b.warp = glm::vec4(warp.middle_m, warp.near_m, warp.far_m, warp.rise);
     }
@@ -104,7 +107,8 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
     b.span.z = 2.f * b.curve.z * b.curve.w;
     b.span.w = 1.f / (b.curve.y - b.curve.x);
     if (v.curve.perspective) {
-        const glm::dvec2 scale(std::abs(v.projection[0][0]), std::abs(v.projection[1][1]));
+        const glm::dvec2 scale =
+            f.map_size.texels() * glm::dvec2(std::abs(v.projection[0][0]), std::abs(v.projection[1][1]));
         b.span.z = float(scale.x / std::max(scale.x, scale.y));
         b.span.w = float(scale.y / std::max(scale.x, scale.y));
     }

@@ -94,9 +94,9 @@ Cause cause_of(const CauseEvidence& e, const ReferencePixel& reference, const Ca
     return {.faint = darkened && e.place == CauseEvidence::kInside && is_acne(e, context, float(1 - kRightVisibility))};
 }
 
-CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
+CauseContext cause_context(const Settings& settings, const FittedLight& light, MapSize map_size, bool mask_levels) {
     return {.has_map = light.casts,
-            .edge_reach_texels = kernel_reach_in_light(settings, light, map_resolution).edge,
+            .edge_reach_texels = kernel_reach_in_light(settings, light, map_size).edge,
             .raster_bias = offsets_polygons(settings),
             .mask_levels = mask_levels,
             .depth_blur = settings.map.blur_texels > 0,

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "renderer/projection/map_size.h"
 #include "shaders/shared/classified.h"
 
 namespace si {
@@ -110,8 +111,8 @@ Cause cause_of(const CauseEvidence& evidence, const ReferencePixel& reference, c
 inline constexpr double kRightVisibility = 1e-3;
 
 /// Collects the settings that decide which causes of a light's shadow errors are possible.
-/// @param map_resolution texels along a side
+/// @param map_size texels of the light's maps
 /// @param mask_levels true: alpha masks of casters have mip levels
-CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
+CauseContext cause_context(const Settings& settings, const FittedLight& light, MapSize map_size, bool mask_levels);
 
 }  // namespace si

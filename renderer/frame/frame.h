@@ -77,7 +77,8 @@ struct FrameRequest {
     OptimisationSet forced;  ///< optimisations to disable: the same picture by more work
     std::optional<bool>
         blocks_as_images;  ///< way in which shaders read numbers (Blocks); nullopt: DriverInfo::blocks_as_images
-    std::optional<MapOfLight> emptied;    ///< map to draw without casters; not for virtual maps
+    std::optional<MapOfLight> emptied;  ///< map to draw without casters; not for virtual maps
+    std::optional<MapSize> map_size;  ///< size of the maps; nullopt: map.resolution both ways. Virtual maps are square
     std::optional<MapCamera> map_camera;  ///< camera for fitting maps; nullopt: the picture's own
     int smoothed = 0;                     ///< shadings averaged in FrameResult::smooth so far
     /// Ray-traced reference of this view and light. A reference of another key is ignored: see FrameResult::reference.
@@ -214,17 +215,18 @@ struct FrameResult {
     std::vector<LightMapNeed> light_maps;        ///< by light, for lights with a light map; empty without any
     std::shared_ptr<const LiveError> error;      ///< error metrics; null unless requested and reference.met
     std::shared_ptr<const Precision> precision;  ///< null unless requested, or where view.light has no map
-    int map_resolution = 0;
-    bool map_holds_distances = false;        ///< see holds_distances()
-    bool maps_are_whole = true;              ///< false: maps hold only texels that the picture reads
-    std::optional<PageFacts> pages;          ///< statistics of virtual maps; nullopt: maps are whole
-    float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
-    Image map_view;                          ///< RGBA8: the depth image of view.map_source as view.map shows it
-    ShownMap shown_map;                      ///< which depth image that is
-    glm::ivec2 map_view_size{0};             ///< size of the map viewer's depth image; the picture of it may be smaller
-    DepthCurve map_view_curve;               ///< mapping from distance to its stored depths
-    float map_black = 0, map_white = 1;      ///< the grey range in use, as view.map_black and view.map_white count it
-    std::string clock;                       ///< clock that measured gpu_ms
+    int map_resolution = 0;                      ///< texels along the longer side of a map
+    MapSize map_size;                            ///< texels of each map
+    bool map_holds_distances = false;            ///< see holds_distances()
+    bool maps_are_whole = true;                  ///< false: maps hold only texels that the picture reads
+    std::optional<PageFacts> pages;              ///< statistics of virtual maps; nullopt: maps are whole
+    float overlay_min = 0, overlay_max = 1;      ///< the first pane's colour scale
+    Image map_view;                              ///< RGBA8: the depth image of view.map_source as view.map shows it
+    ShownMap shown_map;                          ///< which depth image that is
+    glm::ivec2 map_view_size{0};         ///< size of the map viewer's depth image; the picture of it may be smaller
+    DepthCurve map_view_curve;           ///< mapping from distance to its stored depths
+    float map_black = 0, map_white = 1;  ///< the grey range in use, as view.map_black and view.map_white count it
+    std::string clock;                   ///< clock that measured gpu_ms
     FrameContents contents;
     /// Returns the report on the pass of this name; null if the frame has none.
     const PassInfo* pass(std::string_view name) const;

@@ -217,7 +217,7 @@ const DepthCurve* FrameState::shown_curve() const {
 }
 
 int FrameState::shown_mip() const {
-    return std::min(requested_mip(settings), gl::mip_levels(map_resolution) - 1);
+    return std::min(requested_mip(settings), gl::mip_levels(map_size.longest()) - 1);
 }
 
 bool FrameState::fits_grey_range() const {

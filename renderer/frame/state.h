@@ -90,7 +90,7 @@ struct FrameState {
     glm::dvec3 origin{0};             ///< world origin of camera-relative positions
     std::vector<int> first_view;      ///< by light: layer of its first view
     int view_count = 0;
-    int map_resolution = 0;
+    MapSize map_size;
     /// Returns the layer count of map textures; 0 for a single view, which is a plain 2-D texture.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
     /// Returns the OpenGL format of map textures.

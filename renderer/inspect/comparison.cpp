@@ -53,25 +53,25 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
 /// Stored depths of a map as look-ups find them, under map.wrap and map.outside.
 class StoredDepths {
 public:
-    StoredDepths(const FloatImage& map, const Settings& settings, int resolution, const DepthCurve& curve)
-        : map_(map), wrap_(settings.map.wrap), n_(resolution) {
+    StoredDepths(const FloatImage& map, const Settings& settings, MapSize size, const DepthCurve& curve)
+        : map_(map), wrap_(settings.map.wrap), n_(size.sides()) {
         const double far_depth = curve.convention.far_depth();
         border_ = settings.map.outside == Outside::Lit ? far_depth : 1 - far_depth;
     }
     double at(glm::ivec2 texel) const {
         if (wrap_ == MapWrap::Repeat) texel = ((texel % n_) + n_) % n_;
         if (wrap_ == MapWrap::Border && !inside(texel)) return border_;
-        texel = glm::clamp(texel, glm::ivec2(0), glm::ivec2(n_ - 1));
-        return map_.at(texel.x, n_ - 1 - texel.y);  // the image's first row is the map's top
+        texel = glm::clamp(texel, glm::ivec2(0), n_ - 1);
+        return map_.at(texel.x, n_.y - 1 - texel.y);  // the image's first row is the map's top
     }
     double border() const { return border_; }
     /// Returns true when a texel lies inside the map.
-    bool inside(glm::ivec2 t) const { return t.x >= 0 && t.y >= 0 && t.x < n_ && t.y < n_; }
+    bool inside(glm::ivec2 t) const { return t.x >= 0 && t.y >= 0 && t.x < n_.x && t.y < n_.y; }
 
 private:
     const FloatImage& map_;
     MapWrap wrap_;
-    int n_;
+    glm::ivec2 n_;
     double border_ = 1;
 };
 
@@ -124,8 +124,8 @@ void enclose_taps(Probe::PerLight& p) {
 
 }  // namespace
 
-Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight& light, const Settings& settings, int n,
-                                    const FloatImage& map, const RasterTraits& driver) {
+Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight& light, const Settings& settings,
+                                    MapSize size, const FloatImage& map, const RasterTraits& driver) {
     Probe::PerLight p;
     p.light = pixel.light;
     p.fitted = light;
@@ -139,12 +139,12 @@ Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight&
         p.verdict = dark.empty() ? (p.visibility < 0.5 ? "dark: " : "lit: ") + light.reason : dark;
         return p;
     }
-    p.account = bias_breakdown(light, settings, n, p.point, driver);
+    p.account = bias_breakdown(light, settings, size, p.point, driver);
     const LightReceiver& r = p.account.receiver;
     const LightView& view = light.views[r.view];
     const DepthCurve& range = view.curve;
     const auto linear = [&](double metres) { return (metres - range.near) / (range.far - range.near); };
-    const auto row_of = [&](const glm::ivec2& texel) { return (double(texel.y) + 0.5) / double(n); };
+    const auto row_of = [&](const glm::ivec2& texel) { return (double(texel.y) + 0.5) / double(size.height); };
     p.face = int(r.view);
     p.view = view_name(light.chooser.choice, r.view, light.views.size());
     if (r.blend > 0)
@@ -155,11 +155,12 @@ Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight&
     p.bias_texels = r.bias_m / r.texel_m;
     p.offset_position_ws = p.point.position_ws + p.point.bias_normal * r.normal_offset_m;
     p.compared = as_compared(settings, r.compared);
-    const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
+    const glm::dvec2 centre = glm::dvec2(r.tap) * size.texels();
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
-    p.compared_nearest = as_compared(settings, p.account.compared_depth_at((glm::dvec2(p.texel) + 0.5) / double(n)));
+    p.compared_nearest =
+        as_compared(settings, p.account.compared_depth_at((glm::dvec2(p.texel) + 0.5) / size.texels()));
     p.place = r.place;
-    const StoredDepths depths(map, settings, n, view.curve);
+    const StoredDepths depths(map, settings, size, view.curve);
     const bool guarded = settings.map.wrap == MapWrap::Range && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = range.curve_at_row(row_of(p.texel)).distance(p.stored);
@@ -169,7 +170,7 @@ Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight&
         const auto compared = [&](const RecordedTap& recorded) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = range.curve_at_row(row_of(tap.texel)).distance(tap.stored);
-            const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
+            const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / size.texels();
             tap.plane = p.account.plane.depth_at(at);
             tap.compared = as_compared(settings, p.account.compared_depth_at(at));
             tap.lit = passes(settings, tap.compared, tap.stored);

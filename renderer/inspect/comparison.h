@@ -26,9 +26,9 @@ struct TestedPixel {
 /// Repeats the shadow test of one pixel and one light on the CPU. Returns map coordinates, bias terms, every tap of the
 /// kernel and a verdict in words.
 /// @param settings sanitised and within the driver's limits
-/// @param resolution texels per side of the map
+/// @param size texels of the map
 /// @param map stored depths of the light's view that the point falls into, top row first; empty: the light has no map
 Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight& light, const Settings& settings,
-                                    int resolution, const FloatImage& map, const RasterTraits& driver);
+                                    MapSize size, const FloatImage& map, const RasterTraits& driver);
 
 }  // namespace si

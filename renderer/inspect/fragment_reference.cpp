@@ -57,8 +57,8 @@ FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Pr
     if (out.state == PixelState::Counted)
         out.cause = cause_of(out.evidence, {.visibility = out.lit ? 1.0 : 0.0, .hard_lit = out.lit}, light.causes);
     out.any_leak = light.visibility > shared::VISIBLE_ERROR && !out.lit &&
-                   in_umbra(scene, around.at(at.x, at.y), query, light.fitted, probe.map_resolution,
-                            edge_reach_texels(settings, light.fitted, probe.map_resolution));
+                   in_umbra(scene, around.at(at.x, at.y), query, light.fitted, probe.map_size,
+                            edge_reach_texels(settings, light.fitted, probe.map_size));
     return out;
 }
 

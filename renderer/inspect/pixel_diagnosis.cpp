@@ -264,8 +264,7 @@ private:
 
     /// Returns the distance across the light within which the kernel reads the map.
     std::string reach_text() const {
-        return metres_text(edge_reach_texels(settings_, p_.fitted, probe_.map_resolution) *
-                           p_.account.receiver.texel_m);
+        return metres_text(edge_reach_texels(settings_, p_.fitted, probe_.map_size) * p_.account.receiver.texel_m);
     }
 
     std::string light_bleeding() const {

@@ -61,7 +61,8 @@ struct Probe {
     glm::uvec2 id{0};  ///< triangle, as in SurfaceIds
     Camera camera;
     int width = 0, height = 0;  ///< size of the picture in pixels
-    int map_resolution = 0;     ///< texels per side of a map
+    int map_resolution = 0;     ///< texels of a map's longer side
+    MapSize map_size;           ///< texels of a map
     SurfaceIds around;          ///< triangles of the pixels within kRunReach, clipped to the picture
     glm::ivec2 around_at{0};    ///< top left pixel of `around` in the picture
     glm::dvec3 position_ws{0}, normal_ws{0};

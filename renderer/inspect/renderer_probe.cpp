@@ -236,7 +236,8 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     out.width = request.width;
     out.height = request.height;
     out.camera = f.camera;
-    out.map_resolution = f.map_resolution;
+    out.map_resolution = f.map_size.longest();
+    out.map_size = f.map_size;
     out.around = part_of(ids, {x, y}, out.around_at);
     const int y_bottom = request.height - 1 - y;
     const glm::uvec2 shown = ids.data[std::size_t(y) * std::size_t(ids.width) + std::size_t(x)];
@@ -284,9 +285,9 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
             pixel.taps = draw_taps(f, *seen, int(i));
             pixel.kernel = draw_kernel_facts(f, *seen, int(i));
         }
-        out.lights.push_back(test_light_at_pixel(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
+        out.lights.push_back(test_light_at_pixel(pixel, f.gl.fitted[i], f.settings, f.map_size, map, f.driver));
         out.lights.back().evidence = draw_trials(f, place, int(i));
-        out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_resolution, f.mask_levels);
+        out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_size, f.mask_levels);
     }
     return out;
 }

@@ -23,8 +23,8 @@ const LightView& view_of(const Probe::PerLight& p) {
 /// the map through it, and the rays to that line. Other points are projected along the normal.
 class CutPlane {
 public:
-    CutPlane(const Probe::PerLight& p, int axis, int resolution)
-        : n(resolution), view_(view_of(p)), axis_(axis), tap_(p.account.receiver.tap) {
+    CutPlane(const Probe::PerLight& p, int axis, MapSize size)
+        : n(size.sides()[axis]), view_(view_of(p)), axis_(axis), tap_(p.account.receiver.tap) {
         const bool perspective = view_.curve.perspective;
         tap_m = perspective ? p.account.receiver.tap_m : curve().distance(tap_.z);
         origin_ = view_.position_ws(glm::dvec2(p.account.receiver.uvd), p.account.receiver.own_m);
@@ -62,7 +62,7 @@ public:
     double towards() const { return view_.curve.convention.reversed ? -1 : 1; }
 
     double tap_along() const { return tap_[axis_]; }
-    int n;                       ///< texels per side of the map
+    int n;                       ///< texels of the map along the axis of the cut
     double tap_m = 1;            ///< metres from the light along its axis at the look-up
     double texel_m = 1;          ///< width of a texel at the look-up, across the light's ray
     double texel_long_m = 1;     ///< width of a texel along the map
@@ -195,9 +195,9 @@ const Section::Step* Section::find_step(int texel) const {
     return nullptr;
 }
 
-SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const Settings& settings, int resolution) {
+SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const Settings& settings, MapSize size) {
     SectionCut cut;
-    if (!p.casts || p.rows[0].empty() || resolution <= 0) return cut;
+    if (!p.casts || p.rows[0].empty() || size.shortest() <= 0) return cut;
     const glm::dvec2 gradient = glm::abs(p.account.plane.gradient);
     cut.axis = gradient.y > gradient.x ? 1 : 0;
     // The cut does not depend on bias: along the plane's slope where the light sees the surface and no shadow edge is
@@ -208,7 +208,7 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
     // Moment kernels read blurred texels, so their reach comes from the settings. Other kernels record their texels.
     const int look_up = p.texel[cut.axis];
     if (p.taps.empty()) {
-        cut.reach_texels = kernel_reach_in_light(settings, p.fitted, resolution).read;
+        cut.reach_texels = kernel_reach_in_light(settings, p.fitted, size).read;
     } else {
         const int last = p.taps_first[cut.axis] + p.taps_size[cut.axis];
         cut.reach_texels = 0.5 + std::max(look_up - p.taps_first[cut.axis], last - 1 - look_up);
@@ -216,7 +216,7 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
     const int edge = change[cut.axis] <= kMaxEdgeTexels ? change[cut.axis] + 2 : 0;
     const int side = std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, edge), kMinSideTexels,
                                 kProbeRowReachTexels);
-    const double moved = (p.account.receiver.tap[cut.axis] - p.account.receiver.uvd[cut.axis]) * resolution;
+    const double moved = (p.account.receiver.tap[cut.axis] - p.account.receiver.uvd[cut.axis]) * size.sides()[cut.axis];
     const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kProbeRowReachTexels)));
     const int first = std::max(look_up - std::max(side, moved > 0 ? back + 2 : 0), look_up - kProbeRowReachTexels);
     const int last = std::min(look_up + std::max(side, moved < 0 ? back + 2 : 0), look_up + kProbeRowReachTexels);
@@ -226,19 +226,20 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
 }
 
 std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const Probe::PerLight& p,
-                                              const SectionCut& cut, int resolution) {
+                                              const SectionCut& cut, MapSize size) {
     std::vector<ReferencePoint> out;
     if (cut.count <= 0) return out;
-    const CutPlane plane(p, cut.axis, resolution);
+    const CutPlane plane(p, cut.axis, size);
     const Bounds& bounds = scene.geometry().bounds;
-    const double size = bounds.empty() ? 0 : glm::length(bounds.hi - bounds.lo);
+    const double extent_m = bounds.empty() ? 0 : glm::length(bounds.hi - bounds.lo);
     // Parallel rays begin before all casters, others at the light.
     const DepthCurve curve = plane.curve();
-    const double from_m = curve.perspective ? 1e-3 * curve.near : std::min(curve.near, p.account.receiver.own_m - size);
-    const double to_m = std::max(p.account.receiver.own_m + std::max(size, plane.texel_m), 2 * from_m);
+    const double from_m =
+        curve.perspective ? 1e-3 * curve.near : std::min(curve.near, p.account.receiver.own_m - extent_m);
+    const double to_m = std::max(p.account.receiver.own_m + std::max(extent_m, plane.texel_m), 2 * from_m);
     std::vector<LightRaySegment> ways;
     for (int i = 0; i <= cut.count * kRaysPerTexel; ++i) {
-        const double along = (cut.first + double(i) / kRaysPerTexel) / resolution;
+        const double along = (cut.first + double(i) / kRaysPerTexel) / size.sides()[cut.axis];
         out.push_back({along, 0});
         ways.push_back({plane.world(along, from_m), plane.world(along, to_m)});
     }
@@ -250,7 +251,7 @@ std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const
     return out;
 }
 
-Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const SectionCut& cut, int resolution,
+Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const SectionCut& cut, MapSize size,
                       std::span<const ReferencePoint> profile) {
     Section s;
     s.cut = cut;
@@ -264,12 +265,12 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
     s.shadowed = cut.count > 0;
     if (!s.shadowed) return s;
     const BiasBreakdown& a = p.account;
-    const CutPlane plane(p, cut.axis, resolution);
+    const CutPlane plane(p, cut.axis, size);
     s.row = p.texel[1 - cut.axis];
-    s.row_offset_texels = s.row + 0.5 - p.account.receiver.tap[1 - cut.axis] * resolution;
+    s.row_offset_texels = s.row + 0.5 - p.account.receiver.tap[1 - cut.axis] * size.sides()[1 - cut.axis];
     s.lookup_texel = p.texel[cut.axis];
     s.surface_offset_texels =
-        (p.account.receiver.uvd[1 - cut.axis] - p.account.receiver.tap[1 - cut.axis]) * resolution;
+        (p.account.receiver.uvd[1 - cut.axis] - p.account.receiver.tap[1 - cut.axis]) * size.sides()[1 - cut.axis];
     s.texel_m = plane.texel_m;
     s.texel_long_m = plane.texel_long_m;
     s.light_m = view_of(p).curve.perspective ? p.account.receiver.own_m : p.account.receiver.own_m - plane.curve().near;
@@ -288,7 +289,7 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
             const double nearer = plane.towards() * (p.account.receiver.tap.z - a.plane.depth_at(other));
             return plane.at(along, plane.nearer_m(nearer));
         };
-        const double at = p.account.receiver.uvd[cut.axis], step = 0.25 / resolution;
+        const double at = p.account.receiver.uvd[cut.axis], step = 0.25 / plane.n;
         s.surface_at = on_surface(at);
         s.surface_along = unit(on_surface(at + step) - on_surface(at - step));
     }
@@ -306,10 +307,10 @@ Section pixel_section(const Probe& probe, std::size_t light, std::span<const Pix
                       const Settings& settings, const ReferenceScene* casters) {
     const Probe::PerLight& p = probe.lights[light];
     const PixelDiagnosis* const diagnosis = light < diagnoses.size() ? &diagnoses[light] : nullptr;
-    const SectionCut cut = section_cut(p, diagnosis, settings, probe.map_resolution);
+    const SectionCut cut = section_cut(p, diagnosis, settings, probe.map_size);
     std::vector<ReferencePoint> profile;
-    if (casters && diagnosis) profile = reference_profile(*casters, p, cut, probe.map_resolution);
-    return cross_section(p, diagnosis, cut, probe.map_resolution, profile);
+    if (casters && diagnosis) profile = reference_profile(*casters, p, cut, probe.map_size);
+    return cross_section(p, diagnosis, cut, probe.map_size, profile);
 }
 
 }  // namespace si

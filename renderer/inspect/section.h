@@ -110,19 +110,19 @@ struct Section {
 /// the light has no map or the map does not cover the point.
 /// @param diagnosis null: none @param resolution texels per side of the map
 SectionCut section_cut(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const Settings& settings,
-                       int resolution);
+                       MapSize size);
 
 /// Traces the first surfaces from a light along a cut, with eight rays per texel.
 /// @param resolution texels per side of the map
 std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const Probe::PerLight& light,
-                                              const SectionCut& cut, int resolution);
+                                              const SectionCut& cut, MapSize size);
 
 /// Computes the cross-section of a pixel's shadow test along a cut.
 /// @param diagnosis null: none, and the section has no reference
 /// @param resolution texels per side of the map
 /// @param profile reference_profile(), or empty
 Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const SectionCut& cut,
-                      int resolution, std::span<const ReferencePoint> profile = {});
+                      MapSize size, std::span<const ReferencePoint> profile = {});
 
 /// Computes the cross-section of one light's shadow test at a probed pixel: chooses the cut and traces the profile.
 /// @param light index into Probe::lights

@@ -33,39 +33,40 @@ void window_sums(int n, int width, bool wraps, Get get, Put put) {
 
 }  // namespace
 
-KernelFootprint kernel_footprint(float u, float v, int resolution, double reach_texels) {
+KernelFootprint kernel_footprint(float u, float v, MapSize size, double reach_texels) {
     // Float, as in the shaders. The clamp matters only far outside the map.
-    const auto first = [&](float at) {
-        const float x = at * float(resolution) - float(reach_texels) + 0.5f;
+    const auto first = [&](float at, int side) {
+        const float x = at * float(side) - float(reach_texels) + 0.5f;
         return int(std::floor(std::clamp(x, -1e9f, 1e9f)));
     };
-    return {{first(u), first(v)}, std::max(1, int(std::lround(2 * reach_texels)))};
+    return {{first(u, size.width), first(v, size.height)}, std::max(1, int(std::lround(2 * reach_texels)))};
 }
 
-TexelUsage::TexelUsage(const FloatImage& map_coordinates, int resolution, double reach_texels, MapWrap wrap, int layer)
-    : resolution_(std::max(resolution, 1)), width_(map_coordinates.width), repeats_(wrap == MapWrap::Repeat) {
-    kernel_ = kernel_footprint(0, 0, resolution_, reach_texels).count;
-    side_ = repeats_ ? resolution_ : resolution_ + kernel_ - 1;
-    const std::size_t size = std::size_t(side_) * std::size_t(side_);
+TexelUsage::TexelUsage(const FloatImage& map_coordinates, MapSize size, double reach_texels, MapWrap wrap, int layer)
+    : size_(std::max(size.width, 1), std::max(size.height, 1)),
+      width_(map_coordinates.width),
+      repeats_(wrap == MapWrap::Repeat) {
+    kernel_ = kernel_footprint(0, 0, size_, reach_texels).count;
+    grid_ = repeats_ ? size_.sides() : size_.sides() + (kernel_ - 1);
+    const std::size_t cells = std::size_t(grid_.x) * std::size_t(grid_.y);
     std::vector<std::uint32_t> cell_of(map_coordinates.data.size() / 4, UINT32_MAX);
-    begin_.assign(size + 1, 0);
+    begin_.assign(cells + 1, 0);
     for (std::size_t i = 0; i < cell_of.size(); ++i) {
         const float* p = &map_coordinates.data[4 * i];
         if (!(p[3] > 0) || int(p[2]) != layer || !std::isfinite(p[0]) || !std::isfinite(p[1])) continue;
-        glm::ivec2 cell = kernel_footprint(p[0], p[1], resolution_, reach_texels).first;
+        glm::ivec2 cell = kernel_footprint(p[0], p[1], size_, reach_texels).first;
         if (repeats_) {
-            cell = ((cell % resolution_) + resolution_) % resolution_;
+            cell = ((cell % size_.sides()) + size_.sides()) % size_.sides();
         } else {
             cell += kernel_ - 1;
-            const bool misses = cell.x < 0 || cell.y < 0 || cell.x >= side_ || cell.y >= side_;
+            const bool misses = cell.x < 0 || cell.y < 0 || cell.x >= grid_.x || cell.y >= grid_.y;
             if (misses && wrap != MapWrap::Clamp) continue;
-            cell =
-                glm::clamp(cell, glm::ivec2(0), glm::ivec2(side_ - 1));  // beyond it, only the outermost texel is read
+            cell = glm::clamp(cell, glm::ivec2(0), grid_ - 1);  // beyond it, only the outermost texel is read
         }
-        cell_of[i] = std::uint32_t(cell.y) * std::uint32_t(side_) + std::uint32_t(cell.x);
+        cell_of[i] = std::uint32_t(cell.y) * std::uint32_t(grid_.x) + std::uint32_t(cell.x);
         ++begin_[cell_of[i] + 1];
     }
-    for (std::size_t i = 0; i < size; ++i) begin_[i + 1] += begin_[i];
+    for (std::size_t i = 0; i < cells; ++i) begin_[i + 1] += begin_[i];
     pixels_.resize(begin_.back());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t i = 0; i < cell_of.size(); ++i)
@@ -74,18 +75,18 @@ TexelUsage::TexelUsage(const FloatImage& map_coordinates, int resolution, double
 }
 
 void TexelUsage::count_texels() {
-    const auto n = std::size_t(resolution_), side = std::size_t(side_);
+    const auto n = std::size_t(size_.width), side = std::size_t(grid_.x), rows_below = std::size_t(grid_.y);
     // Rows of footprints summed along x, then along y.
-    std::vector<std::uint32_t> rows(side * n);
-    for (std::size_t y = 0; y < side; ++y)
+    std::vector<std::uint32_t> rows(rows_below * n);
+    for (std::size_t y = 0; y < rows_below; ++y)
         window_sums(
-            resolution_, kernel_, repeats_,
+            size_.width, kernel_, repeats_,
             [&](int x) { return begin_[y * side + std::size_t(x) + 1] - begin_[y * side + std::size_t(x)]; },
             [&](int x, std::uint32_t sum) { rows[y * n + std::size_t(x)] = sum; });
-    counts_.resize(n * n);
+    counts_.resize(n * std::size_t(size_.height));
     for (std::size_t x = 0; x < n; ++x)
         window_sums(
-            resolution_, kernel_, repeats_, [&](int y) { return rows[std::size_t(y) * n + x]; },
+            size_.height, kernel_, repeats_, [&](int y) { return rows[std::size_t(y) * n + x]; },
             [&](int y, std::uint32_t sum) { counts_[std::size_t(y) * n + x] = sum; });
 }
 
@@ -96,8 +97,8 @@ double TexelUsage::utilisation() const {
 }
 
 std::uint32_t TexelUsage::pixels(glm::ivec2 texel) const {
-    if (texel.x < 0 || texel.y < 0 || texel.x >= resolution_ || texel.y >= resolution_) return 0;
-    return counts_[std::size_t(texel.y) * std::size_t(resolution_) + std::size_t(texel.x)];
+    if (texel.x < 0 || texel.y < 0 || texel.x >= size_.width || texel.y >= size_.height) return 0;
+    return counts_[std::size_t(texel.y) * std::size_t(size_.width) + std::size_t(texel.x)];
 }
 
 std::uint32_t TexelUsage::max_pixels() const {
@@ -105,10 +106,10 @@ std::uint32_t TexelUsage::max_pixels() const {
 }
 
 FloatImage TexelUsage::counts() const {
-    FloatImage image{resolution_, resolution_, 1, std::vector<float>(counts_.size())};
-    for (int y = 0; y < resolution_; ++y)
-        for (int x = 0; x < resolution_; ++x)
-            image.data[std::size_t(resolution_ - 1 - y) * std::size_t(resolution_) + std::size_t(x)] =
+    FloatImage image{size_.width, size_.height, 1, std::vector<float>(counts_.size())};
+    for (int y = 0; y < size_.height; ++y)
+        for (int x = 0; x < size_.width; ++x)
+            image.data[std::size_t(size_.height - 1 - y) * std::size_t(size_.width) + std::size_t(x)] =
                 float(pixels({x, y}));
     return image;
 }
@@ -116,14 +117,15 @@ FloatImage TexelUsage::counts() const {
 std::vector<glm::ivec2> TexelUsage::readers(glm::ivec2 texel) const {
     std::vector<glm::ivec2> out;
     if (pixels(texel) == 0) return out;
-    const int window = repeats_ ? std::min(kernel_, resolution_) : kernel_;
+    glm::ivec2 window(kernel_);
+    if (repeats_) window = glm::min(window, size_.sides());
     std::vector<std::uint32_t> found;
-    for (int dy = 0; dy < window; ++dy)
-        for (int dx = 0; dx < window; ++dx) {
+    for (int dy = 0; dy < window.y; ++dy)
+        for (int dx = 0; dx < window.x; ++dx) {
             // Without wrapping, the grid begins kernel - 1 texels before the map.
             glm::ivec2 cell = texel + glm::ivec2(dx, dy);
-            if (repeats_) cell = (texel - glm::ivec2(dx, dy) + resolution_) % resolution_;
-            const std::size_t i = std::size_t(cell.y) * std::size_t(side_) + std::size_t(cell.x);
+            if (repeats_) cell = (texel - glm::ivec2(dx, dy) + size_.sides()) % size_.sides();
+            const std::size_t i = std::size_t(cell.y) * std::size_t(grid_.x) + std::size_t(cell.x);
             found.insert(found.end(), pixels_.begin() + begin_[i], pixels_.begin() + begin_[i + 1]);
         }
     std::sort(found.begin(), found.end());
@@ -138,8 +140,8 @@ double exact_utilisation(const FloatImage& texels_read) {
     return double(read) / double(texels_read.data.size());
 }
 
-TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer) {
-    return TexelUsage(map_coordinates, resolution, reach_of(settings).read, settings.map.wrap, layer);
+TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, MapSize size, int layer) {
+    return TexelUsage(map_coordinates, size, reach_of(settings).read, settings.map.wrap, layer);
 }
 
 }  // namespace si

@@ -19,9 +19,9 @@ struct KernelFootprint {
 /// Computes the square of texels that a shadow kernel reads, whatever their weights: centres within `reach_texels` of
 /// the kernel's centre, per axis. Of two texels exactly at that distance, the upper one counts, as in shaders/filters.
 /// @param u, v the kernel's centre in map coordinates, 0..1
-/// @param resolution texels per side of the map
+/// @param size texels of the map
 /// @param reach_texels Reach::read
-KernelFootprint kernel_footprint(float u, float v, int resolution, double reach_texels);
+KernelFootprint kernel_footprint(float u, float v, MapSize size, double reach_texels);
 
 /// Number of pixels that read each texel of one layer of a light's shadow map. Texels are counted as in Probe: x to the
 /// right, y up.
@@ -30,13 +30,13 @@ public:
     TexelUsage() = default;
     /// Counts the pixels that read each texel.
     /// @param map_coordinates four channels, as FrameResult::map_coordinates
-    /// @param resolution texels per side of the map
+    /// @param size texels of the map
     /// @param reach_texels Reach::read of the kernel
     /// @param layer cube face or cascade
-    TexelUsage(const FloatImage& map_coordinates, int resolution, double reach_texels, MapWrap wrap, int layer = 0);
+    TexelUsage(const FloatImage& map_coordinates, MapSize size, double reach_texels, MapWrap wrap, int layer = 0);
 
     /// Returns the texels per side of the map.
-    int resolution() const { return resolution_; }
+    MapSize size() const { return size_; }
     /// Returns the share of all texels that at least one pixel's kernel reads.
     double utilisation() const;
     /// Returns the number of pixels whose kernels read a texel; 0 outside the map.
@@ -50,9 +50,10 @@ public:
     std::vector<glm::ivec2> readers(glm::ivec2 texel) const;
 
 private:
-    int resolution_ = 0, width_ = 0, kernel_ = 1;
+    MapSize size_;
+    int width_ = 0, kernel_ = 1;
     bool repeats_ = false;
-    int side_ = 0;  ///< grid of footprints by first texel, from -(kernel - 1), or from 0 for repeated maps
+    glm::ivec2 grid_{0};  ///< grid of footprints by first texel, from -(kernel - 1), or from 0 for repeated maps
     std::vector<std::uint32_t> begin_;   ///< per footprint: first index in pixels_
     std::vector<std::uint32_t> pixels_;  ///< y * width + x, sorted by footprint
     std::vector<std::uint32_t> counts_;  ///< per texel, bottom row first
@@ -62,9 +63,9 @@ private:
 
 /// Computes the texel usage of a map under the kernel and map.wrap of the settings.
 /// @param map_coordinates FrameResult::map_coordinates, read back
-/// @param resolution FrameResult::map_resolution
+/// @param resolution FrameResult::map_size
 /// @param layer cube face or cascade
-TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer = 0);
+TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, MapSize size, int layer = 0);
 
 /// Returns the share of a map's texels that at least one kernel fetches, exactly instead of by bounding squares.
 /// @param texels_read FrameResult::texels_read, read back

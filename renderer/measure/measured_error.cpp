@@ -18,9 +18,8 @@ void find_leaks(MeasuredError& measured, const Workers& workers) {
         if (reference.state[i] == PixelState::Counted && reference.visibility.data[i] == 0 &&
             measured.classified[i].visibility > shared::VISIBLE_ERROR)
             bright.push_back(i);
-    const std::vector<std::uint8_t> in_umbra =
-        umbra_of(measured.traced, measured.lights[std::size_t(measured.light)], measured.map_resolution,
-                 measured.reach_texels, bright, workers);
+    const std::vector<std::uint8_t> in_umbra = umbra_of(measured.traced, measured.lights[std::size_t(measured.light)],
+                                                        measured.map_size, measured.reach_texels, bright, workers);
     for (std::size_t k = 0; k < bright.size(); ++k) measured.classified[bright[k]].any_leak = in_umbra[k] != 0;
 }
 
@@ -36,7 +35,8 @@ MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& fram
     out.light = settings.view.light;
     out.picture = {frame.classified.width, frame.classified.height};
     out.map_resolution = frame.map_resolution;
-    out.reach_texels = edge_reach_texels(settings, frame.lights[std::size_t(out.light)], frame.map_resolution);
+    out.map_size = frame.map_size;
+    out.reach_texels = edge_reach_texels(settings, frame.lights[std::size_t(out.light)], frame.map_size);
     return out;
 }
 

@@ -23,6 +23,7 @@ struct MeasuredError {
     std::vector<FittedLight> lights;          ///< lights of the frame
     Camera camera;
     int light = 0, map_resolution = 0;
+    MapSize map_size;
     double reach_texels = 0;  ///< reach of the kernel and of the depth blur (map.blur_texels); 0 without a map
     glm::ivec2 picture{0};    ///< size of the frame; the reference may have fewer pixels
     std::optional<PicturePair> pictures;  ///< pictures for Metric::of_pictures; released once these are computed

@@ -30,7 +30,7 @@ struct Stride {
 Stride stride_of(const FrameResult& frame, const Scene& scene, const FittedLight& light, double step_texels) {
     const LightView& view = light.views.front();
     const glm::dvec3 centre = scene.bounds.centre();
-    const double metres = step_texels * view.texel_size_at(centre, frame.map_resolution).longest;
+    const double metres = step_texels * view.texel_size_at(centre, frame.map_size).longest;
     const double reach = std::max(scene.bounds.radius(), metres);
     return {metres, metres / std::max(frame.camera.focus, metres), metres / reach * 180 / std::numbers::pi};
 }

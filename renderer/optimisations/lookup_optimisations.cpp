@@ -65,8 +65,8 @@ constexpr std::size_t kMaxUnrolledTaps = 32;
 
 int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
     // Texel centres that are read, half a texel around them, and rounding.
-    const double texels = std::ceil(kernel_reach_in_light(f.settings, light, f.map_resolution).read + 0.5 + 1e-3);
-    return int(std::min(std::ceil(texels / kBoundsCell), double(f.map_resolution)));
+    const double texels = std::ceil(kernel_reach_in_light(f.settings, light, f.map_size).read + 0.5 + 1e-3);
+    return int(std::min(std::ceil(texels / kBoundsCell), double(f.map_size.longest())));
 }
 
 std::string map_bounds_skip_reason(const FrameState& f) {

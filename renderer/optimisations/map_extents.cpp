@@ -32,11 +32,11 @@ bool reads_whole_maps(const FrameState& f) {
 }
 
 void add_unread_texels_part(const FrameState& f, std::string name, PassInfo& info) {
-    const std::uint64_t each = std::uint64_t(f.map_resolution) * std::uint64_t(f.map_resolution);
+    const std::uint64_t each = std::uint64_t(f.map_size.width) * std::uint64_t(f.map_size.height);
     std::uint64_t left_out = 0;
     for (const MapCells& held : f.drawn_cells_by_layer) {
         std::uint64_t made = 0;
-        for (const TexelRect& r : held.texel_rects(f.map_resolution))
+        for (const TexelRect& r : held.texel_rects(f.map_size))
             made += std::uint64_t(r.to.x - r.from.x) * std::uint64_t(r.to.y - r.from.y);
         left_out += each - std::min(made, each);
     }
@@ -55,8 +55,8 @@ NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps
     if (reads_whole_maps(f)) return {std::vector<MapCells>(fitted.views.size(), MapCells::whole()), {}};
     if (f.shades_as_lit(light)) return {std::vector<MapCells>(fitted.views.size()), fitted.empty};
     const Settings& s = f.settings;
-    const LookupArea area{.resolution = f.map_resolution,
-                          .reach_texels = kernel_reach_in_light(s, fitted, f.map_resolution).read + s.map.blur_texels,
+    const LookupArea area{.resolution = f.map_size.shortest(),
+                          .reach_texels = kernel_reach_in_light(s, fitted, f.map_size).read + s.map.blur_texels,
                           .normal_texels = s.bias.normal,
                           .wrap = s.map.wrap,
                           .whole_maps = filter_of(s).moments.summed || keeps_mips(s),

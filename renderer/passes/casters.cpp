@@ -153,7 +153,7 @@ public:
           seen_(seen),
           programs_(programs),
           info_(info),
-          sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
+          sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.size.shortest()),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
           skips_(!seen && !f.request.forced.contains(Optimisation::CasterCulling)),
@@ -243,7 +243,7 @@ private:
     std::optional<Bounds2> covered_by(const SkewBox& box) const {
         const double before = view_.curve.perspective ? kMinDepthShare * view_.curve.near : 0;
         std::optional<Bounds2> rect = projected_rect(box, uvd_from_relative_, view_.origin, before);
-        const glm::dvec2 room(kCasterPadTexels / view_.resolution);
+        const glm::dvec2 room = kCasterPadTexels / view_.size.texels();
         if (rect) {
             rect->lo -= room;
             rect->hi += room;
@@ -298,10 +298,10 @@ private:
         const glm::dmat3 back = glm::inverse(glm::dmat3(object.world));
         double shrinks = 0;  // lower bound of the factor between world and mesh lengths
         for (int i = 0; i < 3; ++i) shrinks += glm::dot(back[i], back[i]);
-        const double texels = std::min(glm::length(u), glm::length(v)) * view_.resolution;
+        const double texels = std::min(glm::length(u) * view_.size.width, glm::length(v) * view_.size.height);
         const double least_sine = kMinTriangleTexels * std::sqrt(shrinks) / (mesh.least_height * texels);
         const double beside =
-            std::ldexp(kRasterPadSteps, -f_.driver.subpixel_bits) + kFloatPositionError * view_.resolution;
+            std::ldexp(kRasterPadSteps, -f_.driver.subpixel_bits) + kFloatPositionError * view_.size.longest();
         const double least_tangent = beside * glm::length(z) / (texels * before);
         const glm::dvec3 ray = glm::normalize(glm::cross(u, v));
         return std::ranges::all_of(mesh.sides, [&](const MeshSide& side) {
@@ -394,14 +394,14 @@ SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unf
                             const LightView& view, PassInfo& info, const CasterChoice& choice) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, f.map_resolution, f.map_resolution);
+    glViewport(0, 0, f.map_size.width, f.map_size.height);
     if (!choice.keeps_contents) clear_casters(f, framebuffer, view.curve.convention);
     CasterView whole{view.clip_from_relative(light.map_origin),
                      view.curve,
                      light.map_origin,
                      unfiltered,
                      view.clamps_near,
-                     f.map_resolution,
+                     f.map_size,
                      choice};
     if (choice.needed && choice.needed->is_whole()) whole.choice.needed = nullptr;
     return draw_casters(f, whole, {}, info);

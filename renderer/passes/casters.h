@@ -17,14 +17,14 @@ struct CasterChoice {
     MapCells* covered = nullptr;              ///< receives all cells that drawn casters may cover; may be null
 };
 
-/// View from a light for drawing casters: projection, origin and resolution.
+/// View from a light for drawing casters: projection, origin and size.
 struct CasterView {
     glm::dmat4 clip_from_relative{1.0};  ///< from positions relative to `origin`
     DepthCurve curve;
     glm::dvec3 origin{0};
     bool unfiltered = false;   ///< without polygon offset, masks at their finest level
     bool clamps_near = false;  ///< casters in front of the near plane are flattened onto it
-    int resolution = 1;        ///< texels along a side
+    MapSize size{1};           ///< texels of the map
     CasterChoice choice;
 };
 

@@ -14,10 +14,10 @@ namespace {
 /// Blurs one layer: rows of the map into `rows`, then columns of `rows` into the blurred map.
 void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Framebuffer& rows, int layer,
                 PassInfo& info) {
-    const int n = f.map_resolution;
+    const MapSize n = f.map_size;
     const bool colour = is_colour(f.settings.map.format);
     const auto draw = [&](GLuint framebuffer, const char* columns) {
-        f.begin_fullscreen_pass(framebuffer, n, n);
+        f.begin_fullscreen_pass(framebuffer, n.width, n.height);
         if (columns[0] == '1' && !colour) {
             glEnable(GL_DEPTH_TEST);  // without the test nothing is written
             glDepthFunc(GL_ALWAYS);
@@ -58,9 +58,9 @@ void DepthBlurPass::declare(FrameState& f) {
 
 void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
     Targets& t = targets_;
-    const int n = f.map_resolution;
-    t.maps.ensure("blurred shadow maps", f.map_format(), n, n, f.map_layers());
-    t.rows.ensure("shadow map blurred along x", GL_R32F, n, n);
+    const MapSize n = f.map_size;
+    t.maps.ensure("blurred shadow maps", f.map_format(), n.width, n.height, f.map_layers());
+    t.rows.ensure("shadow map blurred along x", GL_R32F, n.width, n.height);
     const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
     for (int layer = 0; layer < f.view_count; ++layer)
         if (!f.drawn_cells_by_layer[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);

@@ -20,7 +20,7 @@ namespace {
 /// Resizes the map textures where needed.
 /// @return true when their contents are lost
 bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) {
-    return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
+    return maps.ensure(label, f.map_format(), f.map_size.width, f.map_size.height, f.map_layers());
 }
 
 /// Draws the casters of one view into one layer of a map texture.
@@ -32,7 +32,7 @@ SkippedCasters draw_view(FrameState& f, DrawnMaps& t, const gl::Target& map, con
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = is_colour(f.settings.map.format);
     if (colour)
-        t.depth.ensure("depth of the colour map", GL_DEPTH_COMPONENT32F, f.map_resolution, f.map_resolution);
+        t.depth.ensure("depth of the colour map", GL_DEPTH_COMPONENT32F, f.map_size.width, f.map_size.height);
     else
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
@@ -160,7 +160,7 @@ struct StaticPlan {
 std::string why_no_static_map(const FrameState& f) {
     if (is_colour(f.settings.map.format))
         return "map.format is a colour format, which keeps no depths to test moving casters against";
-    const double texels = double(f.map_resolution) * f.map_resolution * f.view_count;
+    const double texels = double(f.map_size.width) * f.map_size.height * f.view_count;
     if ((stored_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
         return "a second map for static casters would exceed the limit of 2 GiB for all maps";
     return {};
@@ -226,7 +226,7 @@ PartInfo static_part(const FrameState& f, std::size_t light, const StaticPlan& w
 
 void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const MapCells& cells) {
     const GLenum target = from.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
-    for (const TexelRect& r : cells.texel_rects(from.width))
+    for (const TexelRect& r : cells.texel_rects({from.width, from.height}))
         glCopyImageSubData(from.texture.id(), target, 0, r.from.x, r.from.y, layer, to.texture.id(), target, 0,
                            r.from.x, r.from.y, layer, r.to.x - r.from.x, r.to.y - r.from.y, 1);
 }

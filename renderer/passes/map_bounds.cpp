@@ -22,10 +22,10 @@ void draw_step(const FrameState& f, const gl::Target& into, int into_layer, int 
 
 void MapBoundsPass::run(const FrameState& f, PassInfo& info) {
     Targets& t = targets_;
-    const int cells = (f.map_resolution + kBoundsCell - 1) / kBoundsCell;
-    const int blocks = (cells + kBoundsCell - 1) / kBoundsCell;
-    t.bounds.ensure("bounds of shadow maps", GL_RGBA32F, blocks, blocks, f.map_layers());
-    t.cells.ensure("bounds of cells", GL_RGBA32F, cells, cells);
+    const glm::ivec2 cells = (f.map_size.sides() + kBoundsCell - 1) / kBoundsCell;
+    const glm::ivec2 blocks = (cells + kBoundsCell - 1) / kBoundsCell;
+    t.bounds.ensure("bounds of shadow maps", GL_RGBA32F, blocks.x, blocks.y, f.map_layers());
+    t.cells.ensure("bounds of cells", GL_RGBA32F, cells.x, cells.y);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
         if (!light.casts) continue;

@@ -47,8 +47,9 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
     pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
     pass.cached = &t.channel.key;
     pass.run = [&f, &t, layer](PassInfo& info) {
-        const int mip = f.shown_mip(), n = std::max(f.map_resolution >> mip, 1);
-        t.channel.ensure("map channel", GL_R32F, n, n);
+        const int mip = f.shown_mip();
+        const glm::ivec2 n = glm::max(f.map_size.sides() >> mip, glm::ivec2(1));
+        t.channel.ensure("map channel", GL_R32F, n.x, n.y);
         const gl::Framebuffer framebuffer = f.begin_fullscreen_pass("map channel", t.channel);
         const GLuint id = f.use_fullscreen("passes/map_channel.frag.glsl");
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
@@ -140,7 +141,7 @@ void MapViewPasses::declare(FrameState& f) {
 }
 
 void MapViewPasses::run(FrameState& f, bool camera, int layer, PassInfo& info) {
-    glm::ivec2 size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
+    glm::ivec2 size = camera ? glm::ivec2(f.request.width, f.request.height) : f.map_size.sides();
     if (const int most = std::max(size.x, size.y); most > kLargestPicture)
         size = glm::max(size * kLargestPicture / most, glm::ivec2(1));
     targets_.picture.ensure("map viewer", GL_RGBA8, size.x, size.y);

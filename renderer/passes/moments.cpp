@@ -44,7 +44,7 @@ public:
         const FilterSettings& s = f_.settings.filter;
         view_ = &view;
         layer_ = layer;
-        texels_ = held.texel_rects(f_.map_resolution);
+        texels_ = held.texel_rects(f_.map_size);
         From from = From::Depths;
         if (sampled(f_)) {
             draw_samples(light, view, held);
@@ -78,13 +78,13 @@ private:
     /// Returns the framebuffer of the next draw: the layer itself, or the step that the draw does not read.
     gl::Framebuffer begin(bool last) {
         gl::Target& step = t_.steps[1 - filled_];
-        if (!last) step.ensure("moments, a step", step_format(f_), f_.map_resolution, f_.map_resolution);
+        if (!last) step.ensure("moments, a step", step_format(f_), f_.map_size.width, f_.map_size.height);
         glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t_.steps[filled_].texture.id());
         filled_ = 1 - filled_;
         gl::Framebuffer into = gl::make_framebuffer("moments", last ? &t_.moments : &step, nullptr,
                                                     last && t_.moments.layers > 0 ? layer_ : -1);
         if (f_.driver.software) gl::limit_pending_draws();
-        f_.begin_fullscreen_pass(into.id(), f_.map_resolution, f_.map_resolution);
+        f_.begin_fullscreen_pass(into.id(), f_.map_size.width, f_.map_size.height);
         return into;
     }
 
@@ -94,7 +94,7 @@ private:
         const gl::Framebuffer into = begin(last);
         // Windows are clipped near the map's sides only. Clipping every texel's window would cost a fifteenth of a
         // frame.
-        const int n = f_.map_resolution, cut = std::min(radius, (n + 1) / 2);
+        const int n = axis == 0 ? f_.map_size.width : f_.map_size.height, cut = std::min(radius, (n + 1) / 2);
         const glm::ivec2 inner[] = {{cut, n - cut}}, sides[] = {{0, cut}, {std::max(cut, n - cut), n}};
         average_strips(from, radius, axis, last, true, inner);
         average_strips(from, radius, axis, last, false, sides);
@@ -132,8 +132,9 @@ private:
     /// Sums the last draw's output along an axis; the last axis writes into the layer.
     void sum(int axis) {
         const GLuint id = f_.use_fullscreen("passes/sums.frag.glsl", {{"BLUR_COLUMNS", std::to_string(axis)}});
-        for (int run = 1; run == 1 || run < f_.map_resolution; run *= 8) {
-            const gl::Framebuffer into = begin(axis == 1 && run * 8 >= f_.map_resolution);
+        const int n = axis == 0 ? f_.map_size.width : f_.map_size.height;
+        for (int run = 1; run == 1 || run < n; run *= 8) {
+            const gl::Framebuffer into = begin(axis == 1 && run * 8 >= n);
             glUseProgram(id);
             glUniform1i(glGetUniformLocation(id, "run"), run);
             FrameState::draw_fullscreen(info_);
@@ -143,7 +144,7 @@ private:
     void draw_samples(const FittedLight& light, const LightView& view, const MapCells& held) {
         const bool colour = is_colour(f_.settings.map.format);
         t_.samples.ensure("samples of a map", colour ? GLenum(GL_DEPTH_COMPONENT32F) : f_.map_format(),
-                          f_.map_resolution, f_.map_resolution, 0, {.samples = f_.settings.map.samples});
+                          f_.map_size.width, f_.map_size.height, 0, {.samples = f_.settings.map.samples});
         const gl::Framebuffer into = gl::make_framebuffer("samples of a map", nullptr, &t_.samples);
         draw_casters(f_, into, false, light, view, info_, {.needed = &held});
     }
@@ -197,10 +198,10 @@ void MomentsPass::declare(FrameState& f) {
 
 void MomentsPass::run(FrameState& f, PassInfo& info) {
     Targets& t = targets_;
-    const int n = f.map_resolution;
+    const MapSize n = f.map_size;
     const bool mips = keeps_mips(f.settings);
-    const int levels = mips ? gl::mip_levels(n) : 1;
-    t.moments.ensure("moments", stored_format(f), n, n, f.map_layers(), {.levels = levels});
+    const int levels = mips ? gl::mip_levels(n.longest()) : 1;
+    t.moments.ensure("moments", stored_format(f), n.width, n.height, f.map_layers(), {.levels = levels});
     if (!LayerMaker::sampled(f)) t.samples = {};
     LayerMaker maker(f, t, info);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {

@@ -84,7 +84,7 @@ Demands moment_demands(const FrameState& f) {
     Demands d{.channels = int(m.names.size()), .warped = m.power > 0};
     if (m.summed) return d;
     d.variances = m.power == 2 ? int(m.names.size()) / 2 : m.power == 1 ? 0 : m.names.size() > 1 ? 1 : 0;
-    const double levels = keeps_mips(f.settings) ? gl::mip_levels(f.map_resolution) : 0;
+    const double levels = keeps_mips(f.settings) ? gl::mip_levels(f.map_size.longest()) : 0;
     const double single = std::exp2(-24), half = std::exp2(-11), step = 1.0 / 65535;
     const double terms = 2 * (2 * f.settings.filter.blur + 1) + std::max(f.settings.map.samples, 1) + 8;
     d.quantised = m.quantised && !wide;

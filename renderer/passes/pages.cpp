@@ -88,7 +88,7 @@ public:
           level_(light_.levels.empty() ? nullptr : &light_.levels[view]),
           casters_(casters),
           page_(page_texels(f.settings)),
-          resolution_(f.map_resolution) {
+          resolution_(f.map_size.longest()) {
         grid.side = (resolution_ + page_ - 1) / page_;
         if (level_) {
             grid.corner = level_->corner;
@@ -219,7 +219,7 @@ std::vector<PagedLayer> paged_layers(const FrameState& f, const Casters& casters
 
 int pages_per_side(const FrameState& f) {
     const int page = page_texels(f.settings);
-    return (f.map_resolution + page - 1) / page;
+    return (f.map_size.longest() + page - 1) / page;
 }
 
 /// Returns the capacity of the page pool, limited by the setting, the driver and the memory budget.
@@ -346,7 +346,7 @@ PageFacts facts_of(const FrameState& f, const PagePasses::Targets& t, const std:
             const PagedLayer& of = layers[std::size_t(l)];
             finest = std::min(finest, of.texel_m());
             width = std::max(width, of.width_m(lo, hi));
-            if (!of.level()) facts.fixed_map_texels += double(f.map_resolution) * f.map_resolution;
+            if (!of.level()) facts.fixed_map_texels += double(f.map_size.longest()) * f.map_size.longest();
         }
         facts.smallest_texel_m = std::min(facts.smallest_texel_m, finest);
         if (!light.levels.empty() && width > 0) facts.fixed_map_texels += width / finest * (width / finest);

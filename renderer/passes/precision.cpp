@@ -48,7 +48,7 @@ void PrecisionPass::run(FrameState& f, PassInfo& info) {
         .draw("passes/look_ups.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
     const DrawnLookUps drawn{read_ids(image_of(f.result(Result::SurfaceIds))), read_floats(image_of(uvd_), 4)};
     found_ = std::make_shared<const Precision>(
-        measure_precision(f.scene, f.camera, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, drawn));
+        measure_precision(f.scene, f.camera, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_size, drawn));
     upload(*found_, error_);
 }
 

@@ -86,7 +86,7 @@ bool seams_matter(const FrameState& f, int light) {
 /// and filtering by hardware samplers are done in the shader.
 /// @param light light of the trials, shown or not
 std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
-    const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_resolution, f.mask_levels);
+    const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_size, f.mask_levels);
     std::vector<gl::Define> out = reference_defines(f);
     out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(light)},
                            {"HAS_MAP", std::to_string(int(c.has_map))},

@@ -34,7 +34,7 @@ void read_depths(const FrameState& f, const PagePasses& pages, SlabTargets& s, i
 /// Uploads the quads' corners, farthest from the camera first for blending.
 void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view, const TexelRegion& region) {
     std::vector<TexelSlab> slabs =
-        texel_slabs(view, f.settings.bias, f.map_resolution, region, s.depths, f.settings.view.slabs);
+        texel_slabs(view, f.settings.bias, f.map_size, region, s.depths, f.settings.view.slabs);
     std::vector<std::pair<double, std::size_t>> order(slabs.size());
     for (std::size_t i = 0; i < slabs.size(); ++i) {
         const auto& c = slabs[i].corners;
@@ -98,7 +98,7 @@ Pass TexelSlabs::make_pass(FrameState& f, const FrameState::ShownPane& pane) {
     SlabTargets& s = targets_;
     gl::Target& picture = s.pictures[std::size_t(pane.slot)];
     f.plan.place_result({Result::Slabs, pane.slot}, {&picture});
-    const TexelRegion region = slab_region(f.settings.view, f.map_resolution);
+    const TexelRegion region = slab_region(f.settings.view, f.map_size);
     Key slabs = f.with_settings(f.camera_key, ReadBy::Slabs);
     slabs.add(f.plan.key_of(Result::ShadowMaps)).add(layer);
     pass.key = slabs.value();

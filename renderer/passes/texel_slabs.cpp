@@ -4,16 +4,16 @@
 
 namespace si {
 
-TexelRegion slab_region(const ViewSettings& view, int resolution) {
-    const glm::dvec2 centre = glm::dvec2(view.slabs_u, view.slabs_v) * double(resolution);
+TexelRegion slab_region(const ViewSettings& view, MapSize size) {
+    const glm::dvec2 centre = glm::dvec2(view.slabs_u, view.slabs_v) * size.texels();
     const glm::ivec2 first(glm::floor(centre - 0.5 * view.slabs_texels + 0.5));
     TexelRegion region;
-    region.first = glm::clamp(first, glm::ivec2(0), glm::ivec2(resolution));
-    region.size = glm::clamp(first + view.slabs_texels, glm::ivec2(0), glm::ivec2(resolution)) - region.first;
+    region.first = glm::clamp(first, glm::ivec2(0), size.sides());
+    region.size = glm::clamp(first + view.slabs_texels, glm::ivec2(0), size.sides()) - region.first;
     return region;
 }
 
-std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
+std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, MapSize size, double stored,
                                         const glm::dvec2& uv) {
     const DepthCurve curve = view.curve.curve_at_row(uv.y);
     const double c = bias.constant;
@@ -25,18 +25,18 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
         return z;
     }
     const double z = curve.distance(stored);
-    if (bias.unit == BiasUnit::Texels) return z + c * view.texel_size_at(view.position_ws(uv, z), resolution).longest;
+    if (bias.unit == BiasUnit::Texels) return z + c * view.texel_size_at(view.position_ws(uv, z), size).longest;
     return curve.perspective ? 0.5 * z * (1 + std::sqrt(1 + 4 * c / z)) : z + c;
 }
 
-std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, int resolution,
+std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, MapSize size,
                                    const TexelRegion& region, const std::vector<float>& depths, Slabs which) {
     std::vector<TexelSlab> slabs;
     const auto add = [&](glm::ivec2 texel, double z, bool biased) {
         TexelSlab slab{texel, biased, {}};
         for (int i = 0; i < 4; ++i)
             slab.corners[std::size_t(i)] =
-                view.position_ws((glm::dvec2(texel) + glm::dvec2(i & 1, i >> 1)) / double(resolution), z);
+                view.position_ws((glm::dvec2(texel) + glm::dvec2(i & 1, i >> 1)) / size.texels(), z);
         slabs.push_back(slab);
     };
     for (int y = 0; y < region.size.y; ++y)
@@ -44,10 +44,10 @@ std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bi
             const double stored = depths[std::size_t(y) * std::size_t(region.size.x) + std::size_t(x)];
             if (!std::isfinite(stored) || stored == view.curve.convention.far_depth()) continue;
             const glm::ivec2 texel = region.first + glm::ivec2(x, y);
-            const glm::dvec2 uv = (glm::dvec2(texel) + 0.5) / double(resolution);
+            const glm::dvec2 uv = (glm::dvec2(texel) + 0.5) / size.texels();
             if (which != Slabs::Biased) add(texel, view.curve.curve_at_row(uv.y).distance(stored), false);
             if (which == Slabs::Stored) continue;
-            if (const auto z = compared_distance(view, bias, resolution, stored, uv)) add(texel, *z, true);
+            if (const auto z = compared_distance(view, bias, size, stored, uv)) add(texel, *z, true);
         }
     return slabs;
 }

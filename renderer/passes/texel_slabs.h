@@ -18,7 +18,7 @@ struct TexelRegion {
 
 /// Returns the square of view.slabs_texels texels around view.slabs_u, view.slabs_v, clipped to the map.
 /// @param resolution texels along the map's side
-TexelRegion slab_region(const ViewSettings& view, int resolution);
+TexelRegion slab_region(const ViewSettings& view, MapSize size);
 
 /// Quad in the scene that shows one texel's stored depth.
 struct TexelSlab {
@@ -35,14 +35,14 @@ struct TexelSlab {
 ///   texels: z0 + c texel(z0),    perspective likewise z0 (1 + c texel(1 m) / 1 m), as a texel grows with z
 /// @param uv map coordinates of the texel; matter for warped views only
 /// @return nullopt when no fragment compares equal
-std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
+std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, MapSize size, double stored,
                                         const glm::dvec2& uv);
 
 /// Returns the quads of a rectangle of map texels, at their stored depth or at the depth that compares equal with bias.
 /// Texels that hold the far plane have no quad.
 /// @param depths one channel, the region's stored depths, bottom row first
 /// @param which the kind of quads, view.slabs
-std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, int resolution,
+std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, MapSize size,
                                    const TexelRegion& region, const std::vector<float>& depths, Slabs which);
 
 }  // namespace si

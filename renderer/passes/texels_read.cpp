@@ -26,7 +26,7 @@ void TexelsReadPass::declare(FrameState& f) {
 
 void TexelsReadPass::run(const FrameState& f, int layer, PassInfo& info) {
     Targets& t = targets_;
-    t.marks.ensure("texels read", GL_R32F, f.map_resolution, f.map_resolution);
+    t.marks.ensure("texels read", GL_R32F, f.map_size.width, f.map_size.height);
     t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
     const float none = 0;
     glClearTexImage(t.marks.texture.id(), 0, GL_RED, GL_FLOAT, &none);

@@ -85,6 +85,12 @@ glm::dvec3 LightView::position_ws(const glm::dvec2& uv, double z) const {
     return eye + axes * glm::dvec3(across(*this, uv) * (curve.perspective ? z : 1.0), -z);
 }
 
+bool LightView::stretched(MapSize size) const {
+    if (warped()) return false;
+    const TexelSize texel = texel_sizes(1, size);
+    return texel.longest > texel.shortest * (1 + 1e-9);
+}
+
 TexelSize LightView::texel_sizes(double z, MapSize size) const {
     const glm::dmat4& m = projection;
     const double widening = curve.perspective ? z : 1.0;

@@ -40,8 +40,9 @@ struct LightView {
     /// Returns true for parallel rays whose texels are not squares of one size, or whose depth range differs from row
     /// to row: a clip-space w that changes across the rays (light.fit lispsm), shear, or unequal width and height.
     bool warped() const { return curve.warp.has_value(); }
-    /// Returns true for a perspective view whose width and height differ.
-    bool stretched() const { return curve.perspective && glm::abs(projection[0][0]) != glm::abs(projection[1][1]); }
+    /// Returns true for an unwarped view whose texels are no squares.
+    /// @param size texels of the map
+    bool stretched(MapSize size) const;
     /// Returns the rectangle around the map across the view's axis.
     CrossSection cross_section() const;
     /// Returns half of the width and height of a centred view. For other views: the largest distance of the map's sides

@@ -87,7 +87,7 @@ PrecisionSpread precision_spread_of(const FloatImage& error, int channel) {
 
 }  // namespace
 
-Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, int resolution,
+Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, MapSize size,
                             const DrawnLookUps& drawn) {
     const int width = drawn.uvd.width, height = drawn.uvd.height;
     Precision out;
@@ -110,7 +110,7 @@ Precision measure_precision(const Scene& scene, const Camera& camera, const Fitt
             camera.pixel_ray(x, y, width, height, origin, dir);
             if (const auto at = meet(*corners, origin - centre, dir)) {
                 const glm::dvec4 h = uvd_from_centred[v] * glm::dvec4(*at, 1);
-                const double texels = glm::distance(glm::dvec2(h) / h.w, glm::dvec2(looked_up)) * resolution;
+                const double texels = glm::length((glm::dvec2(h) / h.w - glm::dvec2(looked_up)) * size.texels());
                 if (std::isfinite(texels)) out.error.data[2 * pixel] = float(texels);
             }
             if (const auto depth = plane_depth(*corners, glm::dvec2(looked_up)))

@@ -35,7 +35,7 @@ struct Precision {
 /// Measures the rounding errors of a picture's map look-ups against double precision.
 /// @param camera, light the camera and light of the frame that made the look-ups @param resolution texels per side of
 /// the map
-Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, int resolution,
+Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, MapSize size,
                             const DrawnLookUps& drawn);
 
 }  // namespace si

@@ -96,7 +96,7 @@ ReferenceTask reference_task(const Scene& scene, const Settings& settings, const
     task.raster = {width, height, std::max(options.step, 1)};
     task.ids = subsample(ids, task.raster);
     task.lights = frame.lights;
-    task.map_resolution = frame.map_resolution;
+    task.map_size = frame.map_size;
     const Key receivers = receivers_key(scene, frame.camera, task.raster);
     task.receivers_key = receivers.value();
     task.key = query_key(task.query).add(receivers).add(task.geometry->key).value();

@@ -23,7 +23,7 @@ struct ReferenceTask {
     SurfaceIds ids;  ///< triangle of each sampled pixel
     ReferenceQuery query;
     std::vector<FittedLight> lights;  ///< lights of the frame
-    int map_resolution = 0;
+    MapSize map_size;
     std::uint64_t receivers_key = 0;
     std::uint64_t key = 0;  ///< reference_key(): scene, objects, camera, size, light, options; not the map's resolution
 };

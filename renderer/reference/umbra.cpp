@@ -18,22 +18,22 @@ constexpr int kAreaSamples = 64;
 using Points = std::array<glm::dvec3, kPoints>;
 
 /// Returns the coarser of the views in which a point is looked up.
-const LightView& coarser_view(const FittedLight& light, const glm::dvec3& point_ws, int resolution) {
+const LightView& coarser_view(const FittedLight& light, const glm::dvec3& point_ws, MapSize size) {
     const ChosenView chosen = light.chooser.choose(light.views, point_ws);
     const LightView &view = light.views[chosen.view], &other = light.views[chosen.other];
-    const auto texel_m = [&](const LightView& v) { return v.texel_size_at(point_ws, resolution).longest; };
+    const auto texel_m = [&](const LightView& v) { return v.texel_size_at(point_ws, size).longest; };
     return chosen.share > 0 && texel_m(other) > texel_m(view) ? other : view;
 }
 
 /// Returns the points around a receiver on its plane; none where the plane does not meet the light's ray.
-std::optional<Points> points_around(const Receiver& r, const FittedLight& light, int resolution, double reach_texels) {
+std::optional<Points> points_around(const Receiver& r, const FittedLight& light, MapSize size, double reach_texels) {
     Points points;
     points.fill(r.position_ws);
     if (light.views.empty()) return points;
-    const LightView& view = coarser_view(light, r.position_ws, resolution);
+    const LightView& view = coarser_view(light, r.position_ws, size);
     const glm::dvec4 clip = view.clip_from_relative(r.position_ws) * glm::dvec4(0, 0, 0, 1);
     const glm::dvec2 at = uvd_from_ndc(view.curve.convention, glm::dvec3(clip) / clip.w);
-    const double reach = reach_texels / resolution;
+    const glm::dvec2 reach = reach_texels / size.texels();
     std::size_t i = 0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
@@ -58,10 +58,10 @@ void add_points(Receivers& to, Receiver r, const Points& points) {
     ++to.height;
 }
 
-std::uint64_t umbra_key(const FittedLight& light, int resolution, double reach_texels) {
+std::uint64_t umbra_key(const FittedLight& light, MapSize size, double reach_texels) {
     Key key;
     key.add(reach_texels)
-        .add(resolution)
+        .add(size.sides())
         .add(light.chooser.choice)
         .add(light.chooser.from_ws)
         .add(light.chooser.forward);
@@ -78,13 +78,13 @@ bool all_dark(const Reference& row, std::size_t first) {
 /// Traces the points around receivers that are dark themselves.
 /// @returns one number per receiver: 1 in the umbra, else 0
 std::vector<std::uint8_t> trace_umbra(const ReferenceScene& scene, const std::vector<Receiver>& receivers,
-                                      ReferenceQuery query, const FittedLight& light, int resolution,
-                                      double reach_texels, const Workers& workers) {
+                                      ReferenceQuery query, const FittedLight& light, MapSize size, double reach_texels,
+                                      const Workers& workers) {
     std::vector<std::uint8_t> umbra(receivers.size(), 0);
     std::vector<std::size_t> tested;  // indices into `receivers`
     Receivers around{.width = int(kPoints), .height = 0, .pixels = {}};
     for (std::size_t i = 0; i < receivers.size(); ++i) {
-        const auto points = points_around(receivers[i], light, resolution, reach_texels);
+        const auto points = points_around(receivers[i], light, size, reach_texels);
         if (!points) continue;
         add_points(around, receivers[i], *points);
         tested.push_back(i);
@@ -116,19 +116,19 @@ std::vector<std::uint8_t> trace_umbra(const ReferenceScene& scene, const std::ve
 }  // namespace
 
 bool in_umbra(const ReferenceScene& scene, const Receiver& receiver, const ReferenceQuery& query,
-              const FittedLight& light, int resolution, double reach_texels) {
+              const FittedLight& light, MapSize size, double reach_texels) {
     ReferenceQuery hard = query;
     hard.options = {.nearest = false};
     const Workers here{.threads = 1};
     const Reference own = trace_visibility(scene, {1, 1, {receiver}}, hard, here);
     if (own.state[0] != PixelState::Counted || own.visibility.data[0] != 0) return false;
-    return trace_umbra(scene, {receiver}, hard, light, resolution, reach_texels, here)[0] != 0;
+    return trace_umbra(scene, {receiver}, hard, light, size, reach_texels, here)[0] != 0;
 }
 
-std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, int resolution,
+std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, MapSize size,
                                    double reach_texels, std::span<const std::size_t> pixels, const Workers& workers) {
     using State = UmbraCache::State;
-    const std::uint64_t key = umbra_key(light, resolution, reach_texels);
+    const std::uint64_t key = umbra_key(light, size, reach_texels);
     std::vector<State> states = traced.umbra->find(key, traced.reference->state.size());
     const Reference& reference = *traced.reference;
     std::vector<std::size_t> unknown;
@@ -141,7 +141,7 @@ std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLi
         receivers.push_back(traced.receivers->pixels[p]);
     }
     const std::vector<std::uint8_t> found =
-        trace_umbra(*traced.scene, receivers, *traced.query, light, resolution, reach_texels, workers);
+        trace_umbra(*traced.scene, receivers, *traced.query, light, size, reach_texels, workers);
     for (std::size_t i = 0; i < unknown.size(); ++i)
         if (found[i]) states[unknown[i]] = State::Inside;
     std::vector<std::uint8_t> out;

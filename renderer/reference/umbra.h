@@ -17,12 +17,12 @@ namespace si {
 /// @param resolution texels a side of its maps
 /// @param pixels indices into the reference
 /// @returns one number per element of `pixels`: 1 in the umbra, else 0 @throws Cancelled
-std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, int resolution,
+std::vector<std::uint8_t> umbra_of(const TracedReference& traced, const FittedLight& light, MapSize size,
                                    double reach_texels, std::span<const std::size_t> pixels, const Workers& workers);
 
 /// Returns true when a receiver and the 8 points around it at `reach_texels` are dark for a light without size. The
 /// definition is that of umbra_of(). @param query the light and its casters; its options are ignored
 bool in_umbra(const ReferenceScene& scene, const Receiver& receiver, const ReferenceQuery& query,
-              const FittedLight& light, int resolution, double reach_texels);
+              const FittedLight& light, MapSize size, double reach_texels);
 
 }  // namespace si

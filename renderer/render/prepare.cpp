@@ -122,6 +122,8 @@ void note_shown_view(FrameState& f) {
 /// @param limit resolution limit after the driver ran out of memory; null: none
 void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
+    const MapSize wanted = draws_pages(f.settings) ? MapSize(n) : f.request.map_size.value_or(MapSize(n));
+    n = wanted.longest();
     const int asked = n;
     n = std::clamp(n, 1, f.driver.max_texture_size);
     if (n != asked)
@@ -139,7 +141,8 @@ void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
             fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));
         fit(f);
     }
-    f.map_resolution = n;
+    f.map_size = {std::max(1, int(std::int64_t(wanted.width) * n / asked)),
+                  std::max(1, int(std::int64_t(wanted.height) * n / asked))};
     for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
     note_shown_view(f);
 }
@@ -174,6 +177,17 @@ void clamp_moment_settings(FrameState& f) {
     samples = used;
 }
 
+/// Returns the size of the maps as GLSL: sides and size in texels, and the size as shares of the longer side.
+std::string map_size_constants(MapSize size) {
+    if (size.is_square())
+        return "#define MAP_SIDES ivec2(map_resolution)\n#define MAP_SIZE vec2(map_resolution)\n"
+               "#define MAP_SHAPE vec2(1.0)\n";
+    return fmt::format(
+        "#define MAP_SIDES ivec2({0}, {1})\n#define MAP_SIZE vec2({0}, {1})\n"
+        "#define MAP_SHAPE (vec2({0}, {1}) / float(map_resolution))\n",
+        size.width, size.height);
+}
+
 /// Returns facts about the lights as GLSL constants; arrays have at least one element, as GLSL has no empty arrays.
 std::string light_constants(const FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
@@ -199,8 +213,12 @@ std::string light_constants(const FrameState& f) {
            array("LIGHT_CLOSED", [&](std::size_t i) { return int(lights[i].casts && lights[i].closed); }) +
            array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
            array("LIGHT_EMPTY", [&](std::size_t i) { return int(f.shades_as_lit(i)); }) +
-           array("LIGHT_WARPED", [&](std::size_t i) { return int(lights[i].casts && lights[i].is_warped()); }) +
-           array("LIGHT_STRETCHED", [&](std::size_t i) { return int(lights[i].casts && lights[i].is_stretched()); }) +
+           array("LIGHT_WARPED",
+                 [&](std::size_t i) { return int(lights[i].casts && lights[i].derives_texels(f.map_size)); }) +
+           array("LIGHT_STRETCHED",
+                 [&](std::size_t i) {
+                     return int(lights[i].casts && lights[i].is_perspective() && lights[i].is_stretched(f.map_size));
+                 }) +
            array("LIGHT_PERSPECTIVE",
                  [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });
 }
@@ -278,7 +296,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
     add_shading_defines(f);
     for (gl::Define& d : lookup_optimisation_defines(f)) f.defines.push_back(std::move(d));
-    f.preamble = blocks_glsl(f.blocks_as_images()) + light_constants(f);
+    f.preamble = blocks_glsl(f.blocks_as_images()) + map_size_constants(f.map_size) + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();
     f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
@@ -496,7 +514,7 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
     resources.found->seen_objects.arrange(f);
-    f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.forced.value());
+    f.lights_key.add(resources.fit_key).add(f.map_size.sides()).add(request.forced.value());
     f.lights_key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     add_shader_settings(f.lights_key, f.settings);
     find_traced(f);

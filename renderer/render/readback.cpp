@@ -89,12 +89,12 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
         throw Error(
             "the shadow maps of this frame hold only texels that its picture reads; request shadow maps before "
             "reading them");
-    const int n = frame.map_resolution;
+    const MapSize n = frame.map_size;
     const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
-    FloatImage out{n, n, 1,
+    FloatImage out{n.width, n.height, 1,
                    impl_->passes.pages.read_map_depths(
-                       map, {curve, layer, frame.pages.has_value(), frame.map_holds_distances}, {0, 0}, {n, n})};
-    flip_rows(out.data, n, n, 1);
+                       map, {curve, layer, frame.pages.has_value(), frame.map_holds_distances}, {0, 0}, n.sides())};
+    flip_rows(out.data, n.width, n.height, 1);
     return out;
 }
 

@@ -127,8 +127,8 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
 
 bool RendererImpl::reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why) {
     constexpr int kMinMapTexels = 64;  // smaller maps would free little memory compared with a picture
-    if (f.view_count == 0 || f.map_resolution <= kMinMapTexels) return false;
-    map_limit = MapLimit{settings.map.resolution, f.map_resolution / 2, why};
+    if (f.view_count == 0 || f.map_size.longest() <= kMinMapTexels) return false;
+    map_limit = MapLimit{settings.map.resolution, f.map_size.longest() / 2, why};
     return true;
 }
 

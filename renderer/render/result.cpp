@@ -43,7 +43,7 @@ void describe_map_view(FrameState& f, const MapViewPasses& map_view, FrameResult
         result.shown_map.mip = f.shown_mip();
     }
     result.map_view = image_of(f.result(Result::MapView));
-    result.map_view_size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
+    result.map_view_size = camera ? glm::ivec2(f.request.width, f.request.height) : f.map_size.sides();
     result.shown_map.texels = glm::max(result.map_view_size >> result.shown_map.mip, 1);
     result.map_view_curve = *f.shown_curve();
     const glm::vec2 greys = map_view.grey_range(f);
@@ -97,7 +97,8 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     result.camera = f.camera;
     result.lights = f.gl.fitted;
     result.notes = std::move(f.notes);
-    result.map_resolution = f.map_resolution;
+    result.map_resolution = f.map_size.longest();
+    result.map_size = f.map_size;
     result.map_holds_distances = holds_distances(f.settings.map.format);
     result.maps_are_whole = f.maps_are_whole;
 }

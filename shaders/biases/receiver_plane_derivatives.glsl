@@ -2,7 +2,7 @@
 // derivatives. Isidoro, Shadow Mapping: GPU-based Tips and Techniques, GDC 2006. Engines add one texel of the plane's slope
 // for the error of derivatives (Pettineo, A Sampling of Shadow Techniques, 2013: fractional sampling error).
 float depth_bias(BiasInput b) {
-    float error = b.in_map ? (abs(b.gradient.x) + abs(b.gradient.y)) / float(map_resolution) : 0.0;
+    float error = b.in_map ? rise_per_texel(b.gradient, 1.0) : 0.0;
     return unit_depth(b, bias_constant) + b.least_per_texel + error;
 }
 

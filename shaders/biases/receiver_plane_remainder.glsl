@@ -7,7 +7,7 @@
 float remainder_per_texel(BiasInput b) {
     if (!b.in_map) return 0.0;
     float width = depth_change_towards_light(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, b.texel_m);
-    return width + 0.125 * (abs(b.gradient.x) + abs(b.gradient.y)) / float(map_resolution);
+    return width + rise_per_texel(b.gradient, 0.125);
 }
 
 float depth_bias(BiasInput b) {

@@ -1,7 +1,8 @@
 // Percentage-closer filtering: the mean of KERNEL_SIZE^2 comparisons one texel apart, each with one texel or bilinearly
 // with 2x2. Reeves, Salesin, Cook, Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987.
 float filter_visibility(Receiver r) {
-    float size = float(map_resolution), texel = 1.0 / size, sum = 0.0;
+    vec2 size = MAP_SIZE, texel = 1.0 / size;
+    float sum = 0.0;
 #if FILTER_SAMPLER || !SAMPLER_BILINEAR
     const float middle = 0.5 * float(KERNEL_SIZE - 1);
     for (int y = 0; y < loop_bound(KERNEL_SIZE); ++y)

@@ -15,6 +15,6 @@ float filter_visibility(Receiver r) {
     float radius = penumbra_radius(blockers, r, own_m, filter_max_radius);
     float sum = 0.0;
     for (int i = 0; i < loop_bound(TAP_COUNT); ++i)
-        sum += compares_lit(r, r.uvd_offset.xy + disk_to_map(r, rotated(tap_place(i), turn)) * (radius / float(map_resolution)));
+        sum += compares_lit(r, r.uvd_offset.xy + disk_to_map(r, rotated(tap_place(i), turn)) * (radius / MAP_SIZE));
     return sum / float(TAP_COUNT);
 }

@@ -4,7 +4,7 @@
 #include "lib/disk_places.glsl"
 
 float filter_visibility(Receiver r) {
-    float radius_uv = disk_radius_texels(r) / float(map_resolution);
+    vec2 radius_uv = disk_radius_texels(r) / MAP_SIZE;
     vec2 turn = disk_rotation(r);
     float sum = 0.0;
     for (int i = 0; i < loop_bound(TAP_COUNT); ++i)

@@ -28,7 +28,7 @@ float filter_visibility(Receiver r) {
     if (widest == 0.0 && !(here_m < compared_m)) rays = 0;  // no caster is in the way of any ray
 #endif
     for (int ray = 0; ray < rays; ++ray) {
-        vec2 aim = disk_to_map(r, rotated(ray_place(ray), turn)) * (widest / float(map_resolution));
+        vec2 aim = disk_to_map(r, rotated(ray_place(ray), turn)) * (widest / MAP_SIZE);
         float begun = fract(first + float(ray) * 0.754877666);  // offset of the first step, spread over the rays
         float ray_m = 0.0, stored_m = here_m, below_m = 3e38;  // below_m: place of the ray at the last step with a surface before it
         for (int i = 0; i <= filter_steps; ++i) {

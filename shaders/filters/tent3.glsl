@@ -4,7 +4,7 @@ float filter_visibility(Receiver r) {
     float sum = 0.0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
-            vec2 at = r.uvd_offset.xy + vec2(x, y) / float(map_resolution);
+            vec2 at = r.uvd_offset.xy + vec2(x, y) / MAP_SIZE;
             float weight = float((2 - abs(x)) * (2 - abs(y)));
             sum += weight * compares_lit(r, at);
         }

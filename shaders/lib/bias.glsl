@@ -71,7 +71,7 @@ bool is_in_map(Receiver r) { return r.surface.in_map && away_from_light(r.uvd.z 
 /// @param reach_texels largest distance to the centre of a compared texel, per axis
 float least_bias(Receiver r, vec2 gradient, float reach_texels) {
     if (!is_in_map(r)) return 0.0;
-    float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
+    float per_texel = rise_per_texel(gradient, 1.0);
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
     return (reach_texels + snapping) * per_texel + depth_quantum(r) +
            exp2(-21.0) * max(extent_m(r) * (r.depth_per_m + r.relative_dw_per_m * r.uvd.z), r.uvd.z);
@@ -81,7 +81,7 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
 /// map coordinates.
 float least_bias_per_texel(Receiver r, vec2 gradient) {
     if (!is_in_map(r)) return 0.0;
-    float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.relative_dw_per_m;
+    float per_m = 1.0 / (r.texel_short_m * min(MAP_SIZE.x, MAP_SIZE.y)) + r.relative_dw_per_m;
     return least_bias(r, gradient, 0.0) + exp2(-21.0) * extent_m(r) * per_m * (abs(gradient.x) + abs(gradient.y));
 }
 

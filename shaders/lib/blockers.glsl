@@ -23,7 +23,7 @@ int searched_count(int places, float radius_texels) {
 Blockers search_blockers(Receiver r, float own_m, vec2 turn, int searched, float radius_texels, bool compares) {
     float blocker_m = 0.0, blockers = 0.0;
     for (int i = 0; i < searched; ++i) {
-        vec2 at = r.uvd_offset.xy + disk_to_map(r, rotated(compares ? tap_place(i) : blocker_place(i), turn)) * (radius_texels / float(map_resolution));
+        vec2 at = r.uvd_offset.xy + disk_to_map(r, rotated(compares ? tap_place(i) : blocker_place(i), turn)) * (radius_texels / MAP_SIZE);
         float stored = compares ? map_depth(at, r.layer) : searched_depth(at, r.layer);
         float blocks = 1.0 - depth_test(compared_depth(r, at), stored);
         blocker_m += blocks * clamped_metres(r, at, stored);

@@ -13,5 +13,5 @@ const ivec2 BLUR_AXIS = ivec2(1, 0);
 /// Returns the first and last offset along the axis from a texel to its window, inside the map.
 ivec2 blur_window(ivec2 texel) {
     int here = texel.x * BLUR_AXIS.x + texel.y * BLUR_AXIS.y;
-    return ivec2(max(-radius, -here), min(radius, map_resolution - 1 - here));
+    return ivec2(max(-radius, -here), min(radius, MAP_SIDES.x * BLUR_AXIS.x + MAP_SIDES.y * BLUR_AXIS.y - 1 - here));
 }

@@ -34,7 +34,7 @@ vec4 reference_at(Receiver r, vec4 u, vec4 v) {
     vec4 moved = plane_shift(r, u, v);
 #if BIAS_HAS_REMAINDER
     if (r.remainder > 0.0) {
-        vec4 across = u - r.uvd_offset.x, up = v - r.uvd_offset.y;
+        vec4 across = (u - r.uvd_offset.x) * MAP_SHAPE.x, up = (v - r.uvd_offset.y) * MAP_SHAPE.y;
         vec4 away_texels = sqrt(across * across + up * up) * float(map_resolution);
         moved = away_from_light(1.0) * (min(away_from_light(1.0) * moved, 0.0) - r.remainder * away_texels);
     }
@@ -42,7 +42,7 @@ vec4 reference_at(Receiver r, vec4 u, vec4 v) {
     return reference_moved(r, moved);
 }
 
-vec2 texel_centre(vec2 at) { return (floor(at * float(map_resolution)) + 0.5) / float(map_resolution); }
+vec2 texel_centre(vec2 at) { return (floor(at * MAP_SIZE) + 0.5) / MAP_SIZE; }
 #endif
 
 /// Returns the compared depth for the texel at a place of the map.
@@ -85,9 +85,9 @@ float compares_lit(Receiver r, vec2 at) {
 /// Returns the comparisons of the four texels around a corner of the receiver's map, in textureGather order.
 vec4 gather_lit(Receiver r, vec2 meet) {
 #if BIAS_PER_TEXEL
-    float half_texel = 0.5 / float(map_resolution);
-    vec4 own = reference_at(r, meet.x + vec4(-half_texel, half_texel, half_texel, -half_texel),
-                            meet.y + vec4(half_texel, half_texel, -half_texel, -half_texel));
+    vec2 half_texel = 0.5 / MAP_SIZE;
+    vec4 own = reference_at(r, meet.x + vec4(-half_texel.x, half_texel.x, half_texel.x, -half_texel.x),
+                            meet.y + vec4(half_texel.y, half_texel.y, -half_texel.y, -half_texel.y));
     return depth_test(own, map_gather(meet, r.layer));
 #else
     return depth_test(r.reference, map_gather(meet, r.layer));

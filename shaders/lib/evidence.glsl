@@ -104,7 +104,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     Evidence e;
     float reach = light_of(r.light).kernel.y;
     vec2 gradient = plane_gradient(r);
-    float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
+    float per_texel = rise_per_texel(gradient, 1.0);
     e.least = least_bias(r, gradient);
     // Surfaces that rise next to the plane need the whole reach of the kernel, also with a compared depth for each texel.
     float whole = least_bias(r, gradient, reach);

@@ -52,3 +52,10 @@ bool is_perspective(ViewBlock view) {
     mat4 m = view.uvd_from_relative;
     return any(notEqual(vec3(m[0][3], m[1][3], m[2][3]), vec3(0.0))) && all(equal(view.warp, vec4(0.0)));
 }
+
+/// Returns the change of a plane's depth over a texel along both axes of the map, times `factor`.
+/// @param gradient of the depth, by map coordinates
+float rise_per_texel(vec2 gradient, float factor) {
+    vec2 rise = abs(gradient) / MAP_SHAPE;
+    return factor * (rise.x + rise.y) / float(map_resolution);
+}

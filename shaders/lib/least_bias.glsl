@@ -6,7 +6,7 @@
 float least_bias(Receiver r, vec2 gradient) {
 #if BIAS_PER_TEXEL
     if (!is_in_map(r)) return 0.0;
-    float kernel = light_of(r.light).kernel.y * (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
+    float kernel = rise_per_texel(gradient, light_of(r.light).kernel.y);
     return max(kernel - max_texel_shift(r), 0.0) + least_bias_per_texel(r, gradient);
 #else
     return least_bias(r, gradient, light_of(r.light).kernel.y);
@@ -33,5 +33,5 @@ float offset_quantum(Receiver r) {
 /// Returns the equivalent depth bias: distance from the receiver's plane to the compared depth, towards the light.
 float equivalent_depth_bias(Receiver r, vec2 gradient) {
     float plane = r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy);
-    return away_from_light(plane - r.reference) + raster_offset(abs(gradient) / float(map_resolution), offset_quantum(r));
+    return away_from_light(plane - r.reference) + raster_offset(abs(gradient) / MAP_SIZE, offset_quantum(r));
 }

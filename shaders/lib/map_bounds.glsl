@@ -13,15 +13,15 @@ vec2 stored_bounds(vec4 bounds, vec2 from_middle, float texels, vec2 slope) {
 
 /// Returns 1 or 0 if every tap of the kernel would give it; below 0 if taps are needed.
 float bounded_visibility(Receiver r) {
-    vec2 at = r.uvd_offset.xy * float(map_resolution);
+    vec2 at = r.uvd_offset.xy * MAP_SIZE;
     ivec2 block = clamp(ivec2(at) / BOUNDS_BLOCK, ivec2(0), textureSize(map_bounds, 0).xy - 1);
     vec4 bounds = texelFetch(map_bounds, TEXEL_IN_LAYER(block, r.layer), 0);
     float texels = light_of(r.light).kernel.w + 1e-3;  // 1e-3: rounding of map coordinates
     vec2 from_middle = at - (vec2(block) + 0.5) * float(BOUNDS_BLOCK);
-    bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(float(map_resolution))));
+    bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, MAP_SIZE));
     vec2 slope = vec2(0.0);
 #if BIAS_PER_TEXEL
-    slope = r.reference_slope / float(map_resolution);
+    slope = r.reference_slope / MAP_SIZE;
     // Clamped texel depths (max_texel_shift()) do not follow the slope.
     known = known && (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= max_texel_shift(r) &&
             abs(r.reference - 0.5) + (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= 0.5;

@@ -81,7 +81,7 @@ vec4 map_moments(Receiver r, vec2 at) {
     vec4 moments;
     if (trial_moments(r, at, moments)) return moments;
 #ifdef MARK_TEXELS
-    map_gather(round(at * float(map_resolution)) / float(map_resolution), r.layer);  // marks the blended 2x2 texels
+    map_gather(round(at * MAP_SIZE) / MAP_SIZE, r.layer);  // marks the blended 2x2 texels
 #endif
 #if filter_mips
     mat2 print = pixel_footprint(r);
@@ -91,8 +91,8 @@ vec4 map_moments(Receiver r, vec2 at) {
 #endif
     if (has_border(r)) {
         // Blend with the border as in a sampler, at the finest level.
-        vec2 held = clamp(at * float(map_resolution) + 0.5, 0.0, 1.0) *
-                    clamp((1.0 - at) * float(map_resolution) + 0.5, 0.0, 1.0);
+        vec2 held = clamp(at * MAP_SIZE + 0.5, 0.0, 1.0) *
+                    clamp((1.0 - at) * MAP_SIZE + 0.5, 0.0, 1.0);
         // mix() would lose all digits of the smaller number.
         float share = held.x * held.y;
         moments = share * moments + (1.0 - share) * border_moments();

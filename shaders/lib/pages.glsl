@@ -4,12 +4,12 @@
 #include "shared/pages.h"
 /// Finds the texel of a look-up by map.wrap. Returns false if the border answers.
 bool wrapped_texel(vec2 texel, out ivec2 found) {
-    float last = float(map_resolution) - 1.0;
+    vec2 last = MAP_SIZE - 1.0;
 #if map_wrap == map_wrap_repeat
-    found = ivec2(clamp(mod(texel, float(map_resolution)), vec2(0.0), vec2(last)));
+    found = ivec2(clamp(mod(texel, MAP_SIZE), vec2(0.0), last));
     return true;
 #else
-    found = ivec2(clamp(texel, vec2(0.0), vec2(last)));
+    found = ivec2(clamp(texel, vec2(0.0), last));
     return map_wrap != map_wrap_border || vec2(found) == texel;
 #endif
 }

@@ -7,8 +7,8 @@ const int PAIRS = KERNEL_SIZE / 2 + 1;  // pairs of the KERNEL_SIZE + 1 texels a
 
 /// Returns the weighted mean of the comparisons.
 float paired_visibility(Receiver r) {
-    float size = float(map_resolution), sum = 0.0;
-    vec2 at = r.uvd_offset.xy * size, first = floor(at - 0.5 * float(KERNEL_SIZE)), all = vec2(0.0);
+    float sum = 0.0;
+    vec2 size = MAP_SIZE, at = r.uvd_offset.xy * size, first = floor(at - 0.5 * float(KERNEL_SIZE)), all = vec2(0.0);
     vec2 weights[2 * PAIRS];
     for (int i = 0; i < 2 * PAIRS; ++i) {
         vec2 off = first + float(i) + 0.5 - at;

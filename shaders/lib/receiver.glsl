@@ -157,6 +157,8 @@ vec4 uvd_from_eye(ViewBlock view, vec3 position) {
 void find_warped_texel(inout Receiver r, vec4 h, ViewBlock view) {
     mat4 m = transpose(view.uvd_from_relative);
     vec3 u = (m[0].xyz - h.x / h.w * m[3].xyz) / h.w, v = (m[1].xyz - h.y / h.w * m[3].xyz) / h.w;
+    u *= MAP_SHAPE.x;
+    v *= MAP_SHAPE.y;
     float a = dot(u, u), b = dot(u, v), c = dot(v, v);
     float larger = sqrt(0.5 * (a + c + sqrt((a - c) * (a - c) + 4.0 * b * b)));
     vec3 up = v * inversesqrt(c), right = cross(up, r.to_light);
@@ -222,13 +224,14 @@ Receiver receiver_in(Surface s, int index, int layer) {
     r.remainder = remainder_per_texel(b);
 #endif
 
-    float texel = LIGHT_CHOICE[index] == CHOICE_ONE ? view.span.x : view.curve.w;  // share of the map's width
+    // Share of the map's longer side, and of each side.
+    vec2 texel = (LIGHT_CHOICE[index] == CHOICE_ONE ? view.span.x : view.curve.w) / MAP_SHAPE;
     if (LIGHT_CASTS[index] == 0)
         r.where = NO_MAP;
     else if (!(h.w > 0.0) || !(o.w > 0.0))
         r.where = BEHIND;
-    else if (LIGHT_CLOSED[index] != 0 && (any(lessThan(r.uvd.xy, vec2(texel))) ||
-                                          any(greaterThan(r.uvd.xy, vec2(1.0 - texel)))))
+    else if (LIGHT_CLOSED[index] != 0 && (any(lessThan(r.uvd.xy, texel)) ||
+                                          any(greaterThan(r.uvd.xy, 1.0 - texel))))
         r.where = OUTSIDE_CASTER_REGION;
     else if (away_from_light(r.uvd.z) > away_from_light(1.0 - float(map_reversed_z)))
         r.where = OUTSIDE_FAR;

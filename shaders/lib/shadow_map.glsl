@@ -86,7 +86,7 @@ float map_depth(vec2 at, int layer) {
 vec4 map_gather(vec2 at, int layer) {
     vec4 depth =
         map_is_unfiltered ? depth_of_stored(MAP_GATHER(unfiltered_map, at, layer), layer) : stored_gather(at, layer);
-    vec2 half_texel = vec2(0.5 / float(map_resolution));
+    vec2 half_texel = 0.5 / MAP_SIZE;
     vec4 u = at.x + vec4(-1.0, 1.0, 1.0, -1.0) * half_texel.x, v = at.y + vec4(1.0, 1.0, -1.0, -1.0) * half_texel.y;
     return with_trial_answer(depth, u, v);
 }
@@ -101,10 +101,10 @@ float record_tap(vec2 texel, float stored) {
     return depth_of(wanted);
 }
 
-float map_depth(vec2 at, int layer) { return record_tap(floor(at * float(map_resolution)), stored_depth(at, layer)); }
+float map_depth(vec2 at, int layer) { return record_tap(floor(at * MAP_SIZE), stored_depth(at, layer)); }
 
 vec4 map_gather(vec2 at, int layer) {
-    vec2 texel = round(at * float(map_resolution)) - 1.0;
+    vec2 texel = round(at * MAP_SIZE) - 1.0;
     vec4 stored = stored_gather(at, layer);
     stored.x = record_tap(texel + vec2(0.0, 1.0), stored.x);
     stored.y = record_tap(texel + vec2(1.0, 1.0), stored.y);
@@ -121,12 +121,12 @@ void mark_texel(vec2 texel, int layer) {
 }
 
 float map_depth(vec2 at, int layer) {
-    mark_texel(floor(at * float(map_resolution)), layer);
+    mark_texel(floor(at * MAP_SIZE), layer);
     return stored_depth(at, layer);
 }
 
 vec4 map_gather(vec2 at, int layer) {
-    vec2 texel = round(at * float(map_resolution)) - 1.0;
+    vec2 texel = round(at * MAP_SIZE) - 1.0;
     for (int i = 0; i < 4; ++i) mark_texel(texel + vec2(i & 1, i >> 1), layer);
     return stored_gather(at, layer);
 }
@@ -149,8 +149,8 @@ float map_compare_at(vec2 at, int layer, float own) {
 #if !COMPARE_BY_HAND
     return sampler_compare(at, layer, own);
 #elif SAMPLER_BILINEAR
-    vec2 between = at * float(map_resolution) - 0.5, texel = floor(between), f = between - texel;
-    vec4 lit = depth_test(own, map_gather((texel + 1.0) / float(map_resolution), layer));
+    vec2 between = at * MAP_SIZE - 0.5, texel = floor(between), f = between - texel;
+    vec4 lit = depth_test(own, map_gather((texel + 1.0) / MAP_SIZE, layer));
     return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
 #else
     return depth_test(own, map_depth(at, layer));

@@ -19,9 +19,9 @@ const float SUMS_UNIT = 1.0;
 /// Returns the sum of all texels before a corner, along both axes.
 SUMS sum_before(ivec2 corner, int layer) {
     if (any(lessThan(corner, ivec2(1)))) return SUMS(0);
-    ivec2 texel = min(corner, ivec2(map_resolution)) - 1;
+    ivec2 texel = min(corner, MAP_SIDES) - 1;
 #ifdef MARK_TEXELS
-    map_depth((vec2(texel) + 0.5) / float(map_resolution), layer);
+    map_depth((vec2(texel) + 0.5) / MAP_SIZE, layer);
 #endif
     return texelFetch(sums_map, TEXEL_IN_LAYER(texel, layer), 0).rg;
 }
@@ -39,8 +39,8 @@ vec4 summed_moments(Receiver r, vec2 at, vec2 size) {
     at = clamp(at, 0.0, 1.0);
 #endif
     // Near the map's sides the rectangle shrinks on both sides, so that a plane's mean stays the depth at its middle.
-    float count = float(map_resolution);
-    at = clamp(at * count, 0.5, count - 0.5);
+    vec2 count = MAP_SIZE;
+    at = clamp(at * count, vec2(0.5), count - 0.5);
     vec2 reach = min(0.5 * size, min(at, count - at)), lo = at - reach, hi = at + reach;
     ivec2 first = ivec2(floor(lo)), last = ivec2(floor(hi));
     vec2 cut = lo - vec2(first), held = hi - vec2(last);
@@ -63,7 +63,7 @@ vec2 summed_window(Receiver r) {
     vec2 size = vec2(filter_window);
 #if filter_footprint
     mat2 print = pixel_footprint(r);
-    size = max(size, (abs(print[0]) + abs(print[1])) * float(map_resolution));
+    size = max(size, (abs(print[0]) + abs(print[1])) * MAP_SIZE);
 #endif
     return clamp(size, vec2(1.0), vec2(float(SUMS_MAX_WINDOW)));
 }

@@ -21,7 +21,7 @@ void main() {
     for (int i = 0; i < 4; ++i) {
         vec2 half_of = vec2(i & 1, i >> 1);
         // The gather is at the common corner of four texels. Texels outside the map only widen the bounds.
-        four[i] = MAP_GATHER(shadow_map, (corner + 1.0 + 2.0 * half_of) / float(map_resolution), layer);
+        four[i] = MAP_GATHER(shadow_map, (corner + 1.0 + 2.0 * half_of) / MAP_SIZE, layer);
         slope += dot(four[i], vec4(1.0)) * (half_of - 0.5) / 8.0;
     }
     vec4 sloped = vec4(slope, 3e38, -3e38), level = vec4(0.0, 0.0, 3e38, -3e38);

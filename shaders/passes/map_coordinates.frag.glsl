@@ -13,7 +13,7 @@ bool reads_map(Receiver r) {
     return !any(lessThan(at, vec2(0.0))) && !any(greaterThan(at, vec2(1.0)));
 #elif map_wrap == map_wrap_border
     // A kernel centred outside the map still reads texels in its reach.
-    vec2 reach = vec2(light_of(r.light).kernel.w / float(map_resolution));
+    vec2 reach = light_of(r.light).kernel.w / MAP_SIZE;
     return all(greaterThan(at, -reach)) && all(lessThan(at, 1.0 + reach));
 #else
     return true;

@@ -17,13 +17,14 @@ protected:
     static Scene hills() {
         return test::grey_scene({{"floor", make_plane(6, 6)}, {"ball", make_sphere(1, 12, 8), moved(0, 1.2, 0)}});
     }
+    std::optional<MapSize> map_size;  ///< of all maps; nullopt: map.resolution
     struct Pixels {
         FrameResult frame;
         FloatImage values;
     };
     Pixels draw(const Scene& scene, Settings s, const char* overlay) {
         Pixels p;
-        p.values = overlay_values(scene, s, overlay, {.width = 80, .height = 60}, &p.frame);
+        p.values = overlay_values(scene, s, overlay, {.width = 80, .height = 60, .map_size = map_size}, &p.frame);
         return p;
     }
     /// Calls check(hit, value) for each pixel that holds a number away from the outlines of triangles.
@@ -70,25 +71,28 @@ SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
 SI_TEST_IS(Product, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
 TEST_F(BiasOverlays, LeastBiasAndSlackEqualTheFormulas) {
     const Scene scene = hills();
-    for (const auto& [light, format, bias] :
-         test::combinations<std::pair<LightType, LightFit>, const char*, std::pair<bool, const char*>>(
-             {{LightType::Directional, LightFit::Scene},
-              {LightType::Directional, LightFit::Lispsm},
-              {LightType::Spot, LightFit::Scene},
-              {LightType::Point, LightFit::Scene}},
-             {"d16", "d24", "d32f"},
-             {{false, "slope"},
-              {true, "slope"},
-              {false, "constant"},
-              {true, "receiver-plane"},
-              {true, "receiver-plane-derivatives"},
-              {false, "receiver-plane-remainder"},
-              {true, "receiver-plane-remainder"},
-              {false, "adaptive"}})) {
+    for (const auto& [light, format, bias, size] :
+         test::combinations<std::pair<LightType, LightFit>, const char*, std::pair<bool, const char*>,
+                            std::optional<MapSize>>({{LightType::Directional, LightFit::Scene},
+                                                     {LightType::Directional, LightFit::Lispsm},
+                                                     {LightType::Spot, LightFit::Scene},
+                                                     {LightType::Point, LightFit::Scene}},
+                                                    {"d16", "d24", "d32f"},
+                                                    {{false, "slope"},
+                                                     {true, "slope"},
+                                                     {false, "constant"},
+                                                     {true, "receiver-plane"},
+                                                     {true, "receiver-plane-derivatives"},
+                                                     {false, "receiver-plane-remainder"},
+                                                     {true, "receiver-plane-remainder"},
+                                                     {false, "adaptive"}},
+                                                    {std::nullopt, MapSize(600, 150), MapSize(200, 1000)})) {
         const auto& [type, fit] = light;
         const auto& [reversed, kind] = bias;
         SCOPED_TRACE(testing::Message() << int(type) << " " << int(fit) << " " << format
-                                        << (reversed ? " reversed " : " ") << kind);
+                                        << (reversed ? " reversed " : " ") << kind << " "
+                                        << size.value_or(MapSize(0)).width);
+        map_size = size;
         Settings s = lit_by(type, fit);
         set_setting(s, "bias.kind", kind);
         set_setting(s, "map.format", format);
@@ -137,14 +141,17 @@ TEST_F(BiasOverlays, AcneAppearsWhereSlackIsNegative) {
 // The expected value is a pixel's step in the map by central differences of exact positions.
 TEST_F(BiasOverlays, DensityEqualsBothSingularValues) {
     const Scene scene = hills();
-    for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
-                                    {LightType::Directional, LightFit::Lispsm},
-                                    {LightType::Spot, LightFit::Scene}}) {
+    for (const auto& [type, fit, size] : {std::tuple{LightType::Directional, LightFit::Scene, std::optional<MapSize>()},
+                                          {LightType::Directional, LightFit::Lispsm, std::nullopt},
+                                          {LightType::Spot, LightFit::Scene, std::nullopt},
+                                          {LightType::Directional, LightFit::Lispsm, MapSize(150, 600)},
+                                          {LightType::Spot, LightFit::Scene, MapSize(800, 200)}}) {
         const Settings s = lit_by(type, fit);
+        map_size = size;
         const Pixels wide = draw(scene, s, "texels-per-pixel"), narrow = draw(scene, s, "pixels-per-texel"),
                      bands = draw(scene, s, "sampling-bands");
         const test::RayReference rays(scene);
-        const int n = wide.frame.map_resolution;
+        const glm::dvec2 n = wide.frame.map_size.texels();
         int checked = 0;
         for (int y = 2; y < 58; y += 3)
             for (int x = 2; x < 78; x += 3) {
@@ -160,7 +167,7 @@ TEST_F(BiasOverlays, DensityEqualsBothSingularValues) {
                     if (one)
                         texel[k] = glm::dvec2(test::uvdw(test::view_of(wide.frame.lights[0], at[k]->position),
                                                          at[k]->position)) *
-                                   double(n);
+                                   n;
                 }
                 const float sigma1 = wide.values.at(x, y), inverse2 = narrow.values.at(x, y);
                 if (!one || std::isnan(sigma1)) continue;

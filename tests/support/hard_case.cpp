@@ -110,7 +110,7 @@ Shot draw_shot(const Scene& scene, const Settings& settings, int width, int heig
 
 BiasBreakdown breakdown_at(const FrameResult& frame, const Settings& settings, const RasterTraits& driver,
                            const glm::dvec3& point_ws, const glm::dvec3& normal) {
-    return bias_breakdown(frame.lights.at(0), settings, frame.map_resolution,
+    return bias_breakdown(frame.lights.at(0), settings, frame.map_size,
                           {point_ws, normal, normal, frame.camera.origin()}, driver);
 }
 

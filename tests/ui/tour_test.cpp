@@ -122,7 +122,7 @@ TEST_P(Tour, FrozenCameraCountsItsOwnTexels) {
     state().settings.map.resolution = 256;
     frames(4);
     EXPECT_GT(facts().frozen_usage->utilisation(), of_live);
-    EXPECT_EQ(facts().frozen_usage->resolution(), 256);
+    EXPECT_EQ(facts().frozen_usage->size().width, 256);
     state().frozen.reset();
     frames(2);
     EXPECT_FALSE(facts().frozen_usage);

@@ -117,7 +117,8 @@ TEST(ViewOfMatrix, TexelsOfPerspectiveViewsGrowWithDistance) {
     EXPECT_DOUBLE_EQ(view.texel_size_range({512, 128}).longest, 2 * 1 * 8.0 / 128);
     EXPECT_DOUBLE_EQ(view.texel_size_range({512, 128}).shortest, 2 * 0.5 * 2.0 / 512);
     EXPECT_DOUBLE_EQ(view.texel_size(4, {512, 128}), 2 * 1 * 4.0 / 128);
-    EXPECT_TRUE(view.stretched());
+    EXPECT_TRUE(view.stretched({512, 128}));
+    EXPECT_FALSE(view.stretched({128, 256}));
 }
 
 TEST(ViewOfMatrix, FindsTheEyeOfCubeFaces) {
@@ -133,7 +134,7 @@ TEST(ViewOfMatrix, FindsTheEyeOfCubeFaces) {
         for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(view.axes[i], axes[i]), 1e-5);
         EXPECT_NEAR(view.curve.near, 0.1, 1e-5);
         EXPECT_NEAR(view.curve.far, 25, 0.01);
-        EXPECT_FALSE(view.warped() || view.stretched());
+        EXPECT_FALSE(view.warped() || view.stretched(512));
         EXPECT_NEAR(view.texel_size(5, 512), 2 * 5.0 / 512, 1e-6);
     }
 }

@@ -79,7 +79,7 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
                                                   const DepthCurve& curve, const TexelUsage* usage, bool frozen,
                                                   const ShownMap& shown, bool linear) {
     std::string where = fmt::format("texel {}, {}", texel.x, texel.y);
-    if (usage && usage->resolution() == size.x)
+    if (usage && usage->size().sides() == size)
         where += fmt::format("   read by {} {}pixels", usage->pixels(texel), frozen ? "frozen " : "");
     if (shown.mip > 0) {
         texel = (2 * texel + 1) * shown.texels / (2 * size);  // texel of the full map under the middle of the mip texel

@@ -144,7 +144,7 @@ std::pair<std::string, std::string> title(const Settings& s, const FrameResult& 
     std::string format = "?";
     if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
     const LightView& view = fitted->views[std::size_t(shown_face(s, result))];
-    const TexelSize sizes = view.texel_size_range(n.x);
+    const TexelSize sizes = view.texel_size_range({n.x, n.y});
     const std::string texel = curve.perspective || view.warped()
                                   ? fmt::format("{} to {}", metres_text(sizes.shortest), metres_text(sizes.longest))
                                   : metres_text(sizes.longest);
@@ -233,7 +233,7 @@ std::string usage_text(const EditorState& state, const EditorFrame& frame) {
     if (exact_marks(state, frame) && frame.exact_utilisation)
         return fmt::format("{:.3g} % of texels fetched", 100 * *frame.exact_utilisation);
     const TexelUsage* usage = shown_usage(state, frame);
-    if (!usage || usage->resolution() == 0) return {};
+    if (!usage || usage->size().shortest() == 0) return {};
     return fmt::format("{:.3g} % of texels read{}", 100 * usage->utilisation(), state.frozen ? " (frozen)" : "");
 }
 

@@ -52,9 +52,9 @@ void verdict(const std::string& text) {
 }
 
 /// Draws the button that shows or hides the texels around the probed one as quads in the scene.
-void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
-    if (p.place != MapPlace::Inside || resolution <= 0) return;
-    const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
+void slabs_button(Settings& s, const Probe::PerLight& p, MapSize size) {
+    if (p.place != MapPlace::Inside || size.shortest() <= 0) return;
+    const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / size.width, (p.texel.y + 0.5) / size.height};
     if (ImGui::Button(shows_quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
         toggle_quads(s, place);
     plain_tooltip(
@@ -259,7 +259,7 @@ void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& reque
         draw_fixes_button(frame.pixel_fixes, requests, state.probe_pixel, frame.result && frame.scene, true);
         same_line_if_fits(button_width("Hide stored-depth quads"));
     }
-    slabs_button(state.settings, p, frame.result ? frame.result->map_resolution : 0);
+    slabs_button(state.settings, p, frame.result ? frame.result->map_size : MapSize());
     if (fixes) draw_fixes_table(frame.pixel_fixes, requests, state.probe_pixel);
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;

@@ -29,10 +29,11 @@ std::string facts_text(const EditorState& state, const EditorFrame& frame) {
     std::string text = cost_text(state.times);
     int maps = 0;
     for (const FittedLight& light : result.lights) maps += light.casts ? int(light.views.size()) : 0;
-    const int n = result.map_resolution;
-    if (maps > 0 && n > 0) {
+    const MapSize n = result.map_size;
+    if (maps > 0 && n.shortest() > 0) {
         const WorkCost cost = work_cost(state.settings, result);
-        text += maps == 1 ? fmt::format("map {}²", n) : fmt::format("{} maps of {}²", maps, n);
+        const std::string size = n.is_square() ? fmt::format("{}²", n.width) : fmt::format("{}×{}", n.width, n.height);
+        text += maps == 1 ? "map " + size : fmt::format("{} maps of {}", maps, size);
         text += fmt::format(", {}, {:.3g} tap{}   ", bytes_text(cost.map_bytes), cost.taps_per_pixel,
                             cost.taps_per_pixel == 1 ? "" : "s");
     }

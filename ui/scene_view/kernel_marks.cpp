@@ -92,10 +92,8 @@ void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight
     if (p.taps.empty() || std::size_t(p.face) >= p.fitted.views.size() || !faces_light(p.account.receiver.n_dot_l))
         return;
     const LightView& view = p.fitted.views[std::size_t(p.face)];
-    // A texel is texel_m wide, which gives the map's resolution.
-    const double n = view.texel_size_at(p.point.position_ws, 1).longest / p.account.receiver.texel_m;
     const auto corner = [&](const glm::ivec2& texel) {
-        const glm::dvec2 uv = glm::dvec2(texel) / n;
+        const glm::dvec2 uv = glm::dvec2(texel) / p.account.map_size.texels();
         return view.position_ws(uv, view.curve.curve_at_row(uv.y).distance(p.account.plane.depth_at(uv)));
     };
     const double heaviest = heaviest_tap(p);

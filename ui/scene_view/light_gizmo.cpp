@@ -128,7 +128,7 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
     draw_shown_light(painter, pose, busy, busy && !hovered->handle);
     if (shows_handles(state)) draw_handles(painter, pose, hovered ? hovered->handle : std::nullopt);
     if (state.viewport.handle_drag && state.viewport.handle_drag->moved)
-        draw_numbers(painter, pose, state.viewport.handle_drag->handle, result.map_resolution);
+        draw_numbers(painter, pose, state.viewport.handle_drag->handle, result.map_size);
     else if (hovered && hovered->handle)
         handle_tooltip(pose, *hovered->handle);
     else if (hovered && hovered->light == shown)

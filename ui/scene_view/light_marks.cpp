@@ -179,12 +179,12 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
     }
 }
 
-void draw_numbers(const PicturePainter& p, const LightPose& pose, LightHandle handle, int map_resolution) {
+void draw_numbers(const PicturePainter& p, const LightPose& pose, LightHandle handle, MapSize map_size) {
     const auto at = p.view().point(handle_position(pose, handle, p.view()));
     if (!at) return;
     std::string text = fmt::format("{}   {}", handle_name(handle), handle_numbers(pose, handle));
-    if (is_extent(handle) && map_resolution > 0)
-        text += fmt::format("   texel {}", metres_text(pose.view.texel_size(1, map_resolution)));
+    if (is_extent(handle) && map_size.shortest() > 0)
+        text += fmt::format("   texel {}", metres_text(pose.view.texel_size(1, map_size)));
     p.caption(*at + glm::dvec2(p.px(14), p.px(10)), text, theme::kOnPicture);
 }
 

@@ -17,7 +17,7 @@ void draw_other_light(const PicturePainter& painter, const LightPose& pose, cons
 /// Draws the handles of the shown light. @param hovered the handle under the mouse
 void draw_handles(const PicturePainter& painter, const LightPose& pose, std::optional<LightHandle> hovered);
 /// Draws the numbers that a drag of a light's handle changes, next to the handle.
-void draw_numbers(const PicturePainter& painter, const LightPose& pose, LightHandle handle, int map_resolution);
+void draw_numbers(const PicturePainter& painter, const LightPose& pose, LightHandle handle, MapSize map_size);
 /// Draws the tooltip of a hovered light handle: its name and numbers.
 void handle_tooltip(const LightPose& pose, LightHandle handle);
 

@@ -37,8 +37,8 @@ void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2
 void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
     if (!state.map.hovered_texel || !frame.texel_usage) return;
     const FloatImage* c = frame.map_coordinates;
-    const int n = frame.texel_usage->resolution();
-    if (!c || state.map.hovered_texel->x >= n || state.map.hovered_texel->y >= n) return;
+    const MapSize n = frame.texel_usage->size();
+    if (!c || state.map.hovered_texel->x >= n.width || state.map.hovered_texel->y >= n.height) return;
     const ImVec2 step(size.x / float(c->width), size.y / float(c->height));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (const glm::ivec2 p : frame.texel_usage->readers(*state.map.hovered_texel)) {

@@ -98,9 +98,9 @@ void numbers_tab(EditorState& state, const EditorFrame& frame, EditorRequests& r
     if (requests.probe_pixel) state.probe_pixel = requests.probe_pixel;
     if (const auto& marked = requests.show_texel) {
         state.map.marked_texel = marked;
-        const float across = float(std::max(frame.result->map_resolution >> marked->level, 1));
-        state.map.window = {.zoom = std::max(1.0f, across / kFindingTexels),
-                            .centre = (glm::vec2(marked->texel) + 0.5f) / across};
+        const glm::vec2 sides(glm::max(frame.result->map_size.sides() >> marked->level, glm::ivec2(1)));
+        state.map.window = {.zoom = std::max(1.0f, std::max(sides.x, sides.y) / kFindingTexels),
+                            .centre = (glm::vec2(marked->texel) + 0.5f) / sides};
     }
 }
 

@@ -29,18 +29,19 @@ std::optional<TexelPlace> hovered_place(const EditorState& state, const EditorFr
     const FloatImage* c = frame.map_coordinates;
     const auto& at = state.viewport.hovered_pixel;
     if (!c || !at || at->x < 0 || at->y < 0 || at->x >= c->width || at->y >= c->height) return {};
-    const int n = frame.result->map_resolution;
+    const MapSize n = frame.result->map_size;
     const double u = c->at(at->x, at->y, 0), v = c->at(at->x, at->y, 1);
-    if (c->at(at->x, at->y, 3) <= 0 || n <= 0 || !(u >= 0 && u < 1 && v >= 0 && v < 1)) return {};
-    return TexelPlace{shown_light(state.settings), int(c->at(at->x, at->y, 2)), middle(u, n), middle(v, n)};
+    if (c->at(at->x, at->y, 3) <= 0 || n.shortest() <= 0 || !(u >= 0 && u < 1 && v >= 0 && v < 1)) return {};
+    return TexelPlace{shown_light(state.settings), int(c->at(at->x, at->y, 2)), middle(u, n.width),
+                      middle(v, n.height)};
 }
 
 std::optional<TexelPlace> probed_place(const EditorState& state, const EditorFrame& frame) {
-    const int n = frame.result->map_resolution;
-    if (!state.probe_pixel || !frame.probe || !frame.probe->hit || n <= 0) return {};
+    const MapSize n = frame.result->map_size;
+    if (!state.probe_pixel || !frame.probe || !frame.probe->hit || n.shortest() <= 0) return {};
     for (const Probe::PerLight& p : frame.probe->lights)
         if (p.light == shown_light(state.settings) && p.place == MapPlace::Inside)
-            return TexelPlace{p.light, p.face, (p.texel.x + 0.5) / n, (p.texel.y + 0.5) / n};
+            return TexelPlace{p.light, p.face, (p.texel.x + 0.5) / n.width, (p.texel.y + 0.5) / n.height};
     return {};
 }
 

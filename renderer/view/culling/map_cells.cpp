@@ -91,16 +91,17 @@ void MapCells::add(const MapCells& other) {
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] |= other.rows_[i];
 }
 
-std::vector<TexelRect> MapCells::texel_rects(int resolution) const {
-    const auto first = [&](int cell) { return int(std::int64_t(cell) * resolution / kCells); };
-    const auto end = [&](int cell) { return int((std::int64_t(cell) * resolution + kCells - 1) / kCells); };
+std::vector<TexelRect> MapCells::texel_rects(MapSize size) const {
+    const auto first = [](int cell, int side) { return int(std::int64_t(cell) * side / kCells); };
+    const auto end = [](int cell, int side) { return int((std::int64_t(cell) * side + kCells - 1) / kCells); };
     std::vector<TexelRect> out;
     for (int row = 0, next; row < kCells; row = next) {
         std::uint64_t left = rows_[std::size_t(row)];
         for (next = row + 1; next < kCells && rows_[std::size_t(next)] == left;) ++next;
         while (left) {
             const int from = std::countr_zero(left), to = from + std::countr_one(left >> from);
-            out.push_back({{first(from), first(row)}, {end(to), end(next)}});
+            out.push_back(
+                {{first(from, size.width), first(row, size.height)}, {end(to, size.width), end(next, size.height)}});
             left &= to < kCells ? kFullRow << to : 0;
         }
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/base/key.h"
+#include "renderer/projection/map_size.h"
 #include "renderer/view/culling/box_culling.h"
 
 namespace si {
@@ -52,8 +53,8 @@ public:
     void add(const MapCells& other);
     /// Returns a few rectangles of texels that together cover the marked map cells, for copies and scissored draws.
     /// Rectangles overlap only in texels that two cells share.
-    /// @param resolution texels a side of the map
-    std::vector<TexelRect> texel_rects(int resolution) const;
+    /// @param size texels of the map
+    std::vector<TexelRect> texel_rects(MapSize size) const;
     /// Adds the set of map cells to a cache key.
     void add_to(Key& key) const { key.bytes(rows_.data(), sizeof rows_); }
     bool operator==(const MapCells&) const = default;

@@ -55,7 +55,7 @@ VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int 
 /// Extent of a picture's look-ups in a shadow map, from which needed_maps() finds the map cells to draw: kernel reach,
 /// normal offset, and treatment of look-ups outside the map (MapWrap).
 struct LookupArea {
-    int resolution = 1;       ///< texels a side of the map
+    int resolution = 1;       ///< texels along the map's shorter side
     double reach_texels = 0;  ///< largest distance in texels between look-up and texels read, without the normal offset
     double normal_texels = 0;  ///< normal offset in texels, as bias.normal
     MapWrap wrap = MapWrap::Border;

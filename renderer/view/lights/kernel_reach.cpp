@@ -5,7 +5,7 @@
 
 namespace si {
 
-double max_penumbra_radius_texels(const FittedLight& light, int resolution) {
+double max_penumbra_radius_texels(const FittedLight& light, MapSize size) {
     double widest = 0;
     for (const LightView& view : light.views) {
         // The widest penumbra of a warped view lies in its first or last row: ranges grow with w, texels with w or its
@@ -18,28 +18,28 @@ double max_penumbra_radius_texels(const FittedLight& light, int resolution) {
                                    : c.perspective                      ? light.size * depth_m / c.near
                                                                         : light.size * c.far / std::max(c.near, 1e-6);
             for (const double u : {0.0, 0.5, 1.0})
-                widest = std::max(widest,
-                                  width_m / view.texel_size_at(view.position_ws({u, row}, c.far), resolution).shortest);
+                widest =
+                    std::max(widest, width_m / view.texel_size_at(view.position_ws({u, row}, c.far), size).shortest);
         }
     }
     return widest;
 }
 
-double smallest_texel_m(const FittedLight& light, int resolution) {
+double smallest_texel_m(const FittedLight& light, MapSize size) {
     double finest = std::numeric_limits<double>::infinity();
-    for (const LightView& view : light.views) finest = std::min(finest, view.texel_size_range(resolution).shortest);
+    for (const LightView& view : light.views) finest = std::min(finest, view.texel_size_range(size).shortest);
     return finest;
 }
 
-Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, int resolution) {
+Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, MapSize size) {
     const Filter& row = filter_of(settings);
     if (!light.casts) return reach_of(settings);
-    if (row.reads_light_size) return reach_of(settings, max_penumbra_radius_texels(light, resolution));
-    return reach_of(settings, settings.filter.radius / smallest_texel_m(light, resolution));
+    if (row.reads_light_size) return reach_of(settings, max_penumbra_radius_texels(light, size));
+    return reach_of(settings, settings.filter.radius / smallest_texel_m(light, size));
 }
 
-double edge_reach_texels(const Settings& settings, const FittedLight& light, int resolution) {
-    return light.casts ? kernel_reach_in_light(settings, light, resolution).edge + settings.map.blur_texels : 0;
+double edge_reach_texels(const Settings& settings, const FittedLight& light, MapSize size) {
+    return light.casts ? kernel_reach_in_light(settings, light, size).edge + settings.map.blur_texels : 0;
 }
 
 }  // namespace si
