@@ -22,6 +22,8 @@
 
 namespace si {
 
+struct ImportedMaps;
+
 struct ReferencePicture;
 struct LightMap;
 struct LiveError;
@@ -79,6 +81,8 @@ struct FrameRequest {
         blocks_as_images;  ///< way in which shaders read numbers (Blocks); nullopt: DriverInfo::blocks_as_images
     std::optional<MapOfLight> emptied;  ///< map to draw without casters; not for virtual maps
     std::optional<MapSize> map_size;  ///< size of the maps; nullopt: map.resolution both ways. Virtual maps are square
+    /// Maps by light that are given instead of drawn; null or missing: drawn. May be shorter than the list of lights.
+    std::vector<std::shared_ptr<const ImportedMaps>> imported;
     std::optional<MapCamera> map_camera;  ///< camera for fitting maps; nullopt: the picture's own
     int smoothed = 0;                     ///< shadings averaged in FrameResult::smooth so far
     /// Ray-traced reference of this view and light. A reference of another key is ignored: see FrameResult::reference.

@@ -83,6 +83,10 @@ bool FrameState::shades_as_lit(std::size_t light) const {
            !request.forced.contains(Optimisation::DeadPasses);
 }
 
+const ImportedMaps* FrameState::imported(std::size_t light) const {
+    return light < request.imported.size() && gl.fitted[light].casts ? request.imported[light].get() : nullptr;
+}
+
 bool FrameState::needs_unfiltered_map() const {
     return offsets_polygons(settings) || mask_levels;
 }

@@ -103,6 +103,8 @@ struct FrameState {
     bool may_light_picture(std::size_t light) const;
     /// Returns true when shading treats a light as unshadowed and skips its look-up: see is_always_lit().
     bool shades_as_lit(std::size_t light) const;
+    /// Returns the maps of a light that are given instead of drawn; null: they are drawn.
+    const ImportedMaps* imported(std::size_t light) const;
     bool paged = false;                      ///< maps are virtual and drawn by pages (map.virtual)
     std::string separate_visibility_reason;  ///< reason why visibility has a texture of its own; empty: it has none
     bool separate_visibility = false;

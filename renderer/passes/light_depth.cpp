@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/frame/imported_maps.h"
+#include "renderer/frame/read_images.h"
 #include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
@@ -145,6 +147,8 @@ Key light_views_key(const FrameState& f, std::size_t light) {
             .add(v.clamps_near)
             .add(v.curve.convention.reversed);
     if (f.request.emptied && f.request.emptied->light == int(light)) key.add("emptied").add(f.request.emptied->view);
+    if (const ImportedMaps* given = f.imported(light)) key.add("imported").add(given->key);
+    key.add(f.map_size.sides());
     return key.add(l.map_origin).add(f.first_view[light]).add(f.gl.programs.source().generation());
 }
 
@@ -267,6 +271,32 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     return skipped;
 }
 
+/// Copies a given image into one layer of a map texture.
+void upload_view(const gl::Target& map, int layer, const FloatImage& image) {
+    std::vector<float> rows = image.data;
+    flip_rows(rows, image.width, image.height, 1);
+    const GLenum format = gl::single_channel_format(map.format);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    if (map.layers > 0)
+        glTextureSubImage3D(map.texture.id(), 0, 0, 0, layer, image.width, image.height, 1, format, GL_FLOAT,
+                            rows.data());
+    else
+        glTextureSubImage2D(map.texture.id(), 0, 0, 0, image.width, image.height, format, GL_FLOAT, rows.data());
+}
+
+/// Copies the given images of a light into its maps.
+void import_maps_of(const FrameState& f, DrawnMaps& t, std::size_t i, const ImportedMaps& given, PassInfo& info) {
+    const FittedLight& l = f.gl.fitted[i];
+    for (std::size_t v = 0; v < l.views.size(); ++v) {
+        upload_view(t.maps, f.first_view[i] + int(v), given.images[v]);
+        info.parts.push_back({.name = name_of_view(l, v, i),
+                              .state = PassState::Drawn,
+                              .reason = "imported: the image is given, no caster is drawn"});
+    }
+    t.drawn_cells[i].assign(l.views.size(), MapCells::whole());
+    info.reason = "imported";
+}
+
 void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& work, PassInfo& info) {
     const bool lost = ensure_maps(f, t.maps, "shadow maps");
     if (lost) {
@@ -282,6 +312,10 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& wor
             t.static_states[other] = {};
         }
     t.drawn_cells[i].clear();
+    if (const ImportedMaps* given = f.imported(i)) {
+        t.static_states[i] = {};
+        return import_maps_of(f, t, i, *given, info);
+    }
     const FittedLight& l = f.gl.fitted[i];
     StaticMapState rest = std::exchange(t.static_states[i], {});  // an exception leaves the state cleared
     const StaticPlan static_casters = choose_static(f, i, rest);
@@ -354,12 +388,17 @@ void LightDepthPasses::declare(FrameState& f) {
             f.plan.skip_pass(std::move(pass), light.reason);
             continue;
         }
-        pass.key = light_views_key(f, i).add(f.geometry_key).value();
+        Key key = light_views_key(f, i);
+        if (!f.imported(i)) key.add(f.geometry_key);
+        pass.key = key.value();
         pass.cached = &t.keys[i];
         const bool kept = !f.request.force && t.keys[i] == pass.key;
-        MapPlan work = kept && all_whole(t.drawn_cells[i]) ? MapPlan({t.drawn_cells[i], {}}, t.drawn_cells[i])
-                                                           : MapPlan(find_needed_maps(f, i, pass.key),
-                                                                     kept ? t.drawn_cells[i] : std::vector<MapCells>());
+        const std::vector<MapCells> all(light.views.size(), MapCells::whole());
+        MapPlan work =
+            f.imported(i) ? MapPlan({all, {}}, kept ? t.drawn_cells[i] : std::vector<MapCells>())
+            : kept && all_whole(t.drawn_cells[i])
+                ? MapPlan({t.drawn_cells[i], {}}, t.drawn_cells[i])
+                : MapPlan(find_needed_maps(f, i, pass.key), kept ? t.drawn_cells[i] : std::vector<MapCells>());
         pass.is_incomplete = kept && work.draws();
         if (kept) pass.unneeded = work.unneeded_reason;
         for (std::size_t v = 0; v < work.drawn_cells.size(); ++v) {
@@ -405,8 +444,12 @@ void UnfilteredMapPass::run(FrameState& f, PassInfo& info) {
     ensure_maps(f, t.unfiltered, "unfiltered shadow maps");
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& l = f.gl.fitted[i];
+        const ImportedMaps* given = f.imported(i);
         for (std::size_t v = 0; l.casts && v < l.views.size(); ++v)
-            draw_view(f, t, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info);
+            if (given)
+                upload_view(t.unfiltered, f.first_view[i] + int(v), given->images[v]);
+            else
+                draw_view(f, t, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info);
     }
 }
 

@@ -5,10 +5,12 @@
 #include <atomic>
 #include <cmath>
 
+#include "renderer/base/error.h"
 #include "renderer/base/index_of.h"
 #include "renderer/base/poisson_disk.h"
 #include "renderer/frame/blocks.h"
 #include "renderer/frame/driver.h"
+#include "renderer/frame/imported_maps.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/scene_findings.h"
@@ -71,6 +73,36 @@ void add_camera(Key& key, const Camera& c) {
     key.add(c.aspect).add(c.curve.near).add(c.curve.far);
 }
 
+/// Replaces the views of lights whose maps are imported with views of their own, and marks all whose maps are imported.
+void take_imported_views(FrameState& f, std::vector<FittedLight>& fitted) {
+    for (std::size_t i = 0; i < fitted.size(); ++i) {
+        FittedLight& light = fitted[i];
+        const auto& given = i < f.request.imported.size() ? f.request.imported[i] : nullptr;
+        light.provider = MapProvider::Drawn;
+        if (!given) continue;
+        if (given->views && f.settings.lights[i].cast && source_of(f.settings, int(i)).needs.map) {
+            // The maps may hold casters that the scene lacks.
+            light.shadowed = light.casts = true;
+            light.reason.clear();
+            light.views = given->views->views;
+            light.chooser = given->views->chooser;
+            light.closed = false;
+            light.clipped_casters = 0;
+            light.limits = {};
+        }
+        if (!light.casts) continue;
+        light.provider = MapProvider::Imported;
+        for (const LightView& view : light.views)
+            if (view.curve.convention.reversed != f.settings.map.reversed_z)
+                throw Error(fmt::format("light {}: its imported map has {}reversed depth; set map.reversed_z to {}", i,
+                                        view.curve.convention.reversed ? "" : "no ",
+                                        view.curve.convention.reversed ? "true" : "false"));
+        if (light.views.size() != given->images.size())
+            throw Error(fmt::format("light {} has {} views and {} imported maps; give a map for each view", i,
+                                    light.views.size(), given->images.size()));
+    }
+}
+
 /// Places the lights, builds the camera, which may look through a light, and fits the maps. Maps are fitted again for a
 /// moving camera only where a fit reads the camera.
 void fit(FrameState& f) {
@@ -91,10 +123,13 @@ void fit(FrameState& f) {
         if (draws_pages(f.settings)) key.add(f.request.height);
         if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
     }
+    for (const auto& given : f.request.imported) key.add(given ? given->key : 0);
     if (key.value() != r.fit_key) {
         r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size,
                                      maps.seen_m, f.request.height)
                           : r.fitted_without_camera;
+        r.fit_key = 0;  // an exception leaves nothing fitted
+        take_imported_views(f, r.fitted);
         r.fit_key = key.value();
     }
     f.view_count = 0;
@@ -122,20 +157,33 @@ void note_shown_view(FrameState& f) {
 /// @param limit resolution limit after the driver ran out of memory; null: none
 void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
-    const MapSize wanted = draws_pages(f.settings) ? MapSize(n) : f.request.map_size.value_or(MapSize(n));
+    MapSize wanted = draws_pages(f.settings) ? MapSize(n) : f.request.map_size.value_or(MapSize(n));
+    bool given = false;
+    for (const auto& maps : f.request.imported) {
+        if (!maps) continue;
+        if (given && !(maps->size() == wanted))
+            throw Error(fmt::format("imported maps are {}×{} and {}×{}; the maps of all lights need one size",
+                                    wanted.width, wanted.height, maps->size().width, maps->size().height));
+        wanted = maps->size();
+        given = true;
+    }
     n = wanted.longest();
     const int asked = n;
+    if (given && n > f.driver.max_texture_size)
+        throw Error(fmt::format("the imported map of {}×{} texels exceeds the driver's limit of {} a side",
+                                wanted.width, wanted.height, f.driver.max_texture_size));
     n = std::clamp(n, 1, f.driver.max_texture_size);
     if (n != asked)
         f.notes.push_back(fmt::format("map.resolution {} exceeds the driver's limit; {} is used", asked, n));
-    if (limit && limit->max < n) {
+    if (!given && limit && limit->max < n) {
         f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->max, n, limit->why));
         n = limit->max;
     }
     fit(f);
     const int before = n;
     const double bytes = stored_texel_bytes(f.settings);
-    while (!draws_pages(f.settings) && n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
+    while (!given && !draws_pages(f.settings) && n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes)
+        n /= 2;
     if (n != before) {
         f.notes.push_back(
             fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));
@@ -145,6 +193,24 @@ void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
                   std::max(1, int(std::int64_t(wanted.height) * n / asked))};
     for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
     note_shown_view(f);
+}
+
+/// Replaces settings that only drawn maps can have, with a note for each change.
+void adapt_to_imported_maps(FrameState& f) {
+    if (std::ranges::none_of(f.request.imported, [](const auto& maps) { return maps != nullptr; })) return;
+    MapSettings& map = f.settings.map;
+    if (draws_pages(f.settings)) {
+        f.notes.push_back("map.virtual: imported maps are whole; the maps are not virtual");
+        map.paged = false;
+    }
+    if (holds_distances(map.format)) {
+        f.notes.push_back("map.format: imported maps hold depths; d32f is used");
+        map.format = MapFormat::D32F;
+    }
+    if (map.samples > 1) {
+        f.notes.push_back("map.samples: imported maps have one sample a texel");
+        map.samples = 1;
+    }
 }
 
 /// Limits the kernel's moment settings to the abilities of driver and format, with a note for each change.
@@ -496,6 +562,7 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     }
     FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
     f.notes = repaired->notes;
+    adapt_to_imported_maps(f);
     clamp_moment_settings(f);
     if (map_limit && map_limit->requested != settings.map.resolution) map_limit.reset();
     fit_within_memory(f, map_limit ? &*map_limit : nullptr);

@@ -128,8 +128,9 @@ bool is_always_lit(const FittedLight& light, const Settings& settings) {
     const BiasSettings& b = settings.bias;
     const bool nearer = b.constant >= 0 && b.slope >= 0 &&
                         (b.normal == 0 || (b.normal > 0 && b.normal_source == NormalSource::Geometric));
-    return !light.empty.empty() && compares && nearer && !compares_per_texel(settings) && !draws_pages(settings) &&
-           settings.map.outside == Outside::Lit && settings.map.compare == Compare::LessEqual;
+    return light.provider == MapProvider::Drawn && !light.empty.empty() && compares && nearer &&
+           !compares_per_texel(settings) && !draws_pages(settings) && settings.map.outside == Outside::Lit &&
+           settings.map.compare == Compare::LessEqual;
 }
 
 double fit_margin_texels(const Settings& settings, int resolution) {

@@ -57,13 +57,17 @@ struct PlacedLight {
     std::vector<std::string> notes;  ///< messages about clamped values and limits of the map
 };
 
+/// Origin of a light's shadow maps: drawn from the scene's casters, or given as images.
+enum class MapProvider { Drawn, Imported };
+
 /// Placed light together with the views of its shadow maps.
 struct FittedLight : PlacedLight {
-    bool shadowed = false;  ///< light.cast is on, and the scene has casters and receivers
-    bool casts = false;     ///< shadowed, and the source is a shadow map
-    std::string reason;     ///< reason why the light has no map; empty: it has one
-    std::string dark;       ///< reason why the light lights no surface; empty: it may light some
-    std::string empty;      ///< reason why the light's maps hold no caster, under a fit without camera; else empty
+    bool shadowed = false;                      ///< light.cast is on, and the scene has casters and receivers
+    bool casts = false;                         ///< has shadow maps: shadowed, and the source is a shadow map
+    MapProvider provider = MapProvider::Drawn;  ///< origin of its maps
+    std::string reason;                         ///< reason why the light has no map; empty: it has one
+    std::string dark;                           ///< reason why the light lights no surface; empty: it may light some
+    std::string empty;  ///< reason why the light's maps hold no caster, under a fit without camera; else empty
     std::vector<LightView> views;   ///< all perspective or none; faces in the order +x -x +y -y +z -z; or cascades
     ViewChooser chooser;            ///< choice of the view in which a point is looked up
     std::vector<ClipLevel> levels;  ///< grid positions of clip levels; else empty

@@ -1,0 +1,51 @@
+#include "renderer/frame/imported_maps.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "renderer/base/error.h"
+#include "renderer/base/key.h"
+
+namespace si {
+namespace {
+
+void add_view(Key& key, const LightView& view) {
+    key.add(view.eye).add(view.axes[0]).add(view.axes[1]).add(view.axes[2]);
+    for (int column = 0; column < 4; ++column) key.add(view.projection[column]);
+    key.add(view.curve.perspective).add(view.curve.near).add(view.curve.far);
+    key.add(view.curve.convention.reversed).add(view.curve.convention.zero_to_one);
+}
+
+}  // namespace
+
+std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images, std::optional<ImportedViews> views) {
+    if (images.empty()) throw Error("the imported light has no map; give an image a view");
+    Key key;
+    const int width = images.front().width, height = images.front().height;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const FloatImage& image = images[i];
+        if (image.channels != 1 || image.width < 1 || image.height < 1 ||
+            image.data.size() != std::size_t(image.width) * std::size_t(image.height))
+            throw Error(fmt::format("imported map {}: one depth a texel is needed", i));
+        if (image.width != width || image.height != height)
+            throw Error(fmt::format("imported map {} is {}×{} and map 0 is {}×{}; all maps need one size", i,
+                                    image.width, image.height, width, height));
+        key.add(width).add(height).bytes(image.data.data(), image.data.size() * sizeof(float));
+    }
+    if (views) {
+        if (views->views.size() != images.size())
+            throw Error(fmt::format("{} imported maps have {} views; each map needs one view", images.size(),
+                                    views->views.size()));
+        for (const LightView& view : views->views) add_view(key, view);
+        key.add(views->chooser.choice).add(views->chooser.from_ws).add(views->chooser.forward);
+        for (const ViewSpan& span : views->chooser.spans) key.add(span.ends).add(span.blends_from);
+    }
+    auto maps = std::make_shared<ImportedMaps>();
+    maps->images = std::move(images);
+    maps->views = std::move(views);
+    maps->key = key.value();
+    return maps;
+}
+
+}  // namespace si

@@ -1,0 +1,182 @@
+// Gives maps as images instead of drawing them: a map that is drawn, read back and given again changes no byte.
+#include "renderer/frame/imported_maps.h"
+
+#include <filesystem>
+
+#include "renderer/base/error.h"
+#include "renderer/measure/measured_error.h"
+#include "renderer/projection/view_of_matrix.h"
+#include "renderer/reference/ray_scenes.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/hard_case.h"
+
+namespace si {
+namespace {
+
+class ImportedMapsTest : public FrameTest {
+protected:
+    FrameRequest request{.width = 96, .height = 72, .outputs = {.visibility = true}};
+
+    /// Draws a light's maps and reads them back.
+    std::shared_ptr<const ImportedMaps> read_back(const Scene& scene, const Settings& s, bool with_views,
+                                                  std::optional<MapSize> size = std::nullopt) {
+        FrameRequest maps = request;
+        maps.outputs.shadow_map = true;
+        maps.map_size = size;
+        const FrameResult frame = renderer.render(scene, s, maps);
+        const FittedLight& light = frame.lights.at(0);
+        std::vector<FloatImage> images;
+        for (std::size_t v = 0; v < light.views.size(); ++v)
+            images.push_back(renderer.read_shadow_map(frame, 0, int(v)));
+        if (!with_views) return imported_maps(std::move(images));
+        return imported_maps(std::move(images), ImportedViews{light.views, light.chooser});
+    }
+
+    struct Drawn {
+        ByteImage colour;
+        FloatImage visibility;
+        std::vector<Probe> probes;
+        ErrorMetrics metrics;
+        FrameResult frame;
+    };
+    Drawn draw(const Scene& scene, const Settings& s, std::shared_ptr<const ImportedMaps> maps,
+               std::optional<MapSize> size = std::nullopt) {
+        FrameRequest r = request;
+        r.map_size = size;
+        if (maps) r.imported = {maps};
+        Drawn out;
+        out.frame = renderer.render(scene, s, r);
+        out.colour = renderer.read_colour(out.frame.colour);
+        out.visibility = renderer.read_float(out.frame.visibility, 1);
+        for (int y = 5; y < r.height; y += 23)
+            for (int x = 7; x < r.width; x += 29) out.probes.push_back(renderer.probe(scene, s, r, x, y));
+        ReferenceCache cache;
+        out.metrics = measure_error(renderer, scene, s, r, 0, {}, cache).metrics;
+        return out;
+    }
+    static void expect_equal(const Drawn& a, const Drawn& b) {
+        EXPECT_EQ(different_pixels(a.colour, b.colour), 0u);
+        EXPECT_EQ(differing_floats(a.visibility.data, b.visibility.data), 0u);
+        ASSERT_EQ(a.probes.size(), b.probes.size());
+        for (std::size_t i = 0; i < a.probes.size(); ++i) {
+            ASSERT_EQ(a.probes[i].hit, b.probes[i].hit);
+            if (!a.probes[i].hit) continue;
+            const Probe::PerLight &p = a.probes[i].lights[0], &q = b.probes[i].lights[0];
+            EXPECT_EQ(p.verdict, q.verdict);
+            EXPECT_EQ(p.stored, q.stored);
+            EXPECT_EQ(p.compared, q.compared);
+            EXPECT_EQ(p.visibility, q.visibility);
+            EXPECT_EQ(p.account.least.total(), q.account.least.total());
+            ASSERT_EQ(p.taps.size(), q.taps.size());
+            for (std::size_t t = 0; t < p.taps.size(); ++t) EXPECT_EQ(p.taps[t].stored, q.taps[t].stored);
+        }
+        EXPECT_EQ(a.metrics.artefacts, b.metrics.artefacts);
+        EXPECT_EQ(a.metrics.false_shadow, b.metrics.false_shadow);
+        EXPECT_EQ(a.metrics.false_light, b.metrics.false_light);
+    }
+};
+
+Settings lit_by_kernel(LightType type, LightFit fit, const char* kernel) {
+    Settings s = test::texel_settings(kernel, 128, 0.7);
+    s.lights[0].type = type;
+    s.lights[0].fit = fit;
+    s.lights[0].cone = 80;
+    if (type != LightType::Directional) s.lights[0].distance = 9;
+    return s;
+}
+
+TEST_F(ImportedMapsTest, GivenMapsEqualDrawnOnes) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
+                                    {LightType::Directional, LightFit::Lispsm},
+                                    {LightType::Spot, LightFit::Scene},
+                                    {LightType::Point, LightFit::Scene}})
+        for (const char* kernel : {"hard", "pcss", "vsm"}) {
+            SCOPED_TRACE(testing::Message() << int(type) << " " << int(fit) << " " << kernel);
+            const Settings s = lit_by_kernel(type, fit, kernel);
+            const Drawn drawn = draw(scene, s, nullptr);
+            const Drawn given = draw(scene, s, read_back(scene, s, false));
+            expect_equal(drawn, given);
+            EXPECT_EQ(given.frame.lights[0].provider, MapProvider::Imported);
+            EXPECT_NE(map_pass(given.frame).reason.find("imported"), std::string::npos);
+            EXPECT_EQ(map_pass(given.frame).draws, 0u);
+        }
+}
+
+TEST_F(ImportedMapsTest, GivenMapsOfEachFormatEqualDrawnOnes) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const char* format : {"d16", "d24", "d32f", "colour"})
+        for (const char* reversed : {"false", "true"}) {
+            SCOPED_TRACE(std::string(format) + " reversed " + reversed);
+            const Settings s = settings_with(lit_by_kernel(LightType::Directional, LightFit::Scene, "pcf3"),
+                                             {{"map.format", format}, {"map.reversed_z", reversed}});
+            expect_equal(draw(scene, s, nullptr), draw(scene, s, read_back(scene, s, false)));
+        }
+}
+
+TEST_F(ImportedMapsTest, GivenViewsReplaceTheFit) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    const Settings s = lit_by_kernel(LightType::Directional, LightFit::Scene, "pcf3");
+    const auto maps = read_back(scene, s, true, MapSize(160, 90));
+    const Drawn drawn = draw(scene, s, nullptr, MapSize(160, 90));
+    Settings other = s;
+    other.lights[0].fit = LightFit::Manual;
+    other.lights[0].extent = 0.5;
+    other.map.resolution = 32;
+    const Drawn given = draw(scene, other, maps);
+    EXPECT_EQ(given.frame.map_size, MapSize(160, 90));
+    expect_equal(drawn, given);
+}
+
+// The view is derived from the float matrix alone.
+TEST_F(ImportedMapsTest, AViewOfAMatrixGivesTheSameShadows) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
+                                    {LightType::Directional, LightFit::Lispsm},
+                                    {LightType::Spot, LightFit::Scene}}) {
+        const Settings s = lit_by_kernel(type, fit, "pcf3");
+        const auto own = read_back(scene, s, true);
+        ImportedViews views = *own->views;
+        for (LightView& view : views.views)
+            view = view_of_matrix(glm::dmat4(glm::mat4(view.clip_from_relative(glm::dvec3(0)))), view.curve.convention);
+        const Drawn drawn = draw(scene, s, nullptr), given = draw(scene, s, imported_maps(own->images, views));
+        EXPECT_LE(differing_values(drawn.visibility, given.visibility, 0.01f), drawn.visibility.data.size() / 200)
+            << int(type) << " " << int(fit);
+    }
+}
+
+// A map may hold casters that the scene lacks.
+TEST_F(ImportedMapsTest, GivenMapsNeedNoCaster) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = lit_by_kernel(LightType::Directional, LightFit::Scene, "hard");
+    const auto maps = read_back(scene, s, true);
+    const FloatImage drawn = draw(scene, s, nullptr).visibility;
+    for (const Node& node : scene.nodes) s.objects[node.path].cast = false;
+    FrameRequest r = request;
+    r.imported = {maps};
+    const FrameResult frame = renderer.render(scene, s, r);
+    EXPECT_TRUE(frame.lights[0].casts);
+    EXPECT_EQ(differing_floats(drawn.data, renderer.read_float(frame.visibility, 1).data), 0u);
+}
+
+TEST_F(ImportedMapsTest, BadImportsAreRefused) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    const Settings s = lit_by_kernel(LightType::Point, LightFit::Scene, "hard");
+    EXPECT_THROW(imported_maps({}), Error);
+    EXPECT_THROW(imported_maps({FloatImage{2, 2, 1, {0, 0, 0}}}), Error);
+    EXPECT_THROW(imported_maps({FloatImage{1, 1, 1, {0}}, FloatImage{2, 1, 1, {0, 0}}}), Error);
+    EXPECT_THROW(imported_maps({FloatImage{1, 1, 1, {0}}}, ImportedViews{}), Error);
+    FrameRequest r = request;
+    r.imported = {imported_maps({FloatImage{1, 1, 1, {0}}})};
+    EXPECT_THROW(renderer.render(scene, s, r), Error) << "six faces need six images";
+    r.imported = {};
+    renderer.render(scene, s, r);
+    const Settings reversed =
+        settings_with(lit_by_kernel(LightType::Spot, LightFit::Scene, "hard"), {"map.reversed_z=true"});
+    r.imported = {read_back(scene, lit_by_kernel(LightType::Spot, LightFit::Scene, "hard"), true)};
+    EXPECT_THROW(renderer.render(scene, reversed, r), Error) << "the convention of the views differs";
+}
+
+}  // namespace
+}  // namespace si
