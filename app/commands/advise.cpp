@@ -61,8 +61,7 @@ Json report_json(const AdviceReport& r, const AdviseOptions& o) {
 }
 
 /// @param clock name of the clock of all times
-Json autopilot_json(const AutopilotResult& r, const Settings& before, const AdviseOptions& o, const Metric& error,
-                    const std::string& clock) {
+Json autopilot_json(const AutopilotResult& r, const AdviseOptions& o, const Metric& error, const std::string& clock) {
     Json json = head_json("shadow-inspector-autopilot", o, error);
     json["held"] = r.goals_met;
     json["summary"] = r.summary;
@@ -71,7 +70,7 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
     json["best"] = {{"error", r.best.classified.error},
                     {"ms", r.best.ms ? Json(*r.best.ms) : Json()},
                     {"cost", cost_json(r.best.classified.work)},
-                    {"settings", changes_json(setting_changes(measured_settings(before), r.best.settings))}};
+                    {"settings", changes_json(r.best.changes)}};
     json["combinations"] = r.combinations;
     json["seconds"] = r.seconds;
     json["stopped"] = r.stopped;
@@ -83,8 +82,8 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
                 {"error_with", d.error},
                 {"ms_more", change_json(d.ms)}};
     });
-    json["cases"] = json_list(r.cases, [&](const AutopilotCase& c) -> Json {
-        return {{"settings", changes_json(setting_changes(measured_settings(before), c.settings))},
+    json["cases"] = json_list(r.cases, [](const AutopilotCase& c) -> Json {
+        return {{"settings", changes_json(c.changes)},
                 {"error", c.classified.error},
                 {"ms", c.ms ? Json(*c.ms) : Json()},
                 {"holds", c.holds ? Json(*c.holds) : Json()}};
@@ -128,8 +127,7 @@ public:
 
     void advise(const Metric& error) {
         const AdviceReport r = interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
-            return find_advice(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height,
-                               {.error = &error, .cost = o_.cost}, cache_, workers, report);
+            return find_advice(tools(workers, report), session_.settings, {.error = &error, .cost = o_.cost});
         });
         if (o_.json)
             fmt::print("{}", json_text(report_json(r, o_)));
@@ -148,11 +146,10 @@ public:
                                    .cost = o_.cost,
                                    .max_seconds = o_.max_seconds};
         const AutopilotResult r = interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
-            return run_rendered_autopilot(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height,
-                                          goals, axes, cache_, workers, report);
+            return run_rendered_autopilot(tools(workers, report), session_.settings, goals, axes);
         });
         if (o_.json)
-            fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error, renderer_.driver().clock)));
+            fmt::print("{}", json_text(autopilot_json(r, o_, error, renderer_.driver().clock)));
         else
             print_flight(r, renderer_.driver().clock);
         if (!r.goals_met) numbers_.require_sound();
@@ -170,9 +167,12 @@ private:
     NumberWatch numbers_{renderer_, session_.settings, o_.check_numeric};
     ReferenceCache cache_;
 
+    SearchTools tools(const Workers& workers, const auto& report) {
+        return {renderer_, session_.scene, o_.size.width, o_.size.height, cache_, workers, report};
+    }
     void write(const AutopilotResult& r) const {
         Settings after = session_.settings;
-        set_settings(after, setting_changes(measured_settings(after), r.best.settings));
+        set_settings(after, r.best.changes);
         save_preset({"", "", r.summary, session_.scene_name, after}, o_.output);
         if (!o_.json) print_wrote(o_.output);
     }

@@ -92,10 +92,10 @@ void run_measure(const MeasureOptions& options) {
     std::optional<FixTable> fixes;
     if (options.fixes) {
         ReferenceCache cache;
-        const FixOptions wanted{.time = options.time, .reference = reference_options(session.settings)};
         fixes = interruptible("nothing was tried", [&](const Workers& workers, const auto& report) {
-            return find_fixes(renderer, session.scene, session.settings, options.size.width, options.size.height,
-                              wanted, cache, workers, report);
+            return find_fixes(
+                {renderer, session.scene, options.size.width, options.size.height, cache, workers, report},
+                session.settings, {.time = options.time});
         });
     }
     std::shared_ptr<const NumericHealth> health;

@@ -67,9 +67,10 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
                                 options.rounds, workers, [&](double share) { report(share, "alternating frames"); });
     request.outputs.health = false;  // the search reads whole maps, so that no part could be skipped
     request.timing = options.measure;
+    ReferenceCache cache;
     if (options.waste)
-        plan.waste = find_waste(renderer, session.scene, session.settings, request, workers,
-                                [&](double share) { report(share, "left out one at a time"); });
+        plan.waste = find_waste({renderer, session.scene, request.width, request.height, cache, workers, report},
+                                session.settings, request);
     return plan;
 }
 

@@ -152,8 +152,8 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
     if (const auto& fix = found[light].fix) options.more.push_back(suggested_candidate(*fix, session.settings));
     ReferenceCache cache;
     return interruptible("no change was tried", [&](const Workers& workers, const auto& report) {
-        return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache, workers,
-                          report);
+        return find_fixes({renderer, session.scene, probe.width, probe.height, cache, workers, report},
+                          session.settings, options);
     });
 }
 

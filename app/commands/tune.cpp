@@ -149,8 +149,8 @@ void run_tune(const TuneOptions& options) {
     const auto began = std::chrono::steady_clock::now();
     const Tuned tuned =
         interruptible(options.output + " was not written", [&](const Workers& workers, const auto& report) {
-            return tune(renderer, session.scene, session.settings, options.size.width, options.size.height, goals,
-                        cache, workers, report);
+            return tune({renderer, session.scene, options.size.width, options.size.height, cache, workers, report},
+                        session.settings, goals);
         });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     Settings after = session.settings;

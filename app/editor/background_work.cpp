@@ -15,73 +15,44 @@
 namespace si {
 namespace {
 
-std::vector<TunedBias> tuned_biases(const FoundBias& found) {
-    std::vector<TunedBias> out;
-    const auto add = [&](const TriedBias& t, bool least, bool clean) {
-        out.push_back({std::string(t.row->label), bias_text(t.bias), t.bias, t.trial.score, t.trial.acne(),
-                       wrong_pixels(t.trial.error), t.trial.lost(), t.trial.needs.gap_p95_m, t.trial.needs.shift_p95_m,
-                       least, clean});
-    };
-    const TriedBias* const clean = found.best_without_acne();
-    const TriedBias* const best = found.best();
-    for (const TriedBias* t : found.best_of_rows()) add(*t, t == best, clean && clean->bias == t->bias);
-    if (clean && std::ranges::none_of(out, &TunedBias::clean)) add(*clean, false, true);
-    return out;
-}
-
-BiasSearchResult search_bias(const SearchTools& t, const TuneRequest& request,
-                             const std::function<void(BiasSearchResult)>& show) {
+Tuned search_bias(const SearchTools& t, Settings settings, const SearchRequest& request,
+                  const std::function<void(Tuned)>& show) {
     const auto began = std::chrono::steady_clock::now();
     const TuneGoals goals{.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost};
-    Settings settings = t.of.settings;
     settings.truth.area |= request.area;
-    const Tuned tuned = tune(t.renderer, t.scene, settings, t.of.width, t.of.height, goals, t.cache, t.workers,
-                             t.report, [&](const FoundBias& found) {
-                                 show({{}, tuned_biases(found), {}});
-                             });
+    Tuned tuned = tune(t, settings, goals, [&](const FoundBias& found) { show({.bias = found}); });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    return {tuned.result, tuned_biases(tuned.bias),
-            fmt::format("{}; {} trials in {:.1f} s", tuned.summary, tuned.bias.tried.size(), seconds)};
+    tuned.summary += fmt::format("; {} trials in {:.1f} s", tuned.bias.tried.size(), seconds);
+    return tuned;
 }
 
-AdviceFound search_advice(const SearchTools& t, const AdviceRequest& request,
+AdviceFound search_advice(const SearchTools& t, const Settings& settings, const SearchRequest& request,
                           const std::function<void(AdviceFound)>& show) {
-    const SearchSubject& of = t.of;
-    AdviceFound out;
-    if (!request.max_error && !request.max_ms) {
-        out.what = find_advice(t.renderer, t.scene, of.settings, of.width, of.height, {.cost = request.cost}, t.cache,
-                               t.workers, t.report, [&](const AdviceReport& so_far) {
-                                   show({so_far, {}});
-                               });
-        return out;
-    }
-    const AutopilotGoals goals{.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost};
-    AutopilotResult flight = run_rendered_autopilot(t.renderer, t.scene, of.settings, of.width, of.height, goals, {},
-                                                    t.cache, t.workers, t.report);
-    out.changes = setting_changes(measured_settings(of.settings), flight.best.settings);
-    out.what = std::move(flight);
-    return out;
+    if (request.max_error || request.max_ms)
+        return run_rendered_autopilot(t, settings,
+                                      {.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost});
+    return find_advice(t, settings, {.cost = request.cost}, show);
 }
 
-ShimmerFound search_shimmer(const SearchTools& t, const ShimmerOptions& options) {
+ShimmerFound search_shimmer(const SearchTools& t, const Settings& settings, const ShimmerOptions& options) {
     ShimmerFound out{{}, options};
-    const std::vector<ShimmerVariant> variants = shimmer_variants(t.of.settings);
+    const std::vector<ShimmerVariant> variants = shimmer_variants(settings);
     for (const ShimmerVariant& v : variants) {
         const double before = double(out.variants.size()) / double(variants.size());
         const auto report = [&](double share) {
             t.report(before + share / double(variants.size()), std::string(v.label));
         };
-        out.variants.push_back({v.label, measure_shimmer(t.renderer, t.scene, v.settings, t.of.width, t.of.height,
-                                                         options, t.workers, report)});
+        out.variants.push_back(
+            {v.label, measure_shimmer(t.renderer, t.scene, v.settings, t.width, t.height, options, t.workers, report)});
     }
     return out;
 }
 
-SavedTimes search_saved_times(const SearchTools& t, FrameRequest unforced) {
+SavedTimes search_saved_times(const SearchTools& t, const Settings& settings, FrameRequest unforced) {
     unforced.forced = {};  // a forced optimisation skips nothing that could be timed
-    const FrameResult frame = t.renderer.render(t.scene, t.of.settings, unforced);
-    const std::vector<Optimisation> named = optimisations_of(frame_effects(t.scene, t.of.settings, frame));
-    return measure_saved_times(t.renderer, t.scene, t.of.settings, unforced, named, kSavedTimeRounds, t.workers,
+    const FrameResult frame = t.renderer.render(t.scene, settings, unforced);
+    const std::vector<Optimisation> named = optimisations_of(frame_effects(t.scene, settings, frame));
+    return measure_saved_times(t.renderer, t.scene, settings, unforced, named, kSavedTimeRounds, t.workers,
                                [&](double share) { t.report(share, "alternating frames"); });
 }
 
@@ -92,16 +63,14 @@ FixOptions fix_options(const Settings& settings, std::span<const PixelDiagnosis>
     options.first = request.first;
     options.list = request.pixel ? FixList::Whole : FixList::Short;
     const auto light = std::size_t(std::max(settings.view.light, 0));
-    if (!request.pixel)
-        options.reference = reference_options(settings);  // a pixel diagnosis uses a light without size
-    else if (light < diagnoses.size() && diagnoses[light].fix)
+    if (request.pixel && light < diagnoses.size() && diagnoses[light].fix)
         options.more.push_back(suggested_candidate(*diagnoses[light].fix, settings));
     return options;
 }
 
 /// Returns true if a bias search of the present subject would give the same result. The present bias does not matter,
 /// since the search replaces it.
-bool is_current(const BiasSearchResult& found, SearchSubject of, const SearchSubject& present) {
+bool is_current(SearchSubject of, const SearchSubject& present) {
     of.settings.bias = present.settings.bias;
     of.settings.truth.area = present.settings.truth.area;  // a search sets its own
     return of.measures_like(present);
@@ -130,23 +99,23 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
     } else if (!end->problem.empty()) {
         state_.log.add(LogKind::Info, end->problem);
     } else {
-        const BiasSearchResult& found = *bias_search_.found();
+        const Tuned& found = *bias_search_.found();
         const SearchSubject& of = bias_search_.subject();
         // The result is valid for its scene, camera and light only.
         Settings now = state_.settings;
         apply_tuning(now, of.settings);
         now.view = of.settings.view;
         const bool same = scene && scene->id == of.scene && now == of.settings;
-        if (found.best && !same) {
-            state_.log.add(LogKind::Warning, "Not shown, as scene or settings changed meanwhile: " + found.text);
+        if (found.result && !same) {
+            state_.log.add(LogKind::Warning, "Not shown, as scene or settings changed meanwhile: " + found.summary);
             return true;
         }
-        if (found.best) {
+        if (found.result) {
             Settings tried = state_.settings;
-            apply_tuning(tried, *found.best);
+            apply_tuning(tried, *found.result);
             show_tried(state_, tried);
         }
-        state_.log.add(LogKind::Info, found.text);
+        state_.log.add(LogKind::Info, found.summary);
     }
     return true;
 }
@@ -170,12 +139,13 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
         const Scene& scene = scenes.require();
         // A measurement needs a size, which a hidden picture does not have.
         const SearchSubject of{scene.id, state_.settings, shown.request.width, shown.request.height};
-        search.start(scene, of, first, [requested, work](const SearchTools& tools, const auto& show) {
-            if constexpr (requires { work(tools, requested, show); })
-                return work(tools, requested, show);
-            else
-                return work(tools, requested);
-        });
+        search.start(scene, of, first,
+                     [requested, work](const SearchTools& tools, const Settings& settings, const auto& show) {
+                         if constexpr (requires { work(tools, settings, requested, show); })
+                             return work(tools, settings, requested, show);
+                         else
+                             return work(tools, settings, requested);
+                     });
     };
     request(requests.tune.has_value(), [&] { start(bias_search_, "the present bias", *requests.tune, search_bias); });
     if (requests.cancel_tune) bias_search_.cancel();
@@ -184,13 +154,9 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
         search.forget();
         start(search, "the present settings",
               fix_options(state_.settings, shown.readings.diagnoses, *requests.find_fixes),
-              [](const SearchTools& t, const FixOptions& options, const auto& show) {
-                  return FixesFound{find_fixes(t.renderer, t.scene, t.of.settings, t.of.width, t.of.height, options,
-                                               t.cache, t.workers, t.report,
-                                               [&](const FixTable& so_far) {
-                                                   show(FixesFound{so_far, options.pixel});
-                                               }),
-                                    options.pixel};
+              [](const SearchTools& t, const Settings& settings, const FixOptions& options, const auto& show) {
+                  const auto found = [&](FixTable table) { return FixesFound{std::move(table), options.pixel}; };
+                  return found(find_fixes(t, settings, options, [&](const FixTable& so_far) { show(found(so_far)); }));
               });
     });
     if (requests.cancel_fixes) fixes_.cancel();
@@ -203,9 +169,10 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     });
     if (requests.cancel_advice) advice_.cancel();
     request(requests.compare_pipelines, [&] {
-        start(pipelines_, "four pipelines", std::monostate(), [](const SearchTools& t, std::monostate) {
-            return compare_pipelines(t.renderer, t.scene, t.of.settings, t.of.width, t.of.height);
-        });
+        start(pipelines_, "four pipelines", std::monostate(),
+              [](const SearchTools& t, const Settings& settings, std::monostate) {
+                  return compare_pipelines(t.renderer, t.scene, settings, t.width, t.height);
+              });
     });
     if (requests.cancel_pipelines) pipelines_.cancel();
     request(requests.measure_shimmer.has_value(),
@@ -239,10 +206,10 @@ bool BackgroundWork::update(const Scene* scene, const EditorRequests& requests) 
 void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) const {
     const SearchSubject present{scene ? scene->id : 0, state_.settings, size.x, size.y};
     f.tuning = bias_search_.progress();
-    if (const BiasSearchResult* found = bias_search_.found_in(present.scene)) {
-        f.tuned = found->biases;
-        f.tuned_result = found->best ? &*found->best : nullptr;
-        f.tuned_current = is_current(*found, bias_search_.subject(), present);
+    if (const Tuned* found = bias_search_.found_in(present.scene)) {
+        f.tuned = &found->bias;
+        f.tuned_result = found->result ? &*found->result : nullptr;
+        f.tuned_current = is_current(bias_search_.subject(), present);
     }
     const auto fill_fixes = [&](FixSearch& shown, const EditorSearch<FixesFound>& search) {
         shown.running = search.progress();
@@ -261,9 +228,8 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
         f.saved && timed.settings == present.settings && timed.width == size.x && timed.height == size.y;
     f.advising = advice_.progress();
     if (const AdviceFound* found = advice_.found_in(present.scene)) {
-        f.advice = std::get_if<AdviceReport>(&found->what);
-        f.autopilot = std::get_if<AutopilotResult>(&found->what);
-        f.autopilot_changes = found->changes;
+        f.advice = std::get_if<AdviceReport>(found);
+        f.autopilot = std::get_if<AutopilotResult>(found);
         f.advice_current = advice_.subject().measures_like(present);
     }
     f.comparing_pipelines = pipelines_.progress();

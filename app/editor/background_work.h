@@ -21,13 +21,6 @@
 
 namespace si {
 
-/// Result of a finished search for the least bias.
-struct BiasSearchResult {
-    std::optional<Settings> best;
-    std::vector<TunedBias> biases;  ///< result of each row of the bias table
-    std::string text;               ///< the bias and its cost, or the reason why there is none
-};
-
 /// Result of a finished search for fixes.
 struct FixesFound {
     FixTable table;
@@ -35,10 +28,7 @@ struct FixesFound {
 };
 
 /// Result of a finished search for advice, or of the autopilot.
-struct AdviceFound {
-    std::variant<AdviceReport, AutopilotResult> what;
-    std::vector<std::pair<std::string, std::string>> changes;  ///< key and value, of the autopilot
-};
+using AdviceFound = std::variant<AdviceReport, AutopilotResult>;
 
 /// Shimmer of shadow edges under each variant of the settings.
 struct ShimmerFound {
@@ -98,7 +88,7 @@ private:
 
     EditorState& state_;
     EditorSweep sweep_;
-    EditorSearch<BiasSearchResult> bias_search_{"The search for the smallest bias was cancelled"};
+    EditorSearch<Tuned> bias_search_{"The search for the smallest bias was cancelled"};
     EditorSearch<FixesFound> fixes_{"The search for fixes was cancelled"};
     EditorSearch<FixesFound> pixel_fixes_{"The search for the pixel's fix was cancelled"};
     EditorSearch<SavedTimes> optimisation_times_{"The measurement of optimisations was cancelled"};

@@ -11,6 +11,7 @@
 
 #include "app/base/job.h"
 #include "app/context/headless_context.h"
+#include "renderer/advise/trial.h"
 #include "renderer/measure/axes.h"
 #include "renderer/reference/reference_task.h"
 #include "renderer/render/renderer.h"
@@ -31,16 +32,6 @@ struct SearchSubject {
     }
 };
 
-/// Arguments of a background search's work: its subject, and tools of its own. Used on the search's thread only.
-struct SearchTools {
-    const Scene& scene;  ///< copy of the editor's scene
-    const SearchSubject& of;
-    Renderer& renderer;
-    ReferenceCache& cache;
-    const Workers& workers;
-    std::function<void(double share, const std::string& about)> report;  ///< reports the progress, 0..1
-};
-
 /// Background search: one at a time, and the result of the last one with its subject. Results appear while it runs, and
 /// stay when it is cancelled. @tparam T result of a search
 template <typename T>
@@ -59,9 +50,10 @@ public:
 
     /// Makes a search that does not run yet. @param cancelled message after cancel()
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
-    /// Starts a search with a copy of the scene, and cancels the search under way. @param first first step of the work
+    /// Starts a search with a copy of the scene, and cancels the search under way. The work gets tools of its own and
+    /// the settings of the subject. @param first first step of the work
     void start(const Scene& scene, const SearchSubject& of, const char* first,
-               std::function<T(const SearchTools&, const Show&)> work) {
+               std::function<T(const SearchTools&, const Settings&, const Show&)> work) {
         started_ = of;
         partial_ = std::make_shared<Partial>();
         Base::start(
@@ -80,7 +72,7 @@ public:
                     const std::lock_guard lock(partial->mutex);
                     partial->value = std::move(so_far);
                 };
-                T result = work({*copy, of, renderer, cache, workers, report_step}, show);
+                T result = work({renderer, *copy, of.width, of.height, cache, workers, report_step}, of.settings, show);
                 if (workers.stop.stop_requested()) show(result);  // cancelled work has no outcome
                 return result;
             },

@@ -144,37 +144,28 @@ std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fix
     return out;
 }
 
-AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                         const AdviceOptions& options, ReferenceCache& cache, const Workers& workers,
-                         const TrialReport& report, const std::function<void(const AdviceReport&)>& shown) {
-    constexpr double kFacts = 0.05, kFixes = 0.45;  // shares of the whole
-    const auto report_progress = [&](double share, const std::string& what) {
-        if (report) report(share, what);
-        if (workers.stop.stop_requested()) throw Cancelled();
-    };
+AdviceReport find_advice(const SearchTools& whole, const Settings& settings, const AdviceOptions& options,
+                         const std::function<void(const AdviceReport&)>& shown) {
+    constexpr double kFacts = 0.05;  // share of the whole
+    const double begun = options.fixes ? 0.5 : kFacts;
+    const SearchTools tools = whole.part();
     const Settings base = measured_settings(settings);
-    const Workers quiet = workers.with_progress_range(0, 0);
     AdviceReport out;
     out.options = options;
-    report_progress(0, "the present settings");
-    out.facts = advice_facts(renderer, scene, base, width, height, cache, quiet);
-    const TrialMeter meter = renderer_trial_meter(renderer, scene, width, height,
-                                                  {.error = options.error, .cost = options.cost}, cache, quiet);
+    tools.report(0, "the present settings");
+    out.facts = advice_facts(tools, base);
+    const TrialMeter meter = renderer_trial_meter(tools, {.error = options.error, .cost = options.cost});
     out.before = meter.measure(base, base.view.light);
     out.before.frame.reset();
-    out.time = Measurer(renderer, width, height, quiet)
-                   .time(scene, base, options.cost, {.most = 15, .bursts = kMinBursts, .over_s = 0.3});
+    out.time = Measurer(tools.renderer, tools.width, tools.height, tools.workers)
+                   .time(tools.scene, base, options.cost, {.most = 15, .bursts = kMinBursts, .over_s = 0.3});
     FixTable fixes;
     const auto show_fixes = [&](const FixTable& table) {
         out.findings = list_findings(out.facts, table);
         if (shown) shown(out);
     };
-    if (options.fixes)
-        fixes = find_fixes(
-            renderer, scene, base, width, height, {.reference = reference_options(base)}, cache, quiet,
-            [&](double share, const std::string& what) { report_progress(kFacts + kFixes * share, what); }, show_fixes);
+    if (options.fixes) fixes = find_fixes(tools.part(kFacts, begun), base, {}, show_fixes);
     show_fixes(fixes);
-    const double begun = kFacts + (options.fixes ? kFixes : 0);
     const auto take = [&](const std::vector<Trial>& tried) {
         out.holds.clear();
         out.fails.clear();
@@ -189,13 +180,11 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
         if (const Trial* fix = fixes.fix_of(style.artefact)) candidates.push_back(fix->candidate);
     if (fixes.fix()) candidates.push_back(fixes.fix()->candidate);
     try {
-        take(try_advice(
-            base, std::move(candidates), meter,
-            [&](double share, const std::string& what) { report_progress(begun + (1 - begun) * share, what); }, take));
+        take(try_advice(base, std::move(candidates), meter, tools.part(begun, 1).report, take));
     } catch (const Cancelled&) {
         // The findings stay.
     }
-    out.stopped = workers.stop.stop_requested();
+    out.stopped = tools.workers.stop.stop_requested();
     return out;
 }
 

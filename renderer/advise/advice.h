@@ -1,8 +1,8 @@
 // Advice: setting changes that rules propose from facts of the scene, each measured for error and time before it is
 // shown.
 //
-//     AdviceReport report = find_advice(renderer, scene, settings, 1280, 720, {}, cache);
-//     report.holds.front().idea.sentence, report.holds.front().settings    // best change and its reason
+//     AdviceReport report = find_advice({renderer, scene, 1280, 720, cache}, settings, {});
+//     report.holds.front().candidate.name, report.holds.front().changes    // reason of the best change, and the change
 #pragma once
 
 #include "renderer/advise/advice_facts.h"
@@ -74,13 +74,11 @@ struct AdviceReport {
 };
 
 /// Searches for advice: takes measurements of the frame, lets the rules propose setting changes, measures and ranks
-/// them, and lists problems with fixes. Call on the renderer's thread.
-/// @param width, height of the picture in pixels
+/// them, and lists problems with fixes.
 /// @param shown receives the report so far
 /// @throws Cancelled before the first trial; later the report so far is returned. Error when there is no light to
 /// compare
-AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                         const AdviceOptions& options, ReferenceCache& cache, const Workers& workers = {},
-                         const TrialReport& report = {}, const std::function<void(const AdviceReport&)>& shown = {});
+AdviceReport find_advice(const SearchTools& tools, const Settings& settings, const AdviceOptions& options,
+                         const std::function<void(const AdviceReport&)>& shown = {});
 
 }  // namespace si

@@ -55,8 +55,8 @@ void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& set
 
 }  // namespace
 
-AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings& s, int width, int height,
-                         ReferenceCache& cache, const Workers& workers) {
+AdviceFacts advice_facts(const SearchTools& tools, const Settings& s) {
+    const auto& [renderer, scene, width, height, cache, workers, report] = tools;
     FrameRequest request{.width = width, .height = height};
     trace_sources(renderer, scene, s, request, cache, workers);
     const MeasuredError m =

@@ -28,11 +28,9 @@ struct AdviceFacts {
     }
 };
 
-/// Takes the measurements that advice rules read: draws a frame and traces its reference. Call on the renderer's
-/// thread.
-/// @param measured the settings from measured_settings() @param width, height of the picture in pixels
+/// Takes the measurements that advice rules read: draws a frame and traces its reference.
+/// @param measured the settings from measured_settings()
 /// @throws Cancelled, Error
-AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings& measured, int width, int height,
-                         ReferenceCache& cache, const Workers& workers);
+AdviceFacts advice_facts(const SearchTools& tools, const Settings& measured);
 
 }  // namespace si

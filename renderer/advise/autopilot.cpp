@@ -47,6 +47,7 @@ public:
         if (settings_at(at_) == start_)
             known_[at_] = {.axis_values = at_,
                            .settings = start_,
+                           .changes = {},
                            .classified = out.before,
                            .ms = out.before_ms,
                            .ms_noise = before_ms.noise};
@@ -124,7 +125,8 @@ private:
         if (const auto it = known_.find(at); it != known_.end()) return &it->second;
         if (out_of_measuring_time()) return nullptr;
         report_progress(name_of(at));
-        AutopilotCase c{.axis_values = at, .settings = settings_at(at), .classified = {}, .ms = {}};
+        AutopilotCase c{.axis_values = at, .settings = settings_at(at), .changes = {}, .classified = {}, .ms = {}};
+        c.changes = setting_changes(start_, c.settings);
         c.classified = meter_.measure(c.settings, start_.view.light);
         c.classified.frame.reset();
         return &known_.emplace(at, std::move(c)).first->second;
@@ -395,22 +397,14 @@ AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepA
     return AutopilotSearch(settings, axes, goals, meter, report).run();
 }
 
-AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
-                                       int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
-                                       ReferenceCache& cache, const Workers& workers, const TrialReport& report) {
-    const auto report_progress = [&](double share, const std::string& what) {
-        if (workers.stop.stop_requested()) throw Cancelled();
-        if (report) report(share, what);
-    };
+AutopilotResult run_rendered_autopilot(const SearchTools& whole, const Settings& settings, const AutopilotGoals& goals,
+                                       std::vector<SweepAxis> axes) {
+    const SearchTools tools = whole.part();
     const Settings base = measured_settings(settings);
-    const Workers quiet = workers.with_progress_range(0, 0);
-    report_progress(0, "the present settings");
-    if (axes.empty())
-        axes = autopilot_axes(base, advice_facts(renderer, scene, base, width, height, cache, quiet),
-                              renderer.driver().max_texture_size);
-    const TrialMeter meter =
-        renderer_trial_meter(renderer, scene, width, height, {.error = goals.error, .cost = goals.cost}, cache, quiet);
-    return run_autopilot(base, axes, goals, meter, report_progress);
+    tools.report(0, "the present settings");
+    if (axes.empty()) axes = autopilot_axes(base, advice_facts(tools, base), tools.renderer.driver().max_texture_size);
+    return run_autopilot(base, axes, goals, renderer_trial_meter(tools, {.error = goals.error, .cost = goals.cost}),
+                         tools.report);
 }
 
 }  // namespace si

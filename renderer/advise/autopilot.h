@@ -29,6 +29,7 @@ std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFact
 struct AutopilotCase {
     std::vector<std::size_t> axis_values;  ///< index of the value on each axis
     Settings settings;
+    SettingChanges changes;       ///< of the settings that the search began with
     MeasuredSettings classified;  ///< error and work
     std::optional<double> ms;     ///< frame time; none: not timed, since not needed
     double ms_noise = 0;          ///< half the confidence interval of the frame time
@@ -63,12 +64,9 @@ struct AutopilotResult {
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const TrialMeter& meter, const TrialReport& report = {});
 
-/// Runs the autopilot with a renderer, on the renderer's thread. Without axes, chooses them by autopilot_axes().
-/// @param width, height of the picture in pixels
+/// Runs the autopilot with a renderer. Without axes, chooses them by autopilot_axes().
 /// @throws Cancelled; Error when there is no light to compare
-AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
-                                       int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
-                                       ReferenceCache& cache, const Workers& workers = {},
-                                       const TrialReport& report = {});
+AutopilotResult run_rendered_autopilot(const SearchTools& tools, const Settings& settings, const AutopilotGoals& goals,
+                                       std::vector<SweepAxis> axes = {});
 
 }  // namespace si

@@ -414,8 +414,8 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
     table.candidates = list.size();
     std::optional<std::size_t> pixel;
     if (options.pixel) {
-        const glm::ivec2 at = *options.pixel / std::max(options.reference.step, 1);
-        pixel = std::size_t(at.y) * std::size_t(before.frame->traced.reference->width) + std::size_t(at.x);
+        pixel = std::size_t(options.pixel->y) * std::size_t(before.frame->traced.reference->width) +
+                std::size_t(options.pixel->x);
     }
     try {
         for (std::size_t k = 0; k < list.size(); ++k) {
@@ -431,18 +431,17 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
     return table;
 }
 
-FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                    const FixOptions& options, ReferenceCache& cache, const Workers& workers, const TrialReport& report,
+FixTable find_fixes(const SearchTools& whole, const Settings& settings, const FixOptions& options,
                     const std::function<void(const FixTable&)>& shown) {
+    const SearchTools tools = whole.part();
     const Settings base = measured_settings(settings);
-    const Workers quiet = workers.with_progress_range(0, 0);
-    const TrialMeter meter = renderer_trial_meter(renderer, scene, width, height,
-                                                  {.work = false, .reference = options.reference}, cache, quiet);
-    if (report) report(0, "the present settings");
+    const ReferenceOptions reference = options.pixel ? ReferenceOptions() : reference_options(settings);
+    const TrialMeter meter = renderer_trial_meter(tools, {.work = false, .reference = reference});
+    tools.report(0, "the present settings");
     const MeasuredSettings before = meter.measure(base, base.view.light);
     const ErrorMetrics& error = before.frame->metrics;
     if (wrong_pixels(error) == 0 && !(error.any_acne + error.any_leak > 0)) return {};
-    const FixFacts facts = fix_facts(*before.frame, base, renderer.driver());
+    const FixFacts facts = fix_facts(*before.frame, base, tools.renderer.driver());
     std::vector<Candidate> list = fix_candidates(base, facts, options.first ? FixList::Short : options.list);
     const auto add = [&](Candidate more) {
         more.settings = measured_settings(more.settings);
@@ -454,7 +453,7 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
     const std::size_t enough = options.first ? list.size() : std::numeric_limits<std::size_t>::max();
     if (options.first && options.list == FixList::Whole)
         for (Candidate& more : fix_candidates(base, facts, FixList::Whole)) add(std::move(more));
-    return search_fixes(base, before, std::move(list), meter, options, report, shown, enough);
+    return search_fixes(base, before, std::move(list), meter, options, tools.report, shown, enough);
 }
 
 }  // namespace si

@@ -1,6 +1,6 @@
 // Fixes: setting changes that put wrong pixels right. Each is drawn and measured before it is offered.
 //
-//     FixTable table = find_fixes(renderer, scene, settings, 1280, 720, {.pixel = glm::ivec2(640, 360)}, cache);
+//     FixTable table = find_fixes({renderer, scene, 1280, 720, cache}, settings, {.pixel = glm::ivec2(640, 360)});
 //     if (const Trial* fix = table.fix()) apply(fix->changes);
 #pragma once
 
@@ -69,13 +69,13 @@ struct FixTable {
 /// Largest difference from the reference at which a fix counts as making its pixel right.
 inline constexpr float kRightVisibilityError = 0.25f;
 
-/// Options of find_fixes(): pixel to put right, timing, reference, and further candidates.
+/// Options of find_fixes(): pixel to put right, timing, and further candidates.
 struct FixOptions {
-    std::optional<glm::ivec2> pixel;  ///< pixel to put right, from the top left; none: the picture
-    bool time = false;                ///< times each trial, not only those that may be the fix
-    bool first = false;               ///< tries the whole list only if the short one has no fix
+    /// Pixel to put right, from the top left, under a light without size as in a pixel diagnosis; none: the picture.
+    std::optional<glm::ivec2> pixel;
+    bool time = false;   ///< times each trial, not only those that may be the fix
+    bool first = false;  ///< tries the whole list only if the short one has no fix
     FixList list = FixList::Short;
-    ReferenceOptions reference;
     std::vector<Candidate> more = {};  ///< further candidates
 };
 
@@ -90,12 +90,10 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
                       std::size_t enough = std::numeric_limits<std::size_t>::max());
 
 /// Searches for fixes of the wrong pixels in a frame: proposes setting changes, draws each, counts cured and broken
-/// pixels, and times those that may be the fix. Call on the renderer's thread.
-/// @param width, height of the picture in pixels
+/// pixels, and times those that may be the fix.
 /// @param shown receives the table so far, after each trial
 /// @throws Cancelled before the first trial; later the table so far is returned. Error
-FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                    const FixOptions& options, ReferenceCache& cache, const Workers& workers = {},
-                    const TrialReport& report = {}, const std::function<void(const FixTable&)>& shown = {});
+FixTable find_fixes(const SearchTools& tools, const Settings& settings, const FixOptions& options,
+                    const std::function<void(const FixTable&)>& shown = {});
 
 }  // namespace si

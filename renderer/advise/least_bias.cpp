@@ -212,6 +212,14 @@ std::vector<const TriedBias*> FoundBias::best_of_rows(bool no_acne) const {
     return out;
 }
 
+std::vector<FoundBiasRow> FoundBias::table() const {
+    std::vector<FoundBiasRow> out;
+    const TriedBias *const least = best(), *const clean = best_without_acne();
+    for (const TriedBias* t : best_of_rows()) out.push_back({t, t == least, clean && clean->bias == t->bias});
+    if (clean && std::ranges::none_of(out, &FoundBiasRow::clean)) out.push_back({clean, false, true});
+    return out;
+}
+
 std::string FoundBias::summary(bool no_acne) const {
     if (before.needs.pixels == 0) return "nothing in the picture is lit within the map: no bias is needed";
     const TriedBias* found = no_acne ? best_without_acne() : best();
@@ -228,8 +236,8 @@ std::string FoundBias::summary(bool no_acne) const {
 }
 
 FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
-                            const LeastBiasOptions& options, const TrialReport& report, const FoundBiasShown& shown) {
-    FoundBias out{.before = before, .tried = {}, .max_gap_m = options.max_gap_m};
+                            std::optional<double> max_gap_m, const TrialReport& report, const FoundBiasShown& shown) {
+    FoundBias out{.before = before, .tried = {}, .max_gap_m = max_gap_m};
     if (before.needs.pixels == 0) return out;  // without lit pixels there is no acne
     double all = 0, done = 0;
     const auto usual_trials = [](const BiasStart& s) {
@@ -256,17 +264,15 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
     return out;
 }
 
-FoundBias find_least_bias(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                          const LeastBiasOptions& options, ReferenceCache& cache, const Workers& workers,
-                          const TrialReport& report, const FoundBiasShown& shown) {
+FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, std::optional<double> max_gap_m,
+                          const FoundBiasShown& shown) {
+    const SearchTools tools = whole.part();
     const Settings base = measured_settings(settings);
-    const Workers quiet = workers.with_progress_range(0, 0);
-    const TrialMeter meter = renderer_trial_meter(renderer, scene, width, height,
-                                                  {.work = false, .reference = options.reference}, cache, quiet);
-    const RasterTraits& driver = renderer.driver();
-    if (const std::string why = reason_without_bias(fit_lights(scene, base), base.view.light); !why.empty())
+    const TrialMeter meter = renderer_trial_meter(tools, {.work = false});
+    const RasterTraits& driver = tools.renderer.driver();
+    if (const std::string why = reason_without_bias(fit_lights(tools.scene, base), base.view.light); !why.empty())
         throw Error(why);
-    if (report) report(0, "the present bias");
+    tools.report(0, "the present bias");
     const MeasuredError first = *meter.measure(base, base.view.light).frame;
     const BiasScore score(first, base, driver);
     const auto trial = [&](const MeasuredError& m, const Settings& s) {
@@ -277,7 +283,8 @@ FoundBias find_least_bias(Renderer& renderer, const Scene& scene, const Settings
         s.bias = bias;
         return trial(*meter.measure(s, s.view.light).frame, s);
     };
-    return search_least_bias(trial(first, base), bias_starts(first, base, driver), measure, options, report, shown);
+    return search_least_bias(trial(first, base), bias_starts(first, base, driver), measure, max_gap_m, tools.report,
+                             shown);
 }
 
 std::string reason_without_bias(std::span<const FittedLight> lights, int light) {

@@ -1,7 +1,7 @@
 // Search for the least bias of a frame over all rows of the bias table. Each row is drawn at several strengths, and the
 // one with the least score is chosen.
 //
-//     const FoundBias found = find_least_bias(renderer, scene, settings, 1280, 720, {}, cache);
+//     const FoundBias found = find_least_bias({renderer, scene, 1280, 720, cache}, settings);
 //     if (found.best()) settings.bias = found.best()->bias;
 #pragma once
 
@@ -70,13 +70,20 @@ struct TriedBias {
     BiasTrial trial;
 };
 
+/// Row of the table of found biases.
+struct FoundBiasRow {
+    const TriedBias* tried;
+    bool least = false;  ///< the least score
+    bool clean = false;  ///< the least score of those without acne
+};
+
 /// Result of a search for the least bias.
 struct FoundBias {
-    BiasTrial before;              ///< present bias
-    std::vector<TriedBias> tried;  ///< all trials, in the order of the search
-    std::optional<double> max_gap_m;
-    bool stopped = false;  ///< stopped before all rows were tried
-    /// Returns the bias with the least score whose gap is within LeastBiasOptions::max_gap_m; null: none. A bias with
+    BiasTrial before;                 ///< present bias
+    std::vector<TriedBias> tried;     ///< all trials, in the order of the search
+    std::optional<double> max_gap_m;  ///< largest gap at casters, 95th percentile, metres
+    bool stopped = false;             ///< stopped before all rows were tried
+    /// Returns the bias with the least score whose gap is within max_gap_m; null: none. A bias with
     /// more wrong pixels than the present one wins only if all have more. Scores closer than a hundredth tie; the
     /// smaller mean error, then the smaller gap at casters decides.
     const TriedBias* best() const { return least_score(nullptr, false); }
@@ -85,18 +92,14 @@ struct FoundBias {
     /// Returns the best trial of each row that has one, in the order of the search. @param no_acne only those without
     /// acne
     std::vector<const TriedBias*> best_of_rows(bool no_acne = false) const;
+    /// Returns the best trial of each row that has one, and the best one without acne.
+    std::vector<FoundBiasRow> table() const;
     /// Returns the result in one sentence.
     std::string summary(bool no_acne) const;
 
 private:
     /// Returns the trial with the least score. @param row of this row; null: of all
     const TriedBias* least_score(const Bias* row, bool no_acne) const;
-};
-
-/// Options of a search for the least bias.
-struct LeastBiasOptions {
-    std::optional<double> max_gap_m;  ///< largest gap at casters, 95th percentile, metres
-    ReferenceOptions reference;       ///< reference to compare with
 };
 
 /// Function that draws a frame under a bias and measures it.
@@ -108,15 +111,13 @@ using FoundBiasShown = std::function<void(const FoundBias&)>;
 /// nothing; the meter does. Stops with the results so far when the meter or the report throws Cancelled after the first
 /// trial.
 FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart>& starts, const BiasMeter& meter,
-                            const LeastBiasOptions& options = {}, const TrialReport& report = {},
+                            std::optional<double> max_gap_m = {}, const TrialReport& report = {},
                             const FoundBiasShown& shown = {});
 
-/// Searches the least bias of the light view.light with a renderer, on its thread.
-/// @param width, height of the picture in pixels
+/// Searches the least bias of the light view.light with a renderer.
 /// @throws Cancelled before the first result; Error when the light draws no map
-FoundBias find_least_bias(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                          const LeastBiasOptions& options, ReferenceCache& cache, const Workers& workers = {},
-                          const TrialReport& report = {}, const FoundBiasShown& shown = {});
+FoundBias find_least_bias(const SearchTools& tools, const Settings& settings, std::optional<double> max_gap_m = {},
+                          const FoundBiasShown& shown = {});
 
 /// Returns the reason why the bias of a light cannot be searched, such as a light without a map; empty: it can.
 /// @param light index of light.*

@@ -23,32 +23,6 @@ double mean_of(const std::vector<double>& values) {
     return values.empty() ? 0 : sum / double(values.size());
 }
 
-/// Times frames of two settings in alternating rounds, so that drift of the machine's speed affects both alike.
-CostChange difference_of(TimedFrames before, TimedFrames with, const Workers& workers) {
-    const auto round = [&](TimedFrames& frames) {
-        frames.warm_up();
-        TimeSamples samples;
-        for (int i = 0; i < kRoundFrames; ++i) samples.add(frames.draw_next());
-        return mean_of(samples.total_ms);
-    };
-    round(before);
-    round(with);  // programs are compiled
-    std::vector<double> more, base;
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < kMaxRounds; ++i) {
-        if (workers.stop.stop_requested()) throw Cancelled();
-        const bool there = i % 2 == 0;
-        const double a = there ? round(before) : 0, b = round(with), c = there ? a : round(before);
-        base.push_back(c);
-        more.push_back(b - c);
-        const double noise = half_interval(more), value = mean_of(more);
-        const bool sharp = noise < kMaxRelativeNoise * mean_of(base) || std::abs(value) > 2 * noise;
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        if (i + 1 >= kMinRounds && (sharp || spent.count() > kMaxSeconds)) break;
-    }
-    return {mean_of(more), half_interval(more)};
-}
-
 /// Returns the work of a frame of which only the lights' maps are known.
 WorkCost map_cost(const Settings& s, const MeasuredError& measured) {
     FrameResult maps;
@@ -59,6 +33,36 @@ WorkCost map_cost(const Settings& s, const MeasuredError& measured) {
 }
 
 }  // namespace
+
+SearchTools SearchTools::part(double lo, double hi) const {
+    SearchTools out = *this;
+    out.workers = workers.with_progress_range(0, 0);
+    out.report = [whole = report, stop = workers.stop, lo, hi](double share, const std::string& step) {
+        if (whole) whole(lo + (hi - lo) * share, step);
+        if (stop.stop_requested()) throw Cancelled();
+    };
+    return out;
+}
+
+AlternatingTimes time_alternately(const std::function<double()>& before, const std::function<double()>& with,
+                                  const std::stop_token& stop) {
+    before();
+    with();  // programs are compiled
+    std::vector<double> more, base;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < kMaxRounds; ++i) {
+        if (stop.stop_requested()) throw Cancelled();
+        const bool there = i % 2 == 0;
+        const double a = there ? before() : 0, b = with(), c = there ? a : before();
+        base.push_back(c);
+        more.push_back(b - c);
+        const double noise = half_interval(more), value = mean_of(more);
+        const bool sharp = noise < kMaxRelativeNoise * mean_of(base) || std::abs(value) > 2 * noise;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        if (i + 1 >= kMinRounds && (sharp || spent.count() > kMaxSeconds)) break;
+    }
+    return {mean_of(base), {mean_of(more), half_interval(more)}};
+}
 
 SettingChanges setting_changes(const Settings& base, const Settings& with) {
     SettingChanges out;
@@ -130,33 +134,41 @@ Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candid
     return t;
 }
 
-TrialMeter renderer_trial_meter(Renderer& renderer, const Scene& scene, int width, int height,
-                                const TrialOptions& options, ReferenceCache& cache, const Workers& workers) {
-    const FrameRequest request{.width = width, .height = height};
+TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& options) {
+    const FrameRequest request{.width = tools.width, .height = tools.height};
     TrialMeter meter;
-    meter.measure = [=, &renderer, &scene, &cache, &workers](const Settings& s, int light) {
+    meter.measure = [=](const Settings& s, int light) {
+        const auto& workers = tools.workers;
         if (workers.stop.stop_requested()) throw Cancelled();
         FrameRequest own = request;
-        trace_sources(renderer, scene, s, own, cache, workers);
+        trace_sources(tools.renderer, tools.scene, s, own, tools.cache, workers);
         const Metric& metric = *options.error;
         const auto m = std::make_shared<const MeasuredError>(
-            measure_error(renderer, scene, s, own, light, options.reference.value_or(reference_options(s)), cache,
-                          workers, metric.of_pictures));
+            measure_error(tools.renderer, tools.scene, s, own, light, options.reference.value_or(reference_options(s)),
+                          tools.cache, workers, metric.of_pictures));
         own.force = true;
-        return MeasuredSettings{distance_from_best(metric.better, metric.value(m->metrics)), m->traced.reference->noise,
-                                options.work ? work_cost(s, renderer.render(scene, s, own)) : map_cost(s, *m),
-                                m->camera, m};
+        return MeasuredSettings{
+            distance_from_best(metric.better, metric.value(m->metrics)), m->traced.reference->noise,
+            options.work ? work_cost(s, tools.renderer.render(tools.scene, s, own)) : map_cost(s, *m), m->camera, m};
     };
-    meter.time = [=, &renderer, &scene, &cache, &workers](const Settings& before, const Settings& with) {
-        const auto frames = [&](const Settings& s) {
-            return TimedFrames(renderer, scene, s, request, options.cost, cache, workers);
+    meter.time = [=](const Settings& before, const Settings& with) {
+        const auto rounds = [&](const Settings& s) {
+            const auto frames = std::make_shared<TimedFrames>(tools.renderer, tools.scene, s, request, options.cost,
+                                                              tools.cache, tools.workers);
+            return [frames] {
+                frames->warm_up();
+                TimeSamples samples;
+                for (int i = 0; i < kRoundFrames; ++i) samples.add(frames->draw_next());
+                return mean_of(samples.total_ms);
+            };
         };
-        return difference_of(frames(before), frames(with), workers);
+        return time_alternately(rounds(before), rounds(with), tools.workers.stop).more;
     };
-    meter.ms = [=, &renderer, &scene, &workers](const Settings& s) {
-        const Spread time = Measurer(renderer, width, height, workers)
-                                .time(scene, s, options.cost, {.least = 3, .most = 6, .bursts = 2, .over_s = 0.15})
-                                .total_ms;
+    meter.ms = [=](const Settings& s) {
+        const Spread time =
+            Measurer(tools.renderer, tools.width, tools.height, tools.workers)
+                .time(tools.scene, s, options.cost, {.least = 3, .most = 6, .bursts = 2, .over_s = 0.15})
+                .total_ms;
         return CostChange{time.median, time.noise()};
     };
     meter.now_s = BurstClock::steady().now_s;

@@ -1,7 +1,7 @@
 // Trials: candidate settings that are drawn, compared with the reference and timed. Fixes, advice, the autopilot and
 // the search for the least bias are rules that choose among trials.
 //
-//     TrialMeter meter = renderer_trial_meter(renderer, scene, 1280, 720, {}, cache, workers);
+//     TrialMeter meter = renderer_trial_meter({renderer, scene, 1280, 720, cache});
 //     const MeasuredSettings now = meter.measure(settings, settings.view.light);
 //     const CostChange more = meter.time(settings, candidate.settings);
 #pragma once
@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,22 @@
 #include "renderer/measure/measure.h"
 
 namespace si {
+
+/// Receives the share of a search that is done, 0..1, and its present step. May throw Cancelled.
+using TrialReport = std::function<void(double share, const std::string& step)>;
+
+/// Tools of one search, for use on the renderer's thread: what draws, what is drawn, and who hears of the progress.
+struct SearchTools {
+    Renderer& renderer;
+    const Scene& scene;
+    int width, height;  ///< pixels of the picture
+    ReferenceCache& cache;
+    Workers workers = {};     ///< threads of the reference, with the stop token of the search
+    TrialReport report = {};  ///< receives progress; empty: nobody does
+    /// Returns tools for a part of the search: its progress 0..1 is reported as lo..hi. Their report is never empty,
+    /// and throws Cancelled when the stop token requests it.
+    SearchTools part(double lo = 0, double hi = 1) const;
+};
 
 /// Setting changes: keys and new values for set_setting().
 using SettingChanges = std::vector<std::pair<std::string, std::string>>;
@@ -65,10 +82,19 @@ struct TrialOptions {
     std::optional<ReferenceOptions> reference = {};  ///< none: reference_options() of the settings
 };
 
-/// Makes a trial meter that draws and times frames with a renderer. The arguments must outlive the meter.
-/// @param width, height of the picture in pixels
-TrialMeter renderer_trial_meter(Renderer& renderer, const Scene& scene, int width, int height,
-                                const TrialOptions& options, ReferenceCache& cache, const Workers& workers);
+/// Makes a trial meter that draws and times frames with a renderer. What the tools refer to must outlive the meter.
+TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& options = {});
+
+/// Times of two kinds of frames that were drawn in turns.
+struct AlternatingTimes {
+    double before_ms = 0;  ///< mean of the first kind
+    CostChange more;       ///< milliseconds that the second kind takes more
+};
+/// Times two kinds of frames in alternating rounds, so that drift of the machine's speed affects both alike. Ends when
+/// the change is known or after some seconds. @param before, with draw a round of frames and return the milliseconds
+/// of one @throws Cancelled
+AlternatingTimes time_alternately(const std::function<double()>& before, const std::function<double()>& with,
+                                  const std::stop_token& stop);
 
 /// Benefit that a rule claims for a setting change. The measurement confirms or rejects the claim.
 enum class Claim {
@@ -135,8 +161,5 @@ inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
 /// @param before the present settings, with their frame @param pixel index of a pixel to watch, top row first
 Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
                     std::optional<std::size_t> pixel = {});
-
-/// Receives the share of a search that is done, 0..1, and its present step. May throw Cancelled.
-using TrialReport = std::function<void(double share, const std::string& step)>;
 
 }  // namespace si

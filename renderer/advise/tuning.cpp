@@ -10,7 +10,8 @@
 namespace si {
 namespace {
 
-constexpr int kMinResolution = 256;
+constexpr int kMinResolution = 256;   // texels per side
+constexpr int kMaxResolution = 8192;  // texels per side
 
 std::vector<SweepAxis> tuned_axes(const Settings& start, int max_resolution) {
     std::vector<SweepAxis> axes = {{"filter.kernel", {""}}, {"map.resolution", {""}}};
@@ -22,19 +23,11 @@ std::vector<SweepAxis> tuned_axes(const Settings& start, int max_resolution) {
 
 }  // namespace
 
-Tuned tune(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-           const TuneGoals& goals, ReferenceCache& cache, const Workers& workers, const TrialReport& report,
-           const FoundBiasShown& shown) {
+Tuned tune(const SearchTools& tools, const Settings& settings, const TuneGoals& goals, const FoundBiasShown& shown) {
     const double first = goals.any() ? 0.2 : 1;
-    const auto part = [&](double from, double to) {
-        return [&report, from, to](double share, const std::string& step) {
-            if (report) report(from + (to - from) * share, step);
-        };
-    };
     Tuned out;
     const Settings start = measured_settings(settings);
-    const LeastBiasOptions options{.max_gap_m = goals.max_gap_m, .reference = reference_options(start)};
-    out.bias = find_least_bias(renderer, scene, start, width, height, options, cache, workers, part(0, first), shown);
+    out.bias = find_least_bias(tools.part(0, first), start, goals.max_gap_m, shown);
     out.summary = out.bias.summary(goals.no_acne);
     const TriedBias* found = goals.no_acne ? out.bias.best_without_acne() : out.bias.best();
     if (!found && out.bias.before.needs.pixels > 0) return out;
@@ -51,9 +44,8 @@ Tuned tune(Renderer& renderer, const Scene& scene, const Settings& settings, int
                                 .cost = goals.cost,
                                 .max_seconds = std::numeric_limits<double>::infinity(),
                                 .max_combinations = std::numeric_limits<std::size_t>::max()};
-    const int largest = std::min(goals.max_resolution, renderer.driver().max_texture_size);
-    out.limits = run_rendered_autopilot(renderer, scene, with, width, height, limits, tuned_axes(with, largest), cache,
-                                        workers, part(first, 1));
+    const int largest = std::min(kMaxResolution, tools.renderer.driver().max_texture_size);
+    out.limits = run_rendered_autopilot(tools.part(first, 1), with, limits, tuned_axes(with, largest));
     out.summary = fmt::format("{}; {}", out.limits->summary, out.summary);
     if (out.limits->goals_met) out.result = out.limits->best.settings;
     return out;

@@ -9,11 +9,10 @@
 
 namespace si {
 
-/// Goals of tuning: limits of error, frame time and gap, and the largest resolution.
+/// Goals of tuning: limits of error, frame time and gap.
 struct TuneGoals {
     std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
-    int max_resolution = 8192;                 ///< largest map.resolution to try
     CostCase cost = kDefaultCost;              ///< kind of frames that are timed for max_ms
     bool no_acne = false;                      ///< bias with the least score among those without acne
     std::optional<double> max_gap_m;           ///< largest gap at casters, metres
@@ -30,10 +29,9 @@ struct Tuned {
 };
 
 /// Searches the least bias of the light view.light, and with limits the best kernel and resolution with it.
-/// @param width, height of the picture in pixels @param shown receives the biases so far
+/// @param shown receives the biases so far
 /// @throws Cancelled before the first result; Error when the light draws no map
-Tuned tune(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-           const TuneGoals& goals, ReferenceCache& cache, const Workers& workers = {}, const TrialReport& report = {},
+Tuned tune(const SearchTools& tools, const Settings& settings, const TuneGoals& goals,
            const FoundBiasShown& shown = {});
 
 /// Replaces bias, kernel and resolution of `settings` by those that tuning found.

@@ -19,8 +19,6 @@
 namespace si {
 namespace {
 
-constexpr int kTimedTurns = 7;  ///< odd, so that the median is one of them
-
 /// Comparison of a frame without some work with the whole frame.
 enum class ComparedBy {
     Picture,       ///< the whole picture
@@ -80,40 +78,33 @@ bool casts_with(const Scene& scene, const Settings& settings, AlphaMode alpha) {
     });
 }
 
-/// Lists frames with one setting switched off.
+/// Lists frames with one effect switched off by its settings.
 std::vector<WorkTrial> setting_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
     std::vector<WorkTrial> out;
-    const auto without = [&](std::string name, const auto& change, bool takes_map_time = false) {
+    const auto without = [&](bool applies, std::string name, const SettingChanges& off, bool takes_map_time = false) {
         WorkTrial trial(std::move(name), settings);
-        change(trial.settings);
+        set_settings(trial.settings, off);
         trial.takes_map_time = takes_map_time;
-        if (!(without_ineffective_settings(trial.settings) == without_ineffective_settings(settings)))
+        if (applies && !(without_ineffective_settings(trial.settings) == without_ineffective_settings(settings)))
             out.push_back(std::move(trial));
     };
+    const Filter& kernel = filter_of(settings);
+    const bool moments = kernel.samples() == Samples::Moments;
+    const auto of_light = [](std::size_t i, const char* key) { return fmt::format("light.{}.{}", i, key); };
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
-        if (frame.lights[i].shadowed)
-            without(fmt::format("contact shadows of light {}", i), [&](Settings& s) { s.lights[i].contact = 0; });
+        without(frame.lights[i].shadowed, fmt::format("contact shadows of light {}", i),
+                {{of_light(i, "contact"), "0"}});
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
-        if (frame.lights[i].casts && filter_of(settings).reads_light_size)
-            without(fmt::format("size of light {}", i), [&](Settings& s) { s.lights[i].size = 0; });
-    without(
-        "depth blur", [](Settings& s) { s.map.blur_texels = 0; }, true);
-    if (filter_of(settings).samples() == Samples::Moments) {
-        without(
-            "blur of the moments", [](Settings& s) { s.filter.blur = 0; }, true);
-        without(
-            "mip levels of the moments", [](Settings& s) { s.filter.mips = false; }, true);
-        without(
-            "several samples a texel", [](Settings& s) { s.map.samples = 1; }, true);
-    }
-    if (casts_with(scene, settings, AlphaMode::Blend))
-        without(
-            "shadows of blended casters", [](Settings& s) { s.caster.blend = BlendCasters::None; }, true);
-    without("sky and its ambient light", [](Settings& s) { s.shading.sky = SkyLook::Plain; });
-    without("tone curve", [](Settings& s) {
-        s.shading.curve = ToneCurve::Plain;
-        s.shading.exposure = 0;
-    });
+        without(frame.lights[i].casts && kernel.reads_light_size, fmt::format("size of light {}", i),
+                {{of_light(i, "size"), "0"}});
+    without(true, "depth blur", {{"map.blur_texels", "0"}}, true);
+    without(moments, "blur of the moments", {{"filter.blur", "0"}}, true);
+    without(moments, "mip levels of the moments", {{"filter.mips", "false"}}, true);
+    without(moments, "several samples a texel", {{"map.samples", "1"}}, true);
+    without(casts_with(scene, settings, AlphaMode::Blend), "shadows of blended casters", {{"caster.blend", "none"}},
+            true);
+    without(true, "sky and its ambient light", {{"shading.sky", "plain"}});
+    without(true, "tone curve", {{"shading.curve", "plain"}, {"shading.exposure", "0"}});
     return out;
 }
 
@@ -183,79 +174,74 @@ bool differ_on_same_surfaces(const Scene& scene, const ByteImage& a, const Surfa
 
 class WasteSearch {
 public:
-    WasteSearch(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                const Workers& workers)
-        : renderer_(renderer),
-          scene_(scene),
-          settings_(settings),
-          measured_(measured_settings(settings)),
-          request_(request),
-          workers_(workers) {
+    WasteSearch(const SearchTools& tools, const Settings& settings, const FrameRequest& request)
+        : tools_(tools.part()), settings_(settings), measured_(measured_settings(settings)), request_(request) {
         request_.force = true;
         request_.timing = false;
         request_.outputs = {};
     }
 
-    Waste find(bool timed, const std::function<void(double)>& report) {
+    Waste find(bool timed) {
         std::vector<WorkTrial> trials = all_trials();
         Waste waste;
+        std::vector<double> whole_ms;
         for (WorkTrial& trial : trials) {
-            if (report) report(double(waste.tried.size()) / double(trials.size()));
+            tools_.report(double(waste.tried.size()) / double(trials.size()), "left out one at a time");
             try_it(trial);
             some_map_needed_ |= trial.is_drawn_into_maps && trial.about.changes;  // maps are tried first
-            if (timed && is_timed(trial)) trial.about.maps_ms = saved_ms(trial);
+            if (timed && is_timed(trial)) {
+                const AlternatingTimes times = time_against_whole(trial);
+                trial.about.maps_ms = -times.more.value;
+                whole_ms.push_back(times.before_ms);
+            }
             waste.tried.push_back(std::move(trial.about));
         }
-        if (timed) waste.maps_ms = whole_ms();
+        if (timed && whole_ms.empty()) whole_ms.push_back(time_against_whole({"", measured_}).before_ms);
+        if (timed) waste.maps_ms = spread_of(std::move(whole_ms)).median;
         return waste;
     }
 
 private:
-    Renderer& renderer_;
-    const Scene& scene_;
+    const SearchTools tools_;
     const Settings& settings_;
     const Settings measured_;
     FrameRequest request_;
-    const Workers& workers_;
     std::vector<ByteImage> picture_, shown_;  ///< panes of the whole frame, without and with overlays
     std::uint64_t triangles_ = 0;
     bool some_map_needed_ = false;
-    std::vector<double> whole_ms_;  ///< map times of whole frames
 
-    FrameResult draw(const Scene& scene, const Settings& settings, const FrameRequest& request) {
-        if (workers_.stop.stop_requested()) throw Cancelled();
-        return renderer_.render(scene, settings, request);
-    }
-    FrameResult draw(const WorkTrial& trial, FrameRequest request) {
+    FrameResult draw(const WorkTrial& trial, FrameRequest request) const {
+        if (tools_.workers.stop.stop_requested()) throw Cancelled();
         request.emptied = trial.map;
-        return draw(trial.scene ? *trial.scene : scene_, trial.settings, request);
+        return tools_.renderer.render(trial.scene ? *trial.scene : tools_.scene, trial.settings, request);
     }
+    FrameResult draw_whole(const FrameRequest& request) const { return draw({"", measured_}, request); }
 
-    std::vector<ByteImage> pictures_of(const FrameResult& frame) {
+    std::vector<ByteImage> pictures_of(const FrameResult& frame) const {
         std::vector<ByteImage> out;
-        for (const Pane& pane : frame.panes) out.push_back(renderer_.read_colour(pane.picture));
+        for (const Pane& pane : frame.panes) out.push_back(tools_.renderer.read_colour(pane.picture));
         return out;
     }
 
     std::vector<WorkTrial> all_trials() {
-        const FrameResult whole = draw(scene_, measured_, request_);
+        const FrameResult whole = draw_whole(request_);
         picture_ = pictures_of(whole);
         triangles_ = map_triangles(whole);
         std::vector<WorkTrial> trials = map_trials(measured_, whole);
         const auto add = [&](std::vector<WorkTrial> more) { std::ranges::move(more, std::back_inserter(trials)); };
-        add(setting_trials(scene_, measured_, whole));
-        add(scene_trials(scene_, measured_, whole));
+        add(setting_trials(tools_.scene, measured_, whole));
+        add(scene_trials(tools_.scene, measured_, whole));
         const bool shows = settings_.view.slabs != Slabs::None ||
                            std::ranges::any_of(pane_overlays(settings_.view), [](int n) { return n > 0; });
         if (shows) {
-            const FrameResult shown = draw(scene_, settings_, request_);
+            const FrameResult shown = draw({"", settings_}, request_);
             shown_ = pictures_of(shown);
             add(shown_trials(settings_, shown));
         }
         return trials;
     }
 
-    void try_it(WorkTrial& trial) {
+    void try_it(WorkTrial& trial) const {
         if (trial.by == ComparedBy::SameSurfaces) {
             trial.about.changes = changes_same_surfaces(trial);
             return;
@@ -266,23 +252,22 @@ private:
         if (trial.map) trial.about.read = share_read(trial);
     }
 
-    bool changes_same_surfaces(const WorkTrial& trial) {
+    bool changes_same_surfaces(const WorkTrial& trial) const {
         FrameRequest request = request_;
         request.outputs.surface_ids = true;
-        const FrameResult with = draw(scene_, measured_, request);
-        const SurfaceIds ids = renderer_.read_surface_ids(with.surface_ids);
+        const SurfaceIds ids = tools_.renderer.read_surface_ids(draw_whole(request).surface_ids);
         const FrameResult without = draw(trial, request);
-        const SurfaceIds ids_without = renderer_.read_surface_ids(without.surface_ids);
-        return differ_on_same_surfaces(scene_, picture_.front(), ids, renderer_.read_colour(without.colour),
-                                       ids_without);
+        return differ_on_same_surfaces(tools_.scene, picture_.front(), ids, tools_.renderer.read_colour(without.colour),
+                                       tools_.renderer.read_surface_ids(without.surface_ids));
     }
 
-    double share_read(const WorkTrial& trial) {
+    double share_read(WorkTrial whole_map) const {
+        whole_map.map.reset();
         FrameRequest request = request_;
         request.outputs = {.colour = false, .texels_read = true};
-        const FrameResult frame = draw(scene_, trial.settings, request);
+        const FrameResult frame = draw(whole_map, request);
         if (frame.texels_read.texture == 0) return 0;
-        return exact_utilisation(renderer_.read_float(frame.texels_read, 1));
+        return exact_utilisation(tools_.renderer.read_float(frame.texels_read, 1));
     }
 
     /// Returns true when the time of a trial is measured. Needed work is not timed, nor are maps without triangles.
@@ -292,32 +277,13 @@ private:
         return trial.takes_map_time && !trial.about.changes && counts;
     }
 
-    FrameRequest timed_request() const {
+    /// Times the maps of whole frames, and of frames without a trial's work.
+    AlternatingTimes time_against_whole(const WorkTrial& trial) const {
         FrameRequest request = request_;
         request.timing = true;
-        return request;
-    }
-
-    /// Returns the milliseconds that maps save without a trial's work. Frames with and without the work alternate, and
-    /// each kind is first every other turn.
-    double saved_ms(const WorkTrial& trial) {
-        const FrameRequest request = timed_request();
-        std::vector<double> saved;
-        for (int turn = 0; turn < kTimedTurns; ++turn) {
-            double with = 0, without = 0;
-            if (turn % 2 == 0) with = drawn_ms(draw(scene_, measured_, request), PassCategory::Maps);
-            without = drawn_ms(draw(trial, request), PassCategory::Maps);
-            if (turn % 2 != 0) with = drawn_ms(draw(scene_, measured_, request), PassCategory::Maps);
-            whole_ms_.push_back(with);
-            saved.push_back(with - without);
-        }
-        return spread_of(std::move(saved)).median;
-    }
-
-    double whole_ms() {
-        while (whole_ms_.size() < std::size_t(kTimedTurns))
-            whole_ms_.push_back(drawn_ms(draw(scene_, measured_, timed_request()), PassCategory::Maps));
-        return spread_of(whole_ms_).median;
+        const auto maps_ms = [](const FrameResult& frame) { return drawn_ms(frame, PassCategory::Maps); };
+        return time_alternately([&] { return maps_ms(draw_whole(request)); },
+                                [&] { return maps_ms(draw(trial, request)); }, tools_.workers.stop);
     }
 };
 
@@ -346,9 +312,8 @@ std::optional<double> Waste::share_of_time() const {
     return std::min(wasted_ms() / *maps_ms, 1.0);
 }
 
-Waste find_waste(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                 const Workers& workers, const std::function<void(double)>& report) {
-    return WasteSearch(renderer, scene, settings, request, workers).find(request.timing, report);
+Waste find_waste(const SearchTools& tools, const Settings& settings, FrameRequest request) {
+    return WasteSearch(tools, settings, request).find(request.timing);
 }
 
 }  // namespace si

@@ -2,13 +2,11 @@
 // picture is waste.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "renderer/base/workers.h"
-#include "renderer/render/renderer.h"
+#include "renderer/advise/trial.h"
 
 namespace si {
 
@@ -39,10 +37,8 @@ struct Waste {
 
 /// Searches for wasted work in a frame: draws one frame without each map, cube face, cascade and effect and compares
 /// the pictures. Virtual maps are tested per light.
-/// @param request size of the picture; with `timing`, frames with and without wasted work are timed alternately
-/// @param report receives the share done, 0..1
+/// @param request input of the frame; with `timing`, frames with and without wasted work are timed alternately
 /// @throws Error, Cancelled
-Waste find_waste(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                 const Workers& workers = {}, const std::function<void(double)>& report = {});
+Waste find_waste(const SearchTools& tools, const Settings& settings, FrameRequest request);
 
 }  // namespace si

@@ -47,8 +47,7 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
     settings = measured_settings(settings);
     ReferenceCache cache;
-    const Workers workers;
-    TrialMeter counted = renderer_trial_meter(renderer, scene, kPilotWidth, kPilotHeight, {}, cache, workers);
+    TrialMeter counted = renderer_trial_meter({renderer, scene, kPilotWidth, kPilotHeight, cache});
     counted.ms = [](const Settings&) { return CostChange{1, 0}; };
     counted.time = [](const Settings&, const Settings&) { return CostChange{}; };
     counted.now_s = [] { return 0.0; };
@@ -72,7 +71,7 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     optimum = std::size_t(std::min_element(medians.begin(), medians.end()) - medians.begin());
 
     const AutopilotResult found =
-        run_rendered_autopilot(renderer, scene, settings, kPilotWidth, kPilotHeight, goals, searched_axes(), cache);
+        run_rendered_autopilot({renderer, scene, kPilotWidth, kPilotHeight, cache}, settings, goals, searched_axes());
     TimedFrames pick = measurer.frames(scene, found.best.settings, kDefaultCost);
     Rotation turns;
     turns.add("pick", [&] { return moving_frame_ms(pick, processor_ms); });

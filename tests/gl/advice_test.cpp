@@ -14,11 +14,11 @@ class AdviceTest : public FrameTest {
 protected:
     ReferenceCache cache;
     int width = 240, height = 160;
-    Workers workers;
+    SearchTools tools(const Scene& scene) { return {renderer, scene, width, height, cache}; }
 
     /// Returns a meter whose clock counts work, so that ranks do not depend on the machine.
     TrialMeter meter_by_work(const Scene& scene) {
-        TrialMeter meter = renderer_trial_meter(renderer, scene, width, height, {}, cache, workers);
+        TrialMeter meter = renderer_trial_meter(tools(scene));
         meter.time = [measure = meter.measure](const Settings& a, const Settings& b) {
             const auto work = [&](const Settings& s) { return 1e-6 * double(measure(s, 0).work.bytes_touched); };
             return CostChange{work(b) - work(a), 1e-9};
@@ -27,7 +27,7 @@ protected:
     }
 
     std::vector<Trial> advised(const Scene& scene, const Settings& s) {
-        const AdviceFacts facts = advice_facts(renderer, scene, s, width, height, cache, workers);
+        const AdviceFacts facts = advice_facts(tools(scene), s);
         return try_advice(s, advice_candidates(s, facts), meter_by_work(scene));
     }
 
@@ -104,7 +104,7 @@ TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
 
 TEST_F(AdviceTest, AnEmptySceneIsNoProblem) {
     const Scene scene;
-    const AdviceReport r = find_advice(renderer, scene, Settings{}, 64, 48, {}, cache);
+    const AdviceReport r = find_advice({renderer, scene, 64, 48, cache}, Settings{}, {});
     EXPECT_TRUE(r.holds.empty());
     ASSERT_FALSE(r.findings.empty());
     EXPECT_NE(r.findings[0].text.find("no pixel of the picture faces light 0"), std::string::npos);
@@ -114,14 +114,15 @@ TEST_F(AdviceTest, AStoppedSearchKeepsItsFindings) {
     const Scene scene = load_scene("boxes");
     std::stop_source stop;
     const Settings acne = settings_for(scene, {"bias.kind=constant", "bias.constant=0", "bias.normal=0"});
-    const AdviceReport r = find_advice(renderer, scene, acne, 64, 48, {}, cache, {.stop = stop.get_token()},
-                                       [&](double, const std::string& what) {
-                                           if (what != "the present settings") stop.request_stop();
-                                       });
+    const auto stop_later = [&](double, const std::string& what) {
+        if (what != "the present settings") stop.request_stop();
+    };
+    const AdviceReport r =
+        find_advice({renderer, scene, 64, 48, cache, {.stop = stop.get_token()}, stop_later}, acne, {});
     EXPECT_TRUE(r.stopped);
     EXPECT_FALSE(r.findings.empty());
     EXPECT_TRUE(r.holds.empty());
-    EXPECT_THROW(find_advice(renderer, scene, settings_for(scene), 64, 48, {}, cache, {.stop = stop.get_token()}),
+    EXPECT_THROW(find_advice({renderer, scene, 64, 48, cache, {.stop = stop.get_token()}}, settings_for(scene), {}),
                  Cancelled)
         << "nothing was measured";
 }

@@ -90,7 +90,6 @@ class FixPurposeTest : public FrameTest {
 protected:
     static constexpr int kWidth = 240, kHeight = 135;
     ReferenceCache cache;
-    Workers workers;
     std::vector<std::pair<Settings, MeasuredSettings>> known;
     TrialMeter meter;
 
@@ -98,9 +97,9 @@ protected:
     /// the machine.
     void use(const Scene& scene) {
         known.clear();
-        meter.measure = [&, drawn = renderer_trial_meter(renderer, scene, kWidth, kHeight,
-                                                         {.reference = ReferenceOptions{}}, cache, workers)](
-                            const Settings& s, int light) {
+        meter.measure = [&, drawn = renderer_trial_meter({renderer, scene, kWidth, kHeight, cache},
+                                                         {.reference = ReferenceOptions{}})](const Settings& s,
+                                                                                             int light) {
             const auto at = std::ranges::find(known, s, &std::pair<Settings, MeasuredSettings>::first);
             if (at != known.end()) return at->second;
             return known.emplace_back(s, drawn.measure(s, light)).second;

@@ -21,6 +21,7 @@ protected:
     ReferenceCache cache;
     int width = 320, height = 240;
 
+    SearchTools tools(const Scene& scene) { return {renderer, scene, width, height, cache}; }
     MeasuredError measure(const Scene& scene, const Settings& s) {
         return measure_error(renderer, scene, s, {.width = width, .height = height}, 0, {}, cache);
     }
@@ -32,7 +33,7 @@ protected:
     /// Finds fixes and expects each row to have the effect that it reports. Expects the first to be a fix that puts
     /// eight of ten pixels with one of the causes right and makes nothing worse. @returns the fixes
     FixTable expect_fixes(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
-        const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+        const FixTable table = find_fixes(tools(scene), s, {});
         const MeasuredError before = measure(scene, s);
         int checked = 0;
         for (const Trial& row : table.rows) {
@@ -136,7 +137,7 @@ TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
             pixel = {(i + width * height / 2) % width, (i + width * height / 2) / width};
     ASSERT_GE(pixel.x, 0);
     s.lights[0].type = LightType::Directional;
-    const FixTable table = find_fixes(renderer, scene, s, width, height, {.pixel = pixel}, cache);
+    const FixTable table = find_fixes(tools(scene), s, {.pixel = pixel});
     ASSERT_TRUE(table.fix());
     EXPECT_TRUE(table.fix()->ms) << "its price is known";
     const std::size_t at = std::size_t(pixel.y * width + pixel.x);
@@ -151,21 +152,22 @@ TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
         EXPECT_EQ(t.pixel->visibility, after.classified[at].visibility);
     }
     EXPECT_TRUE(stays) << "not everything helps";
-    const FixTable first =
-        find_fixes(renderer, scene, s, width, height, {.pixel = pixel, .first = true, .list = FixList::Whole}, cache);
+    const FixTable first = find_fixes(tools(scene), s, {.pixel = pixel, .first = true, .list = FixList::Whole});
     ASSERT_TRUE(first.fix());
     EXPECT_EQ(first.drawn(), table.drawn()) << "the short list has a fix";
     EXPECT_GT(first.candidates, table.candidates);
     std::stop_source stop;
     int steps = 0;
-    const FixTable stopped = find_fixes(renderer, scene, s, width, height, {.pixel = pixel}, cache,
-                                        {.stop = stop.get_token()}, [&](double, const std::string&) {
-                                            if (++steps == 5) stop.request_stop();
-                                        });
+    SearchTools stopping = tools(scene);
+    stopping.workers.stop = stop.get_token();
+    stopping.report = [&](double, const std::string&) {
+        if (++steps == 5) stop.request_stop();
+    };
+    const FixTable stopped = find_fixes(stopping, s, {.pixel = pixel});
     EXPECT_TRUE(stopped.stopped);
     EXPECT_EQ(stopped.drawn(), 3u) << "what is there stays";
     s.lights[0].type = LightType::Point;
-    const FixTable point = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const FixTable point = find_fixes(tools(scene), s, {});
     const Trial* fit = row(point, "tighter fit");
     ASSERT_TRUE(fit);
     EXPECT_FALSE(fit->is_drawn());
@@ -281,7 +283,7 @@ TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     height = 180;
     const Scene scene = load_scene("landscape");
     const Settings s = settings_for(scene, {"map.resolution=512", "light.fit=scene"});
-    const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const FixTable table = find_fixes(tools(scene), s, {});
     const Trial* four = row(table, "4 cascades");
     ASSERT_TRUE(four);
     EXPECT_GT(four->gain(), 0.3 * double(table.wrong));
@@ -296,7 +298,7 @@ TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
 TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = settings_with(test::texel_settings("hard", 256, 3), {"camera.distance=4", "light.fit=scene"});
-    const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const FixTable table = find_fixes(tools(scene), s, {});
     const Trial* fit = row(table, "fit: view frustum");
     ASSERT_TRUE(fit);
     EXPECT_GT(fit->gain(), 0);

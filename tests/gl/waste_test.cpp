@@ -24,7 +24,9 @@ constexpr double kMaxWasteShare = 0.05;
 class WasteTest : public FrameTest {
 protected:
     Waste waste_of(const Scene& scene, const Sets& sets, bool timing = false) {
-        return find_waste(renderer, scene, settings_for(scene, sets), {.width = 320, .height = 180, .timing = timing});
+        ReferenceCache cache;
+        return find_waste({renderer, scene, 320, 180, cache}, settings_for(scene, sets),
+                          {.width = 320, .height = 180, .timing = timing});
     }
 };
 

@@ -187,7 +187,7 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAndShowsIt) {
     const Settings before = model.state.settings;
     EditorRequests request = small_picture();
     model.fulfil(request);
-    request.tune = TuneRequest{};
+    request.tune = SearchRequest{};
     model.fulfil(request);
     EXPECT_TRUE(model.facts().tuning) << "it goes on in the background";
     EXPECT_EQ(model.state.settings, before) << "and the editor went on at once";
@@ -209,7 +209,7 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAndShowsIt) {
         return line.text.find("least bias: ") != std::string::npos &&
                line.text.find("gap at casters") != std::string::npos;
     }));
-    EXPECT_GT(model.facts().tuned.size(), 1u);
+    EXPECT_GT(model.facts().tuned->tried.size(), 1u);
     EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";
     model.fulfil(small_picture());
     EXPECT_TRUE(model.facts().tuned_current);
@@ -229,7 +229,7 @@ TEST(EditorTuning, ComparesWithAnAreaOnRequest) {
     ASSERT_FALSE(before.truth.area);
     EditorRequests request = small_picture();
     model.fulfil(request);
-    request.tune = TuneRequest{.area = true};
+    request.tune = SearchRequest{.area = true};
     model.fulfil(request);
     editor.settle();
     ASSERT_TRUE(model.state.tried);
@@ -242,7 +242,7 @@ TEST(EditorTuning, IsNotShownBesideOtherSettings) {
     EditorModel& model = editor.model();
     EditorRequests request = small_picture();
     model.fulfil(request);
-    request.tune = TuneRequest{};
+    request.tune = SearchRequest{};
     model.fulfil(request);
     model.state.settings.lights[0].elevation += 10;
     const Settings turned = model.state.settings;

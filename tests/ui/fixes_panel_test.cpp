@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numeric>
 
 #include "app/base/output.h"
 #include "renderer/advise/fixes.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
@@ -90,26 +92,17 @@ TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
 
 TEST(TunedBiases, AreShownSideBySideAndTakenByAButton) {
     UiHarness ui(1600, 900);
-    TunedBias normal{.name = "Normal offset",
-                     .bias_text = "bias.normal 3 texels",
-                     .bias = {},
-                     .score = 325.4,
-                     .acne = 2,
-                     .wrong = 321,
-                     .lost = 20,
-                     .gap_p95_m = 0.012,
-                     .shift_p95_m = 0.034,
-                     .least = true};
-    normal.bias.normal = 3;
-    TunedBias constant = normal;
-    constant.name = "Constant";
-    constant.bias.normal = 0;
-    constant.bias.constant = 9;
-    constant.wrong = 654;
-    constant.score = 700;
-    constant.shift_p95_m = 0;
-    constant.least = false;
-    ui.tuned = {normal, constant};
+    const auto add = [&](const char* row, const BiasSettings& bias, double score, std::size_t wrong, double shift_m) {
+        TriedBias tried{.row = &*std::ranges::find(biases(), row, &Bias::key), .bias = bias};
+        tried.trial.score = score;
+        tried.trial.error.artefacts[std::size_t(Artefact::Acne)] = 2;
+        tried.trial.error.artefacts[std::size_t(Artefact::PeterPanning)] = wrong - 2;
+        tried.trial.needs.gap_p95_m = 0.012;
+        tried.trial.needs.shift_p95_m = shift_m;
+        ui.tuned.tried.push_back(tried);
+    };
+    add("normal-offset", {.constant = 0, .slope = 0, .normal = 3}, 325.4, 321, 0.034);
+    add("constant", {.constant = 9, .slope = 0, .normal = 0}, 700, 654, 0);
     ui.state.window.open_tab = BottomTab::Improve;
     ui.state.layout.bottom_height = 32;
     ui.frames(5);

@@ -121,7 +121,7 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     editor.settle();
     const EditorRequests same_size = editor.requests();
     EditorRequests request = same_size;
-    request.find_advice = AdviceRequest{.cost = CostCase::Forced};
+    request.find_advice = SearchRequest{.cost = CostCase::Forced};
     const Settings settings = model.state.settings;
     model.fulfil(request);
     EXPECT_TRUE(model.facts().advising);

@@ -51,10 +51,11 @@ TEST_F(EditorSmoothing, PausesDuringMeasurementsAndContinues) {
              a.start_sweep = SweepRequest{{"map.resolution=64,128"}, 64, 48, false};
          },
          nullptr},
-        {"tuning", [](EditorRequests& a) { a.tune = TuneRequest{}; }, [](EditorRequests& a) { a.cancel_tune = true; }},
+        {"tuning", [](EditorRequests& a) { a.tune = SearchRequest{}; },
+         [](EditorRequests& a) { a.cancel_tune = true; }},
         {"cures", [](EditorRequests& a) { a.find_fixes = FixRequest{}; },
          [](EditorRequests& a) { a.cancel_fixes = true; }},
-        {"advice", [](EditorRequests& a) { a.find_advice = AdviceRequest{}; },
+        {"advice", [](EditorRequests& a) { a.find_advice = SearchRequest{}; },
          [](EditorRequests& a) { a.cancel_advice = true; }},
         {"ways", [](EditorRequests& a) { a.compare_pipelines = true; },
          [](EditorRequests& a) { a.cancel_pipelines = true; }},

@@ -135,7 +135,7 @@ EditorRequests UiHarness::frame() {
         facts.tracing_probe = tracing_probe;
         facts.verdict_follows = verdict_follows;
         facts.tuning = tuning;
-        facts.tuned = tuned;
+        facts.tuned = &tuned;
         facts.tuned_current = tuned_current;
         facts.fixes = facts.pixel_fixes = fixes;
         static_cast<EffectsFacts&>(facts) = effects;

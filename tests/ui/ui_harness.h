@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/advise/least_bias.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/reference/live_error.h"
@@ -56,7 +57,7 @@ public:
     bool tracing_probe = false;
     bool verdict_follows = false;  ///< whether the probe belongs to an earlier picture
     std::optional<SearchProgress> tuning;
-    std::vector<TunedBias> tuned;
+    FoundBias tuned;
     bool tuned_current = true;
     FixSearch fixes;
     EffectsFacts effects;  ///< effects to show; an empty list is replaced by the made-up frame's

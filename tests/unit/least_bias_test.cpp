@@ -58,10 +58,10 @@ std::vector<BiasStart> starts() {
     normal.normal = 20;
     return {{&row_of("constant"), constant}, {&row_of("normal-offset"), normal}};
 }
-FoundBias searched(const MadeUpFrame& frame, const LeastBiasOptions& options = {}) {
+FoundBias searched(const MadeUpFrame& frame, std::optional<double> max_gap_m = {}) {
     double progress = 0;
     return search_least_bias(
-        frame.shown(none()), starts(), [&](const BiasSettings& b) { return frame.shown(b); }, options,
+        frame.shown(none()), starts(), [&](const BiasSettings& b) { return frame.shown(b); }, max_gap_m,
         [&](double share, const std::string& step) {
             EXPECT_GE(share, progress);
             EXPECT_LE(share, 1);
@@ -100,7 +100,7 @@ TEST(LeastBias, HasASecondResultWithoutAcne) {
 
 TEST(LeastBias, KeepsALimitOfTheGap) {
     const MadeUpFrame frame{.lost_per_texel = 0.1};
-    const FoundBias free = searched(frame), bound = searched(frame, {.max_gap_m = 0.05});
+    const FoundBias free = searched(frame), bound = searched(frame, 0.05);
     EXPECT_GT(free.best()->trial.needs.gap_p95_m, 0.05);
     if (bound.best()) {
         EXPECT_LE(bound.best()->trial.needs.gap_p95_m, 0.05);

@@ -43,18 +43,6 @@ void apply_button(Settings& settings, Changes changes, bool current) {
                                                 : "Of other settings: run again."));
 }
 
-void bound(const char* label, const char* about, bool& on, double& value, double least, const char* format) {
-    ImGui::Checkbox(label, &on);
-    wrapped_tooltip(about);
-    ImGui::SameLine(ImGui::GetFontSize() * 10);
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
-    ImGui::PushID(label);
-    if (ImGui::InputDouble("##bound", &value, 0, 0, format)) on = true;
-    ImGui::PopID();
-    wrapped_tooltip(about);
-    value = std::max(value, least);
-}
-
 void draw_advice_controls(ImprovePanel& panel, bool ready, const ImproveFacts& facts, ImproveRequests& requests) {
     if (facts.advising) {
         if (ImGui::Button("Cancel")) requests.cancel_advice = true;
@@ -66,23 +54,20 @@ void draw_advice_controls(ImprovePanel& panel, bool ready, const ImproveFacts& f
     }
     choose_cost("Times", panel.cost);
     ImGui::BeginDisabled(!ready);
-    if (ImGui::Button("Advice")) requests.find_advice = AdviceRequest{.cost = panel.cost};
+    if (ImGui::Button("Advice")) requests.find_advice = SearchRequest{.cost = panel.cost};
     wrapped_tooltip(
         "Measures error (against the ray-traced reference) and time of each change that may help, in the background. "
         "Nothing is changed.");
     ImGui::EndDisabled();
     ImGui::Spacing();
-    bound("Error at most", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.", panel.bound_error,
-          panel.max_error, 1e-6, "%.5f");
-    bound("Time at most, ms",
-          "Of a frame, in ms of the clock that the tab Effects names: without a bound on the error the most accurate "
-          "effects that keep it.",
-          panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
-    if (button_if(ready && (panel.bound_error || panel.bound_ms), "Autopilot")) {
-        requests.find_advice = AdviceRequest{.cost = panel.cost};
-        if (panel.bound_error) requests.find_advice->max_error = panel.max_error;
-        if (panel.bound_ms) requests.find_advice->max_ms = panel.max_ms;
-    }
+    limit_field("Error at most", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.",
+                panel.bound_error, panel.max_error, 1e-6, "%.5f");
+    limit_field(
+        "Time at most, ms",
+        "Of a frame, in ms of the clock that the tab Effects names: without a bound on the error the most accurate "
+        "effects that keep it.",
+        panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
+    if (button_if(ready && panel.any(), "Autopilot")) requests.find_advice = panel.request();
     wrapped_tooltip(
         "Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
 }
@@ -147,10 +132,10 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
         advice_list(settings, r.fails, current, "fails");
 }
 
-void show_autopilot(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
+void show_autopilot(Settings& settings, const AutopilotResult& r, bool current) {
     coloured_wrapped(r.summary, r.goals_met ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: measure again");
-    if (r.goals_met) apply_button(settings, changes, current);
+    if (r.goals_met) apply_button(settings, r.best.changes, current);
     for (const DroppedEffect& d : r.dropped)
         ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {:.3g} with it)",
                                             d.key, d.now, d.before, time_text(d.ms), d.error)
@@ -180,7 +165,7 @@ void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequ
     if (frame.advice)
         show_report(state.settings, *frame.advice, frame.advice_current);
     else if (frame.autopilot)
-        show_autopilot(state.settings, *frame.autopilot, frame.advice_current, frame.autopilot_changes);
+        show_autopilot(state.settings, *frame.autopilot, frame.advice_current);
     else if (!frame.advising && !frame.fixes.table)
         ImGui::TextWrapped(
             "Each button draws and measures changes of the settings: Auto bias every kind of bias, Find fixes what "

@@ -17,36 +17,24 @@
 namespace si {
 namespace {
 
-void limit(const char* label, const char* about, bool& on, double& value, double step, const char* format) {
-    ImGui::Checkbox(label, &on);
-    plain_tooltip(about);
-    ImGui::SameLine(ImGui::GetFontSize() * 11);
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
-    ImGui::PushID(label);
-    if (ImGui::InputDouble("##value", &value, 0, 0, format)) on = true;
-    ImGui::PopID();
-    value = std::max(value, step);
-}
-
 void limits_popup(TunePanel& panel, TuneRequests& requests) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
-    limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
-          panel.bound_error, panel.max_error, 1e-6, "%.5f");
-    limit("Time at most, ms",
-          "Of a frame of this picture's size, by the clock that the tab Effects names. Without a bound on the error "
-          "the most accurate that is\n"
-          "this fast is chosen.",
-          panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
+    limit_field("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
+                panel.bound_error, panel.max_error, 1e-6, "%.5f");
+    limit_field(
+        "Time at most, ms",
+        "Of a frame of this picture's size, by the clock that the tab Effects names. Without a bound on the error "
+        "the most accurate that is this fast is chosen.",
+        panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
     choose_cost("Time", panel.cost);
     ImGui::Checkbox("Area light (soft shadows)", &panel.area);
     plain_tooltip(
         "Compare with an area light (light.size). Compared with a point or direction, the hardest kernel\n"
         "is always the most accurate one.");
-    if (button_if(panel.bound_error || panel.bound_ms, "Search")) {
-        requests.tune = TuneRequest{.area = panel.area, .cost = panel.cost};
-        if (panel.bound_error) requests.tune->max_error = panel.max_error;
-        if (panel.bound_ms) requests.tune->max_ms = panel.max_ms;
+    if (button_if(panel.any(), "Search")) {
+        requests.tune = panel.request();
+        requests.tune->area = panel.area;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -57,32 +45,34 @@ std::string shown_length(double m) {
 }
 
 /// Draws the table of all rows of the bias table that the search tried.
-void biases_table(std::span<const TunedBias> biases, bool current, Settings& settings, const Settings* tried,
+void biases_table(const FoundBias* found, bool current, Settings& settings, const Settings* tried,
                   TuneRequests& requests) {
-    if (biases.empty()) return;
+    if (!found || found->tried.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");
     if (!begin_table(
             "tuned", ImGuiTableFlags_SizingStretchProp,
             {{"##take"}, {.heading = "tried", .share = 2}, {"score"}, {"wrong"}, {"acne"}, {"gap"}, {"shift"}}))
         return;
     int id = 0;
-    for (const TunedBias& b : biases) {
+    for (const auto& [b, least, clean] : found->table()) {
+        const BiasTrial& trial = b->trial;
+        const std::string text = bias_text(b->bias);
         ImGui::PushID(id++);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::BeginDisabled(!current);
         if (ImGui::SmallButton("Take")) {
-            settings.bias = b.bias;
+            settings.bias = b->bias;
             requests.hide_tried = true;
         }
-        plain_tooltip(fmt::format("Sets {}; {} takes it back", b.bias_text, key_text(Command::Undo)));
+        plain_tooltip(fmt::format("Sets {}; {} takes it back", text, key_text(Command::Undo)));
         ImGui::TableNextColumn();
-        const bool seen = tried && tried->bias == b.bias;
-        if (ImGui::Selectable(b.name.c_str(), seen || settings.bias == b.bias)) {
+        const bool seen = tried && tried->bias == b->bias;
+        if (ImGui::Selectable(std::string(b->row->label).c_str(), seen || settings.bias == b->bias)) {
             if (seen)
                 requests.hide_tried = true;
             else
-                requests.show_bias = b.bias;
+                requests.show_bias = b->bias;
         }
         ImGui::EndDisabled();
         plain_tooltip(
@@ -90,21 +80,40 @@ void biases_table(std::span<const TunedBias> biases, bool current, Settings& set
                         "off the shadows' edges; {} px wrong, {} of them by the price of bias; {} px of acne\n"
                         "lit gap at contacts {}, edges moved by {} (95 % of the lit surface)\n"
                         "A click shows it right of the line in the picture; again: hides it",
-                        b.bias_text, b.least ? ": the least score" : "",
-                        b.clean ? ": the least score without acne" : "", b.score, b.wrong, b.lost, b.acne,
-                        shown_length(b.gap_p95_m), shown_length(b.shift_p95_m)),
+                        text, least ? ": the least score" : "", clean ? ": the least score without acne" : "",
+                        trial.score, wrong_pixels(trial.error), trial.lost(), trial.acne(),
+                        shown_length(trial.needs.gap_p95_m), shown_length(trial.needs.shift_p95_m)),
             ImGuiHoveredFlags_AllowWhenDisabled);
-        text_cell(fmt::format("{:.0f}{}", b.score, b.least ? " *" : ""));
-        text_cell(std::to_string(b.wrong));
-        text_cell(std::to_string(b.acne));
-        text_cell(shown_length(b.gap_p95_m));
-        text_cell(shown_length(b.shift_p95_m));
+        text_cell(fmt::format("{:.0f}{}", trial.score, least ? " *" : ""));
+        text_cell(std::to_string(wrong_pixels(trial.error)));
+        text_cell(std::to_string(trial.acne()));
+        text_cell(shown_length(trial.needs.gap_p95_m));
+        text_cell(shown_length(trial.needs.shift_p95_m));
         ImGui::PopID();
     }
     ImGui::EndTable();
 }
 
 }  // namespace
+
+SearchRequest LimitFields::request() const {
+    SearchRequest request{.cost = cost};
+    if (bound_error) request.max_error = max_error;
+    if (bound_ms) request.max_ms = max_ms;
+    return request;
+}
+
+void limit_field(const char* label, const char* about, bool& on, double& value, double least, const char* format) {
+    ImGui::Checkbox(label, &on);
+    wrapped_tooltip(about);
+    ImGui::SameLine(ImGui::GetFontSize() * 10);
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 5);
+    ImGui::PushID(label);
+    if (ImGui::InputDouble("##value", &value, 0, 0, format)) on = true;
+    ImGui::PopID();
+    wrapped_tooltip(about);
+    value = std::max(value, least);
+}
 
 std::string progress_text(const SearchProgress& progress) {
     const std::string share = fmt::format("{:.0f} %", 100 * progress.progress);
@@ -129,7 +138,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const Settings* tr
     ImGui::BeginGroup();
     const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
     const bool narrow = room - others < button_width("Auto bias");
-    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = TuneRequest{};
+    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = SearchRequest{};
     plain_tooltip(
         "Compares this picture with the ray-traced reference under every kind of bias, at several strengths. Each\n"
         "appears below as it is measured. The one with the least score is shown right of the line in the picture.\n"
