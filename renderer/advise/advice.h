@@ -15,10 +15,19 @@ struct AdviceRule {
     std::string_view key, label;
     std::string_view help;  ///< condition; a sentence
     Claim claim = Claim::Same;
-    /// Receives a proposed change: reason, changed settings, light.
-    using Offer = std::function<void(std::string sentence, Settings settings, int light)>;
+    /// Change of the settings that a rule proposes.
+    using Change = std::function<void(Settings&)>;
+    /// Receiver of proposed changes, each with its reason.
+    struct Offer {
+        std::function<void(std::string sentence, const Change& change, int light)> receive;
+        /// Offers a change. @param light index of light.*; negative: the light of the facts
+        void operator()(std::string sentence, const Change& change, int light = -1) const {
+            receive(std::move(sentence), change, light);
+        }
+    };
     /// Checks the rule's condition and offers its setting changes.
     void (*propose)(const Settings& settings, const AdviceFacts& facts, const Offer& offer) = nullptr;
+    bool reads_map = true;  ///< proposes nothing for a light that draws no map, or that no pixel faces
 };
 /// Returns the table of advice rules.
 std::span<const AdviceRule> advice_rules();
