@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "renderer/base/angles.h"
@@ -91,17 +92,38 @@ bool drag_direction(LightSettings& s, const LightPose& start, const PictureView&
     return true;
 }
 
-bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ray& ray, double step) {
-    const glm::dvec3 axis = -start.to_light, side = handle_axis(start, h), edge = glm::cross(axis, side);
-    const double half = half_cone_rad(start.settings), reach = cone_rim_distance(start) * std::cos(half);
-    const bool in_rim = std::abs(glm::dot(ray.direction, axis)) > std::abs(glm::dot(ray.direction, edge));
-    const auto at =
-        in_rim ? intersect_plane(ray, start.position + axis * reach, axis) : intersect_plane(ray, start.position, edge);
-    if (!at) return false;
-    const glm::dvec3 d = *at - start.position;
-    double angle = std::atan2(glm::dot(d, side), glm::dot(d, axis));
-    if (angle < 0) angle = half > 0.5 * std::numbers::pi ? std::numbers::pi : 0;  // the mouse has crossed the axis
-    s.cone = std::clamp(step > 0 ? snapped(2 * angle / kDegree, kSnapDegrees) : 2 * angle / kDegree, 0.2, 360.0);
+/// Sets the cone so that the handle on its rim comes as near to the mouse on the screen as it can. Where two angles do
+/// equally well, as in a view along the axis, the one nearer to the present angle counts.
+bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const PictureView& view, const glm::dvec2& to,
+               double step) {
+    constexpr int kParts = 720;               // of 180 degrees
+    constexpr double kLeast = 0.1 * kDegree;  // of the half angle
+    constexpr double kPrecise = 1e-8;         // radians
+    constexpr double kTiePixels = 1;
+    const glm::dvec3 axis = -start.to_light, side = handle_axis(start, h);
+    const double most = std::numbers::pi, present = half_cone_rad(start.settings), reach = cone_rim_distance(start);
+    const auto pixels_off = [&](double half) {
+        const auto seen = view.point(start.position + reach * (std::sin(half) * side + std::cos(half) * axis));
+        return seen ? glm::distance(*seen, to) : std::numeric_limits<double>::infinity();
+    };
+    const auto half_of = [&](int part) { return kLeast + (most - kLeast) * part / kParts; };
+    double least = std::numeric_limits<double>::infinity(), best = present;
+    for (int part = 0; part <= kParts; ++part) least = std::min(least, pixels_off(half_of(part)));
+    if (!std::isfinite(least)) return false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int part = 0; part <= kParts; ++part) {
+        const double half = half_of(part), change = std::abs(half - present);
+        if (pixels_off(half) > least + kTiePixels || change >= nearest) continue;
+        nearest = change;
+        best = half;
+    }
+    for (double width = (most - kLeast) / kParts; width > kPrecise; width /= 2)
+        for (const double by : {-width, width})
+            for (double half = std::clamp(best + by, kLeast, most); pixels_off(half) < pixels_off(best);
+                 half = std::clamp(best + by, kLeast, most))
+                best = half;
+    const double degrees = 2 * best / kDegree;
+    s.cone = std::clamp(step > 0 ? snapped(degrees, kSnapDegrees) : degrees, 0.2, 360.0);
     return true;
 }
 
@@ -190,7 +212,7 @@ std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, c
         if (!t) return {};
         s.extent = std::max(snapped(*t, step), std::max(kMinShare * start.view.half_extent(), step));
     } else if (is_cone(h)) {
-        if (!drag_cone(s, start, h, ray, step)) return {};
+        if (!drag_cone(s, start, h, view, to, step)) return {};
     } else if (h == LightHandle::Range) {
         if (!drag_range(s, start, ray, step)) return {};
     } else if (!drag_plane(s, start, h, ray, step)) {

@@ -20,11 +20,13 @@ bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureVi
     const LightHandle h = placed.handle;
     const glm::dvec3 sight = view.ray(placed.on_screen).direction;
     const auto across = [&](const glm::dvec3& line) { return glm::length(glm::cross(sight, line)) > kMinSine; };
-    const auto faces = [&](const glm::dvec3& normal) { return std::abs(glm::dot(sight, normal)) > kMinSine; };
     if (h == LightHandle::Near || h == LightHandle::Far) return across(pose.view.axes[2]);
     if (is_axis(h) || is_extent(h)) return across(handle_axis(pose, h));
     if (h == LightHandle::Range) return across(range_axis(pose));
-    if (is_cone(h)) return faces(pose.to_light) || faces(glm::cross(pose.to_light, handle_axis(pose, h)));
+    if (is_cone(h)) {
+        const double half = half_cone_rad(pose.settings);
+        return across(std::cos(half) * handle_axis(pose, h) + std::sin(half) * pose.to_light);  // along the arc
+    }
     return true;
 }
 
