@@ -55,8 +55,19 @@ TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     ASSERT_TRUE(ui.last_requests.find_fixes);
     EXPECT_FALSE(ui.last_requests.find_fixes->pixel) << "of the picture";
 
-    ui.fixes.running = SearchProgress{"least bias, normal offset", 0.4};
-    ui.frames(3);
+    ui.fixes.running = SearchProgress{"least bias, normal offset", 0.4, 65};
+    for (const bool light : {false, true}) {
+        ui.state.layout.light_theme = light;
+        ui.frames(3);
+        EXPECT_EQ(ui.lacking({"40 %, 2 min left"}), "");
+        const ImU32 bar = ImGui::GetColorU32(ImGuiCol_PlotHistogram);
+        const ImDrawData* data = ImGui::GetDrawData();
+        for (int i = 0; i < data->CmdListsCount; ++i)
+            for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer)
+                ASSERT_NE(v.col, bar) << "text on it cannot be read";
+    }
+    ui.state.layout.light_theme = false;
+    ui.frames(2);
     ui.click(ui.find("controls", "", "Cancel##cures"));
     EXPECT_TRUE(ui.last_requests.cancel_fixes);
 

@@ -12,6 +12,7 @@
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "ui/state/shortcuts.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -71,8 +72,11 @@ void rows(const char* id, const FixSearch& search, bool helping, FixRequests& re
 void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                        bool wrong) {
     if (search.running) {
+        const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
+        const float room = std::min(ImGui::GetContentRegionAvail().x, em * 30);
         const std::string text = fmt::format("{}  {}", progress_text(*search.running), search.running->about);
-        ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
+        progress_bar(search.running->progress, text, std::max(room - button_width("Cancel") - gap, em * 4));
+        wrapped_tooltip(search.running->about);
         ImGui::SameLine();
         if (ImGui::Button("Cancel##cures")) (pixel ? requests.cancel_pixel_fixes : requests.cancel_fixes) = true;
         return;

@@ -125,8 +125,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const Settings* tr
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     if (shown.tuning) {
         const std::string text = progress_text(*shown.tuning);
-        ImGui::ProgressBar(float(shown.tuning->progress), {std::max(room - button_width("Cancel") - gap, 20.f), 0},
-                           text.c_str());
+        progress_bar(shown.tuning->progress, text, std::max(room - button_width("Cancel") - gap, 20.f));
         plain_tooltip("Trying " + shown.tuning->about);
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) requests.cancel_tune = true;
