@@ -36,7 +36,11 @@ PresetRequestHandler::PresetRequestHandler(EditorState& state, EditorPersistence
 void PresetRequestHandler::start(SessionPlan plan, std::string remark) {
     Arrival arrival{
         .scene_name = plan.scene_name, .file = file_choices(plan.settings.scene), .remark = std::move(remark)};
-    if (plan.preset) arrival.guide = note(plan.preset_path, *plan.preset, plan.scene_name);
+    if (plan.preset)
+        arrival.guide = note(plan.preset_path, *plan.preset, plan.scene_name);
+    else if (const auto hard = std::ranges::find(hard_cases_, plan.scene_name, &PresetEntry::key);
+             hard != hard_cases_.end())
+        arrival.guide = {hard->key, hard->title, hard->about};  // a hard case is a scene, too
     arrival.plan = std::move(plan);
     scenes_.load(std::move(arrival));
 }

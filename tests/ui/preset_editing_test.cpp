@@ -17,6 +17,7 @@
 #include "tests/support/process.h"
 #include "tests/support/text.h"
 #include "tests/ui/test_editor.h"
+#include "ui/state/panels.h"
 #include "ui/state/playback.h"
 
 namespace si {
@@ -28,6 +29,14 @@ constexpr int kPageUp = 401, kPageDown = 402;
 
 EditorOptions preset_options(const std::string& scene = "boxes") {
     return test::editor_options(scene, {}, {800, 450});
+}
+
+TEST(HardCaseScene, HasItsSentenceAndItsNeighbour) {
+    test::TestEditor editor(preset_options("hard/grazing"));
+    const EditorState& state = editor.state();
+    EXPECT_EQ(state.files.guide.key, "hard/grazing");
+    EXPECT_FALSE(state.files.guide.about.empty());
+    EXPECT_EQ(neighbour_preset(state, editor.facts(), +1), "hard/grazing-fixed");
 }
 
 /// Small editor; drawn pictures do not matter here.
