@@ -1,8 +1,10 @@
 // Settings for display: values with units, titles of lights, changes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
@@ -15,8 +17,26 @@ std::string with_unit(std::string number, std::string_view unit) {
     return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
-/// Returns a value for display without its unit.
-std::string plain_value(const Param& p, const Value& v) {
+constexpr int kShownDigits = 5;  ///< significant digits of a number for display
+
+/// Returns a number without an exponent. @param digits significant digits; 0: as many as tell it from all others
+std::string decimal_text(double value, int digits) {
+    if (!std::isfinite(value)) return fmt::format("{}", value);
+    if (digits > 0 && value != 0) {
+        const int decimals = digits - 1 - int(std::floor(std::log10(std::abs(value))));
+        std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
+        if (text.find('.') == text.npos) return text;
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.ends_with('.')) text.pop_back();
+        return text;
+    }
+    std::array<char, 400> all;  // enough for the smallest double
+    const auto end = std::to_chars(all.data(), all.data() + all.size(), value, std::chars_format::fixed);
+    return std::string(all.data(), end.ptr);
+}
+
+/// Returns a value for display without its unit. @param digits significant digits of numbers; 0: all
+std::string plain_value(const Param& p, const Value& v, int digits = kShownDigits) {
     if (const bool* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
     if (const std::string* text = std::get_if<std::string>(&v)) return text->empty() ? "none" : *text;
     if (p.choices) {
@@ -24,12 +44,8 @@ std::string plain_value(const Param& p, const Value& v) {
         const auto i = std::size_t(std::get<int>(v));
         if (i < list.size()) return std::string(list[i].label);
     }
-    std::string text = value_text(p, v);
     const double* number = std::get_if<double>(&v);
-    if (!number || text.find('e') == text.npos) return text;
-    std::array<char, 400> digits;  // enough for the smallest double
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number, std::chars_format::fixed);
-    return end.ec == std::errc() ? std::string(digits.data(), end.ptr) : text;
+    return number ? decimal_text(*number, digits) : value_text(p, v);
 }
 
 bool is_number(const Param& p, const Value& v) {
@@ -69,7 +85,13 @@ std::string change_text(const Settings& a, const Settings& b, const SettingRef& 
     const Param& p = *ref.param;
     const Value from = get_value(a, ref), to = get_value(b, ref);
     const bool one_unit = is_number(p, from) && shown_unit(a, ref) == shown_unit(b, ref) && shown_unit(a, ref) != "deg";
-    return fmt::format("{} → {}", one_unit ? plain_value(p, from) : shown_value(a, ref, from), shown_value(b, ref, to));
+    // A change beyond the shown digits is written out.
+    const int digits = plain_value(p, from) == plain_value(p, to) ? 0 : kShownDigits;
+    const auto shown = [&](const Settings& s, const Value& v) {
+        const std::string plain = plain_value(p, v, digits);
+        return is_number(p, v) ? with_unit(plain, shown_unit(s, ref)) : plain;
+    };
+    return fmt::format("{} → {}", one_unit ? plain_value(p, from, digits) : shown(a, from), shown(b, to));
 }
 
 }  // namespace si

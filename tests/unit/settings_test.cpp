@@ -221,6 +221,8 @@ TEST(SettingsText, NumbersHaveNoExponentsAndTheUnitOfTheirKind) {
     s.bias.unit = BiasUnit::Depth;
     const auto bias = *find_setting("bias.constant"), size = *find_setting("light.1.size");
     EXPECT_EQ(shown_value(s, bias, 5e-4), "0.0005 depth");
+    EXPECT_EQ(shown_value(s, bias, 3.1329772020677598), "3.133 depth") << "sensible digits";
+    EXPECT_EQ(shown_value(s, bias, 123456.7), "123457 depth") << "no exponent";
     EXPECT_EQ(shown_value(s, bias, 1e-7), "0.0000001 depth");
     s.bias.unit = BiasUnit::Texels;
     EXPECT_EQ(shown_value(s, bias, 0.3639), "0.3639 texels");
