@@ -151,6 +151,20 @@ TEST_F(LightTable, EveryButtonFitsANarrowWindow) {
     EXPECT_EQ(light(1).name, "key");
 }
 
+TEST_F(LightTable, ButtonsStayUnderTheMouse) {
+    const auto add = [&] {
+        return ui.find("rows", [](ImGuiID seed) { return ImHashStr("Add light", 0, ImHashStr("light", 0, seed)); });
+    };
+    const auto at = add();
+    ASSERT_TRUE(at);
+    for (int lights = 4; lights <= 6; ++lights) {
+        ui.click(*at);
+        ui.frames(2);
+        EXPECT_EQ(ui.state.settings.light_count, lights);
+        EXPECT_EQ(add(), at);
+    }
+}
+
 TEST_F(LightTable, F2RenamesTheShownLight) {
     ui.state.settings.view.light = 1;
     ui.frames(2);

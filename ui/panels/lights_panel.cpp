@@ -167,6 +167,7 @@ void begin_light_rename(LightsPanel& panel, const Settings& settings, int light)
 
 void draw_lights(LightsPanel& panel, Settings& s, Log& log, const FrameResult* result) {
     const float em = ImGui::GetFontSize();
+    list_buttons(s);  // above the list, which grows and shrinks
     // In a narrow panel the name has priority: the intensity is also among the settings below.
     const bool intensities = ImGui::GetContentRegionAvail().x >= em * 20;
     if (shown_light(s) >= 0 && ImGui::BeginTable("lights", intensities ? 5 : 4,
@@ -180,7 +181,6 @@ void draw_lights(LightsPanel& panel, Settings& s, Log& log, const FrameResult* r
         ImGui::EndTable();
         panel.listed = true;
     }
-    list_buttons(s);
     if (result) cube_cross(s, *result);
 }
 
