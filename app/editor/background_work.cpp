@@ -34,7 +34,8 @@ AdviceFound search_advice(const SearchTools& t, const Settings& settings, const 
     return find_advice(t, settings, {.cost = request.cost}, show);
 }
 
-ShimmerFound search_shimmer(const SearchTools& t, const Settings& settings, const ShimmerOptions& options) {
+ShimmerFound search_shimmer(const SearchTools& t, const Settings& settings, const ShimmerOptions& options,
+                             const std::function<void(ShimmerFound)>& show) {
     ShimmerFound out{{}, options};
     const std::vector<ShimmerVariant> variants = shimmer_variants(settings);
     for (const ShimmerVariant& v : variants) {
@@ -44,6 +45,7 @@ ShimmerFound search_shimmer(const SearchTools& t, const Settings& settings, cons
         };
         out.variants.push_back(
             {v.label, measure_shimmer(t.renderer, t.scene, v.settings, t.width, t.height, options, t.workers, report)});
+        show(out);
     }
     return out;
 }

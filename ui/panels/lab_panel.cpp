@@ -63,7 +63,7 @@ bool measure_button(const char* label, const char* about, const std::optional<Se
     if (running) {
         if (ImGui::Button("Cancel")) cancel = true;
         ImGui::SameLine();
-        progress_bar(running->progress, fmt::format("{:.0f} %  {}", 100 * running->progress, running->about));
+        progress_bar(running->progress, fmt::format("{}  {}", progress_text(*running), running->about));
         return false;
     }
     const bool pressed = button_if(ready, label);
