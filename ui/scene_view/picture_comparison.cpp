@@ -25,17 +25,15 @@ bool is_pinned(const EditorState& state) {
     return !state.comparison.reference && state.compare.kind == CompareKind::Pinned;
 }
 
-/// Returns the name of the shown settings' side. Pinned settings are A, because they were first.
-std::string visible_side(const EditorState& state) {
-    return is_pinned(state) ? "B: shown settings" : "A: shown settings";
-}
+/// Name of the shown settings' side. It is B in every comparison, because pinned settings are A.
+constexpr const char* kVisibleSide = "B: shown settings";
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
     return state.comparison.reference ? "ray-traced reference" : shown_label(state.compare, frame.presets);
 }
 
 std::string other_side(const EditorState& state, const EditorFrame& frame) {
-    return is_pinned(state) ? "A: pinned settings" : "B: " + other_label(state, frame);
+    return is_pinned(state) ? "A: pinned settings" : "A: " + other_label(state, frame);
 }
 
 void label(ImVec2 corner, float room, const std::string& text, bool right) {
@@ -146,7 +144,7 @@ void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::ve
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
     const bool there = frame.picture_comparison && frame.picture_comparison->picture.texture != 0;
-    const std::string other = other_side(state, frame), shown = visible_side(state);
+    const std::string other = other_side(state, frame), shown = kVisibleSide;
     if (right_half && !there) list.AddRectFilled(p, q, theme::well());
     if (!there) {
         std::string text = frame.picture_comparison && !frame.picture_comparison->problem.empty()
