@@ -296,7 +296,10 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const Probe* probe = frame.probe;
     if (frame.anchor_place == AnchorPlace::Outside)
         return ImGui::TextDisabled("The probed point lies outside of the picture: move the camera, or click another.");
-    if (!probe) return ImGui::TextDisabled("Pixel %d, %d", state.probe_pixel->x, state.probe_pixel->y);
+    const glm::ivec2 wanted = *state.probe_pixel;
+    if (!probe) return ImGui::TextDisabled("Pixel %d, %d: its shadow test is being read …", wanted.x, wanted.y);
+    if (!state.probe_anchor && glm::ivec2(probe->x, probe->y) != wanted)
+        ImGui::TextDisabled("Pixel %d, %d is being read; below is the pixel before.", wanted.x, wanted.y);
     if (!probe->hit) return ImGui::Text("Pixel %d, %d: background.", probe->x, probe->y);
     const bool hidden = frame.anchor_place == AnchorPlace::Hidden;
     const std::string where =
