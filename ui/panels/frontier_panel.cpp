@@ -11,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/held_memory.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/measure/axes.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
@@ -217,7 +218,7 @@ void choose_column(const SweepFacts& facts, const char* id, bool error, std::str
 std::string number_text(double value, const MeasuredColumn& column) {
     if (value < 0) return "−" + number_text(-value, column);
     if (is_bytes(column) && std::isfinite(value)) return bytes_text(std::uint64_t(std::llround(value)));
-    const std::string number = fmt::format("{:.3g}", value);
+    const std::string number = digits_text(value);
     return is_plain(column) ? number : number + " " + column.unit;
 }
 

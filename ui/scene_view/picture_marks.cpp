@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/lengths_text.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/overlays.h"
+#include "shaders/shared/colours.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/text.h"
@@ -17,6 +19,16 @@ namespace {
 
 constexpr float kLoupeFactor = 8;  ///< size of an enlarged pixel at scale 1
 constexpr ImU32 kLoupeGrid = IM_COL32(0, 0, 0, 70);
+
+/// Returns the name of the light's view whose colour is nearest: "cascade 2". @param light null: unknown
+std::string view_of_colour(const glm::vec3& rgb, const FittedLight* light) {
+    if (!light || light->views.empty()) return "no map";
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < std::min<std::size_t>(light->views.size(), shared::VIEW_COLOUR_COUNT); ++i)
+        if (glm::distance(shared::view_colour(int(i)), rgb) < glm::distance(shared::view_colour(int(nearest)), rgb))
+            nearest = i;
+    return view_name(light->chooser.choice, nearest, light->views.size());
+}
 
 }  // namespace
 
@@ -112,7 +124,8 @@ std::string artefact_of(const glm::vec3& colour) {
     return "nothing wrong";
 }
 
-void draw_hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {
+void draw_hover_readout(const EditorFrame& frame, const Pane& pane, const FittedLight* light, ImVec2 origin,
+                        glm::ivec2 pixel) {
     std::string text = fmt::format("{}, {}", pixel.x, pixel.y);
     const int overlay = pane.overlay;
     const FloatImage* values = frame.overlay_values;
@@ -130,10 +143,12 @@ void draw_hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origi
         else if (row.scalar && std::isnan(value))
             text += fmt::format("   {}: no value here", row.label);
         else if (row.scalar)
-            text += fmt::format("   {} {:.5g} {}", row.label, value, row.unit);
+            text += fmt::format("   {} {} {}", row.label, digits_text(value), row.unit);
+        else if (row.names_views)
+            text += "   " +
+                    view_of_colour({value, values->at(pixel.x, pixel.y, 1), values->at(pixel.x, pixel.y, 2)}, light);
         else
-            text += fmt::format("   {} {:.3f} {:.3f} {:.3f}", row.label, value, values->at(pixel.x, pixel.y, 1),
-                                values->at(pixel.x, pixel.y, 2));
+            text += fmt::format("   {}", row.label);
     }
     const float em = ImGui::GetFontSize();
     draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, text);

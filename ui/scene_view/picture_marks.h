@@ -19,7 +19,8 @@ void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2
 void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
 
 /// Draws a readout next to the mouse: the pixel's coordinates and the overlay's value there.
-void draw_hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel);
+void draw_hover_readout(const EditorFrame& frame, const Pane& pane, const FittedLight* light, ImVec2 origin,
+                        glm::ivec2 pixel);
 
 /// Draws the enlarged pixels around state.loupe_pixel in a corner, with colour and visibility of the middle one.
 void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);

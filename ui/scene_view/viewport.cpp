@@ -31,6 +31,16 @@ bool awaits_rays(const FrameResult& result) {
            std::any_of(result.light_maps.begin(), result.light_maps.end(), awaits);
 }
 
+/// Gives several panes without any overlay different ones, so that they do not all show the same picture.
+void fill_empty_panes(Settings& settings) {
+    constexpr std::string_view kOverlays[] = {"visibility", "bias-applied", "texels-per-pixel"};
+    const auto pane_count = std::size_t(pane_grid(settings.view.panes, 0, 0, 0).count());
+    for (std::size_t pane = 0; pane < pane_count; ++pane)
+        if (overlay_of_pane(settings.view, pane) != 0) return;
+    for (std::size_t pane = 1; pane < pane_count; ++pane)
+        set_setting(settings, overlay_setting(int(pane)), kOverlays[pane - 1]);
+}
+
 void header(EditorState& state, const EditorFrame& frame) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
@@ -44,7 +54,9 @@ void header(EditorState& state, const EditorFrame& frame) {
     bar.item("Panes", em * 4, [&state, &s](float room) {
         const bool comparing = chosen_comparison(state) != ComparisonView::Off;
         ImGui::BeginDisabled(comparing);
+        const Panes before = s.view.panes;
         setting_widget(s, "view.panes", room);
+        if (s.view.panes != before) fill_empty_panes(s);
         ImGui::EndDisabled();
         if (comparing) wrapped_tooltip("Comparing shows one picture and the other side of it.");
     });
@@ -200,7 +212,8 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         // The caption names the pane's overlay, or the side of a comparison.
         const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;
         const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
-        draw_hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
+        draw_hover_readout(frame, pane, shown_fitted_light(state.settings, result), {lo.x, lo.y + below},
+                           *state.viewport.hovered_pixel);
     }
     if (index == state.active_pane) draw_loupe(state, frame, lo, size);
     list.PopClipRect();
