@@ -106,10 +106,11 @@ TEST(Flip, RefusesPicturesOfDifferentSizesAndStopsOnRequest) {
 }
 
 TEST(Flip, HeatMapRunsFromDarkBlueToYellow) {
-    const ByteImage picture = flip_picture({3, 1, 1, {0, 0.5f, 1}});
+    const ByteImage picture = flip_picture({4, 1, 1, {0, 0.5f, 1, 0.25f}});
     const auto channel = [](float v) { return std::uint8_t(std::lround(255 * v)); };
-    const glm::vec3 stops[] = {shared::SEQUENTIAL_LOW, shared::SEQUENTIAL_MIDDLE, shared::SEQUENTIAL_HIGH};
-    for (std::size_t i = 0; i < 3; ++i)
+    const glm::vec3 stops[] = {shared::SEQUENTIAL_LOW, shared::SEQUENTIAL_MIDDLE, shared::SEQUENTIAL_HIGH,
+                               glm::mix(shared::SEQUENTIAL_LOW, shared::SEQUENTIAL_MIDDLE, 0.5f)};
+    for (std::size_t i = 0; i < 4; ++i)
         for (int c = 0; c < 3; ++c) EXPECT_EQ(picture.data[4 * i + std::size_t(c)], channel(stops[i][c])) << i;
 }
 
