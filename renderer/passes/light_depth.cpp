@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "renderer/frame/imported_maps.h"
@@ -271,17 +273,28 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     return skipped;
 }
 
-/// Copies a given image into one layer of a map texture.
+/// Copies numbers into one layer of a map texture.
+/// @param type of the numbers, for glTextureSubImage2D()
+void upload_layer(const gl::Target& map, int layer, GLenum type, const void* rows) {
+    const GLenum format = gl::single_channel_format(map.format);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (map.layers > 0)
+        glTextureSubImage3D(map.texture.id(), 0, 0, 0, layer, map.width, map.height, 1, format, type, rows);
+    else
+        glTextureSubImage2D(map.texture.id(), 0, 0, 0, map.width, map.height, format, type, rows);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+/// Copies a given image into one layer of a map texture. Depths are rounded to the steps of 16 bits here, since drivers
+/// may truncate them.
 void upload_view(const gl::Target& map, int layer, const FloatImage& image) {
     std::vector<float> rows = image.data;
     flip_rows(rows, image.width, image.height, 1);
-    const GLenum format = gl::single_channel_format(map.format);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    if (map.layers > 0)
-        glTextureSubImage3D(map.texture.id(), 0, 0, 0, layer, image.width, image.height, 1, format, GL_FLOAT,
-                            rows.data());
-    else
-        glTextureSubImage2D(map.texture.id(), 0, 0, 0, image.width, image.height, format, GL_FLOAT, rows.data());
+    if (map.format != GL_DEPTH_COMPONENT16) return upload_layer(map, layer, GL_FLOAT, rows.data());
+    std::vector<std::uint16_t> steps;
+    for (const float depth : rows)
+        steps.push_back(std::uint16_t(std::lround(std::clamp(double(depth), 0.0, 1.0) * 0xffff)));
+    upload_layer(map, layer, GL_UNSIGNED_SHORT, steps.data());
 }
 
 /// Copies the given images of a light into its maps.

@@ -1,7 +1,6 @@
 // Draws maps that are not square, and compares their shadows with those of square maps.
 #include <cmath>
 
-#include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
@@ -24,22 +23,6 @@ protected:
 
 // Each side of a map that is not square is at least as fine as that of the square map of its shorter side. So its
 // shadows are at least as close to those of a fine map.
-TEST_F(MapSizes, EveryKernelDrawsTheShadowsOfASquareMap) {
-    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    for (const Filter& row : filters()) {
-        Settings s = test::texel_settings(row.key, 512, 0.7);
-        const FloatImage fine = drawn(scene, s, 512);
-        const double coarse = mean_difference(drawn(scene, s, 64), fine);
-        for (const MapSize size : {MapSize(256, 64), MapSize(64, 256)}) {
-            SCOPED_TRACE(std::string(row.key) + " " + std::to_string(size.width));
-            FrameResult frame;
-            EXPECT_LE(mean_difference(drawn(scene, s, size, &frame), fine), 1.1 * coarse + 2e-3);
-            EXPECT_EQ(frame.map_size, size);
-            EXPECT_EQ(frame.map_resolution, 256);
-        }
-    }
-}
-
 TEST_F(MapSizes, EveryLightDrawsTheShadowsOfASquareMap) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Casters},
