@@ -10,7 +10,7 @@ namespace {
 
 using PenumbraGap = FrameTest;
 
-const FrameRequest kPicture{.width = 32, .height = 18};
+const FrameRequest kSmallPicture{.width = 32, .height = 18};
 
 /// Direction towards the light of azimuth 0 and elevation 45.
 const glm::dvec3 kToLight(0, std::sqrt(0.5), std::sqrt(0.5));
@@ -60,13 +60,13 @@ TEST_F(PenumbraGap, IsMeasuredFromTheSurfaceUnderEveryBias) {
                 }
                 s.camera = orbiting_camera(under, 180, 50, 5);
                 FrameResult frame;
-                const FloatImage gaps = overlay_values(scene, s, "blocker-gap", kPicture, &frame);
+                const FloatImage gaps = overlay_values(scene, s, "blocker-gap", kSmallPicture, &frame);
                 glm::dvec3 eye, ray;
-                frame.camera.pixel_ray(kPicture.width / 2, kPicture.height / 2, kPicture.width, kPicture.height, eye,
-                                       ray);
+                frame.camera.pixel_ray(kSmallPicture.width / 2, kSmallPicture.height / 2, kSmallPicture.width,
+                                       kSmallPicture.height, eye, ray);
                 const glm::dvec3 floor = eye - ray * (eye.y / ray.y);
                 const double gap_m = kGapM - glm::dot(floor, kToLight);
-                EXPECT_NEAR(gaps.at(kPicture.width / 2, kPicture.height / 2), gap_m, 0.01 * gap_m);
+                EXPECT_NEAR(gaps.at(kSmallPicture.width / 2, kSmallPicture.height / 2), gap_m, 0.01 * gap_m);
             }
 }
 
