@@ -35,7 +35,7 @@ AdviceFound search_advice(const SearchTools& t, const Settings& settings, const 
 }
 
 ShimmerFound search_shimmer(const SearchTools& t, const Settings& settings, const ShimmerOptions& options,
-                             const std::function<void(ShimmerFound)>& show) {
+                            const std::function<void(ShimmerFound)>& show) {
     ShimmerFound out{{}, options};
     const std::vector<ShimmerVariant> variants = shimmer_variants(settings);
     for (const ShimmerVariant& v : variants) {

@@ -20,8 +20,7 @@ Classification Measurer::classify(const Scene& scene, const Settings& settings) 
     request.force = false;
     const ReferenceOptions reference = reference_options(measured);
     const MeasuredError error =
-        measure_error(renderer_, scene, measured, request, measured.view.light, reference, references_, workers_,
-                      true);
+        measure_error(renderer_, scene, measured, request, measured.view.light, reference, references_, workers_, true);
     classified.error = error.metrics;
     classified.reference = error.traced.reference;
     classified.artefacts = artefact_picture(classified.picture, error.classified, reference.step);

@@ -24,11 +24,11 @@ struct LightBlock {
 /// One view (shadow map) of a light.
 struct ViewBlock {
     mat4 uvd_from_relative;  // homogeneous map coordinates and depth, all in [0,w]; row-major
-    vec4 curve;              // near, far, half of the longer side (orthographic: metres, perspective: tangent), 1 / map resolution
-    vec4 warp;               // for LIGHT_WARPED: DepthWarp, middle_m, near_m, far_m and rise
-    vec4 span;  // xy: where it ends, where the next is blended in (lib/view_choice.glsl); of one x: curve.w
-                // zw: of rays that are parallel, in a map that is not warped: a texel's size in metres, and
-                // the depth of a metre along the rays. Perspective: shortest side of a texel over its width and height
+    vec4 curve;  // near, far, half of the longer side (orthographic: metres, perspective: tangent), 1 / map resolution
+    vec4 warp;   // for LIGHT_WARPED: DepthWarp, middle_m, near_m, far_m and rise
+    vec4 span;   // xy: where it ends, where the next is blended in (lib/view_choice.glsl); of one x: curve.w
+                 // zw: of rays that are parallel, in a map that is not warped: a texel's size in metres, and
+                 // the depth of a metre along the rays. Perspective: shortest side of a texel over its width and height
 };
 
 /// Data of one frame: camera, picture, sky, lights and views.

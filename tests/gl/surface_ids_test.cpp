@@ -3,6 +3,7 @@
 #include "renderer/reference/receivers.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/ray_reference.h"
 #include "tests/support/traced.h"
 #include "tests/support/traits.h"
 
