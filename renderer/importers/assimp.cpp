@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 #include "renderer/base/error.h"
@@ -45,7 +46,7 @@ std::string format_of(const fs::path& path) {
 }  // namespace
 
 Scene load_by_assimp(const fs::path& path, const GltfOptions& options) {
-    const fs::path real = checked_path(path, options.max_file_bytes);
+    const fs::path real = checked_path(path, std::min(options.max_file_bytes, kMaxAssimpFileBytes));
     const AssimpRequest request{real.filename().string(), format_of(path)};
     bool cancelled = false;
     const auto report = [&](double share) {

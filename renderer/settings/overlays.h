@@ -38,6 +38,7 @@ struct Overlay {
     bool reads_flip = false;           ///< needs the difference to the picture with the reference's shadows
     bool keeps_optimisations = false;  ///< drawn with the optimisations of the picture's look-ups
     OverlayDraw draw = OverlayDraw::Fragments;
+    std::size_t first_pane = 0;  ///< pane (1 to 3) that shows it when several panes open without any; 0: none
     /// Returns the GLSL file of the overlay below shaders/: its key with underscores.
     std::string file() const;
 };

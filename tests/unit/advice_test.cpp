@@ -18,6 +18,7 @@ AdviceFacts plain_facts() {
     f.lights[0].shadowed = f.lights[0].casts = true;
     f.lights[0].views.resize(1);
     f.map_resolution = 2048;
+    f.map_size = 2048;
     f.pixels = f.error.counted = 1000;
     f.nearest_m = 2;
     f.farthest_m = 14;

@@ -241,6 +241,13 @@ TEST(Importers, ManyDamagedModelsEndInASentence) {
     load_damaged(500);
 }
 
+TEST(Importers, SizeIsCheckedBeforeReading) {
+    const fs::path huge = fresh_test_folder() / "huge.obj";
+    std::ofstream(huge).close();
+    fs::resize_file(huge, kMaxAssimpFileBytes + 1);  // sparse
+    EXPECT_TRUE(test::fails_with([&] { load_scene(huge.string()); }, {"huge.obj", "more than the limit of"}));
+}
+
 TEST(Importers, ReadmeNamesEveryFormat) {
     const std::string readme = file_bytes(fs::path(SI_SOURCE_DIR) / "README.md");
     for (const Importer& importer : importers())

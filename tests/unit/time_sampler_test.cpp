@@ -168,6 +168,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     s.map.resolution = 512;
     FrameResult f = frame_of(1, 1);
     f.map_resolution = 512;
+    f.map_size = 512;
     f.colour = {.texture = 1, .width = 10, .height = 20};
     f.lights.resize(2);
     f.lights[0].casts = true;

@@ -33,12 +33,12 @@ bool awaits_rays(const FrameResult& result) {
 
 /// Gives several panes without any overlay different ones, so that they do not all show the same picture.
 void fill_empty_panes(Settings& settings) {
-    constexpr std::string_view kOverlays[] = {"visibility", "bias-applied", "texels-per-pixel"};
     const auto pane_count = std::size_t(pane_grid(settings.view.panes, 0, 0, 0).count());
     for (std::size_t pane = 0; pane < pane_count; ++pane)
         if (overlay_of_pane(settings.view, pane) != 0) return;
-    for (std::size_t pane = 1; pane < pane_count; ++pane)
-        set_setting(settings, overlay_setting(int(pane)), kOverlays[pane - 1]);
+    for (std::size_t row = 0; row < overlays().size(); ++row)
+        if (const std::size_t pane = overlays()[row].first_pane; pane > 0 && pane < pane_count)
+            overlay_of_pane(settings.view, pane) = int(row) + 1;
 }
 
 void header(EditorState& state, const EditorFrame& frame) {
