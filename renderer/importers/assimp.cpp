@@ -7,6 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/importers/assimp_files.h"
 #include "renderer/importers/assimp_job.h"
 
 namespace si {
@@ -46,7 +47,7 @@ std::string format_of(const fs::path& path) {
 }  // namespace
 
 Scene load_by_assimp(const fs::path& path, const GltfOptions& options) {
-    const fs::path real = checked_path(path, std::min(options.max_file_bytes, kMaxAssimpFileBytes));
+    const fs::path real = checked_path(path, std::min(options.max_file_bytes, assimp::kMaxFileBytes));
     const AssimpRequest request{real.filename().string(), format_of(path)};
     bool cancelled = false;
     const auto report = [&](double share) {

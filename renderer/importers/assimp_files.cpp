@@ -11,7 +11,6 @@
 #include <string_view>
 
 #include "renderer/base/descriptor.h"
-#include "renderer/importers/assimp_job.h"
 
 namespace si::assimp {
 namespace {
@@ -52,7 +51,7 @@ std::optional<std::vector<std::uint8_t>> ModelFolder::read(const std::string& na
     const Descriptor file = open_below(descriptor_, name);
     struct stat status {};
     if (file.fd < 0 || ::fstat(file.fd, &status) != 0) return std::nullopt;
-    if (std::uint64_t(status.st_size) > kMaxAssimpFileBytes) return std::nullopt;
+    if (std::uint64_t(status.st_size) > kMaxFileBytes) return std::nullopt;
     std::vector<std::uint8_t> bytes(std::size_t(status.st_size));
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t got = ::read(file.fd, bytes.data() + done, bytes.size() - done);

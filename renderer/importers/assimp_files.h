@@ -10,6 +10,9 @@
 
 namespace si::assimp {
 
+/// Limit of the bytes of each file that is read.
+inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+
 /// Folder of a model, with the regular files in it and below it. Never follows a link and never waits for a pipe or
 /// device. Names are relative paths, in which '\' counts as '/'.
 class ModelFolder {

@@ -1,7 +1,6 @@
 // Job of a child process: reads a model by Assimp and returns it as a GLB.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -11,9 +10,6 @@
 #include "renderer/foreign/child.h"
 
 namespace si {
-
-/// Limit of the bytes of each file that the job reads.
-inline constexpr std::size_t kMaxAssimpFileBytes = std::size_t{1} << 30;
 
 /// Request of the job: the model's file, which lies in the folder of the job.
 struct AssimpRequest {

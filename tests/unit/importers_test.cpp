@@ -13,6 +13,7 @@
 #include <string>
 
 #include "renderer/base/error.h"
+#include "renderer/importers/assimp_files.h"
 #include "renderer/importers/assimp_job.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/error_text.h"
@@ -244,7 +245,7 @@ TEST(Importers, ManyDamagedModelsEndInASentence) {
 TEST(Importers, SizeIsCheckedBeforeReading) {
     const fs::path huge = fresh_test_folder() / "huge.obj";
     std::ofstream(huge).close();
-    fs::resize_file(huge, kMaxAssimpFileBytes + 1);  // sparse
+    fs::resize_file(huge, assimp::kMaxFileBytes + 1);  // sparse
     EXPECT_TRUE(test::fails_with([&] { load_scene(huge.string()); }, {"huge.obj", "more than the limit of"}));
 }
 
