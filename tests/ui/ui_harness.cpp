@@ -30,6 +30,7 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     const int count = pane_grid(settings.view.panes, 1, 1).count();
     for (int i = 0; i < count; ++i) r.panes.push_back({{1, 600, 400}, {}, overlays[std::size_t(i)], 0, 1});
     r.map_resolution = settings.map.resolution;
+    r.map_size = settings.map.resolution;
     r.map_view_size = glm::ivec2(settings.map.resolution);
     if (!r.lights.empty() && !r.lights[0].views.empty()) r.map_view_curve = r.lights[0].views[0].curve;
     r.map_black = float(settings.view.map_black);

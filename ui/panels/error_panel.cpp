@@ -22,8 +22,9 @@ namespace {
 std::vector<const Metric*> rows_of(bool causes, const ErrorMetrics& m) {
     std::vector<const Metric*> rows;
     const auto add = [&](const Metric& row) {
-        if (row.member && !(row.cpu_only && row.unit == "px") && !(row.rare && !(row.value(m) > 0)))
-            rows.push_back(&row);
+        if (!row.member || (row.cpu_only && row.unit == "px") || (row.rare && !(row.value(m) > 0))) return;
+        if (row.of_pictures && !std::isfinite(row.value(m))) return;
+        rows.push_back(&row);
     };
     const auto is_sum = [](const Metric& row) {
         return std::any_of(metrics().begin(), metrics().end(), [&](const Metric& o) { return o.part_of == row.key; });
