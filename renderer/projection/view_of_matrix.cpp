@@ -12,6 +12,12 @@ namespace {
 /// Largest relative change over the map that counts as rounding of the matrix, which engines compose in single
 /// precision.
 constexpr double kRounding = 1e-5;
+/// Distance of near and far plane, far over near, from which single precision no longer tells the far plane from one
+/// at infinity.
+constexpr double kEndless = 1e6;
+/// Far plane of a depth range without end, as a multiple of the near plane. At a thousand times the near plane, depths
+/// of this range differ from those of the endless one by a hundred-thousandth of themselves.
+constexpr double kEndlessFar = 1e8;
 
 /// Returns clip-space z / w of the near or far plane.
 double plane_ndc(const DepthConvention& convention, bool far) {
@@ -75,7 +81,9 @@ void fill_perspective(LightView& view, glm::dmat4 m) {
     DepthCurve& curve = view.curve;
     curve.perspective = true;
     curve.near = p[3][2] / (plane_ndc(curve.convention, false) + p[2][2]);
-    curve.far = p[3][2] / (plane_ndc(curve.convention, true) + p[2][2]);
+    const double to_far = plane_ndc(curve.convention, true) + p[2][2];
+    const bool is_endless = std::abs(to_far) * kEndless * curve.near < std::abs(p[3][2]);
+    curve.far = is_endless ? kEndlessFar * curve.near : p[3][2] / to_far;
     check_order(curve);
 }
 
@@ -152,10 +160,8 @@ LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConventio
     for (const double x : {-1.0, 1.0})
         for (const double y : {-1.0, 1.0}) {
             const double near = at(x, y, false).w, far = at(x, y, true).w;  // 1 / w
-            if (!(near > kRounding * greatest * 1e-4) || !(far > kRounding * greatest * 1e-4))
-                throw Error(
-                    "the matrix: a corner of its depth range lies behind the light or at infinity; a finite range is "
-                    "needed");
+            if (!(near > 0) || !(far > -greatest / kEndless))
+                throw Error("the matrix: a corner of its depth range lies behind the light; w must be above 0 there");
             if (std::abs(near - far) > kRounding * std::max(near, far)) is_parallel = false;
         }
     LightView view;

@@ -9,10 +9,11 @@ namespace si {
 
 /// Returns the view of a shadow map whose clip-space matrix is known. Place, axes, depth range and warp follow from the
 /// matrix alone: the eye is the point in which its rays meet, at infinity for parallel rays. It accepts frusta off
-/// their axis, unequal width and height, mirrored maps, and a w that changes from row to row (LiSPSM).
+/// their axis, unequal width and height, mirrored maps, a w that changes from row to row (LiSPSM), and a far plane at
+/// infinity, which then lies at 1e8 times the near plane.
 /// @param clip_from_world any positive multiple; w is above 0 in the map
-/// @throws Error if the matrix is not finite or not invertible, if a plane of its depth range lies at infinity, if
-/// depth runs against the convention, or if depth or w depends on the column of the map
+/// @throws Error if the matrix is not finite or not invertible, if a corner of its depth range lies behind the light,
+/// if depth runs against the convention, or if depth or w depends on the column of the map
 LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConvention& convention);
 
 }  // namespace si

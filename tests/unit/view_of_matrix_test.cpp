@@ -48,6 +48,19 @@ glm::dmat4 warped_projection(bool reversed) {
     return m;
 }
 
+/// Returns a perspective projection whose far plane lies at infinity.
+/// @param near distance of the near plane, metres
+glm::dmat4 endless_projection(double near, const DepthConvention& convention) {
+    glm::dmat4 m = projection_matrix({true, near, 2 * near, convention, {}}, 0.5, 0.8);
+    const double near_ndc =
+        uvd_from_clip(convention)[2][2] == 1 ? convention.near_depth() : 2 * convention.near_depth() - 1;
+    const double far_ndc =
+        uvd_from_clip(convention)[2][2] == 1 ? convention.far_depth() : 2 * convention.far_depth() - 1;
+    m[2][2] = -far_ndc;
+    m[3][2] = (near_ndc - far_ndc) * near;
+    return m;
+}
+
 /// Returns map coordinates and depth of a world-space point by a matrix alone.
 glm::dvec3 uvd_of(const glm::dmat4& clip_from_world, const DepthConvention& convention, const glm::dvec3& p) {
     const glm::dvec4 h = clip_from_world * glm::dvec4(p, 1);
@@ -154,6 +167,27 @@ TEST(ViewOfMatrix, DerivesAllFromParallelAndPerspectiveMatrices) {
             }
 }
 
+TEST(ViewOfMatrix, DerivesAllFromRangesWithoutEnd) {
+    for (const bool reversed : {false, true})
+        for (const bool zero_to_one : {false, true})
+            for (const double near : {0.01, 0.1, 4.0}) {
+                const DepthConvention convention{zero_to_one, reversed};
+                const glm::dmat4 m = from_world(endless_projection(near, convention));
+                for (const glm::dmat4& given : {m, in_floats(m)}) {
+                    const LightView view = view_of_matrix(given, convention);
+                    EXPECT_NEAR(view.curve.near / near, 1, 1e-4);
+                    EXPECT_LT(glm::distance(view.eye, kEye), 1e-4);
+                    for (const double times : {1.5, 10.0, 200.0}) {
+                        const glm::dvec3 p = view.position_ws({0.3, 0.8}, times * near);
+                        const double depth = reversed ? 1 / times : 1 - 1 / times;
+                        EXPECT_NEAR(view.curve.depth(times * near), depth, 2e-4);
+                        EXPECT_NEAR(uvd_of(m, convention, p).z, depth, 2e-4);
+                        EXPECT_NEAR(view.curve.distance(depth) / (times * near), 1, 1e-3);
+                    }
+                }
+            }
+}
+
 TEST(ViewOfMatrix, DerivesAllFromMirroredMaps) {
     const DepthCurve curve{true, 2, 30, {}, {}};
     glm::dmat4 projection = projection_matrix(curve, 0.5, 0.5);
@@ -210,10 +244,7 @@ TEST(ViewOfMatrix, RefusesMatricesThatNoMapHas) {
     EXPECT_NE(error_of(glm::dmat4(0.0), {}), "");
     EXPECT_NE(error_of(good * std::nan(""), {}), "");
     EXPECT_NE(error_of(-good, {}), "");
-    glm::dmat4 infinite = projection_matrix(curve, 1, 1);
-    infinite[2][2] = -1;
-    infinite[3][2] = -2;
-    EXPECT_NE(error_of(from_world(infinite), {}), "");
+    EXPECT_NE(error_of(from_world(endless_projection(0.1, {.reversed = true})), {}), "");
     glm::dmat4 oblique = projection_matrix(curve, 1, 1);
     oblique[0][2] = 0.2;
     EXPECT_NE(error_of(from_world(oblique), {}), "");
