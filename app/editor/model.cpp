@@ -54,9 +54,9 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     if (!options.preset.empty()) state.files.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
-        state.window.open_tab = state.window.fitted_tab = BottomTab::Probe;
+        state.window.open_tab = BottomTab::Probe;
     }
-    if (!options.tab.empty()) state.window.open_tab = state.window.fitted_tab = tab_named(options.tab);
+    if (!options.tab.empty()) state.window.open_tab = tab_named(options.tab);
     if (!options.sweep.empty()) {
         state.sweep.folder = options.sweep.string();
         work_.open_sweep(options.sweep);

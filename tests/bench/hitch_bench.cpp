@@ -196,9 +196,9 @@ void pin_and_change(Hands& h) {
     h.state().pinned = PinnedSettings{h.state().settings, h.state().scene_name};
     h.state().settings.bias.normal += 1;
 }
-/// Shows a tab as a click does; the pictures may shrink.
+/// Shows a tab as a click does.
 Tool::Step open_tab(BottomTab tab) {
-    return [tab](Hands& h) { h.state().window.open_tab = h.state().window.fitted_tab = tab; };
+    return [tab](Hands& h) { h.state().window.open_tab = tab; };
 }
 
 constexpr std::pair<const char*, BottomTab> kTabs[] = {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "tests/ui/test_editor.h"
@@ -62,6 +63,9 @@ TEST_F(Window, FrontierDotIsClicked) {
         const std::uint8_t* p = &image.data[4 * (std::size_t(y) * std::size_t(image.width) + std::size_t(x))];
         return p[0] == 86 && p[1] == 180 && p[2] == 233;
     };
+    std::filesystem::create_directories(state_folder());
+    std::ofstream(state_folder() / "workspace.json")
+        << R"({"format": "shadow-inspector-workspace", "version": 1, "layout": {"bottom_height": 18}})";
     ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--sweep", (folder_ / "swept").string()}));
     click(21, 631);  // stop measuring the present settings, so that the plot stays
     const ByteImage shown = screen("window_dots");

@@ -23,8 +23,6 @@ namespace si {
 namespace {
 
 constexpr float kPictures = 10;             ///< smallest height of the pictures above the tabs, ems
-constexpr float kTabs = 13;                 ///< height of the tabs below, ems
-constexpr float kHighTabs = 18;             ///< height of tabs with a drawing, a plot or many numbers, ems
 constexpr float kAllTabs = 40;              ///< width that fits all tabs, ems
 constexpr float kFrequentSettings = 24.6f;  ///< height that fits the frequently used settings, ems
 constexpr float kMapTexts = 6.2f;           ///< height of the texts above and below the map, ems
@@ -77,7 +75,6 @@ void tab(EditorState& state, BottomTab which, const auto& draw, const char* labe
     if (!label) label = kTabLabels[int(which)];
     const bool asked = state.window.open_tab == which;
     if (!ImGui::BeginTabItem(label, nullptr, asked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) return;
-    if (!state.window.open_tab && state.tab != which) state.window.fitted_tab = which;
     if (!state.window.open_tab || asked) state.tab = which;
     ImGui::BeginChild(label, {0, 0}, false);
     draw();
@@ -217,12 +214,6 @@ float most_settings(float width) {
     return std::clamp(width - kWidthLeftOfSettings * ImGui::GetFontSize(), width / 3, width / 2);
 }
 
-/// Returns the height that a tab needs, ems. Tabs that a click in the picture opens have the same height.
-float needed_height(BottomTab tab) {
-    constexpr BottomTab kHigh[] = {BottomTab::Probe, BottomTab::Error, BottomTab::Frontier};
-    return std::ranges::find(kHigh, tab) != std::end(kHigh) ? kHighTabs : kTabs;
-}
-
 void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
@@ -240,8 +231,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
     // In a small window the tabs become lower in favour of the pictures.
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
-    const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.window.fitted_tab);
-    const float bottom = std::clamp(wanted * em, em * 4, most);
+    const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     pictures_row(state, frame, requests, {left, pictures}, bar);
     if (time > 0) child("time", {left, time}, [&] { draw_time_bar(state, frame); });

@@ -26,7 +26,7 @@ inline constexpr const char* kTabLabels[kBottomTabs] = {"Effects",  "Probe",   "
 /// they survive a change of scale.
 struct EditorLayout {
     float settings_width = 24;  ///< width of the settings' column
-    float bottom_height = 0;    ///< height of the tabs below; 0: the need of the tab that was chosen by hand last
+    float bottom_height = 13;   ///< height of the tabs below, whichever tab is shown
     MapSpot map_place = MapSpot::AboveSettings;
     float map_height = 0.5f;      ///< share of the settings' column, for AboveSettings
     float map_share = 0.40f;      ///< share of the width left of the settings, for NextToScene
@@ -42,9 +42,6 @@ struct WindowState {
     std::optional<Panel> maximised;                          ///< panel that fills the window; none: all are shown
     Panel hovered_panel = Panel::Scene;                      ///< panel that the mouse was over last
     std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< tab to bring to the front in the next frame
-    /// Tab that was chosen by hand last. Its height is kept when a click elsewhere opens another tab, so that the
-    /// picture does not move.
-    BottomTab fitted_tab = BottomTab::Effects;
     bool show_welcome = false;
     bool show_shortcuts = false;  ///< the overview of mouse and keyboard
     bool had_popup = false;       ///< a menu or dialog was open at the end of the last frame
