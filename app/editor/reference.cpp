@@ -49,6 +49,7 @@ nlohmann::ordered_json saved_error(const MeasuredError& measured) {
 
 void EditorReference::clear() {
     job_.drop();
+    kept_.clear();
     pictures_.clear();
     light_maps_.clear();
 }
@@ -75,6 +76,7 @@ bool EditorReference::poll() {
             problem_.clear();
             given_up_.erase(doing_key_);
         };
+        if (found->picture) kept_.add(found->picture);
         take(pictures_, found->picture);
         take(light_maps_, found->light_map);
         remark_ = std::move(found->remark);
@@ -126,6 +128,15 @@ void EditorReference::start_save(Renderer& renderer, const Scene& scene, const S
     });
 }
 
+bool EditorReference::is_of_view(const Scene& scene, const Settings& settings, const FrameRequest& request,
+                                 const FrameResult& frame) const {
+    for (int light = 0; light < int(frame.lights.size()); ++light)
+        if (reference_key(scene, settings, frame.camera, request.width, request.height, frame.lights, light,
+                          reference_options(settings)) == doing_key_)
+            return true;
+    return false;
+}
+
 bool EditorReference::update(Renderer& renderer, const Scene& scene, const Settings& settings,
                              const FrameRequest& request, const FrameResult& frame, bool drawn,
                              const ReferenceRequests& requests) {
@@ -155,9 +166,17 @@ bool EditorReference::update(Renderer& renderer, const Scene& scene, const Setti
     }
     if (job_.busy()) {
         const bool stale = !needs.empty() && !wants(doing_key_);
-        const bool unwanted = needs.empty() && !save_next_;
+        // Another tab shows no errors, but the one before may come back.
+        const bool unwanted = needs.empty() && !save_next_ && !is_of_view(scene, settings, request, frame);
         if (stale || unwanted) job_.cancel();
         return changed;
+    }
+    if (next != needs.end() && !next->light_map) {
+        if (auto known = kept_.find(next->key)) {
+            pictures_.resize(std::max(pictures_.size(), std::size_t(next->light) + 1));
+            const bool is_new = std::exchange(pictures_[std::size_t(next->light)], known) != known;
+            if (is_new) return true;
+        }
     }
     // A new reference is drawn first; only then missing work is determined.
     const auto shown = picture(settings.view.light);

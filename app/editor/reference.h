@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/base/job.h"
+#include "app/editor/kept_references.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
 #include "ui/state/editor_ui.h"
@@ -34,7 +35,8 @@ public:
                 const FrameResult& frame, bool drawn, const ReferenceRequests& requests);
     /// Drops all references. Call when there is no frame.
     void clear();
-    /// Releases references of views that are no longer shown. Call when the editor is idle.
+    /// Releases rays of views that are no longer shown. References of earlier views are kept within their limit of
+    /// memory. Call when the editor is idle.
     void release_unused_memory();
 
     /// Returns state, progress and times of the reference of the shown light.
@@ -66,7 +68,12 @@ private:
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 
+    /// Returns true if the work of the background job belongs to the shown view, whether or not a panel shows it now.
+    bool is_of_view(const Scene& scene, const Settings& settings, const FrameRequest& request,
+                    const FrameResult& frame) const;
+
     ReferenceCache cache_;                                           ///< used by the job while it runs
+    KeptReferences kept_;                                            ///< of views that may be shown again
     std::vector<std::shared_ptr<const ReferencePicture>> pictures_;  ///< by light; null: not needed
     std::vector<std::shared_ptr<const LightMap>> light_maps_;        ///< by light; null: not needed
     std::set<std::uint64_t> given_up_;                               ///< cache keys of failed and cancelled jobs

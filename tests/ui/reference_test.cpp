@@ -136,30 +136,85 @@ TEST(EditorReference, OverlayWaitsForTheReferenceAndShowsIt) {
     expect_calm(editor);
 }
 
-TEST(EditorReference, IdleEditorKeepsNoRaysOfOldViews) {
-    const auto receivers = [] {
-        for (const MemoryUse& h : memory_report().holders)
-            if (h.holder == "receivers") return h.count;
-        return std::size_t(0);
-    };
-    const std::size_t others = receivers();
-    HeadlessEditor editor(options(kNoBias));
+/// Returns the number of traced receivers in memory.
+std::size_t receivers_held() {
+    for (const MemoryUse& h : memory_report().holders)
+        if (h.holder == "receivers") return h.count;
+    return 0;
+}
+
+TEST(EditorReference, KeepsEarlierViewsOfTheSameCastersOnly) {
+    const std::size_t others = receivers_held();
+    std::vector<std::string> sets = kNoBias;
+    sets.push_back("camera.source=manual");
+    HeadlessEditor editor(options(sets));
     EditorState& state = editor.model().state;
     state.window.open_tab = BottomTab::Error;
     state.comparison = {.view = ComparisonView::SideBySide, .reference = false};
     editor.settle();
-    EXPECT_GE(receivers(), others + 1);
+    EXPECT_GE(receivers_held(), others + 1);
     // The other side disappears when the reference of another view arrives.
     state.comparison.view = ComparisonView::Off;
     state.settings.camera.azimuth += 5;
     editor.settle();
-    EXPECT_EQ(receivers(), others + 1);
-    state.window.open_tab = BottomTab::Effects;
-    state.settings.view.light = 1;
-    state.settings.light_count = 2;
+    const std::size_t two_views = receivers_held();
+    EXPECT_GE(two_views, others + 2);
+    editor.model().release_unused_memory();
+    EXPECT_LE(receivers_held(), two_views);
+    state.settings.scene.distance = 3;
     editor.settle();
     editor.model().release_unused_memory();
-    EXPECT_EQ(receivers(), others) << "no picture needs any";
+    EXPECT_EQ(receivers_held(), others + 1) << "the casters have moved";
+}
+
+TEST(EditorReference, ViewThatComesBackNeedsNoRays) {
+    std::vector<std::string> sets = kNoBias;
+    sets.push_back("camera.source=manual");
+    HeadlessEditor editor(options(sets));
+    EditorModel& model = editor.model();
+    model.state.window.open_tab = BottomTab::Error;
+    editor.settle();
+    ASSERT_TRUE(model.facts().error);
+    const ErrorMetrics before = model.facts().error->metrics;
+    model.state.settings.camera.azimuth += 10;
+    editor.settle();
+    ASSERT_TRUE(model.facts().error);
+    EXPECT_NE(model.facts().error->metrics.mae, before.mae);
+    model.state.settings.camera.azimuth -= 10;
+    for (int i = 0; i < 6; ++i) {
+        editor.frame();
+        EXPECT_FALSE(model.tracing()) << "frame " << i;
+    }
+    ASSERT_TRUE(model.facts().error);
+    EXPECT_EQ(model.facts().error->metrics.artefacts, before.artefacts);
+    expect_calm(editor);
+}
+
+TEST(EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture) {
+    // More rays than can be traced before the last tab.
+    std::vector<std::string> sets = kNoBias;
+    for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
+        sets.push_back(set);
+    HeadlessEditor editor(options(sets));
+    EditorModel& model = editor.model();
+    model.state.window.open_tab = BottomTab::Error;
+    for (int i = 0; i < 20 && !model.tracing(); ++i) {
+        model.finish_loading();
+        editor.frame();
+    }
+    ASSERT_TRUE(model.tracing());
+    const glm::dvec2 origin = model.state.viewport.view->origin, size = model.state.viewport.view->size;
+    double progress = 0;
+    for (int click = 0; click < 100; ++click) {
+        model.state.window.open_tab = BottomTab(click % kBottomTabs);
+        editor.frame();
+        ASSERT_TRUE(model.tracing()) << "click " << click;
+        ASSERT_GE(model.facts().reference->progress, progress) << "click " << click;
+        progress = model.facts().reference->progress;
+        ASSERT_EQ(model.state.viewport.view->origin, origin) << "click " << click;
+        ASSERT_EQ(model.state.viewport.view->size, size) << "click " << click;
+    }
+    ASSERT_NO_FATAL_FAILURE(cancel_tracing(editor));
 }
 
 TEST(EditorReference, SavesAllNumbers) {
