@@ -150,6 +150,61 @@ TEST_F(Keys, PageDownOnlyOpensAPreset) {
     EXPECT_TRUE(ImGui::GetCurrentContext()->NavDisableHighlight);
 }
 
+/// Returns the top-level part of the window that has the keyboard: "editor/settings".
+std::string focused_part() {
+    const ImGuiWindow* window = ImGui::GetCurrentContext()->NavWindow;
+    const std::string name = window ? window->Name : "";
+    return name.substr(0, name.find('_'));
+}
+
+TEST_F(Keys, F6GivesTheKeyboardToEachPanelAndShowsIt) {
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ui.state.layout.map_place = MapSpot::Hidden;
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.keyboard.probe_has_arrows = true;
+    ui.frames(2);
+    for (const char* part : {"editor/top", "editor/scene", "editor/bottom", "editor/settings", "editor/status"}) {
+        key(295);
+        ui.frames(2);
+        EXPECT_EQ(focused_part(), part);
+        EXPECT_FALSE(ImGui::GetCurrentContext()->NavDisableHighlight) << part;
+        EXPECT_FALSE(ui.state.keyboard.probe_has_arrows);
+    }
+    ImGui::GetIO().KeyShift = true;
+    key(295);
+    ImGui::GetIO().KeyShift = false;
+    ui.frames(2);
+    EXPECT_EQ(focused_part(), "editor/settings");
+    key(299);  // F10
+    ui.frames(2);
+    EXPECT_EQ(focused_part(), "editor/top");
+    EXPECT_NE(ImGui::GetCurrentContext()->NavId, 0u);
+}
+
+TEST_F(Keys, CtrlFSearchesTheSettings) {
+    ui.state.window.maximised = Panel::Scene;
+    ui.frames(2);
+    ImGui::GetIO().KeyCtrl = true;
+    key('F');
+    ImGui::GetIO().KeyCtrl = false;
+    ui.frames(3);
+    ui.type("bias");
+    EXPECT_EQ(ui.state.settings_panel.search, "bias");
+    EXPECT_FALSE(ui.state.window.maximised);
+}
+
+TEST_F(Keys, CtrlAndADigitOpenATab) {
+    const int overlay = settings().view.overlay;
+    for (int tab = 0; tab < kBottomTabs; ++tab) {
+        ImGui::GetIO().KeyCtrl = true;
+        key('0' + (tab + 1) % 10);
+        ImGui::GetIO().KeyCtrl = false;
+        ui.frames(3);
+        EXPECT_EQ(ui.state.tab, BottomTab(tab));
+        EXPECT_EQ(settings().view.overlay, overlay);
+    }
+}
+
 TEST_F(Keys, QReportsItsResult) {
     ui.state.probe_pixel.reset();
     key('Q');

@@ -274,15 +274,14 @@ TEST(Layout, EveryOverlayHasAKeyOfItsOwn) {
         Shown ui(1280, 720);
         ImGuiIO& io = ImGui::GetIO();
         io.KeyShift = key.starts_with("Shift");
-        io.KeyAlt = key.starts_with("Alt");
-        io.KeyCtrl = key.starts_with("Ctrl");
+        io.KeyAlt = key.find("Alt") != std::string::npos;
         ui.key(key.back());
         EXPECT_EQ(ui.state.settings.view.overlay, number) << key;
         ui.key(key.back());
         EXPECT_EQ(ui.state.settings.view.overlay, 0) << key << " again";
     }
-    EXPECT_EQ(overlay_of_digit(3, {.shift = true, .alt = true}), 0);
-    EXPECT_EQ(overlay_of_digit(9, {.ctrl = true}), overlays().size() >= 36 ? 36 : 0);
+    EXPECT_EQ(overlay_of_digit(3, {.ctrl = true}), 0);
+    EXPECT_EQ(overlay_of_digit(9, {.shift = true, .alt = true}), overlays().size() >= 36 ? 36 : 0);
 }
 
 TEST(Layout, DigitSelectsTheOverlayOfThePaneUnderTheMouse) {

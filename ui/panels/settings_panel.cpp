@@ -202,6 +202,7 @@ std::string_view setting_group_label(std::string_view prefix) {
 
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
+    if (std::exchange(state.settings_panel.focus_search, false)) ImGui::SetKeyboardFocusHere();
     search_field("search", "Search settings", state.settings_panel.search, em * 7.2f,
                  "; other engines' names count too");
     ImGui::SameLine();

@@ -10,6 +10,7 @@ namespace si {
 /// State of the column that lists all settings: search and folded groups.
 struct SettingsPanel {
     std::string search;
+    bool focus_search = false;                    ///< the next frame puts the keyboard into the search field
     bool only_changed = false;                    ///< lists only settings that differ from their defaults
     std::set<std::string, std::less<>> unfolded;  ///< groups that also list their rarely used settings
 };

@@ -135,12 +135,28 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     ImGui::EndTabBar();
 }
 
+/// Gives the keyboard to the window that is being drawn, and marks its first widget.
+void focus_this_window() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImGui::FocusWindow(g.CurrentWindow);
+    ImGui::NavInitWindow(g.CurrentWindow, true);
+    g.NavDisableHighlight = false;
+    g.NavDisableMouseHover = true;
+}
+
 /// Draws a part of the window with the usual gaps inside; the window itself has none between its parts.
-void child(const char* id, ImVec2 size, const auto& draw) {
+void child(KeyboardState& keyboard, WindowPart part, ImVec2 size, const auto& draw) {
+    constexpr const char* kIds[kWindowParts] = {"top", "scene", "map", "time", "bottom", "settings", "status"};
+    const char* const id = kIds[index_of(part)];
     const float em = ImGui::GetFontSize();
     ImGui::BeginChild(
         id, size, false,
         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    if (keyboard.wanted == part) {
+        keyboard.wanted.reset();
+        keyboard.focused = part;
+        focus_this_window();
+    }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em * 0.53f, em * 0.33f));
     draw();
     ImGui::PopStyleVar();
@@ -149,9 +165,9 @@ void child(const char* id, ImVec2 size, const auto& draw) {
 
 /// Draws one of the window's panels.
 void draw_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, Panel which, ImVec2 size) {
-    constexpr const char* kIds[] = {"scene", "map", "bottom"};
+    constexpr WindowPart kParts[] = {WindowPart::Scene, WindowPart::Map, WindowPart::Tabs};
     constexpr decltype(&bottom_tabs) kDraws[] = {draw_viewport, draw_map_viewer, bottom_tabs};
-    child(kIds[int(which)], size, [&] { kDraws[int(which)](state, frame, requests); });
+    child(state.keyboard, kParts[int(which)], size, [&] { kDraws[int(which)](state, frame, requests); });
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.window.hovered_panel = which;
 }
 
@@ -205,7 +221,7 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
                  [&](float by) { return std::clamp((map + by) / size.y, 0.1f, 0.9f); });
         size.y -= map + bar;
     }
-    child("settings", size, [&] { draw_settings(state, frame, requests); });
+    child(state.keyboard, WindowPart::Settings, size, [&] { draw_settings(state, frame, requests); });
     ImGui::EndGroup();
 }
 
@@ -217,7 +233,7 @@ float most_settings(float width) {
 void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
-    child("top", {0, top}, [&] { draw_top_bar(state, frame, requests); });
+    child(state.keyboard, WindowPart::Menus, {0, top}, [&] { draw_top_bar(state, frame, requests); });
 
     EditorLayout& layout = state.layout;
     ImVec2 rest = ImGui::GetContentRegionAvail();
@@ -234,7 +250,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     pictures_row(state, frame, requests, {left, pictures}, bar);
-    if (time > 0) child("time", {left, time}, [&] { draw_time_bar(state, frame); });
+    if (time > 0) child(state.keyboard, WindowPart::Time, {left, time}, [&] { draw_time_bar(state, frame); });
     splitter("bottom splitter", false, {left, bar}, layout, &EditorLayout::bottom_height,
              [&](float by) { return std::max((bottom - by) / em, 2.0f); });
     draw_panel(state, frame, requests, Panel::Tabs, {left, bottom});
@@ -300,7 +316,11 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
         one_panel(state, frame, requests);
     else
         all_panels(state, frame, requests);
-    child("status", {0, status_bar_height()}, [&] { draw_status_bar(state, frame); });
+    child(state.keyboard, WindowPart::Status, {0, status_bar_height()}, [&] { draw_status_bar(state, frame); });
+    if (KeyboardState& keyboard = state.keyboard; keyboard.wanted) {
+        keyboard.wanted = part_after(*keyboard.wanted, keyboard.step);
+        requests.redraw = true;
+    }
     ImGui::PopStyleVar();
     draw_welcome(state, frame, requests);
     draw_shortcuts(state.window.show_shortcuts);

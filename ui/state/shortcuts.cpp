@@ -31,6 +31,8 @@ constexpr float kFastSwipe = 5;       ///< factor of that step with Shift
 // Codes of keys without a character, as the window feeds them (GLFW).
 constexpr int kF1 = 290;
 constexpr int kF2 = 291;
+constexpr int kF6 = 295;
+constexpr int kF10 = 299;
 constexpr int kF11 = 300;
 constexpr int kF12 = 301;
 
@@ -99,6 +101,20 @@ void move_swipe(EditorState& state, float step) {
     state.comparison.at = std::clamp(state.comparison.at + step * factor, 0.0f, 1.0f);
 }
 
+/// Gives the keyboard to the panel that is `step` places after the one that had it last.
+void focus_panel(EditorState& state, int step) {
+    KeyboardState& keyboard = state.keyboard;
+    keyboard.step = step;
+    keyboard.wanted = part_after(keyboard.focused, step);
+    keyboard.probe_has_arrows = false;
+}
+
+/// Opens the tab of a digit: 1 is the first tab, 0 the tenth.
+void open_tab_of_digit(const CommandContext& c) {
+    c.state.window.open_tab = BottomTab(c.key == '0' ? 9 : c.key - '1');
+    if (c.state.window.maximised && *c.state.window.maximised != Panel::Tabs) c.state.window.maximised.reset();
+}
+
 void forget_probe(const CommandContext& c) {
     if (!c.state.probe_pixel) select_objects(c.state, {});
     c.state.probe_pixel.reset();
@@ -165,6 +181,18 @@ constexpr Shortcut kShortcutTable[] = {
     joined(gesture("double-click a title")),
     joined(row(Command::RestorePanels, mapped("Esc", ImGuiKey_Escape), "all panels", When::OnePanel,
                [](C c) { c.state.window.maximised.reset(); })),
+    row(Command::OpenTab, with_ctrl({.name = "1 to 0", .first = '0', .last = '9'}), "tabs below, from the left",
+        open_tab_of_digit),
+    row(Command::NextPanel, with_shift(key("F6", kF6), Modifier::Up), "keyboard to the next panel",
+        [](C c) { focus_panel(c.state, +1); }),
+    joined(row(Command::PreviousPanel, with_shift(key("F6", kF6), Modifier::Down), "to the previous one",
+               [](C c) { focus_panel(c.state, -1); })),
+    joined(row(Command::FocusMenus, key("F10", kF10), "to the menus",
+               [](C c) {
+                   c.state.window.maximised.reset();
+                   c.state.keyboard.wanted = WindowPart::Menus;
+                   c.state.keyboard.probe_has_arrows = false;
+               })),
     row(Command::NextMapPlace, letter("N"), "move the map to its next place",
         [](C c) { c.state.layout.map_place = MapSpot((int(c.state.layout.map_place) + 1) % 4); }),
     row(Command::NextMapView, letter("M"), "map: raw, linear, bands",
@@ -186,9 +214,9 @@ constexpr Shortcut kShortcutTable[] = {
     joined(row(Command::RemoveBias, letter("U"), "all bias away", [](C c) { remove_bias(c.state.settings); })),
     row(Command::ToggleDepthQuads, letter("Q"), "stored-depth quads at the mouse or the probe; again: none",
         [](C c) { toggle_pointed_quads(c.state, c.frame); }),
-    row(Command::ToggleOverlay, {.name = "1 to 9", .first = '1', .last = '9', .ctrl = Modifier::Any},
-        "overlays, more with Shift, Alt or Ctrl (their list has the keys); again: none", toggle_overlay),
-    joined(row(Command::HideOverlay, with_any(letter("0")), "no overlay", [](C c) { active_overlay(c.state) = 0; })),
+    row(Command::ToggleOverlay, {.name = "1 to 9", .first = '1', .last = '9'},
+        "overlays, more with Shift, Alt or both (their list has the keys); again: none", toggle_overlay),
+    joined(row(Command::HideOverlay, letter("0"), "no overlay", [](C c) { active_overlay(c.state) = 0; })),
 
     section("Compare",
             row(Command::NextComparison, letter("B"), "with the reference or a preset: swipe, side by side, difference",
@@ -265,7 +293,12 @@ constexpr Shortcut kShortcutTable[] = {
                [](C c) { c.state.window.show_shortcuts = c.state.window.show_welcome = false; })),
     row(Command::Quit, with_ctrl(letter("Q")), "quit", [](C c) { c.requests.quit = true; }),
 
-    section("Settings", gesture("Ctrl+click on a slider", "type a value")),
+    section("Settings", row(Command::SearchSettings, with_ctrl(letter("F")), "search the settings",
+                            [](C c) {
+                                c.state.window.maximised.reset();
+                                c.state.settings_panel.focus_search = true;
+                            })),
+    gesture("Ctrl+click on a slider", "type a value"),
     gesture("Right-click", "reset a setting, or copy it as --set"),
     gesture("Arrows, Space, Enter", "from widget to widget, press, edit"),
     gesture("Double-click a splitter", "as wide as at first"),

@@ -47,8 +47,20 @@ struct WindowState {
     bool had_popup = false;       ///< a menu or dialog was open at the end of the last frame
 };
 
-/// Owners of the arrow keys and the page keys, which ImGui uses for its own navigation.
+/// Part of the window that the keyboard can be given to, in the order of F6.
+enum class WindowPart { Menus, Scene, Map, Time, Tabs, Settings, Status };
+inline constexpr int kWindowParts = index_of(WindowPart::Status) + 1;
+
+/// Returns the part that lies `step` places after another one, 1 or -1, around the window.
+constexpr WindowPart part_after(WindowPart part, int step) {
+    return static_cast<WindowPart>((index_of(part) + step + kWindowParts) % kWindowParts);
+}
+
+/// Owner of the keyboard, and of the arrow keys and page keys, which ImGui uses for its own navigation.
 struct KeyboardState {
+    WindowPart focused = WindowPart::Status;  ///< part that was given the keyboard last
+    std::optional<WindowPart> wanted;         ///< part that gets the keyboard as soon as it is drawn
+    int step = 1;                             ///< direction in which a part that is not shown is passed over: 1 or -1
     bool probe_has_arrows = false;            ///< the arrow keys move the probe, not the focus
     bool took_navigation = false;             ///< ImGui's keyboard navigation is off for that reason
     std::array<int, 2> page_keys = {-1, -1};  ///< window codes of Page up and Page down; -1: not known yet

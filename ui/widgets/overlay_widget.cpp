@@ -18,9 +18,8 @@ namespace {
 
 constexpr const char* kGroups[] = {"What is wrong", "Bias", "Resolution", "Depth", "Debug"};
 
-// Digits 1 to 9, alone and with each of these modifiers.
-constexpr std::string_view kHeld[] = {"", "Shift+", "Alt+", "Ctrl+"};
-constexpr int kDigits = 9;
+constexpr int kDigits = 9;     ///< digits that show an overlay: 1 to 9
+constexpr int kModifiers = 4;  ///< ways to hold Shift and Alt
 
 constexpr std::string_view kPanes[] = {"view.overlay", "view.overlay_2", "view.overlay_3", "view.overlay_4"};
 
@@ -57,16 +56,16 @@ int group_lines(OverlayGroup group, int chosen) {
 }  // namespace
 
 int overlay_of_digit(int digit, const HeldKeys& held) {
-    if (digit < 1 || digit > kDigits || held.shift + held.alt + held.ctrl > 1) return 0;
-    const int number = digit + kDigits * (held.shift ? 1 : held.alt ? 2 : held.ctrl ? 3 : 0);
+    if (digit < 1 || digit > kDigits || held.ctrl) return 0;
+    const int number = digit + kDigits * (int(held.shift) + 2 * int(held.alt));
     return std::size_t(number) <= overlays().size() ? number : 0;
 }
 
 std::string overlay_key(int number) {
     if (number <= 0) return "0";
     const int row = (number - 1) / kDigits;
-    if (std::size_t(row) >= std::size(kHeld)) return {};
-    return fmt::format("{}{}", kHeld[row], (number - 1) % kDigits + 1);
+    if (row >= kModifiers) return {};
+    return fmt::format("{}{}{}", row & 1 ? "Shift+" : "", row & 2 ? "Alt+" : "", (number - 1) % kDigits + 1);
 }
 
 std::string_view overlay_setting(int pane) {

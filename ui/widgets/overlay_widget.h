@@ -17,7 +17,7 @@ struct HeldKeys {
     bool shift = false, alt = false, ctrl = false;
 };
 /// Returns the number of the overlay that a digit on the keyboard shows, with the modifier keys held: 1 for the first
-/// row of the overlay table. Returns 0 for no overlay, or if several modifiers are held. @param digit the digit, 1 to 9
+/// row of the overlay table. Returns 0 for no overlay, or with Ctrl. @param digit the digit, 1 to 9
 int overlay_of_digit(int digit, const HeldKeys& held);
 /// Returns the shortcut on the keyboard that shows an overlay: "4", "Shift+4"; "0" for none. @param number the
 /// overlay's number: 1 for the first row of the overlay table
