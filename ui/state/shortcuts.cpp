@@ -297,6 +297,7 @@ constexpr Shortcut kShortcutTable[] = {
                             [](C c) {
                                 c.state.window.maximised.reset();
                                 c.state.settings_panel.focus_search = true;
+                                c.state.keyboard.focused = WindowPart::Settings;
                             })),
     gesture("Ctrl+click on a slider", "type a value"),
     gesture("Right-click", "reset a setting, or copy it as --set"),
