@@ -343,6 +343,30 @@ TEST(Layout, AllTabsHaveTheHeightThatIsDragged) {
     EXPECT_NEAR(height(), 150, 1) << "dragged by hand";
 }
 
+TEST(Layout, StatusBarForgetsMessagesButNoProblems) {
+    Shown ui(1280, 720);
+    ui.state.tab = BottomTab::Effects;
+    const auto wait = [&](double seconds) {
+        ui.frame_seconds = seconds;
+        ui.frame();
+        ui.frame_seconds = 1.0 / 60;
+        ui.frame();
+    };
+    ui.state.log.add(LogKind::Info, "Wrote somewhere.json");
+    ui.frame();
+    wait(15);
+    EXPECT_TRUE(ui.prints("Wrote somewhere.json"));
+    wait(10);
+    EXPECT_FALSE(ui.prints("Wrote somewhere.json"));
+    ui.state.log.add(LogKind::Info, "Wrote somewhere.json");
+    ui.frame();
+    EXPECT_TRUE(ui.prints("Wrote somewhere.json")) << "again";
+    ui.state.log.add(LogKind::Warning, "Something is odd");
+    ui.frame();
+    wait(60);
+    EXPECT_TRUE(ui.prints("Something is odd"));
+}
+
 TEST(Layout, SecondMenuOpensAtOnce) {
     Shown ui(1280, 720);
     const auto open = [&](const char* popup) {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <utility>
 
 #include "renderer/base/held_memory.h"
 #include "renderer/measure/time_sampler.h"
@@ -13,6 +14,8 @@
 
 namespace si {
 namespace {
+
+constexpr double kMessageSeconds = 20;  ///< time for which a message without a problem is shown
 
 /// Returns the times of the last timed frame. Frames are timed while the tab Effects is shown.
 std::string cost_text(const FrameTimes& times) {
@@ -65,6 +68,9 @@ void draw_status_bar(EditorState& state, const EditorFrame& frame) {
     }
     if (state.log.lines().empty()) return;
     const LogLine& last = state.log.lines().back();
+    if (std::exchange(state.window.shown_message, state.log.added()) != state.log.added())
+        state.window.message_since = ImGui::GetTime();
+    if (last.kind == LogKind::Info && ImGui::GetTime() - state.window.message_since > kMessageSeconds) return;
     const ImU32 colour = last.kind == LogKind::Error     ? theme::error()
                          : last.kind == LogKind::Warning ? theme::warning()
                                                          : theme::muted();

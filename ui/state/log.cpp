@@ -3,6 +3,7 @@
 namespace si {
 
 void Log::add(LogKind kind, std::string_view text) {
+    ++added_;
     if (kind == LogKind::Error) ++unseen_;
     if (!lines_.empty() && lines_.back().kind == kind && lines_.back().text == text) {
         ++lines_.back().count;

@@ -25,6 +25,8 @@ public:
     void clear();
     /// Returns the messages of the log, oldest first.
     const std::vector<LogLine>& lines() const { return lines_; }
+    /// Returns the number of messages that were ever added, repetitions included.
+    int added() const { return added_; }
     /// Returns the number of errors that were added since mark_seen().
     int unseen_errors() const { return unseen_; }
     /// Marks all messages as seen by the user, so that unseen_errors() counts from 0.
@@ -34,6 +36,7 @@ private:
     static constexpr std::size_t kLimit = 1000;
     std::vector<LogLine> lines_;
     int unseen_ = 0;
+    int added_ = 0;
 };
 
 }  // namespace si

@@ -42,6 +42,8 @@ struct WindowState {
     std::optional<Panel> maximised;                          ///< panel that fills the window; none: all are shown
     Panel hovered_panel = Panel::Scene;                      ///< panel that the mouse was over last
     std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< tab to bring to the front in the next frame
+    int shown_message = 0;                                   ///< Log::added() of the message in the status bar
+    double message_since = 0;  ///< time at which that message came, seconds of ImGui's clock
     bool show_welcome = false;
     bool show_shortcuts = false;  ///< the overview of mouse and keyboard
     bool had_popup = false;       ///< a menu or dialog was open at the end of the last frame
