@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/base/float_image.h"
 #include "renderer/frame/causes.h"
 #include "renderer/frame/numeric_health.h"
 #include "renderer/frame/optimisation_set.h"
@@ -239,13 +240,6 @@ struct FrameResult {
     const PassInfo* pass(Result makes) const;
 };
 
-/// Image of floats read back from the GPU, top row first.
-struct FloatImage {
-    int width = 0, height = 0, channels = 1;
-    std::vector<float> data;
-    /// Returns one channel of one pixel; row 0 is the top.
-    float at(int x, int y, int c = 0) const { return data[(std::size_t(y) * width + x) * channels + c]; }
-};
 /// Object and triangle number of each pixel, top row first. x: 1 + index in Scene::objects, 0 for nothing. y: triangle
 /// number in the draw; modulo the mesh's triangle count the number in the mesh, as some drivers count on through
 /// instances.

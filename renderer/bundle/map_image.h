@@ -1,0 +1,27 @@
+// Decoding of the images of shadow maps: .pfm, .exr, .png of 16 bits, and raw texels.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "renderer/base/float_image.h"
+#include "renderer/bundle/bundle.h"
+
+namespace si {
+
+/// Layout of a raw image, which its file does not state. Files of other formats ignore it.
+struct MapImageFormat {
+    int width = 0, height = 0;  ///< texels
+    int channels = 1;           ///< numbers a texel
+    std::optional<RawFormat> format;
+};
+
+/// Decodes the image of a shadow map by the extension of its name. All channels are returned. Rows stay in the order of
+/// the file: row 0 of the result is the first stored row. Integers of n bits become value / (2^n - 1).
+/// @param file_name for the extension and for messages
+/// @throws Error "FILE: what is wrong; what to do"; sizes are checked before memory is taken
+FloatImage decode_map_image(std::string_view file_name, std::span<const std::byte> bytes, const MapImageFormat& raw);
+
+}  // namespace si
