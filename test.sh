@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the tests by stages; prints at the end how long each took. Options:
 #   (none)         format, build in Release, and all that draws or computes without a window, on the driver at hand
-#   --all          besides: windows, full products, zink (a second driver), the sanitizers
+#   --all          besides: windows, engines of others, full products, zink (a second driver), the sanitizers
 #   --only STAGE   one stage, with the build that it needs; may be repeated
 #   -h, --help     this text
 # A stage whose packages are missing and cannot be installed is skipped and counted; with SI_REQUIRE_ALL=1 that fails.
@@ -25,6 +25,7 @@ default_stages=(
 )
 more_stages=(
   "window:the editor in windows of its own"
+  "engines:bundles that engines of others write: three.js from npm, in a headless browser"
   "products:full products of what tests take in part, and the slowest tests"
   "zink:drawing tests on zink over lavapipe"
   "asan:the build under AddressSanitizer and UndefinedBehaviorSanitizer; unit tests, each preset drawn"
@@ -163,6 +164,7 @@ lacks() {
   format) command=clang-format ;;
   strict) command=clang++ ;;
   window) command=xdotool ;;
+  engines) command=npm ;;
   *) return 1 ;;
   esac
   ! command -v "$command" >/dev/null

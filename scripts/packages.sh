@@ -11,8 +11,10 @@ build_packages=(g++ cmake ninja-build pkg-config
 # driver (zink over lavapipe), the reference compiler of GLSL, the formatter.
 test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool dbus
   mesa-vulkan-drivers glslang-tools chromium parallel shellcheck clang-format graphviz)
-# What single stages of test.sh need, which are skipped without: a second compiler.
+# What single stages of test.sh need, which are skipped without: a second compiler, and npm for engines in JavaScript,
+# which may be there without Debian's package.
 stage_packages=(clang)
+if ! command -v npm >/dev/null; then stage_packages+=(nodejs npm); fi
 
 say() { printf '%s\n' "$*" >&2; }
 
