@@ -16,18 +16,56 @@ struct ImportedViews {
     ViewChooser chooser;           ///< choice of the view in which a point is looked up
 };
 
-/// Maps of one light that are given: an image a view, and what they were drawn with, where it is known.
+/// Raster state in which casters are drawn into one map, in place of bias.raster_* and caster.cull.
+struct CasterRaster {
+    double offset_factor = 0, offset_units = 0;  ///< as glPolygonOffset() takes them, with the signs of reversed depth
+    double offset_clamp = 0;                     ///< as glPolygonOffsetClampEXT() takes it; 0: no clamp
+    /// Faces left out, by the winding of glTF as seen from the light; nullopt: caster.cull. See culled_faces().
+    std::optional<Cull> cull;
+    bool operator==(const CasterRaster&) const = default;
+};
+
+/// Maps of one light that are given: an image a view, and what they were drawn with, where it is known. Without images
+/// the maps are drawn, with the given views.
 struct ImportedMaps {
     std::vector<FloatImage> images;      ///< depths by view, top row first, as Renderer::read_shadow_map() returns them
     std::optional<ImportedViews> views;  ///< nullopt: the light's own views
-    std::uint64_t key = 0;               ///< hash of images and views
-    MapSize size() const { return {images.front().width, images.front().height}; }
+    std::vector<CasterRaster> raster;    ///< by view; empty: unknown, maps are drawn as the settings say
+    MapSize drawn_size;                  ///< size of maps without images
+    std::uint64_t key = 0;               ///< hash of images, views and raster state
+    /// Returns true when the maps are images that are given, false when they are drawn with the given views.
+    bool has_images() const { return !images.empty(); }
+    MapSize size() const { return has_images() ? MapSize(images.front().width, images.front().height) : drawn_size; }
 };
 
 /// Returns maps of these images and views, with their key.
 /// @throws Error without an image, for images of more than one channel or different sizes, or where their number is not
 /// that of the views
+/// @param raster by view; empty: unknown
 std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images,
-                                                  std::optional<ImportedViews> views = std::nullopt);
+                                                  std::optional<ImportedViews> views = std::nullopt,
+                                                  std::vector<CasterRaster> raster = {});
+
+/// Returns maps that are drawn from the scene's casters, with these views in place of those of a fit.
+/// @param raster by view; empty: as the settings say
+/// @throws Error without a view, for a size below 1, or where the number of raster states is not that of the views
+std::shared_ptr<const ImportedMaps> drawn_maps(ImportedViews views, MapSize size,
+                                               std::vector<CasterRaster> raster = {});
+
+/// Returns the maps that a request gives a light, as images or as views alone; null for a light without any.
+inline const ImportedMaps* given_maps(const FrameRequest& request, std::size_t light) {
+    return light < request.imported.size() ? request.imported[light].get() : nullptr;
+}
+
+/// Returns the raster state in which casters are drawn into a view of a light; null: as the settings say.
+inline const CasterRaster* given_raster(const FrameRequest& request, std::size_t light, std::size_t view) {
+    const ImportedMaps* maps = given_maps(request, light);
+    return maps && view < maps->raster.size() ? &maps->raster[view] : nullptr;
+}
+
+/// Returns the faces that OpenGL's culling leaves out of a map, by the winding of glTF as seen from the light.
+/// @param culled GL_CULL_FACE_MODE of the engine, as in clip space whose y points up
+/// @param front_is_clockwise GL_FRONT_FACE is GL_CW
+Cull culled_faces(Cull culled, bool front_is_clockwise, const LightView& view);
 
 }  // namespace si

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/frame/driver.h"
+#include "renderer/frame/imported_maps.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -84,7 +85,8 @@ bool FrameState::shades_as_lit(std::size_t light) const {
 }
 
 const ImportedMaps* FrameState::imported(std::size_t light) const {
-    return light < request.imported.size() && gl.fitted[light].casts ? request.imported[light].get() : nullptr;
+    const ImportedMaps* maps = gl.fitted[light].casts ? given_maps(request, light) : nullptr;
+    return maps && maps->has_images() ? maps : nullptr;
 }
 
 bool FrameState::needs_unfiltered_map() const {

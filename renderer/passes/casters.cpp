@@ -8,9 +8,11 @@
 #include <map>
 #include <optional>
 
+#include "renderer/frame/imported_maps.h"
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/caster_findings.h"
 #include "renderer/projection/projection.h"
+#include "renderer/projection/view_of_matrix.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/culling/box_culling.h"
@@ -18,9 +20,15 @@
 namespace si {
 namespace {
 
-/// Returns the culling of a batch's casters: the object's choice, else the scene's.
-Cull cull_of(const FrameState& f, const Batch& batch) {
-    return cull_in_force(batch.cull, f.settings.caster.cull);
+/// Returns the culling of a batch's casters: the object's choice, else that of the map, else the scene's.
+Cull cull_of(const FrameState& f, const CasterRaster* raster, const Batch& batch) {
+    return cull_in_force(batch.cull, raster && raster->cull ? *raster->cull : f.settings.caster.cull);
+}
+
+/// Returns true when polygon offset changes the depths of a map.
+bool offsets_polygons(const FrameState& f, const CasterRaster* raster) {
+    if (!raster) return offsets_polygons(f.settings);
+    return raster->offset_factor != 0 || raster->offset_units != 0;
 }
 
 void set_cull(Cull cull, bool mirrored) {
@@ -33,19 +41,25 @@ void set_cull(Cull cull, bool mirrored) {
     glFrontFace(mirrored ? GL_CW : GL_CCW);
 }
 
-void set_raster_bias(const FrameState& f, bool reversed) {
-    const BiasSettings& b = f.settings.bias;
-    if (!offsets_polygons(f.settings)) {
+/// Sets the polygon offset of a map.
+/// @param raster state of the map; null: as the settings say
+void set_raster_bias(const FrameState& f, const CasterRaster* raster, bool reversed) {
+    if (!offsets_polygons(f, raster)) {
         glDisable(GL_POLYGON_OFFSET_FILL);
         return;
     }
     glEnable(GL_POLYGON_OFFSET_FILL);
-    const float sign = reversed ? -1.f : 1.f;
-    if (b.raster_clamp != 0 && f.driver.polygon_offset_clamp)
-        glPolygonOffsetClampEXT(sign * float(b.raster_slope), sign * float(b.raster_units),
-                                sign * float(b.raster_clamp));
+    const BiasSettings& b = f.settings.bias;
+    const double sign = reversed ? -1 : 1;
+    const CasterRaster used = raster ? *raster
+                                     : CasterRaster{.offset_factor = sign * b.raster_slope,
+                                                    .offset_units = sign * b.raster_units,
+                                                    .offset_clamp = sign * b.raster_clamp,
+                                                    .cull = {}};
+    if (used.offset_clamp != 0 && f.driver.polygon_offset_clamp)
+        glPolygonOffsetClampEXT(float(used.offset_factor), float(used.offset_units), float(used.offset_clamp));
     else
-        glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
+        glPolygonOffset(float(used.offset_factor), float(used.offset_units));
 }
 
 constexpr std::size_t kMostSides = 1024;
@@ -155,14 +169,15 @@ public:
           info_(info),
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.size.shortest()),
           rays_from_(ray_source(view.clip_from_relative)),
-          offset_(!view.unfiltered && offsets_polygons(f.settings)),
+          offset_(!view.unfiltered && offsets_polygons(f, view.choice.raster)),
           skips_(!seen && !f.request.forced.contains(Optimisation::CasterCulling)),
           bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
                  !f.request.forced.contains(Optimisation::CasterFragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
-        const bool closed = batch.closed && !batch.masked && !offset_ && cull_of(f_, batch) == Cull::None;
+        const bool closed =
+            batch.closed && !batch.masked && !offset_ && cull_of(f_, choice_.raster, batch) == Cull::None;
         Run run{batch};
         run.batch.instances = 0;
         for (GLuint i = 0; i < GLuint(batch.instances); ++i) add(batch, batch.first_instance + i, closed, run);
@@ -313,7 +328,8 @@ private:
     void finish(Run& run) {
         if (run.batch.instances == 0) return;
         programs_.use(run.batch, run.bare);
-        set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
+        set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, choice_.raster, run.batch),
+                 run.batch.mirrored != view_.mirrored);
         f_.draw_batch(run.batch, info_);
         if (run.fronts_alone && f_.request.forced.contains(Optimisation::CasterBackFaces)) draw_backs(run.batch);
         run.batch.instances = 0;
@@ -323,7 +339,7 @@ private:
     /// which is nearer.
     void draw_backs(const Batch& batch) {
         const float away = view_.curve.convention.reversed ? -1.f : 1.f;
-        set_cull(Cull::Front, batch.mirrored);
+        set_cull(Cull::Front, batch.mirrored != view_.mirrored);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(away, 4 * away);
         f_.draw_batch(batch, info_);
@@ -372,11 +388,11 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const Instanc
     if (view.unfiltered)
         glDisable(GL_POLYGON_OFFSET_FILL);
     else
-        set_raster_bias(f, convention.reversed);
+        set_raster_bias(f, view.choice.raster, convention.reversed);
     if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
     f.gl.scene->bind_vertices(f.scene, f.settings, view.origin, SceneGpu::Drawn::Casters);
     // Casters outside the range: flattened by the near plane, or moved there by polygon offset.
-    const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f.settings));
+    const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f, view.choice.raster));
     CasterPrograms programs(f, view, strays);
     CasterDrawer drawer(f, view, seen, programs, info);
     for (const Batch& drawn : f.gl.scene->batches()) {
@@ -402,7 +418,8 @@ SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unf
                      unfiltered,
                      view.clamps_near,
                      f.map_size,
-                     choice};
+                     choice,
+                     is_mirrored(view)};
     if (choice.needed && choice.needed->is_whole()) whole.choice.needed = nullptr;
     return draw_casters(f, whole, {}, info);
 }

@@ -9,12 +9,15 @@
 
 namespace si {
 
+struct CasterRaster;
+
 /// Choice of the casters to draw into a map, by needed cells and by instance.
 struct CasterChoice {
     const MapCells* needed = nullptr;         ///< map cells that look-ups read; null: all
     const std::vector<bool>* only = nullptr;  ///< instances to draw, in the order of SceneGpu; null: all
     bool keeps_contents = false;              ///< true: draws over the map's contents; false: clears the map first
     MapCells* covered = nullptr;              ///< receives all cells that drawn casters may cover; may be null
+    const CasterRaster* raster = nullptr;     ///< raster state of the map; null: as the settings say
 };
 
 /// View from a light for drawing casters: projection, origin and size.
@@ -26,6 +29,7 @@ struct CasterView {
     bool clamps_near = false;  ///< casters in front of the near plane are flattened onto it
     MapSize size{1};           ///< texels of the map
     CasterChoice choice;
+    bool mirrored = false;  ///< triangles have the opposite winding: see is_mirrored()
 };
 
 /// Range of a mesh's indices, counted from the mesh's first.

@@ -57,9 +57,9 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
                          PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    const SkippedCasters skipped =
-        draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info, {.needed = &called},
-                  f.request.emptied == MapOfLight{int(light), int(view)});
+    const SkippedCasters skipped = draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info,
+                                             {.needed = &called, .raster = given_raster(f.request, light, view)},
+                                             f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
@@ -149,7 +149,7 @@ Key light_views_key(const FrameState& f, std::size_t light) {
             .add(v.clamps_near)
             .add(v.curve.convention.reversed);
     if (f.request.emptied && f.request.emptied->light == int(light)) key.add("emptied").add(f.request.emptied->view);
-    if (const ImportedMaps* given = f.imported(light)) key.add("imported").add(given->key);
+    if (const ImportedMaps* given = given_maps(f.request, light)) key.add("given").add(given->key);
     key.add(f.map_size.sides());
     return key.add(l.map_origin).add(f.first_view[light]).add(f.gl.programs.source().generation());
 }
@@ -244,6 +244,7 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     const FittedLight& l = f.gl.fitted[light];
     const int layer = f.first_view[light] + int(view);
     const std::uint64_t draws = info.draws, triangles = info.triangles;
+    const CasterRaster* const raster = given_raster(f.request, light, view);
     SkippedCasters skipped;
     const bool kept = of.cached && of.cached_cells.contains(called);
     if (!kept) {
@@ -251,15 +252,18 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
         of.cached_cells = of.cached ? MapCells::whole() : called;
         of.is_copy = false;
         skipped = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
-                            {.needed = &of.cached_cells, .only = &work.static_casters});
+                            {.needed = &of.cached_cells, .only = &work.static_casters, .raster = raster});
         of.cached = true;
     }
     copy_texels(t.static_casters, t.maps, layer, of.is_copy ? of.moving_cells : MapCells::whole());
     of.moving_cells = {};
     of.is_copy = true;
-    const SkippedCasters over =
-        draw_view(f, t, t.maps, l, l.views[view], layer, info,
-                  {.needed = &called, .only = &work.moved, .keeps_contents = true, .covered = &of.moving_cells});
+    const SkippedCasters over = draw_view(f, t, t.maps, l, l.views[view], layer, info,
+                                          {.needed = &called,
+                                           .only = &work.moved,
+                                           .keeps_contents = true,
+                                           .covered = &of.moving_cells,
+                                           .raster = raster});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
@@ -462,7 +466,8 @@ void UnfilteredMapPass::run(FrameState& f, PassInfo& info) {
             if (given)
                 upload_view(t.unfiltered, f.first_view[i] + int(v), given->images[v]);
             else
-                draw_view(f, t, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info);
+                draw_view(f, t, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info,
+                          {.raster = given_raster(f.request, i, v)});
     }
 }
 

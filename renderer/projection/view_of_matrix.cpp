@@ -174,4 +174,13 @@ LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConventio
     return view;
 }
 
+bool is_mirrored(const LightView& view) {
+    const glm::dmat4& p = view.projection;
+    // Places across the axis: one metre along it in perspective, anywhere along it for parallel rays.
+    const glm::dvec4 from_axis = view.curve.perspective ? -p[2] : p[3];
+    const glm::dmat3 clip_from_across({p[0][0], p[0][1], p[0][3]}, {p[1][0], p[1][1], p[1][3]},
+                                      {from_axis.x, from_axis.y, from_axis.w});
+    return glm::determinant(view.axes) * glm::determinant(clip_from_across) < 0;
+}
+
 }  // namespace si

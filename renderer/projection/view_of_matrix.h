@@ -16,4 +16,7 @@ namespace si {
 /// if depth runs against the convention, or if depth or w depends on the column of the map
 LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConvention& convention);
 
+/// Returns true when a view shows triangles with the opposite winding: its map is mirrored.
+bool is_mirrored(const LightView& view);
+
 }  // namespace si

@@ -73,7 +73,7 @@ void add_camera(Key& key, const Camera& c) {
     key.add(c.aspect).add(c.curve.near).add(c.curve.far);
 }
 
-/// Replaces the views of lights whose maps are imported with views of their own, and marks all whose maps are imported.
+/// Replaces the views of lights whose maps come with views of their own, and marks all whose maps are images.
 void take_imported_views(FrameState& f, std::vector<FittedLight>& fitted) {
     for (std::size_t i = 0; i < fitted.size(); ++i) {
         FittedLight& light = fitted[i];
@@ -87,17 +87,18 @@ void take_imported_views(FrameState& f, std::vector<FittedLight>& fitted) {
             light.views = given->views->views;
             light.chooser = given->views->chooser;
             light.closed = false;
+            light.empty.clear();
             light.clipped_casters = 0;
             light.limits = {};
         }
         if (!light.casts) continue;
-        light.provider = MapProvider::Imported;
+        light.provider = given->has_images() ? MapProvider::Imported : MapProvider::Drawn;
         for (const LightView& view : light.views)
             if (view.curve.convention.reversed != f.settings.map.reversed_z)
                 throw Error(fmt::format("light {}: its imported map has {}reversed depth; set map.reversed_z to {}", i,
                                         view.curve.convention.reversed ? "" : "no ",
                                         view.curve.convention.reversed ? "true" : "false"));
-        if (light.views.size() != given->images.size())
+        if (given->has_images() && light.views.size() != given->images.size())
             throw Error(fmt::format("light {} has {} views and {} imported maps; give a map for each view", i,
                                     light.views.size(), given->images.size()));
     }

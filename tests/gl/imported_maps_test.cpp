@@ -160,6 +160,104 @@ TEST_F(ImportedMapsTest, GivenMapsNeedNoCaster) {
     EXPECT_EQ(differing_floats(drawn.data, renderer.read_float(frame.visibility, 1).data), 0u);
 }
 
+class DrawnByGivenViews : public ImportedMapsTest {
+protected:
+    /// Draws maps as the settings say, and again with their views given under settings that fit another map.
+    /// @param raster raster state that stands for what `s` says of polygon offset and culling
+    void expect_equal_maps(const Scene& scene, const Settings& s, std::optional<CasterRaster> raster = {},
+                           MapSize size = 128) {
+        const auto own = read_back(scene, s, true, size);
+        Settings other = s;
+        other.lights[0].fit = LightFit::Manual;
+        other.lights[0].extent = 0.5;
+        other.map.resolution = 32;
+        std::vector<CasterRaster> states;
+        if (raster) {
+            other.bias.raster_slope = other.bias.raster_units = other.bias.raster_clamp = 0;
+            other.caster.cull = Cull::None;
+            states.assign(own->images.size(), *raster);
+        }
+        FrameRequest r = request;
+        r.outputs.shadow_map = true;
+        r.imported = {drawn_maps(*own->views, size, states)};
+        const FrameResult frame = renderer.render(scene, other, r);
+        EXPECT_EQ(frame.map_size, size);
+        EXPECT_EQ(frame.lights[0].provider, MapProvider::Drawn);
+        EXPECT_EQ(map_pass(frame).reason.find("imported"), std::string::npos);
+        for (std::size_t v = 0; v < own->images.size(); ++v)
+            EXPECT_EQ(differing_floats(own->images[v].data, renderer.read_shadow_map(frame, 0, int(v)).data), 0u) << v;
+    }
+};
+
+TEST_F(DrawnByGivenViews, EveryLightsMapsEqualTheOwnOnes) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
+                                    {LightType::Directional, LightFit::Lispsm},
+                                    {LightType::Spot, LightFit::Scene},
+                                    {LightType::Point, LightFit::Scene}})
+        for (const char* reversed : {"false", "true"}) {
+            SCOPED_TRACE(testing::Message() << int(type) << " " << int(fit) << " reversed " << reversed);
+            const Settings s = settings_with(lit_by_kernel(type, fit, "pcf3"), {{"map.reversed_z", reversed}});
+            expect_equal_maps(scene, s);
+            expect_equal_maps(scene, s, {}, MapSize(64, 256));
+        }
+    Settings cascades = lit_by_kernel(LightType::Directional, LightFit::View, "pcf3");
+    set_setting(cascades, "light.cascades", "3");
+    set_setting(cascades, "light.near_far", "pancaking");
+    expect_equal_maps(scene, cascades);
+}
+
+TEST_F(DrawnByGivenViews, RasterStateEqualsThatOfTheSettings) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const char* reversed : {"false", "true"})
+        for (const auto& [type, fit] :
+             {std::pair{LightType::Directional, LightFit::Lispsm}, {LightType::Spot, LightFit::Scene}}) {
+            Settings s = settings_with(lit_by_kernel(type, fit, "pcf3"), {{"map.reversed_z", reversed},
+                                                                          {"map.format", "d16"},
+                                                                          {"bias.raster_slope", "2.5"},
+                                                                          {"bias.raster_units", "7"},
+                                                                          {"caster.cull", "front"}});
+            const double sign = s.map.reversed_z ? -1 : 1;
+            expect_equal_maps(scene, s,
+                              CasterRaster{.offset_factor = 2.5 * sign, .offset_units = 7 * sign, .cull = Cull::Front});
+        }
+}
+
+// An engine's map may run from right to left, so that OpenGL sees the opposite winding.
+TEST_F(DrawnByGivenViews, AMirroredMapIsTheMirroredImage) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const Cull culled : {Cull::None, Cull::Back, Cull::Front}) {
+        Settings s = lit_by_kernel(LightType::Directional, LightFit::Scene, "hard");
+        s.caster.cull = culled;
+        const auto own = read_back(scene, s, true, 128);
+        ImportedViews views = *own->views;
+        EXPECT_FALSE(is_mirrored(views.views[0]));
+        EXPECT_EQ(culled_faces(culled, false, views.views[0]), culled);
+        glm::dmat4 flip(1.0);
+        flip[1][1] = -1;
+        views.views[0] =
+            view_of_matrix(flip * views.views[0].clip_from_relative(glm::dvec3(0)), views.views[0].curve.convention);
+        EXPECT_TRUE(is_mirrored(views.views[0]));
+        EXPECT_EQ(culled_faces(culled, true, views.views[0]), culled);
+        EXPECT_EQ(culled_faces(culled, false, views.views[0]) == culled, culled == Cull::None);
+        s.caster.cull = Cull::None;
+        FrameRequest r = request;
+        r.outputs.shadow_map = true;
+        r.imported = {drawn_maps(views, 128, {CasterRaster{.cull = culled}})};
+        const FloatImage drawn = renderer.read_shadow_map(renderer.render(scene, s, r), 0, 0);
+        std::size_t differ = 0, covered = 0;
+        for (int y = 0; y < 128; ++y)
+            for (int x = 0; x < 128; ++x) {
+                const float a = own->images[0].at(x, y), b = drawn.at(x, 127 - y);
+                covered += a < 1;
+                differ += std::abs(a - b) > 1e-5f;
+            }
+        // A box without its front faces, and without a floor, still has its back.
+        EXPECT_GT(covered, 100u) << int(culled);
+        EXPECT_LE(differ, covered / 50) << int(culled) << " of " << covered;
+    }
+}
+
 TEST_F(ImportedMapsTest, BadImportsAreRefused) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     const Settings s = lit_by_kernel(LightType::Point, LightFit::Scene, "hard");
@@ -167,6 +265,10 @@ TEST_F(ImportedMapsTest, BadImportsAreRefused) {
     EXPECT_THROW(imported_maps({FloatImage{2, 2, 1, {0, 0, 0}}}), Error);
     EXPECT_THROW(imported_maps({FloatImage{1, 1, 1, {0}}, FloatImage{2, 1, 1, {0, 0}}}), Error);
     EXPECT_THROW(imported_maps({FloatImage{1, 1, 1, {0}}}, ImportedViews{}), Error);
+    EXPECT_THROW(imported_maps({FloatImage{1, 1, 1, {0}}}, std::nullopt, std::vector<CasterRaster>(2)), Error);
+    EXPECT_THROW(drawn_maps(ImportedViews{}, 16), Error);
+    EXPECT_THROW(drawn_maps(ImportedViews{{LightView{}}, {}}, 0), Error);
+    EXPECT_THROW(drawn_maps(ImportedViews{{LightView{}}, {}}, 16, std::vector<CasterRaster>(2)), Error);
     FrameRequest r = request;
     r.imported = {imported_maps({FloatImage{1, 1, 1, {0}}})};
     EXPECT_THROW(renderer.render(scene, s, r), Error) << "six faces need six images";
