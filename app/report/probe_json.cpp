@@ -99,6 +99,7 @@ Json per_light_json(const Probe::PerLight& p) {
 Json diagnosis_json(const PixelDiagnosis& d, const Trial* fix) {
     Json json = {{"verdict", d.verdict},
                  {"right", d.right},
+                 {"engine_bias", engine_bias_key(d.engine_bias)},
                  {"artefact", "none"},
                  {"any_leak", d.reference.any_leak},
                  {"truth",

@@ -380,6 +380,10 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
     offer("filter.kernel", {sweep_kernels().begin(), sweep_kernels().end()});
     std::vector<std::string> sizes;
     for (int n = 256; n <= std::min(max_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
+    if (fitted->provider == MapProvider::Imported) {
+        if (s.map.blur_texels > 0) offer("map.blur_texels", {"0"});
+        return axes;
+    }
     offer("map.resolution", sizes);
     if (s.map.paged) offer("map.virtual", {"false"});
     if (fitted->type == LightType::Directional && !fitted->is_perspective() && !s.map.paged)

@@ -170,6 +170,8 @@ std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings
     for (const Bias& row : biases()) {
         std::optional<BiasSettings> least = least_bias_of_row(row, measured, settings, driver);
         if (!least) continue;
+        const bool is_given = measured.lights[std::size_t(measured.light)].provider == MapProvider::Imported;
+        if (is_given && (least->raster_slope != 0 || least->raster_units != 0)) continue;  // acts while maps are drawn
         if (row.gives_needed_bias && std::ranges::find(row.settings, "bias.constant") != row.settings.end())
             least->constant = kPlaneConstant;
         out.push_back({&row, *least});

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/given_map_changes.h"
 #include "renderer/measure/axes.h"
 #include "renderer/settings/starting_values.h"
 
@@ -30,6 +32,14 @@ WorkCost map_cost(const Settings& s, const MeasuredError& measured) {
     maps.map_resolution = measured.map_resolution;
     maps.map_size = measured.map_size;
     return work_cost(s, maps);
+}
+
+/// Returns true when a trial would change how a map is drawn that an engine has drawn.
+bool changes_given_map(const MeasuredSettings& before, const Trial& t) {
+    const auto light = std::size_t(std::max(t.candidate.light, 0));
+    if (!before.frame || light >= before.frame->lights.size()) return false;
+    return before.frame->lights[light].provider == MapProvider::Imported &&
+           std::ranges::any_of(t.changes, [](const auto& change) { return acts_while_drawing(change.first); });
 }
 
 }  // namespace
@@ -105,6 +115,7 @@ Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candid
     Trial t{.candidate = std::move(candidate), .changes = {}, .before = before, .after = {}};
     t.changes = setting_changes(base, t.candidate.settings);
     t.before.frame.reset();
+    if (t.is_drawn() && changes_given_map(before, t)) t.candidate.untried = kNeedsAnotherMap;
     if (!t.is_drawn()) return t;
     t.after = meter.measure(t.candidate.settings, t.candidate.light);
     const auto with = std::exchange(t.after.frame, nullptr), was = before.frame;

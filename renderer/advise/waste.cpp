@@ -50,7 +50,7 @@ std::vector<WorkTrial> map_trials(const Settings& settings, const FrameResult& f
     std::vector<WorkTrial> out;
     for (std::size_t i = 0; i < frame.lights.size(); ++i) {
         const FittedLight& light = frame.lights[i];
-        if (!light.casts) continue;
+        if (!light.casts || light.provider == MapProvider::Imported) continue;
         if (draws_pages(settings)) {
             // The light's contact shadows stay, as they do not depend on the source.
             WorkTrial& trial = out.emplace_back(fmt::format("pages of light {}", i), settings);

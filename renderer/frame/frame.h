@@ -195,6 +195,8 @@ struct ShownMap {
 struct FrameResult {
     Camera camera;
     std::vector<FittedLight> lights;
+    /// Maps by light that were given instead of drawn; null or missing: drawn. May be shorter than the list of lights.
+    std::vector<std::shared_ptr<const ImportedMaps>> imported;
     std::optional<DepthSpan> seen_m;  ///< measured depth range of visible surfaces, where a fit needs it
     std::vector<PassInfo> passes;
     std::vector<std::string> notes;  ///< repairs of settings and other warnings for the user, one line each

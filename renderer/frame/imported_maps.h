@@ -32,7 +32,10 @@ struct ImportedMaps {
     std::optional<ImportedViews> views;  ///< nullopt: the light's own views
     std::vector<CasterRaster> raster;    ///< by view; empty: unknown, maps are drawn as the settings say
     MapSize drawn_size;                  ///< size of maps without images
-    std::uint64_t key = 0;               ///< hash of images, views and raster state
+    /// The bias with which the engine reads these maps is known and set as bias.*. False: it is unknown, and no verdict
+    /// claims that the engine's pixel is wrong.
+    bool bias_known = true;
+    std::uint64_t key = 0;  ///< hash of images, views and raster state
     /// Returns true when the maps are images that are given, false when they are drawn with the given views.
     bool has_images() const { return !images.empty(); }
     MapSize size() const { return has_images() ? MapSize(images.front().width, images.front().height) : drawn_size; }
@@ -51,17 +54,6 @@ std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images
 /// @throws Error without a view, for a size below 1, or where the number of raster states is not that of the views
 std::shared_ptr<const ImportedMaps> drawn_maps(ImportedViews views, MapSize size,
                                                std::vector<CasterRaster> raster = {});
-
-/// Returns the maps that a request gives a light, as images or as views alone; null for a light without any.
-inline const ImportedMaps* given_maps(const FrameRequest& request, std::size_t light) {
-    return light < request.imported.size() ? request.imported[light].get() : nullptr;
-}
-
-/// Returns the raster state in which casters are drawn into a view of a light; null: as the settings say.
-inline const CasterRaster* given_raster(const FrameRequest& request, std::size_t light, std::size_t view) {
-    const ImportedMaps* maps = given_maps(request, light);
-    return maps && view < maps->raster.size() ? &maps->raster[view] : nullptr;
-}
 
 /// Returns the faces that OpenGL's culling leaves out of a map, by the winding of glTF as seen from the light.
 /// @param culled GL_CULL_FACE_MODE of the engine, as in clip space whose y points up

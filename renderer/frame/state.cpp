@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderer/frame/driver.h"
-#include "renderer/frame/imported_maps.h"
+#include "renderer/frame/requested_maps.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -85,7 +85,7 @@ bool FrameState::shades_as_lit(std::size_t light) const {
 }
 
 const ImportedMaps* FrameState::imported(std::size_t light) const {
-    const ImportedMaps* maps = gl.fitted[light].casts ? given_maps(request, light) : nullptr;
+    const ImportedMaps* maps = gl.fitted[light].casts ? requested_maps(request, light) : nullptr;
     return maps && maps->has_images() ? maps : nullptr;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/given_map_changes.h"
 #include "renderer/inspect/moment_bound.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
@@ -49,6 +50,8 @@ public:
         if (p_.casts && p_.fitted.is_cascaded() && reference_.state == PixelState::Counted)
             d_.verdict += "; by " + p_.view;
         if (reference_.state == PixelState::Counted && p_.casts && (!d_.right || faint_acne())) d_.fix = fix();
+        d_.engine_bias = p_.engine_bias;
+        if (p_.engine_bias != EngineBias::Own) speak_of_given_map();
         return d_;
     }
 
@@ -65,6 +68,30 @@ private:
     std::string_view state_text() const { return dark() ? "in shadow" : "lit"; }
     std::string_view reference_text() const { return reference_.lit ? "lit" : "in shadow"; }
     bool faint_acne() const { return reference_.cause.faint; }
+
+    /// Rewords the verdict for a map that an engine has drawn. A fix that the given map cannot have becomes a part of
+    /// the verdict.
+    void speak_of_given_map() {
+        if (d_.fix &&
+            std::ranges::any_of(d_.fix->settings, [](const auto& s) { return acts_while_drawing(s.first); })) {
+            d_.verdict += fmt::format("; a fix {}: {}", kNeedsAnotherMap, d_.fix->text);
+            d_.fix.reset();
+        }
+        const bool tested = reference_.state == PixelState::Counted && p_.casts;
+        if (p_.engine_bias == EngineBias::Unknown && tested)
+            d_.verdict = fmt::format(
+                "the engine's bias is unknown, and its map needs {}{}; under bias.* of these "
+                "settings: {}",
+                p_.account.in_map ? amount_text(d_.least) : "no bias, as " + std::string(not_in_map()),
+                std::isfinite(d_.occluder.depth) ? fmt::format(" and may have less than {}", amount_text(d_.occluder))
+                                                 : "",
+                d_.verdict);
+    }
+    /// Formats an amount of bias in texels, metres and depth.
+    static std::string amount_text(const DepthShift& a) {
+        if (!std::isfinite(a.depth)) return "infinite bias";
+        return fmt::format("{} of bias ({}, {:.3g} of depth)", texels(a), metres_text(a.metres), a.depth);
+    }
 
     /// Returns the gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
@@ -377,7 +404,12 @@ private:
 
     /// Computes the pixel's bias under other settings, with an unchanged map.
     BiasBreakdown under(const Settings& s) const {
-        return bias_breakdown(p_.fitted, s, s.map.resolution, p_.point, driver_);
+        // The sides keep their ratio.
+        const MapSize size = probe_.map_size;
+        const auto side = [&](int texels) {
+            return std::max(1, int(std::int64_t(texels) * s.map.resolution / std::max(size.longest(), 1)));
+        };
+        return bias_breakdown(p_.fitted, s, {side(size.width), side(size.height)}, p_.point, driver_);
     }
     bool fixes(const Settings& s) const {
         const BiasBreakdown a = under(s);

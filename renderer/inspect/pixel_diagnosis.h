@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/inspect/fragment_reference.h"
+#include "renderer/inspect/probe.h"
 #include "renderer/render/renderer.h"
 
 namespace si {
@@ -48,7 +49,9 @@ struct PixelDiagnosis {
     /// Least power of two of map.resolution at which some depth bias is right. 0: at the present one. Infinite: at
     /// none, since the steps of the depth format alone are too coarse.
     double opening_resolution = 0;
-    bool right = true;                ///< visibility and reference lie on the same side of one half
+    bool right = true;  ///< visibility and reference lie on the same side of one half
+    /// Unknown: the verdict speaks of this program's look-up of the engine's map, not of the engine's pixel.
+    EngineBias engine_bias = EngineBias::Own;
     std::string verdict;              ///< a sentence
     std::optional<SuggestedFix> fix;  ///< none where the pixel is right or no fix is known
 };

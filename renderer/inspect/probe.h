@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/bias/account.h"
@@ -51,6 +52,18 @@ struct KernelFacts {
     std::vector<std::string> lines;  ///< the same numbers in words, with the formula of the bound
 };
 
+/// Knowledge of the bias with which an engine reads its own shadow map.
+enum class EngineBias {
+    Own,      ///< the map is no engine's: this program draws it
+    Known,    ///< the map is imported, and the engine's bias is set as bias.*
+    Unknown,  ///< the map is imported, and the engine's bias is not known
+};
+
+/// Returns the name of this knowledge in JSON: "own", "known" or "unknown".
+constexpr std::string_view engine_bias_key(EngineBias bias) {
+    return bias == EngineBias::Own ? "own" : bias == EngineBias::Known ? "known" : "unknown";
+}
+
 /// Number of texels to either side of the look-up whose stored depths a probe keeps.
 inline constexpr int kProbeRowReachTexels = 32;
 
@@ -74,7 +87,8 @@ struct Probe {
         int face = 0;   ///< cube face or cascade of the look-up; the numbers below belong to its view
         /// Name of the view, such as "cascade 2 of 4", with the blended one in a blend band; empty for a single view.
         std::string view;
-        bool casts = false;    ///< the light has a shadow map
+        bool casts = false;  ///< the light has a shadow map
+        EngineBias engine_bias = EngineBias::Own;
         bool receives = true;  ///< object.PATH.receive
         FittedLight fitted;
         SurfacePoint point;

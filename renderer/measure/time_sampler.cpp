@@ -24,19 +24,25 @@ void append(std::vector<double>& to, const std::vector<double>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
+/// Returns true for the upload of imported maps, which stands for no work of the engine that has drawn them.
+bool uploads_given_maps(const PassInfo& pass) {
+    return pass.makes == Result::DrawnMaps && pass.category == PassCategory::Tool;
+}
+
 }  // namespace
 
 double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of, double PassInfo::*time) {
     double ms = 0;
     for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Drawn && pass.category == of.value_or(pass.category)) ms += pass.*time;
+        if (pass.state == PassState::Drawn && pass.category == of.value_or(pass.category) && !uploads_given_maps(pass))
+            ms += pass.*time;
     return ms;
 }
 
 void TimeSamples::add(const FrameResult& frame) {
     clock = frame.clock;
     for (const PassInfo& info : frame.passes) {
-        if (info.state != PassState::Drawn) continue;
+        if (info.state != PassState::Drawn || uploads_given_maps(info)) continue;
         Pass& pass = pass_of(*this, info.name);
         pass.gpu_ms.push_back(info.gpu_ms);
         pass.cpu_ms.push_back(info.cpu_ms);

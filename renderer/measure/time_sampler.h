@@ -15,8 +15,8 @@
 
 namespace si {
 
-/// Returns the time of a frame's drawn passes, milliseconds. @param of passes to count; nullopt: all @param time which
-/// of a pass's times
+/// Returns the time of a frame's drawn passes, milliseconds, without uploads of imported maps. @param of passes to
+/// count; nullopt: all @param time which of a pass's times
 double drawn_ms(const FrameResult& frame, std::optional<PassCategory> of = {},
                 double PassInfo::*time = &PassInfo::gpu_ms);
 

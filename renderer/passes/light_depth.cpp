@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "renderer/frame/imported_maps.h"
 #include "renderer/frame/read_images.h"
+#include "renderer/frame/requested_maps.h"
 #include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
@@ -58,7 +58,7 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
     const SkippedCasters skipped = draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info,
-                                             {.needed = &called, .raster = given_raster(f.request, light, view)},
+                                             {.needed = &called, .raster = requested_raster(f.request, light, view)},
                                              f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
@@ -149,7 +149,7 @@ Key light_views_key(const FrameState& f, std::size_t light) {
             .add(v.clamps_near)
             .add(v.curve.convention.reversed);
     if (f.request.emptied && f.request.emptied->light == int(light)) key.add("emptied").add(f.request.emptied->view);
-    if (const ImportedMaps* given = given_maps(f.request, light)) key.add("given").add(given->key);
+    if (const ImportedMaps* given = requested_maps(f.request, light)) key.add("given").add(given->key);
     key.add(f.map_size.sides());
     return key.add(l.map_origin).add(f.first_view[light]).add(f.gl.programs.source().generation());
 }
@@ -244,7 +244,7 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     const FittedLight& l = f.gl.fitted[light];
     const int layer = f.first_view[light] + int(view);
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    const CasterRaster* const raster = given_raster(f.request, light, view);
+    const CasterRaster* const raster = requested_raster(f.request, light, view);
     SkippedCasters skipped;
     const bool kept = of.cached && of.cached_cells.contains(called);
     if (!kept) {
@@ -405,6 +405,8 @@ void LightDepthPasses::declare(FrameState& f) {
             f.plan.skip_pass(std::move(pass), light.reason);
             continue;
         }
+        // The upload of a given map stands for no work of the engine.
+        if (f.imported(i)) pass.category = PassCategory::Tool;
         Key key = light_views_key(f, i);
         if (!f.imported(i)) key.add(f.geometry_key);
         pass.key = key.value();
@@ -467,7 +469,7 @@ void UnfilteredMapPass::run(FrameState& f, PassInfo& info) {
                 upload_view(t.unfiltered, f.first_view[i] + int(v), given->images[v]);
             else
                 draw_view(f, t, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info,
-                          {.raster = given_raster(f.request, i, v)});
+                          {.raster = requested_raster(f.request, i, v)});
     }
 }
 

@@ -93,6 +93,11 @@ void take_imported_views(FrameState& f, std::vector<FittedLight>& fitted) {
         }
         if (!light.casts) continue;
         light.provider = given->has_images() ? MapProvider::Imported : MapProvider::Drawn;
+        if (given->has_images() && !given->bias_known)
+            light.notes.push_back(fmt::format(
+                "light {}: the bias with which the engine reads its map is unknown; wrong pixels are those "
+                "of this program under bias.*, not the engine's; state lookup.bias in the bundle once it is known",
+                i));
         for (const LightView& view : light.views)
             if (view.curve.convention.reversed != f.settings.map.reversed_z)
                 throw Error(fmt::format("light {}: its imported map has {}reversed depth; set map.reversed_z to {}", i,

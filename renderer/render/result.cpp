@@ -96,6 +96,7 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     result.light_maps = f.light_maps;
     result.camera = f.camera;
     result.lights = f.gl.fitted;
+    result.imported = f.request.imported;
     result.notes = std::move(f.notes);
     result.map_resolution = f.map_size.longest();
     result.map_size = f.map_size;

@@ -99,6 +99,8 @@ TEST_F(ImportedMapsTest, GivenMapsEqualDrawnOnes) {
             const Drawn given = draw(scene, s, read_back(scene, s, false));
             expect_equal(drawn, given);
             EXPECT_EQ(given.frame.lights[0].provider, MapProvider::Imported);
+            EXPECT_EQ(given.frame.imported.size(), 1u);
+            EXPECT_TRUE(drawn.frame.imported.empty());
             EXPECT_NE(map_pass(given.frame).reason.find("imported"), std::string::npos);
             EXPECT_EQ(map_pass(given.frame).draws, 0u);
         }

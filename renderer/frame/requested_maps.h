@@ -1,0 +1,22 @@
+// Maps that a request gives a light, as images or as views alone.
+#pragma once
+
+#include <cstddef>
+
+#include "renderer/frame/frame.h"
+#include "renderer/frame/imported_maps.h"
+
+namespace si {
+
+/// Returns the maps that a request gives a light, as images or as views alone; null for a light without any.
+inline const ImportedMaps* requested_maps(const FrameRequest& request, std::size_t light) {
+    return light < request.imported.size() ? request.imported[light].get() : nullptr;
+}
+
+/// Returns the raster state in which casters are drawn into a view of a light; null: as the settings say.
+inline const CasterRaster* requested_raster(const FrameRequest& request, std::size_t light, std::size_t view) {
+    const ImportedMaps* maps = requested_maps(request, light);
+    return maps && view < maps->raster.size() ? &maps->raster[view] : nullptr;
+}
+
+}  // namespace si
