@@ -116,6 +116,26 @@ void add_compare_pictures(CLI::App& app, Run& run) {
     c.add_json("Mean and maximum as JSON");
 }
 
+void add_compare_maps(CLI::App& app, Run& run) {
+    auto& c = add_command(app, run, "compare-maps",
+                          "Compare imported shadow maps with maps drawn from the same lights: texels, depths, missing "
+                          "casters, needed bias",
+                          run_compare_maps);
+    CompareMapsOptions& o = c.options;
+    c.add_session();
+    c.add_value("--light", o.light, "N", "Compare this light alone (default: all lights with imported maps)")
+        ->check(CLI::Range(0, kMaxLights - 1));
+    c.add_value("--border", o.border_texels, "N",
+                "Do not count extra texels this close to covered ones, as of blurred maps of moments (default 0)")
+        ->check(CLI::Range(0, 16));
+    c.app().add_flag("--leave-out-masked", o.leave_out_masked,
+                     "Leave texels that masked casters may cover out of both maps");
+    c.app().add_flag("--check", o.check, "End with exit code 1 where a map fails the gate");
+    c.add_output("DIFF.png", "Draw both maps and their difference, with a scale in metres");
+    c.add_size({}, kMeasuredPixelBytes);
+    c.add_json("All numbers as JSON");
+}
+
 void add_probe(CLI::App& app, Run& run) {
     auto& c = add_command(app, run, "probe", "Print the shadow test of one pixel, step by step", run_probe);
     c.add_session();
@@ -351,8 +371,8 @@ int run_cli(int argc, const char* const* argv) {
     Run run;
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
-    for (const auto add : {add_render, add_reference, add_measure, add_compare_pictures, add_probe, add_list,
-                           add_measure_commands, add_presets, add_others})
+    for (const auto add : {add_render, add_reference, add_measure, add_compare_pictures, add_compare_maps, add_probe,
+                           add_list, add_measure_commands, add_presets, add_others})
         add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {

@@ -195,6 +195,16 @@ struct ComparePicturesOptions : CommandOptions {
 /// Runs the command `compare-pictures`: prints the difference of two pictures as a person sees it (LDR-FLIP).
 void run_compare_pictures(const ComparePicturesOptions& options);
 
+/// Options of the command `compare-maps`. Its output is a picture of differences, .png.
+struct CompareMapsOptions : CommandOptions {
+    std::optional<int> light;       ///< index of light.*; none: all lights with imported maps
+    int border_texels = 0;          ///< MapCompareOptions::border_texels
+    bool leave_out_masked = false;  ///< MapCompareOptions::leaves_out_masked
+    bool check = false;             ///< an error where a map fails the gate
+};
+/// Runs the command `compare-maps`: prints how imported maps differ from maps drawn with the same views.
+void run_compare_maps(const CompareMapsOptions& options);
+
 /// Runs the command `export`: writes the session's scene as a glTF file.
 void run_export(const CommandOptions& options);
 

@@ -1,7 +1,5 @@
 // Contact sheet: every model below a folder in one picture, with an index of the tiles.
 #include <fmt/format.h>
-#include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -13,22 +11,19 @@
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
 #include "app/report/health_report.h"
+#include "app/report/labelled_sheet.h"
 #include "app/report/picture_comparison.h"
 #include "renderer/base/error.h"
 #include "renderer/importers/importers.h"
 #include "renderer/render/renderer.h"
-#include "ui/widgets/font_data.h"
-#include "ui/widgets/text.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLineHeight = 14;   // px of text
 constexpr int kLabelHeight = 18;  // px, below each tile
 constexpr int kMaxSide = 16384;   // px of the sheet
-using Colour = std::array<std::uint8_t, 3>;
 
 std::vector<fs::path> models_below(const fs::path& folder) {
     std::error_code error;
@@ -45,84 +40,6 @@ std::vector<fs::path> models_below(const fs::path& folder) {
     std::sort(out.begin(), out.end());
     return out;
 }
-
-/// Font atlas of the editor, drawn into images without OpenGL.
-class Letters {
-public:
-    Letters() {
-        static constexpr ImWchar kEvery[] = {0x20, 0xfffd, 0};
-        const std::span<const unsigned char> data = regular_font();
-        if (data.empty()) {
-            font_ = atlas_.AddFontDefault();
-        } else {
-            ImFontConfig config;
-            config.FontDataOwnedByAtlas = false;
-            config.OversampleH = 1;  // letters are copied, one texel to one pixel
-            config.PixelSnapH = true;
-            void* bytes = const_cast<unsigned char*>(data.data());  // ImGui takes a mutable pointer and only reads
-            font_ = atlas_.AddFontFromMemoryTTF(bytes, int(data.size()), kLineHeight, &config, kEvery);
-        }
-        font_->FallbackChar = 0x25a1;  // a box for missing letters; ImGui cannot reach the font's own
-        atlas_.GetTexDataAsAlpha8(&coverage_, &width_, &height_);
-    }
-    const ImFont& font() const { return *font_; }
-    /// Returns the coverage of a glyph's pixel, counted from the glyph's upper left corner; 0 to 255.
-    int coverage(const ImFontGlyph& glyph, int x, int y) const {
-        const long column = std::lround(glyph.U0 * float(width_)) + x, row = std::lround(glyph.V0 * float(height_)) + y;
-        return coverage_[row * width_ + column];
-    }
-
-private:
-    ImFontAtlas atlas_;
-    ImFont* font_ = nullptr;
-    unsigned char* coverage_ = nullptr;
-    int width_ = 0, height_ = 0;  ///< size of the atlas, pixels
-};
-
-class Sheet {
-public:
-    Sheet(int width, int height) : image_(plain_image(width, height, 255)) { fill(0, 0, width, height, {24, 25, 28}); }
-    const ByteImage& image() const { return image_; }
-    void fill(int x, int y, int width, int height, const Colour& colour) {
-        for (int row = std::max(y, 0); row < std::min(y + height, image_.height); ++row)
-            for (int column = std::max(x, 0); column < std::min(x + width, image_.width); ++column)
-                std::copy(colour.begin(), colour.end(), at(column, row));
-    }
-    void place(const ByteImage& picture, int x, int y) { paste_image(image_, picture, {x, y}); }
-    /// Draws one line of UTF-8 text with its top at `y`, cut with an ellipsis beyond `width`.
-    void write(const std::string& text, int x, int y, int width, const Colour& colour) {
-        const ImFont& font = letters_.font();
-        const std::string shown = beginning_that_fits(text, float(width), &font);
-        const int right = x + width;
-        for (const char *next = shown.data(), *end = next + shown.size(); next < end;) {
-            unsigned code = 0;
-            next += ImTextCharFromUtf8(&code, next, end);
-            const ImFontGlyph& glyph = *font.FindGlyph(ImWchar(code));
-            write(glyph, x, y, right, colour);
-            x += int(std::lround(glyph.AdvanceX));
-        }
-    }
-
-private:
-    ByteImage image_;
-    Letters letters_;
-    /// Draws a glyph, cut at the column `right`.
-    void write(const ImFontGlyph& glyph, int x, int y, int right, const Colour& colour) {
-        const int left = x + int(std::lround(glyph.X0)), top = y + int(std::lround(glyph.Y0));
-        const int width = int(std::lround(glyph.X1 - glyph.X0)), height = int(std::lround(glyph.Y1 - glyph.Y0));
-        for (int row = std::max(top, 0); row < std::min(top + height, image_.height); ++row)
-            for (int column = std::max(left, 0); column < std::min({left + width, right, image_.width}); ++column) {
-                const int covered = letters_.coverage(glyph, column - left, row - top);
-                const auto pixel = at(column, row);
-                std::transform(colour.begin(), colour.end(), pixel, pixel, [covered](int over, int under) {
-                    return std::uint8_t((over * covered + under * (255 - covered) + 127) / 255);
-                });
-            }
-    }
-    std::vector<std::uint8_t>::iterator at(int x, int y) {
-        return image_.data.begin() + (std::ptrdiff_t(y) * image_.width + x) * 4;
-    }
-};
 
 /// Picture of one tile, or the reason why the tile is empty.
 struct Tile {
@@ -179,7 +96,7 @@ void run_contact_sheet(const ContactSheetOptions& options) {
 
     const HeadlessContext context;
     Renderer renderer;
-    Sheet sheet(columns * step_x, rows * step_y);
+    LabelledSheet sheet(columns * step_x, rows * step_y);
     std::string index;
     std::string unsound;
     int failures = 0;
@@ -190,13 +107,13 @@ void run_contact_sheet(const ContactSheetOptions& options) {
         if (tile.failed) {
             ++failures;
             sheet.fill(x, y, options.size.width, options.size.height, {92, 30, 30});
-            sheet.write("NOT SHOWN: see the index", x + 8, y + (options.size.height - kLineHeight) / 2,
+            sheet.write("NOT SHOWN: see the index", x + 8, y + (options.size.height - LabelledSheet::kLineHeight) / 2,
                         options.size.width - 16, {255, 255, 255});
         } else {
             sheet.place(tile.picture, x, y);
         }
         sheet.write(fmt::format("{} {}", i + 1, one_line(models[i].stem().string())), x + 3,
-                    y + options.size.height + (kLabelHeight - kLineHeight) / 2, options.size.width - 6,
+                    y + options.size.height + (kLabelHeight - LabelledSheet::kLineHeight) / 2, options.size.width - 6,
                     {230, 230, 230});
         index += fmt::format("{}\t{}\t{}\t{}\n", i + 1, tile.failed ? "NOT SHOWN" : "shown",
                              one_line(fs::relative(models[i], options.folder).string()), tile.text);

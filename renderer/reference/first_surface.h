@@ -1,6 +1,8 @@
 // Distances from a light to the first caster along given rays: the content of an ideal shadow map.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,5 +18,21 @@ struct LightRaySegment {
 /// Traces ray segments from a light to the first caster, whichever side it shows. Returns metres along each segment;
 /// NaN without a hit. Relative precision is that of 32-bit floats, of the segment's length and the scene's size.
 std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> segments);
+
+/// First caster of a ray segment from a light.
+struct FirstCaster {
+    double distance_m = 0;     ///< metres along the segment
+    std::uint32_t object = 0;  ///< index in Scene::objects
+    glm::dvec3 normal_ws{0};   ///< unit normal of the triangle by its winding; 0 for a triangle without area
+};
+
+/// Traces ray segments from a light to the first caster that face culling leaves in the map. Precision as above.
+/// @param traits one per object, see object_traits()
+/// @return one per segment; nullopt without a hit
+/// @throws Cancelled
+std::vector<std::optional<FirstCaster>> first_casters(const ReferenceScene& scene,
+                                                      std::span<const LightRaySegment> segments,
+                                                      std::span<const ObjectTraits> traits,
+                                                      const Workers& workers = {});
 
 }  // namespace si

@@ -69,7 +69,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
         const bool left_out = !rules.culls.empty() && culled(c, rules);
         const bool met =
             (query.hits || !left_out) && (rules.exact.empty() || hits_exactly(c, rules.exact[c.ray], *query.scene));
-        if (met && query.hits) query.hits->push_back({c.t, left_out, c.caster->object});
+        if (met && query.hits) query.hits->push_back({c.t, left_out, c.caster->object, c.primitive});
         if (!met || query.hits) args->valid[i] = 0;
     }
 }

@@ -58,6 +58,7 @@ struct Hit {
     float t = 0;          ///< distance in lengths of the ray's direction
     bool culled = false;  ///< removed by HitRules::culls
     std::uint32_t object = 0;
+    std::uint32_t primitive = 0;  ///< triangle within the object
 };
 /// Collects all hits of a ray with casters up to the ray's end, culled ones included, in no order.
 /// @param out receives the hits

@@ -1,0 +1,34 @@
+// Pictures with text on one sheet, drawn without OpenGL.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "renderer/frame/frame.h"
+
+namespace si {
+
+/// Dark image onto which pictures, rectangles and lines of text are drawn. Coordinates are pixels from the upper left.
+class LabelledSheet {
+public:
+    using Colour = std::array<std::uint8_t, 3>;  ///< sRGB
+    static constexpr int kLineHeight = 14;       ///< pixels of a line of text
+
+    LabelledSheet(int width, int height);
+    ~LabelledSheet();
+    const ByteImage& image() const { return image_; }
+    /// Fills a rectangle, cut at the sheet's edges.
+    void fill(int x, int y, int width, int height, const Colour& colour);
+    /// Copies a picture onto the sheet.
+    void place(const ByteImage& picture, int x, int y);
+    /// Draws one line of UTF-8 text with its top at `y`, cut with an ellipsis beyond `width`.
+    void write(const std::string& text, int x, int y, int width, const Colour& colour);
+
+private:
+    class Letters;
+    ByteImage image_;
+    std::unique_ptr<Letters> letters_;
+};
+
+}  // namespace si

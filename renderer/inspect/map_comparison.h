@@ -1,0 +1,162 @@
+// Comparison of an imported shadow map with the map that this program draws with the same view.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/frame/imported_maps.h"
+#include "renderer/reference/reference_scene.h"
+#include "renderer/render/renderer.h"
+
+namespace si {
+
+/// Distribution of the differences between two maps, in one unit. Differences are above 0 where the imported map lies
+/// farther from the light.
+struct DepthDifferences {
+    double median = 0;         ///< of the absolute differences
+    double most_of_99 = 0;     ///< 99th percentile of the absolute differences
+    double max = 0;            ///< largest absolute difference
+    double signed_median = 0;  ///< median with its sign
+};
+
+/// Class of one texel in a comparison of an imported map with the drawn one.
+enum class TexelMatch : std::uint8_t {
+    Empty,   ///< both maps hold no caster
+    Both,    ///< both hold a caster
+    Missed,  ///< the imported map alone holds a caster
+    Extra,   ///< the drawn map alone holds a caster
+    Masked,  ///< left out of both, as a masked caster may lie here
+};
+
+/// Limits of the gate that says whether scene, view and raster state reproduce an imported map.
+struct MapGateLimits {
+    double missed_share = 1e-3;  ///< of the texels that the imported map covers
+    double extra_share = 1e-4;   ///< of the texels that the imported map covers
+    double median_steps = 1;     ///< steps of the map's format
+    double most_steps = 4;       ///< steps within which 99 % of the texels lie
+};
+
+/// Result of the gate.
+struct MapGate {
+    bool missed = false, extra = false, median = false, most = false;  ///< true: within the limit
+    bool passed() const { return missed && extra && median && most; }
+    std::string text;  ///< a sentence: passed, or each limit that is exceeded
+    std::string hint;  ///< another convention that would fit; empty: none was found
+};
+
+/// Texels of a rectangle, from the top left; empty where `to` is `from`.
+struct TexelBox {
+    glm::ivec2 from{0}, to{0};
+    bool is_empty() const { return to.x <= from.x || to.y <= from.y; }
+};
+
+/// Options of a comparison of maps.
+struct MapCompareOptions {
+    /// Texels next to texels that the imported map covers, within which an extra texel does not count. 1 for maps of
+    /// moments, which are blurred.
+    int border_texels = 0;
+    bool leaves_out_masked = false;  ///< true: texels that masked casters may cover count in neither map
+    MapGateLimits limits;
+};
+
+/// Comparison of one imported map with the drawn one.
+struct MapComparison {
+    int light = 0, view = 0;
+    std::string name;  ///< name of the view, such as "cascade 2 of 4"; empty for a light's only view
+    MapSize size;
+    std::size_t covered = 0;       ///< texels that hold a caster in the imported map, without those left out
+    std::size_t drawn = 0;         ///< the same in the drawn map
+    std::size_t both = 0;          ///< texels that hold a caster in both
+    std::size_t missed = 0;        ///< TexelMatch::Missed
+    std::size_t extra = 0;         ///< TexelMatch::Extra that counts
+    std::size_t extra_border = 0;  ///< TexelMatch::Extra within MapCompareOptions::border_texels, which does not count
+    std::size_t masked = 0;        ///< TexelMatch::Masked
+    std::size_t invalid = 0;       ///< texels of the imported map that are NaN or outside [0, 1]; they count as empty
+    std::size_t nearer = 0;  ///< texels in both where the imported map lies before all drawn texels around, beyond bias
+    std::size_t farther = 0;  ///< texels in both where it lies behind all drawn texels around, beyond bias
+    TexelBox unexplained;     ///< around all missed and nearer texels: something that no caster of the scene explains
+    TexelBox lacking;         ///< around all extra and farther texels: something that the imported map lacks
+    double step = 0;          ///< median step of the format, depth-buffer units
+    DepthDifferences steps, depth, metres,
+        texels;  ///< over texels in both; metres along the ray, texels along the axis
+    MapGate gate;
+    std::vector<TexelMatch> match;    ///< by texel, top row first
+    std::vector<float> difference_m;  ///< by texel, metres along the ray, above 0: farther; 0 unless TexelMatch::Both
+    double missed_share() const { return covered > 0 ? double(missed) / double(covered) : missed > 0 ? 1 : 0; }
+    double extra_share() const { return covered > 0 ? double(extra) / double(covered) : extra > 0 ? 1 : 0; }
+};
+
+/// Compares the depths of an imported map with those of a drawn one of the same view and size. A texel holds a caster
+/// where its depth is not that of the far plane.
+/// @param format format whose steps count; both images hold depths in [0, 1], top row first
+/// @param masked texels to leave out, by texel; empty: none
+MapComparison compare_maps(const FloatImage& imported, const FloatImage& drawn, const LightView& view, MapFormat format,
+                           const std::vector<bool>& masked = {}, const MapCompareOptions& options = {});
+
+/// Caster of the scene that an imported map lacks.
+struct LackingCaster {
+    std::size_t object = 0;   ///< index in Scene::objects
+    std::string path;         ///< of its node
+    std::size_t texels = 0;   ///< texels in which it is the first caster; estimated where not all were traced
+    std::size_t empty = 0;    ///< of these, texels that the imported map leaves empty
+    std::size_t farther = 0;  ///< of these, texels in which the imported map lies farther from the light, beyond bias
+    double lacking_share() const { return texels > 0 ? double(empty + farther) / double(texels) : 0; }
+    /// Returns true when the map lacks the whole caster rather than a part.
+    bool is_whole() const { return lacking_share() >= 0.5; }
+};
+
+/// Finds the casters of a scene that an imported map lacks, by rays from the light through the texels that the drawn
+/// map covers. Casters that lack less than a twentieth of their texels are left out.
+/// @param offset_factor slope factor of the polygon offset of the imported map, for the tolerance
+/// @return the caster that lacks most texels first
+/// @throws Cancelled
+std::vector<LackingCaster> lacking_casters(const FloatImage& imported, const FloatImage& drawn, const LightView& view,
+                                           const MapComparison& comparison, const ReferenceScene& scene,
+                                           const std::vector<ObjectTraits>& traits, double offset_factor = 0,
+                                           const Workers& workers = {});
+
+/// Comparison of one imported map with the drawn map, with both images and the casters that it lacks.
+struct ComparedMap {
+    MapComparison numbers;
+    LightView view;
+    FloatImage imported, drawn;
+    std::vector<LackingCaster> lacking;
+};
+
+/// Draws the maps of a light with the views and raster state of its imported maps, and compares each.
+/// @param settings settings of the frame; map.format gives the format
+/// @param maps by light, as FrameRequest::imported; `light` has images and views
+/// @throws Error where the light has no imported maps; Cancelled
+std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& scene, const Settings& settings,
+                                               const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light,
+                                               const MapCompareOptions& options = {}, const Workers& workers = {});
+
+/// Returns a sentence on a caster that an imported map lacks.
+std::string lacking_caster_text(const LackingCaster& caster);
+
+/// Colours of the difference picture, sRGB.
+struct MapDifferenceColours {
+    std::array<std::uint8_t, 3> empty{24, 24, 24}, missed{255, 214, 10}, extra{232, 62, 200}, masked{90, 90, 90};
+};
+
+/// Returns the metres at which the colours of a difference picture end: the 99th percentile, rounded up to one digit,
+/// at least one step of the format.
+double difference_scale_m(const MapComparison& comparison);
+
+/// Returns the colour of a difference: white at 0, blue where the imported map lies nearer to the light, red where it
+/// lies farther, darkest at `scale_m`.
+std::array<std::uint8_t, 3> difference_colour(double metres, double scale_m);
+
+/// Draws one of the two compared maps in greys that are linear in distance, a pixel a texel. Both have one scale: black
+/// is the nearest depth of both, white holds no caster.
+/// @param image ComparedMap::imported or ComparedMap::drawn
+ByteImage linear_picture(const ComparedMap& map, const FloatImage& image);
+
+/// Draws the difference of two maps, a pixel a texel.
+ByteImage difference_picture(const MapComparison& comparison, double scale_m);
+
+}  // namespace si
