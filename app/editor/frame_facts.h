@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/map_comparison.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/inspect/probe.h"
@@ -38,6 +39,7 @@ struct FrameFacts {
     ReadBackFacts readings;
     std::optional<ReferenceFacts> reference;
     std::optional<PictureComparisonFacts> picture_comparison;
+    MapComparisonFacts map_comparison;
     std::vector<Effect> effects;                  ///< empty unless requested
     std::shared_ptr<const NumericHealth> health;  ///< null: not requested, or the search is not finished
     ArtefactSpots artefacts;                      ///< clusters of the last fulfilled request
@@ -67,6 +69,10 @@ struct FrameFacts {
         f.lost_casters = readings.lost_casters;
         f.reference = reference;
         f.error = driver ? result.error.get() : nullptr;
+        f.compared_map = map_comparison.map.get();
+        f.compared_picture = map_comparison.picture;
+        f.compared_scale_m = map_comparison.scale_m;
+        f.comparison_problem = map_comparison.problem;
         f.picture_comparison = picture_comparison;
         f.effects = effects;
         f.health = health.get();

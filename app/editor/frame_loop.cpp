@@ -63,6 +63,7 @@ FrameFacts FrameLoop::facts() const {
     }
     f.readings = read_back_.facts();
     f.picture_comparison = picture_comparison_.facts();
+    f.map_comparison = map_comparison_.facts();
     return f;
 }
 
@@ -71,6 +72,7 @@ void FrameLoop::clear() {
     read_back_.clear();
     reference_.clear();
     picture_comparison_.clear();
+    map_comparison_.clear();
     frame_effects_.clear();
     facts_.effects.clear();
     facts_.health.reset();
@@ -96,9 +98,24 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
         report(e.what());
         news_.changed = true;
     }
+    news_.changed |= follow_map_comparison(scene, state, requests);
     news_.changed |= follow_health();
     news_.changed |= follow_effects(scene, state, requests, drawn);
     return std::move(news_);
+}
+
+bool FrameLoop::follow_map_comparison(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
+    if (!drawn_) {
+        map_comparison_.clear();
+        return false;
+    }
+    try {
+        return map_comparison_.update(scene, state, requests, facts_.result);
+    } catch (const std::exception& e) {
+        map_comparison_.clear();
+        report(e.what());
+        return true;
+    }
 }
 
 bool FrameLoop::follow_health() {

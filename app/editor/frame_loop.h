@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/frame_facts.h"
+#include "app/editor/map_comparison.h"
 #include "app/editor/picture_comparison.h"
 #include "app/editor/read_back.h"
 #include "app/editor/reference.h"
@@ -81,6 +82,9 @@ private:
     /// have changed. @param drawn the frame is a new one @param comparison settings that state.compare names
     bool follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                           const ComparisonFacts* comparison);
+    /// Compares the shown imported map with the drawn one while a panel shows that. Returns true if the facts have
+    /// changed.
+    bool follow_map_comparison(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     /// Searches the frame for faulty numbers (NaN, infinite, out of range) while a panel shows them. Returns true if
     /// the result has changed.
     bool follow_health();
@@ -103,6 +107,7 @@ private:
     EditorReadBack read_back_;
     EditorReference reference_;
     EditorPictureComparison picture_comparison_;
+    EditorMapComparison map_comparison_;
     bool artefacts_found_ = false;             ///< since the frame drawn last
     std::vector<Effect> frame_effects_;        ///< of the last frame; empty: not requested yet
     std::uint64_t posed_scene_ = 0;            ///< Scene::id of the frame before

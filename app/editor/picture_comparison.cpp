@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "app/editor/upload_picture.h"
 #include "app/report/picture_comparison.h"
-#include "renderer/gl/driver_failure.h"
 
 namespace si {
 namespace {
@@ -13,22 +13,6 @@ namespace {
 constexpr const char* kLacksRays =
     "The other side's shadow is ray traced, and rays are traced for the settings shown alone: show that side itself, "
     "or compare the two by render --against";
-
-/// Uploads an image that panels show. @throws gl::OutOfMemory
-gl::Texture upload(const ByteImage& image) {
-    gl::Texture texture = gl::Texture::create("difference", GL_TEXTURE_2D);
-    gl::clear_gl_errors();
-    glTextureStorage2D(texture.id(), 1, GL_RGBA8, image.width, image.height);
-    gl::check_memory_errors(fmt::format("the picture compared with ({} x {})", image.width, image.height),
-                            "make the window smaller, or switch comparing off");
-    glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (int y = 0; y < image.height; ++y)  // bottom row first, like the renderer's pictures
-        glTextureSubImage2D(texture.id(), 0, 0, image.height - 1 - y, image.width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                            &image.data[std::size_t(y) * std::size_t(image.width) * 4]);
-    return texture;
-}
 
 }  // namespace
 
@@ -91,7 +75,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
 void EditorPictureComparison::find_difference(Renderer& renderer, const FrameResult& frame) {
     const ByteImage a = renderer.read_colour(frame.colour), b = renderer.read_colour(facts_->picture);
     if (a.width != b.width || a.height != b.height) return;
-    difference_ = upload(difference_image(a, b));
+    difference_ = upload_picture(difference_image(a, b));
     facts_->difference = {difference_.id(), a.width, a.height};
     facts_->mae = mean_difference(a, b);
 }

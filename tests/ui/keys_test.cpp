@@ -195,7 +195,7 @@ TEST_F(Keys, CtrlFSearchesTheSettings) {
 
 TEST_F(Keys, CtrlAndADigitOpenATab) {
     const int overlay = settings().view.overlay;
-    for (int tab = 0; tab < kBottomTabs; ++tab) {
+    for (int tab = 0; tab < 10; ++tab) {
         ImGui::GetIO().KeyCtrl = true;
         key('0' + (tab + 1) % 10);
         ImGui::GetIO().KeyCtrl = false;

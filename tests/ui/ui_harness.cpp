@@ -102,6 +102,8 @@ EditorRequests UiHarness::frame() {
     io.DisplaySize = {float(width_), float(height_)};
     io.DeltaTime = float(frame_seconds);
     result_ = made_up_frame(scene, frame_settings.value_or(state.settings));
+    for (FittedLight& light : result_.lights)
+        if (maps_imported) light.provider = MapProvider::Imported;
     effects_ = frame_effects(scene, frame_settings.value_or(state.settings), result_, state.effects.forced);
     probe_ = made_up_probe(state.settings.light_count);
     probe_.object = probed_object;
@@ -144,6 +146,7 @@ EditorRequests UiHarness::frame() {
         static_cast<ImproveFacts&>(facts) = advice;
         static_cast<LabFacts&>(facts) = lab;
         facts.health = health;
+        static_cast<ImportedFacts&>(facts) = imported;
         facts.memory = memory;
         facts.driver_reset = driver_reset;
     }

@@ -65,7 +65,9 @@ public:
     LabFacts lab;
     const NumericHealth* health = nullptr;
     const MemoryReport* memory = nullptr;
-    bool scene_saved = false;  ///< another program has saved the scene
+    bool maps_imported = false;  ///< the lights' maps are imported
+    ImportedFacts imported;      ///< comparison of the shown imported map
+    bool scene_saved = false;    ///< another program has saved the scene
     bool driver_reset = false;
     bool desktop_dialogs = false;
     bool with_facts = true;  ///< false: no frame has been drawn yet

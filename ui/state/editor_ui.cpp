@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/quick_changes.h"
+#include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
@@ -23,7 +25,7 @@ namespace si {
 namespace {
 
 constexpr float kPictures = 10;             ///< smallest height of the pictures above the tabs, ems
-constexpr float kAllTabs = 40;              ///< width that fits all tabs, ems
+constexpr float kAllTabs = 45;              ///< width that fits all tabs, ems
 constexpr float kFrequentSettings = 24.6f;  ///< height that fits the frequently used settings, ems
 constexpr float kMapTexts = 6.2f;           ///< height of the texts above and below the map, ems
 constexpr float kMapPlots = 6.5f;           ///< height of the plots under the map, ems
@@ -101,6 +103,12 @@ void numbers_tab(EditorState& state, const EditorFrame& frame, EditorRequests& r
     }
 }
 
+void imported_tab(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    const FittedLight* const light = frame.result ? shown_fitted_light(state.settings, *frame.result) : nullptr;
+    draw_imported(state.imported_picture, light, state.selection.first, frame, requests);
+    if (requests.select_object) select_objects(state, std::array{*requests.select_object});
+}
+
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     // Tabs without room are scrolled and listed, not squeezed.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
@@ -120,6 +128,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     tab(state, BottomTab::Improve, [&] { draw_improve_panel(state, frame, requests); });
     tab(state, BottomTab::Lab,
         [&] { draw_lab(state.lab, state.settings, frame.scene, frame.result, frame, requests); });
+    tab(state, BottomTab::Imported, [&] { imported_tab(state, frame, requests); });
     tab(state, BottomTab::Numbers, [&] { numbers_tab(state, frame, requests); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");

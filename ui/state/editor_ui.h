@@ -17,6 +17,7 @@
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
+#include "ui/panels/imported_panel.h"
 #include "ui/panels/improve_panel.h"
 #include "ui/panels/lab_panel.h"
 #include "ui/panels/lights_panel.h"
@@ -73,6 +74,7 @@ struct PictureState {
     std::optional<glm::ivec2> loupe_pixel;    ///< centre of the loupe; none: it is hidden
     LoupeMode loupe = LoupeMode::Probed;
     ArtefactRequest artefacts;
+    ImportedPicture imported_picture = ImportedPicture::Difference;
     int active_pane = 0;  ///< pane under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
     std::optional<FrozenCamera> frozen;  ///< camera that maps are made for while another one moves
@@ -130,7 +132,8 @@ struct EditorFrame : ProbeFacts,
                      EffectsFacts,
                      ImproveFacts,
                      LabFacts,
-                     HealthFacts {
+                     HealthFacts,
+                     ImportedFacts {
     const FrameResult* result = nullptr;
     const Settings* drawn = nullptr;  ///< settings of the last frame
     const Scene* scene = nullptr;
@@ -165,7 +168,8 @@ struct EditorRequests : MapRequests,
                         EffectsRequests,
                         ImproveRequests,
                         LabRequests,
-                        HealthRequests {
+                        HealthRequests,
+                        ImportedRequests {
     int scene_width = 0;               ///< wanted width of the scene picture, pixels; 0: it is not shown
     int scene_height = 0;              ///< wanted height
     bool want_overlay_values = false;  ///< the mouse is over a scene picture

@@ -16,11 +16,11 @@ enum class MapSpot { AboveSettings, NextToScene, Inset, Hidden };
 enum class Panel { Scene, Map, Tabs };
 
 /// Tabs of the strip below the pictures.
-enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Improve, Lab, Numbers, Log };
+enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Improve, Lab, Imported, Numbers, Log };
 inline constexpr int kBottomTabs = index_of(BottomTab::Log) + 1;
 /// Labels of the tabs, by BottomTab.
-inline constexpr const char* kTabLabels[kBottomTabs] = {"Effects",  "Probe",   "Error", "Objects", "Compare",
-                                                        "Frontier", "Improve", "Lab",   "Numbers", "Log"};
+inline constexpr const char* kTabLabels[kBottomTabs] = {
+    "Effects", "Probe", "Error", "Objects", "Compare", "Frontier", "Improve", "Lab", "Imported", "Numbers", "Log"};
 
 /// Places of the splitters, and the theme. The workspace keeps them. Sizes are in ems (heights of the font), so that
 /// they survive a change of scale.

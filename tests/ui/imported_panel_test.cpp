@@ -1,0 +1,75 @@
+// Tests of the panel Imported: requests, numbers, missing casters, and the switch between the pictures.
+#include <gtest/gtest.h>
+
+#include "renderer/inspect/map_comparison.h"
+#include "renderer/scenes/builtin.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/state/selection.h"
+
+namespace si::test {
+namespace {
+
+/// Returns a comparison of an 8 x 8 map that lacks a caster of 6 texels.
+ComparedMap made_up_comparison(const std::string& path) {
+    LightView view;
+    view.curve = {.perspective = false, .near = 10, .far = 30, .convention = {}, .warp = {}};
+    view.set_half_extents(glm::dvec2(4));
+    ComparedMap out;
+    out.view = view;
+    out.imported = out.drawn = {8, 8, 1, std::vector<float>(64, 0.5f)};
+    for (std::size_t i = 0; i < 6; ++i) out.imported.data[i] = 1;
+    out.numbers = compare_maps(out.imported, out.drawn, view, MapFormat::D16);
+    out.lacking = {{.object = 0, .path = path, .texels = 6, .empty = 6, .farther = 0}};
+    return out;
+}
+
+TEST(ImportedPanel, ComparesOnlyImportedMapsAndOnlyWhileShown) {
+    UiHarness ui(1900, 1000);
+    ui.maps_imported = true;
+    EXPECT_FALSE(ui.frames(3).want_map_comparison);
+    ui.state.window.open_tab = BottomTab::Imported;
+    EXPECT_TRUE(ui.frames(4).want_map_comparison);
+    EXPECT_TRUE(ui.prints("Comparing ..."));
+    ui.maps_imported = false;
+    EXPECT_FALSE(ui.frames(2).want_map_comparison);
+    EXPECT_TRUE(ui.prints("map is drawn by this program"));
+    ui.maps_imported = true;
+    ui.imported.comparison_problem = "light 0 has no shadow map";
+    EXPECT_TRUE(ui.frames(2).want_map_comparison) << "another scene may have none of the problem";
+    EXPECT_TRUE(ui.prints("light 0 has no shadow map"));
+}
+
+TEST(ImportedPanel, ShowsNumbersGateAndPicture) {
+    UiHarness ui(1900, 1000);
+    const ComparedMap map = made_up_comparison("Root/Box");
+    ui.maps_imported = true;
+    ui.imported = {
+        .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = 0.25, .comparison_problem = {}};
+    ui.state.window.open_tab = BottomTab::Imported;
+    ui.frames(4);
+    EXPECT_EQ(ui.lacking({"Theirs", "Ours", "Difference", "failed: 6 texels are extra", "Covered 58 of 64",
+                          "Missed 0 0 %", "Extra 6 10.3 %", "0 steps", "-25 cm", "+25 cm", "6 of 6"}),
+              "");
+    for (const auto& [picture, label] : {std::pair{ImportedPicture::Drawn, "Ours"},
+                                         {ImportedPicture::Imported, "Theirs"},
+                                         {ImportedPicture::Difference, "Difference"}}) {
+        ui.click(ui.find("Imported", "", label));
+        EXPECT_EQ(ui.state.imported_picture, picture);
+    }
+}
+
+TEST(ImportedPanel, AClickOnAMissingCasterSelectsIt) {
+    UiHarness ui(1900, 1000);
+    const ComparedMap map = made_up_comparison("Root/Box");
+    ui.maps_imported = true;
+    ui.imported = {
+        .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = 1, .comparison_problem = {}};
+    ui.state.window.open_tab = BottomTab::Imported;
+    ui.frames(4);
+    EXPECT_FALSE(is_selected(ui.state, "Root/Box"));
+    ui.click(ui.find("lacking casters", "lacking", "Root/Box###lacking 0"));
+    EXPECT_TRUE(is_selected(ui.state, "Root/Box"));
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,37 @@
+// The panel Imported: an engine's shadow map beside the map that this program draws from the same light.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/frame/frame.h"
+
+namespace si {
+
+struct ComparedMap;
+
+/// Picture that the panel Imported shows.
+enum class ImportedPicture { Imported, Drawn, Difference };
+
+/// Data that the panel Imported shows, while it is shown.
+struct ImportedFacts {
+    const ComparedMap* compared_map = nullptr;  ///< comparison of the shown light and view; null: not known
+    Image compared_picture;                     ///< picture of the comparison that PictureState::imported_picture names
+    double compared_scale_m = 0;                ///< metres at which the colours of the difference end
+    std::string comparison_problem;             ///< why the maps were not compared; empty: they were, or will be
+};
+
+/// Requests of the panel Imported.
+struct ImportedRequests {
+    bool want_map_comparison = false;          ///< the shown map is imported, and the panel is shown
+    std::optional<std::string> select_object;  ///< select this object alone, by node path
+};
+
+/// Draws the panel Imported: numbers, gate, missing casters, and one of the three pictures.
+/// @param picture choice of the picture, which the switch changes
+/// @param light the shown light as fitted; null: no frame, or no light
+/// @param selected node path of a selected object, which is highlighted in the list
+void draw_imported(ImportedPicture& picture, const FittedLight* light, const std::string& selected,
+                   const ImportedFacts& facts, ImportedRequests& requests);
+
+}  // namespace si
