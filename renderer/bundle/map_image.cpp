@@ -11,6 +11,8 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
+#include "renderer/bundle/map_image_exr.h"
+#include "renderer/bundle/map_image_png.h"
 
 namespace si {
 namespace {
@@ -118,7 +120,9 @@ FloatImage decode_map_image(std::string_view file_name, std::span<const std::byt
     const std::string extension = lower_extension(file_name);
     if (extension == ".pfm") return decode_pfm(file_name, bytes);
     if (extension == ".raw") return decode_raw(file_name, bytes, raw);
-    refuse_image(file_name, "the format of the image is not read", "use a .pfm or .raw file");
+    if (extension == ".png") return decode_png_map(file_name, bytes);
+    if (extension == ".exr") return decode_exr_map(file_name, bytes);
+    refuse_image(file_name, "the format of the image is not read", "use a .pfm, .exr, .png or .raw file");
 }
 
 }  // namespace si

@@ -1,0 +1,25 @@
+// File that describes the light of one shadow map: a light of a frame.json, or less.
+#pragma once
+
+#include <string_view>
+
+#include "renderer/bundle/bundle.h"
+#include "renderer/bundle/conventions.h"
+
+namespace si {
+
+/// Light of a map image, and which of its parts the file states.
+struct LightFile {
+    Bundle bundle;            ///< `world` and one light, whose maps all read the image
+    bool type_known = false;  ///< false: BundleLight::type is not stated
+    KnownConvention known;    ///< the product and the order of matrices are never stated
+};
+
+/// Parses a light file: an object as in `lights` of frame.json, beside which `world` may stand. Members of its map may
+/// stand beside those of the light where there is one map. A matrix alone is enough: members that frame.json requires
+/// may be missing here.
+/// @param file name of the file, for messages @param image_file name of the image in the bundle to be
+/// @throws Error "FILE: PLACE: what is wrong; what to do"
+LightFile parse_light_file(std::string_view text, std::string_view file, std::string_view image_file);
+
+}  // namespace si

@@ -1,0 +1,35 @@
+// Decoder and encoder of OpenEXR images, for shadow maps. Files are decoded in child processes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/base/float_image.h"
+#include "renderer/foreign/child.h"
+
+namespace si {
+
+/// Job that decodes one image in a child process.
+extern const ForeignJob kExrJob;
+
+/// Decodes an OpenEXR file of scanlines or tiles in a child process: half, float and whole numbers. Row 0 is the top of
+/// its data window. At most four channels are returned: Z, Y, R, G, B, A, then others by name. A whole number n becomes
+/// n / (2^32 - 1).
+/// @param file_name for messages @throws Error "FILE: what is wrong; what to do"
+FloatImage decode_exr_map(std::string_view file_name, std::span<const std::byte> bytes);
+
+/// Decodes an image in this process and packs it as an answer: the work of the job. @throws Error without the file's
+/// name
+std::vector<std::uint8_t> decode_packed_exr(std::span<const std::uint8_t> bytes,
+                                            const std::function<void(double)>& progress);
+
+/// Encodes the first channel of an image as an OpenEXR file of 32-bit floats, channel Y, losslessly compressed. Equal
+/// images give equal bytes.
+std::string exr_bytes(const FloatImage& image);
+
+}  // namespace si

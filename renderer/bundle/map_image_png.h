@@ -1,0 +1,16 @@
+// Decoder of PNG images of 16 bits, for shadow maps.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "renderer/base/float_image.h"
+
+namespace si {
+
+/// Decodes a PNG file of 16 bits a channel; a number n becomes n / 65535. Row 0 is the first row of the file.
+/// @param file_name for messages @throws Error "FILE: what is wrong; what to do"
+FloatImage decode_png_map(std::string_view file_name, std::span<const std::byte> bytes);
+
+}  // namespace si
