@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 
