@@ -162,6 +162,7 @@ struct BundleLight {
     std::optional<double> cone_deg;       ///< full outer angle of a spot light
     /// Choice of the map that a point reads: One, Map, Interval or Face; not set: see choice_of().
     std::optional<ViewChoice> choice;
+    bool closed = false;          ///< no surface that the light reaches lies in shadow outside the maps
     std::vector<BundleMap> maps;  ///< in the order of the choice; faces: +x, -x, +y, -y, +z, -z
     BundleLookup lookup;
     bool operator==(const BundleLight&) const = default;

@@ -242,6 +242,17 @@ void check_object(const JsonPlace& place, const BundleMap& m) {
 }
 
 void check_object(const JsonPlace& place, const BundleLight& l) {
+    if (l.direction && !(glm::length(*l.direction) > 1e-150 && glm::length(*l.direction) < 1e150))
+        place.member("direction").fail("it is no direction", "give a vector of some length");
+    if (l.maps.empty()) {
+        const bool is_placed = l.type == LightType::Directional ? l.direction.has_value()
+                               : l.type == LightType::Point     ? l.position.has_value()
+                                                                : l.direction && l.position;
+        if (!is_placed)
+            place.fail("the light has no map from which its place follows",
+                       "give direction and position, as its type needs them");
+        return;
+    }
     const ViewChoice choice = choice_of(l);
     const JsonPlace at = place.member("choice");
     if (choice == ViewChoice::One && l.maps.size() != 1)
@@ -259,6 +270,8 @@ void check_object(const JsonPlace& place, const BundleLight& l) {
 }
 
 void check_object(const JsonPlace& place, const Bundle& b) {
+    if (std::ranges::all_of(b.lights, [](const BundleLight& l) { return l.maps.empty(); }))
+        place.member("lights").fail("no light has a map", "give a light at least one map");
     const auto needs_camera = [](const BundleLight& l) { return choice_of(l) == ViewChoice::Interval; };
     if (!b.camera && std::ranges::any_of(b.lights, needs_camera))
         place.member("camera").fail("maps are chosen by camera depth, and the camera is missing", "give the camera");
@@ -314,13 +327,13 @@ public:
         if (const Json* v = find(name)) read_object(*v, place_.member(name), member.emplace());
     }
     template <typename T>
-    void list(const char* name, std::vector<T>& out, std::size_t most) {
+    void list(const char* name, std::vector<T>& out, std::size_t least, std::size_t most) {
         const Json* v = find(name);
         if (!v) place_.fail(fmt::format("the member {} is missing", name), "add it");
         const JsonPlace at = place_.member(name);
         if (!v->is_array()) at.fail(fmt::format("{} is no list", shown_json(*v)), "give a list");
-        if (v->empty() || v->size() > most)
-            at.fail(fmt::format("the list has {} members", v->size()), fmt::format("give 1 to {}", most));
+        if (v->size() < least || v->size() > most)
+            at.fail(fmt::format("the list has {} members", v->size()), fmt::format("give {} to {}", least, most));
         out.resize(v->size());
         for (std::size_t i = 0; i < out.size(); ++i) read_object((*v)[i], at.element(i), out[i]);
     }
@@ -487,7 +500,7 @@ public:
         if (member) add(name, object_text(*member, depth_ + 1));
     }
     template <typename T>
-    void list(const char* name, std::vector<T>& list, std::size_t) {
+    void list(const char* name, std::vector<T>& list, std::size_t, std::size_t) {
         std::vector<std::string> out;
         for (T& member : list) out.push_back(object_text(member, depth_ + 1));
         add(name, fmt::format("[{}]", fmt::join(out, ", ")));
@@ -537,7 +550,7 @@ FirstRow first_row_of(const BundleImage& image) {
 
 ViewChoice choice_of(const BundleLight& light) {
     if (light.choice) return *light.choice;
-    if (light.maps.size() == 1) return ViewChoice::One;
+    if (light.maps.size() < 2) return ViewChoice::One;
     if (light.type == LightType::Point && light.maps.size() == 6) return ViewChoice::Face;
     const auto has_interval = [](const BundleMap& map) { return map.interval.has_value(); };
     return std::ranges::all_of(light.maps, has_interval) ? ViewChoice::Interval : ViewChoice::Map;

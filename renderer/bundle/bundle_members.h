@@ -127,7 +127,7 @@ inline constexpr std::array kWrapKeys = {pair(Key("border"), BundleWrap::Border)
                                          pair(Key("repeat"), BundleWrap::Repeat)};
 
 // Io has: version(), required(name, kind, member), value(name, kind, member, fallback), optional(name, kind, member),
-// object(name, member), required_object(name, member), optional_object(name, member), list(name, members, most).
+// object(name, member), required_object(name, member), optional_object(name, member), list(name, members, least, most).
 
 template <typename Io>
 void members(Io& io, BundleMatrix& m) {
@@ -235,7 +235,8 @@ void members(Io& io, BundleLight& l) {
     io.optional("position", Vector{}, l.position);
     io.optional("cone_deg", Number{.least = 0, .most = 180, .above = true}, l.cone_deg);
     io.optional("choice", ChoiceOf{kChoiceKeys}, l.choice);
-    io.list("maps", l.maps, kMaxBundleMaps);
+    io.value("closed", Switch{}, l.closed, false);
+    io.list("maps", l.maps, 0, kMaxBundleMaps);
     io.object("lookup", l.lookup);
 }
 
@@ -247,7 +248,7 @@ void members(Io& io, Bundle& b) {
     io.object("world", b.world);
     io.optional_object("camera", b.camera);
     io.value("picture", Path{}, b.picture, "");
-    io.list("lights", b.lights, std::size_t(kMaxLights));
+    io.list("lights", b.lights, 1, std::size_t(kMaxLights));
     io.value("notes", Texts{1000}, b.notes, {});
     io.value("settings", Dictionary{}, b.settings, {});
 }

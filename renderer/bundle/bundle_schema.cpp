@@ -101,8 +101,8 @@ public:
         add(name, object_schema<T>(), false);
     }
     template <typename T>
-    void list(const char* name, std::vector<T>&, std::size_t most) {
-        add(name, {{"type", "array"}, {"items", object_schema<T>()}, {"minItems", 1}, {"maxItems", most}}, true);
+    void list(const char* name, std::vector<T>&, std::size_t least, std::size_t most) {
+        add(name, {{"type", "array"}, {"items", object_schema<T>()}, {"minItems", least}, {"maxItems", most}}, true);
     }
 
     template <typename T>

@@ -23,10 +23,14 @@ static_assert(std::endian::native == std::endian::little, "texels are copied as 
     throw Error(fmt::format("{}: {}; {}", printable(file_name, 300), what, fix));
 }
 
-void check_image_size(std::string_view file_name, long width, long height) {
+void check_image_size(std::string_view file_name, long width, long height, int channels) {
+    constexpr std::size_t kMaxNumbers = std::size_t{1} << 29;
     if (width < 1 || height < 1 || width > kMaxBundleImageSide || height > kMaxBundleImageSide)
         refuse_image(file_name, fmt::format("{} × {} texels cannot be read", width, height),
                      fmt::format("use 1 to {} texels a side", kMaxBundleImageSide));
+    if (std::size_t(width) * std::size_t(height) * std::size_t(channels) > kMaxNumbers)
+        refuse_image(file_name, fmt::format("{} × {} texels of {} channels cannot be read", width, height, channels),
+                     "write the channel with the depths alone");
 }
 
 /// Returns the next word of the header of a PFM file and moves behind the blank that ends it; empty at its end.
@@ -55,8 +59,10 @@ FloatImage decode_pfm(std::string_view file_name, std::span<const std::byte> byt
     if (!parse_whole(next_word(rest), width) || !parse_whole(next_word(rest), height) ||
         !parse_whole(next_word(rest), scale) || !std::isfinite(scale) || scale == 0)
         refuse_image(file_name, "the header of the PFM image cannot be read", kFix);
-    check_image_size(file_name, width, height);
-    FloatImage out{int(width), int(height), magic == "PF" ? 3 : 1, {}};
+    FloatImage out{0, 0, magic == "PF" ? 3 : 1, {}};
+    check_image_size(file_name, width, height, out.channels);
+    out.width = int(width);
+    out.height = int(height);
     const std::size_t count = std::size_t(width) * std::size_t(height) * std::size_t(out.channels);
     if (rest.size() != count * sizeof(float))
         refuse_image(file_name,
@@ -98,9 +104,9 @@ float raw_number(RawFormat format, const std::byte* at) {
 
 FloatImage decode_raw(std::string_view file_name, std::span<const std::byte> bytes, const MapImageFormat& raw) {
     if (!raw.format) refuse_image(file_name, "the format of the raw image is unknown", "state format, width, height");
-    check_image_size(file_name, raw.width, raw.height);
     if (raw.channels < 1 || raw.channels > 4)
         refuse_image(file_name, fmt::format("{} channels cannot be read", raw.channels), "use 1 to 4");
+    check_image_size(file_name, raw.width, raw.height, raw.channels);
     const std::size_t each = *raw.format == RawFormat::F16 || *raw.format == RawFormat::U16 ? 2 : 4;
     FloatImage out{raw.width, raw.height, raw.channels, {}};
     const std::size_t count = std::size_t(raw.width) * std::size_t(raw.height) * std::size_t(raw.channels);

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "renderer/frame/frame.h"
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/reference/reference_scene.h"
 #include "renderer/render/renderer.h"
 

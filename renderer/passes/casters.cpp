@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/caster_findings.h"
 #include "renderer/projection/projection.h"

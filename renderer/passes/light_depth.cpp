@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/frame/read_images.h"
 #include "renderer/frame/requested_maps.h"
 #include "renderer/optimisations/map_extents.h"

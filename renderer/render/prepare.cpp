@@ -8,9 +8,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/index_of.h"
 #include "renderer/base/poisson_disk.h"
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/frame/blocks.h"
 #include "renderer/frame/driver.h"
-#include "renderer/frame/imported_maps.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/scene_findings.h"
@@ -73,6 +73,21 @@ void add_camera(Key& key, const Camera& c) {
     key.add(c.aspect).add(c.curve.near).add(c.curve.far);
 }
 
+/// Notes a light of the settings that stands elsewhere than the one whose maps are given.
+void note_moved_light(FittedLight& light, std::size_t i) {
+    constexpr double kDegrees = 0.5;
+    const LightView& view = light.views.front();
+    const bool parallel = light.type == LightType::Directional;
+    const double away = glm::distance(light.position, view.eye);
+    const bool is_moved = parallel ? glm::dot(light.to_light, view.axes[2]) < std::cos(glm::radians(kDegrees))
+                                   : away > 1e-3 * (view.curve.far + light.distance_m);
+    if (is_moved && view.curve.perspective != parallel)
+        light.notes.push_back(fmt::format(
+            "light {} {} than the one whose map is given: shading and reference follow the settings, and the "
+            "map stays",
+            i, parallel ? "shines in another direction" : "has another place"));
+}
+
 /// Replaces the views of lights whose maps come with views of their own, and marks all whose maps are images.
 void take_imported_views(FrameState& f, std::vector<FittedLight>& fitted) {
     for (std::size_t i = 0; i < fitted.size(); ++i) {
@@ -86,13 +101,14 @@ void take_imported_views(FrameState& f, std::vector<FittedLight>& fitted) {
             light.reason.clear();
             light.views = given->views->views;
             light.chooser = given->views->chooser;
-            light.closed = false;
+            light.closed = given->views->closed;
             light.empty.clear();
             light.clipped_casters = 0;
             light.limits = {};
         }
         if (!light.casts) continue;
         light.provider = given->has_images() ? MapProvider::Imported : MapProvider::Drawn;
+        if (given->views) note_moved_light(light, i);
         if (given->has_images() && !given->bias_known)
             light.notes.push_back(fmt::format(
                 "light {}: the bias with which the engine reads its map is unknown; wrong pixels are those "
@@ -509,6 +525,19 @@ RendererImpl::RendererImpl() : driver(query_driver()), number(next_number()) {
     resources.map_blended = gl::Sampler::create("shadow map, blended");
 }
 
+void RendererImpl::take_bundle_maps(FrameState& f) {
+    const std::string& path = f.settings.map.bundle;
+    if (path.empty()) bundle = {};
+    if (path.empty() || !f.request.imported.empty() || !any_source_needs(f.settings, &SourceNeeds::map)) return;
+    std::shared_ptr<const GivenMaps> given = given_maps(path);
+    if (given != bundle.given || bundle.placement != f.scene.placement) {
+        bundle = {std::move(given), f.scene.placement, {}};
+        for (const auto& maps : bundle.given->lights) bundle.lights.push_back(placed_maps(maps, bundle.placement));
+    }
+    f.request.imported = bundle.lights;
+    f.notes.insert(f.notes.end(), bundle.given->notes.begin(), bundle.given->notes.end());
+}
+
 gl::PassClock& RendererImpl::pass_clock() {
     if (!clock) {
         clock = std::make_unique<gl::PassClock>(driver.software);
@@ -568,6 +597,7 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     }
     FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
     f.notes = repaired->notes;
+    take_bundle_maps(f);
     adapt_to_imported_maps(f);
     clamp_moment_settings(f);
     if (map_limit && map_limit->requested != settings.map.resolution) map_limit.reset();

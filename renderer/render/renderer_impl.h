@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/bundle/given_maps.h"
 #include "renderer/frame/state.h"
 #include "renderer/render/all_passes.h"
 
@@ -33,6 +34,14 @@ struct RendererImpl {
         std::string why;
     };
     std::optional<MapLimit> map_limit;
+
+    /// Maps of map.bundle, moved with the scene.
+    struct PlacedBundle {
+        std::shared_ptr<const GivenMaps> given;
+        glm::dmat4 placement{1};
+        std::vector<std::shared_ptr<const ImportedMaps>> lights;
+    };
+    PlacedBundle bundle;
     std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::set_number_watcher()
 
     /// Queries the driver and creates the GPU resources in the current context.
@@ -47,6 +56,9 @@ struct RendererImpl {
     FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Derives the values of a frame as prepare_frame() does, from the visible depths measured so far.
     FrameState derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request);
+    /// Puts the maps of map.bundle into the frame's request, unless it has maps of its own. @throws Error for a bundle
+    /// that cannot be read
+    void take_bundle_maps(FrameState& f);
     /// Draws one frame as Renderer::render() does, but does not call `watch`, the callback that receives invalid
     /// numbers.
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);

@@ -121,6 +121,7 @@ struct Param {
     DriverFeature needs = DriverFeature::None;
     bool map_only = false;        ///< no effect if no light's source is a shadow map (light.source)
     bool animation_only = false;  ///< no effect on scenes without animations
+    bool file = false;            ///< text that is a file's path; empty: no file. Results depend on its content
     bool shader = false;          ///< shaders read the setting, as a define (Cost::Program) or in the settings block
     ReadBy read_by = ReadBy::None;
 };
@@ -151,7 +152,8 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 
 /// Value of a setting. A choice is stored as its index, an int.
 using Value = std::variant<bool, int, double, std::string>;
-/// Returns true when the setting's values are free texts for people (a light's name), which never change a picture.
+/// Returns true when the setting's values are texts: for people (a light's name), which never change a picture, or paths
+/// (Param::file).
 bool is_text(const Param& p);
 /// Converts a setting's value to a number: a switch to 0 or 1, a choice to its index, a text to 0.
 double numeric_value(const Value& v);

@@ -215,6 +215,12 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {SI_FIELD(map.virtual_bias), .label = "Level bias", .unit = "levels", .min = -4, .max = 4, .idle = level_bias_idle,
      .help = "Level offset. With 0 a texel covers half a pixel to a pixel. 1 halves sharpness and draws about a "
              "quarter of the pages; below 0 is finer."},
+    {SI_FIELD(map.bundle), .label = "Given maps", .max = 4096, .cost = Cost::Target,
+     .help = "A bundle, whose maps are read in place of drawn ones: a folder or zip file that an engine wrote (see "
+             "docs/bundle.md). Its first light's maps are those of the first light, and so on. Empty: maps are drawn. "
+             "In a preset the path is relative to the preset's folder.",
+     .also = "import, capture, engine's shadow map, external shadow map, baked depth, frame capture, RenderDoc",
+     .file = true},
 }));
 static_assert(kMap.size() == member_count<MapSettings>(), "a member of MapSettings has no row");
 

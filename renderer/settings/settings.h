@@ -163,6 +163,7 @@ struct MapSettings {
     int page_pool = 1024;
     int virtual_levels = 8;
     double virtual_bias = 0;
+    std::string bundle;  ///< path of a bundle whose maps are read in place of drawn ones; empty: none
     bool operator==(const MapSettings&) const = default;
 };
 

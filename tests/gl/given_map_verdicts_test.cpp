@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "renderer/advise/least_bias.h"
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/inspect/given_map_changes.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/measured_error.h"

@@ -1,5 +1,5 @@
 // Gives maps as images instead of drawing them: a map that is drawn, read back and given again changes no byte.
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 
 #include <filesystem>
 

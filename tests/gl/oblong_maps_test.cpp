@@ -1,7 +1,7 @@
 // Compares maps that are not square with the square map that they are a strip of.
 #include <algorithm>
 
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/projection/view_of_matrix.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"

@@ -1,4 +1,4 @@
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 
 #include <fmt/format.h>
 
@@ -16,11 +16,13 @@ void add_view(Key& key, const LightView& view) {
     for (int column = 0; column < 4; ++column) key.add(view.projection[column]);
     key.add(view.curve.perspective).add(view.curve.near).add(view.curve.far);
     key.add(view.curve.convention.reversed).add(view.curve.convention.zero_to_one).add(view.clamps_near);
+    const DepthWarp warp = view.curve.warp.value_or(DepthWarp{});
+    key.add(warp.middle_m).add(warp.near_m).add(warp.far_m).add(warp.rise);
 }
 
 void add_views(Key& key, const ImportedViews& views) {
     for (const LightView& view : views.views) add_view(key, view);
-    key.add(views.chooser.choice).add(views.chooser.from_ws).add(views.chooser.forward);
+    key.add(views.chooser.choice).add(views.chooser.from_ws).add(views.chooser.forward).add(views.closed);
     for (const ViewSpan& span : views.chooser.spans) key.add(span.ends).add(span.blends_from);
 }
 
@@ -36,7 +38,7 @@ void add_raster(Key& key, const std::vector<CasterRaster>& raster, std::size_t m
 }  // namespace
 
 std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images, std::optional<ImportedViews> views,
-                                                  std::vector<CasterRaster> raster) {
+                                                  std::vector<CasterRaster> raster, bool bias_known) {
     if (images.empty()) throw Error("the imported light has no map; give an image a view");
     Key key;
     const int width = images.front().width, height = images.front().height;
@@ -57,10 +59,12 @@ std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images
         add_views(key, *views);
     }
     add_raster(key, raster, images.size());
+    key.add(bias_known);
     auto maps = std::make_shared<ImportedMaps>();
     maps->images = std::move(images);
     maps->views = std::move(views);
     maps->raster = std::move(raster);
+    maps->bias_known = bias_known;
     maps->key = key.value();
     return maps;
 }

@@ -6,7 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/frame/frame.h"
+#include "renderer/base/float_image.h"
+#include "renderer/projection/light_view.h"
+#include "renderer/projection/map_size.h"
+#include "renderer/projection/view_choice.h"
 #include "renderer/settings/settings.h"
 
 namespace si {
@@ -15,6 +18,7 @@ namespace si {
 struct ImportedViews {
     std::vector<LightView> views;  ///< one an image
     ViewChooser chooser;           ///< choice of the view in which a point is looked up
+    bool closed = false;           ///< no surface that the light reaches lies in shadow outside the maps
 };
 
 /// Raster state in which casters are drawn into one map, in place of bias.raster_* and caster.cull.
@@ -45,10 +49,10 @@ struct ImportedMaps {
 /// Returns maps of these images and views, with their key.
 /// @throws Error without an image, for images of more than one channel or different sizes, or where their number is not
 /// that of the views
-/// @param raster by view; empty: unknown
+/// @param raster by view; empty: unknown @param bias_known ImportedMaps::bias_known
 std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images,
                                                   std::optional<ImportedViews> views = std::nullopt,
-                                                  std::vector<CasterRaster> raster = {});
+                                                  std::vector<CasterRaster> raster = {}, bool bias_known = true);
 
 /// Returns maps that are drawn from the scene's casters, with these views in place of those of a fit.
 /// @param raster by view; empty: as the settings say
