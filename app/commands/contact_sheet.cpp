@@ -14,6 +14,8 @@
 #include "app/report/labelled_sheet.h"
 #include "app/report/picture_comparison.h"
 #include "renderer/base/error.h"
+#include "renderer/base/lower_case.h"
+#include "renderer/bundle/bundle_files.h"
 #include "renderer/importers/importers.h"
 #include "renderer/render/renderer.h"
 
@@ -31,7 +33,12 @@ std::vector<fs::path> models_below(const fs::path& folder) {
     std::vector<fs::path> out;
     for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
          it != fs::recursive_directory_iterator() && !error; it.increment(error)) {
-        if (it->is_regular_file() && find_importer(it->path())) out.push_back(it->path());
+        // A bundle is a folder or a file, and what lies in its folder is a part of it.
+        const bool is_folder = it->is_directory();
+        if (!(is_folder ? lower_extension(it->path()) == ".bundle" : it->is_regular_file())) continue;
+        if (it->path().filename() == kFrameJson || !find_importer(it->path())) continue;
+        out.push_back(it->path());
+        if (is_folder) it.disable_recursion_pending();
     }
     if (error) throw Error(fmt::format("{}: {}", folder.string(), error.message()));
     if (out.empty())

@@ -14,6 +14,7 @@
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/bundle/bundle_files.h"
 #include "ui/panels/section_view.h"
 
 namespace si {
@@ -91,7 +92,7 @@ EditorFrame EditorModel::facts() const {
 
 void EditorModel::open(const std::filesystem::path& path) {
     attempt(state, [&] {
-        if (lower_extension(path) == ".json")
+        if (lower_extension(path) == ".json" && !is_bundle_path(path))
             presets_.open(path.string());
         else
             scenes_.load({.scene_name = path.string()});

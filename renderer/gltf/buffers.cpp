@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/percent_decoded.h"
+
 namespace si::gltf {
 
 Buffers::Buffers(Context& context, const Json& root, const Container& container)
@@ -19,6 +21,12 @@ Bytes Buffers::load(const Json& buffer, const Place& place) {
     if (is_data_uri(uri)) {
         read = decode_data_uri(uri);
         if (!read.error.empty()) context_.fail(here, read.error, "repair the file or export it again");
+    } else if (const auto& read_file = context_.options().read_file) {
+        read = read_file(percent_decode(uri), bytes_left_);
+        if (!read.error.empty())
+            context_.fail(here, fmt::format("\"{}\" {}", uri.substr(0, 120), read.error),
+                          "put the file next to the model and name it by a relative path");
+        spend(read.bytes.size);
     } else {
         const ResolvedUri resolved = resolve_uri(context_.path().parent_path(), uri);
         if (!resolved.error.empty()) {

@@ -53,6 +53,8 @@ void read_scene_extras(Context& context, const Json& root, int scene_index, Scen
         try {
             if (!value.is_string()) throw UsageError(fmt::format("{}: the value is no text", key));
             Settings unused;
+            if (const auto ref = find_setting(key); ref && ref->param->file)
+                throw UsageError(fmt::format("{}: a model names no file of a setting", key));
             set_setting(unused, key, value.get_ref<const std::string&>());
             scene.suggested.emplace_back(key, value.get<std::string>());
         } catch (const UsageError& e) {

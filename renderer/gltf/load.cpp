@@ -68,7 +68,10 @@ void load(Context& context, std::span<const std::uint8_t> bytes, bool converted,
     const PlacedNodes placed =
         place_nodes(context, root, model, accessors, primitives, context.options().file.scene, scene);
     add_rig(context, root, model, accessors, primitives, placed, scene);
-    apply_file_choices(scene, context.options().file);
+    if (const auto& world = context.options().world)
+        apply_world(scene, *world);
+    else
+        apply_file_choices(scene, context.options().file);
     if (converted || scene.file_up != UpAxis::Y || scene.file_unit_m != 1)
         scene.about += fmt::format("; read as {} up, {:g} m a unit", up_axis_key(scene.file_up), scene.file_unit_m);
     textures.decode();
@@ -143,7 +146,9 @@ Scene load_with(const std::filesystem::path& path, const GltfOptions& options, c
         const auto of_lights = [](const auto& row) { return row.first.starts_with("light."); };
         if (std::ranges::none_of(scene.suggested, of_lights)) suggest_lights(scene);
         suggest_casters(scene);
-        describe_placement(scene, options.file);
+        FileChoices choices = options.file;
+        if (options.world) choices.up = UpAxis::Y;
+        describe_placement(scene, choices);
     } catch (const std::bad_alloc&) {
         context.fail("there is not enough memory to load it", "free some memory or use a smaller model");
     } catch (const gltf::Json::exception& error) {
@@ -163,6 +168,12 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         if (!file.error.empty()) context.fail(file.error, "give the path of a .gltf or .glb file");
         gltf::load(context, file.bytes.span(), false, scene);
     });
+}
+
+Scene load_gltf_bytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                      const GltfOptions& options) {
+    return load_with(path, options,
+                     [&](gltf::Context& context, Scene& scene) { gltf::load(context, bytes, false, scene); });
 }
 
 Scene load_converted(std::span<const std::uint8_t> glb, const std::filesystem::path& path, const GltfOptions& options) {

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "renderer/base/percent_decoded.h"
 #include "renderer/base/printable.h"
 #include "renderer/gltf/webp.h"
 
@@ -118,6 +119,8 @@ std::string Textures::fetch(int image, std::span<const std::uint8_t>& bytes, Byt
         ReadResult read;
         if (is_data_uri(uri)) {
             read = decode_data_uri(uri);
+        } else if (const auto& read_file = context_.options().read_file) {
+            read = read_file(percent_decode(uri), buffers_.bytes_left());
         } else {
             const ResolvedUri resolved = resolve_uri(context_.path().parent_path(), uri);
             if (!resolved.error.empty()) return fmt::format("\"{}\": {}", uri.substr(0, 120), resolved.error);

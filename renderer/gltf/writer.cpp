@@ -387,29 +387,64 @@ std::vector<std::string> export_notes(const Scene& scene) {
     return notes;
 }
 
+namespace {
+
+/// Document of a scene and the bytes of its one buffer, which has no uri yet.
+struct WrittenScene {
+    Json document;
+    std::string bytes;
+};
+
+WrittenScene write_scene(const Scene& scene) {
+    Writer writer(scene);
+    WrittenScene out;
+    out.document = writer.document();
+    out.bytes = std::move(writer.bytes());
+    if (!out.bytes.empty()) out.document["buffers"] = Json::array({{{"byteLength", out.bytes.size()}}});
+    return out;
+}
+
+/// Parts of a .glb file, in their order.
+struct GlbParts {
+    std::string header, json, chunk;
+};
+
+/// @param scene_name name of the scene or file, for the message @throws Error above 4 GiB
+GlbParts glb_parts(const WrittenScene& written, const std::string& scene_name) {
+    GlbParts out;
+    out.json = text_of(written.document);
+    out.json.resize((out.json.size() + 3) / 4 * 4, ' ');
+    const std::uint64_t bytes = written.bytes.size();
+    const std::uint64_t total = 12 + 8 + out.json.size() + (bytes == 0 ? 0 : 8 + bytes);
+    if (total > 0xFFFFFFFFu)
+        throw Error(
+            fmt::format("cannot write {}: a .glb holds at most 4 GiB, this scene needs {} bytes", scene_name, total));
+    out.header = words({0x46546C67u, 2, total, out.json.size(), 0x4E4F534Au});
+    if (bytes > 0) out.chunk = words({bytes, 0x004E4942u});
+    return out;
+}
+
+}  // namespace
+
+std::string glb_bytes(const Scene& scene) {
+    const WrittenScene written = write_scene(scene);
+    const GlbParts parts = glb_parts(written, scene.name);
+    return parts.header + parts.json + parts.chunk + written.bytes;
+}
+
 void save_gltf(const Scene& scene, const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);
     if (extension != ".gltf" && extension != ".glb")
         throw Error(fmt::format("cannot write {}: scenes are written as .gltf or .glb", path.string()));
-
-    Writer writer(scene);
-    Json document = writer.document();
-    std::string& bytes = writer.bytes();
-    if (!bytes.empty()) document["buffers"] = Json::array({{{"byteLength", bytes.size()}}});
+    WrittenScene written = write_scene(scene);
     if (extension == ".gltf") {
-        if (!bytes.empty()) document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
-        write_atomically(path, {text_of(document)});
+        if (!written.bytes.empty())
+            written.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(written.bytes);
+        write_atomically(path, {text_of(written.document)});
         return;
     }
-    std::string json = text_of(document);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    const std::uint64_t total = 12 + 8 + json.size() + (bytes.empty() ? 0 : 8 + bytes.size());
-    if (total > 0xFFFFFFFFu)
-        throw Error(fmt::format("cannot write {}: a .glb holds at most 4 GiB, this scene needs {} bytes", path.string(),
-                                total));
-    const std::string header = words({0x46546C67u, 2, total, json.size(), 0x4E4F534Au});
-    const std::string chunk = bytes.empty() ? std::string() : words({bytes.size(), 0x004E4942u});
-    write_atomically(path, {header, json, chunk, bytes});
+    const GlbParts parts = glb_parts(written, path.string());
+    write_atomically(path, {parts.header, parts.json, parts.chunk, written.bytes});
 }
 
 }  // namespace si

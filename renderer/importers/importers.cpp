@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "renderer/base/lower_case.h"
+#include "renderer/bundle/bundle_files.h"
 #include "renderer/importers/assimp.h"
+#include "renderer/importers/bundle.h"
 
 namespace si {
 namespace {
 
 constexpr std::string_view kGltf[] = {".gltf", ".glb", ".vrm"};
+constexpr std::string_view kBundle[] = {".bundle", ".zip"};
 constexpr std::string_view kObj[] = {".obj"};
 constexpr std::string_view kFbx[] = {".fbx"};
 constexpr std::string_view kCollada[] = {".dae", ".zae"};
@@ -29,17 +32,10 @@ constexpr std::string_view kOthers[] = {".3mf", ".ac",  ".amf", ".ase",  ".b3d",
 constexpr std::string_view kOthersLabel = "others by Assimp";
 
 constexpr Importer kImporters[] = {
-    {"glTF", kGltf, load_gltf},
-    {"OBJ", kObj, load_by_assimp},
-    {"FBX", kFbx, load_by_assimp},
-    {"COLLADA", kCollada, load_by_assimp},
-    {"PLY", kPly, load_by_assimp},
-    {"STL", kStl, load_by_assimp},
-    {"3DS", k3ds, load_by_assimp},
-    {"X3D", kX3d, load_by_assimp},
-    {"OFF", kOff, load_by_assimp},
-    {"DirectX X", kX, load_by_assimp},
-    {kOthersLabel, kOthers, load_by_assimp},
+    {"glTF", kGltf, load_gltf},    {"bundle", kBundle, load_bundle},      {"OBJ", kObj, load_by_assimp},
+    {"FBX", kFbx, load_by_assimp}, {"COLLADA", kCollada, load_by_assimp}, {"PLY", kPly, load_by_assimp},
+    {"STL", kStl, load_by_assimp}, {"3DS", k3ds, load_by_assimp},         {"X3D", kX3d, load_by_assimp},
+    {"OFF", kOff, load_by_assimp}, {"DirectX X", kX, load_by_assimp},     {kOthersLabel, kOthers, load_by_assimp},
 };
 
 }  // namespace
@@ -49,7 +45,8 @@ std::span<const Importer> importers() {
 }
 
 const Importer* find_importer(const std::filesystem::path& path) {
-    const std::string extension = lower_extension(path);
+    // Also the folder of a bundle, with and without a slash at its end, and its frame.json.
+    const std::string extension = is_bundle_path(path) ? ".bundle" : lower_extension(path);
     for (const Importer& importer : kImporters)
         if (std::ranges::find(importer.extensions, extension) != importer.extensions.end()) return &importer;
     return nullptr;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <memory>
 
@@ -114,6 +115,31 @@ void apply_file_choices(Scene& scene, const FileChoices& choices) {
     if (scene.rig) turn_rig(scene, glm::dquat(rotation), scale);
     scene.file_up = up;
     scene.file_unit_m = unit;
+}
+
+void apply_world(Scene& scene, const glm::dmat4& world) {
+    if (world == glm::dmat4(1)) return;
+    if (scene.rig) {
+        // Rest poses and channels have no mirror and no translation of the whole.
+        apply_pose(scene, -1, 0);
+        scene.rig.reset();
+        scene.warnings.push_back("animations are left out: the file's space differs from metres, y up, right-handed");
+    }
+    const double volume = glm::determinant(glm::dmat3(world));
+    const double scale = std::cbrt(std::abs(volume));
+    const glm::dmat4 unmirror = glm::dmat4(glm::dmat3(volume < 0 ? -1 : 1, 0, 0, 0, 1, 0, 0, 0, 1));
+    for (Node& node : scene.nodes)
+        if (node.parent < 0) node.local = world * node.local;
+    for (SceneCamera& camera : scene.cameras) {
+        camera.world = world * camera.world * unmirror;
+        camera.height *= scale;
+        camera.near *= scale;
+        camera.far *= scale;
+    }
+    for (SceneLight& light : scene.lights) {
+        light.world = world * light.world * unmirror;
+        light.range *= scale;
+    }
 }
 
 }  // namespace si

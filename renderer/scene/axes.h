@@ -21,4 +21,9 @@ std::string up_axis_key(UpAxis up);
 /// loader has applied (Scene::file_up, Scene::file_unit_m) to those that are chosen. Call it before finalise().
 void apply_file_choices(Scene& scene, const FileChoices& choices);
 
+/// Transforms a loaded scene, with its cameras and lights, from the space of its file to metres, y up, right-handed. A
+/// mirrored space keeps cameras unmirrored. Animations stay only where the transform is the identity; a warning tells
+/// so. Call it before finalise().
+void apply_world(Scene& scene, const glm::dmat4& world);
+
 }  // namespace si

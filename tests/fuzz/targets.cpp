@@ -1,4 +1,4 @@
-// Fuzz targets for models, presets, setting values and decoders.
+// Fuzz targets for models, presets, setting values, decoders and bundles.
 #include "tests/fuzz/targets.h"
 
 #include <fmt/format.h>
@@ -17,6 +17,9 @@
 #include "app/session/presets.h"
 #include "app/session/session.h"
 #include "renderer/base/error.h"
+#include "renderer/bundle/bundle_files.h"
+#include "renderer/bundle/bundle_json.h"
+#include "renderer/bundle/map_image.h"
 #include "renderer/foreign/pack.h"
 #include "renderer/gltf/draco.h"
 #include "renderer/gltf/gltf.h"
@@ -188,11 +191,41 @@ void fuzz_webp(std::span<const std::uint8_t> bytes) {
     is_decoded([&] { gltf::decode_packed_webp(gltf::pack_webp({&bytes, 1}, kMaxBytes), [](double) {}); });
 }
 
+/// Text of a frame.json.
+void fuzz_bundle(std::span<const std::uint8_t> bytes) {
+    is_accepted([&] {
+        const Bundle bundle = parse_bundle(text_of(bytes), "frame.json");
+        const std::string text = format_bundle(bundle);
+        require(parse_bundle(text, "again.json") == bundle, "written and read again, the bundle differs");
+        require(format_bundle(parse_bundle(text, "again.json")) == text, "written and read again, the text differs");
+    });
+}
+
+/// A zip file, whose entries are read.
+void fuzz_zip(std::span<const std::uint8_t> bytes) {
+    constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
+    const fs::path file = own_folder() / "a.zip";
+    {
+        std::ofstream out(file, std::ios::binary);
+        out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    }
+    is_accepted([&] {
+        BundleFiles files(file);
+        for (const char* name : {"frame.json", "sun.pfm", "scene.glb"})
+            is_accepted([&] {
+                const std::vector<std::byte> entry = files.read(name, kMaxBytes);
+                require(entry.size() <= kMaxBytes, "an entry above the limit");
+                if (name == std::string_view("sun.pfm")) decode_map_image(name, entry, {});
+            });
+    });
+}
+
 }  // namespace
 
 const std::vector<Target>& targets() {
-    static const std::vector<Target> all = {{"gltf", fuzz_gltf},   {"preset", fuzz_preset},   {"value", fuzz_value},
-                                            {"draco", fuzz_draco}, {"meshopt", fuzz_meshopt}, {"webp", fuzz_webp}};
+    static const std::vector<Target> all = {{"gltf", fuzz_gltf},     {"preset", fuzz_preset},   {"value", fuzz_value},
+                                            {"draco", fuzz_draco},   {"meshopt", fuzz_meshopt}, {"webp", fuzz_webp},
+                                            {"bundle", fuzz_bundle}, {"zip", fuzz_zip}};
     return all;
 }
 

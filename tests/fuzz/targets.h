@@ -18,6 +18,7 @@ struct Target {
 
 /// Returns all fuzz targets. gltf: a model, loaded and posed. preset: its JSON, read, repaired and written again.
 /// value: lines of KEY=VALUE, as --set and --vary take them. draco, meshopt, webp: decoders of compressed glTF.
+/// bundle: frame.json, read and written again. zip: the entries of a zip file.
 const std::vector<Target>& targets();
 
 }  // namespace si::fuzz
