@@ -139,8 +139,10 @@ std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<
     return any ? out : std::vector<CasterRaster>();
 }
 
-bool is_bias_known(const BundleBias& bias) {
-    return bias.constant || bias.slope || bias.normal;
+/// Returns true when the bias is stated, as terms of the look-up or as settings of this program.
+bool is_bias_known(const Bundle& bundle, const BundleLight& light) {
+    const BundleBias& bias = light.lookup.bias;
+    return bias.constant || bias.slope || bias.normal || bundle.settings.contains("bias.kind");
 }
 
 /// Checks that a directional light shines along the rays of its map: reversed depth turns parallel rays around.
@@ -326,7 +328,7 @@ GivenMaps read_given_maps(BundleFiles& files) {
         }
         std::vector<CasterRaster> raster = raster_of(light, views.views);
         out.lights.push_back(
-            imported_maps(std::move(images), std::move(views), std::move(raster), is_bias_known(light.lookup.bias)));
+            imported_maps(std::move(images), std::move(views), std::move(raster), is_bias_known(out.bundle, light)));
     }
     out.files = files.files_read();
     return out;
