@@ -136,7 +136,7 @@ void write_png(const fs::path& path, const ByteImage& image) {
     write_file(path, png_bytes(image));
 }
 
-void write_pfm(const fs::path& path, const FloatImage& image) {
+std::string pfm_bytes(const FloatImage& image) {
     static_assert(std::endian::native == std::endian::little, "the scale of -1 below says little-endian");
     std::string bytes = fmt::format("Pf\n{} {}\n-1.0\n", image.width, image.height);
     for (int y = image.height; y-- > 0;) {
@@ -147,7 +147,11 @@ void write_pfm(const fs::path& path, const FloatImage& image) {
             bytes.append(raw, sizeof v);
         }
     }
-    write_file(path, bytes);
+    return bytes;
+}
+
+void write_pfm(const fs::path& path, const FloatImage& image) {
+    write_file(path, pfm_bytes(image));
 }
 
 void write_scalar_image(const fs::path& path, const FloatImage& image) {

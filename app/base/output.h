@@ -57,6 +57,9 @@ std::string jpg_bytes(const ByteImage& image, int quality = 85);
 /// Writes an image as 8-bit RGB PNG file; alpha is dropped. @throws Error
 void write_png(const std::filesystem::path& path, const ByteImage& image);
 
+/// Encodes an image's first channel as portable float map (PFM): little-endian, bottom row first.
+std::string pfm_bytes(const FloatImage& image);
+
 /// Writes an image's first channel as portable float map (PFM): little-endian, bottom row first. @throws Error
 void write_pfm(const std::filesystem::path& path, const FloatImage& image);
 

@@ -268,10 +268,16 @@ void add_others(CLI::App& app, Run& run) {
     auto& out = add_command(
         app, run, "export",
         "Write a scene as glTF, in the pose that the settings choose; other settings of --preset and --set become its "
-        "suggested settings",
+        "suggested settings. With --bundle: write the frame with its shadow maps",
         run_export);
     out.add_session();
-    out.add_output("FILE", "The file: .gltf (one file, buffers inside) or .glb")->required();
+    auto* gltf = out.add_output("FILE", "The file: .gltf (one file, buffers inside) or .glb");
+    auto* bundle =
+        out.add_file_to_write("--bundle", out.options.bundle, "BUNDLE",
+                              "Write scene, camera, lights, shadow maps and picture as a bundle: a folder that ends in "
+                              ".bundle, or a .zip file (docs/bundle.md)");
+    gltf->excludes(bundle);
+    out.add_size();
 
     auto& overview = add_command(
         app, run, "overview", "Draw editor, scene, shadow map and visibility into a folder, and print passes and times",
@@ -285,8 +291,10 @@ void add_others(CLI::App& app, Run& run) {
     auto& docs = add_command(
         app, run, "docs",
         "Write docs/settings.md, presets.md, metrics.md or techniques.md from the program's own tables", run_docs);
-    docs.app().add_option("WHAT", docs.options.what,
-                          "settings (the default), presets, metrics, hard-cases or techniques (draws)");
+    docs.app().add_option(
+        "WHAT", docs.options.what,
+        "settings (the default), presets, metrics, hard-cases, techniques (draws), or the JSON schemas "
+        "bundle-schema and preset-schema");
     auto* page = docs.add_output("FILE", "The file (default: standard output)");
     docs.add_value("--only", docs.options.only, "KEY=CHOICE",
                    "Write the rows of one choice alone; the other rows of the page of techniques stay")

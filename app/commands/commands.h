@@ -205,8 +205,12 @@ struct CompareMapsOptions : CommandOptions {
 /// Runs the command `compare-maps`: prints how imported maps differ from maps drawn with the same views.
 void run_compare_maps(const CompareMapsOptions& options);
 
-/// Runs the command `export`: writes the session's scene as a glTF file.
-void run_export(const CommandOptions& options);
+/// Options of the command `export`.
+struct ExportOptions : CommandOptions {
+    std::string bundle;  ///< bundle to write in place of a glTF file: a .bundle folder or a .zip file; empty: none
+};
+/// Runs the command `export`: writes the session's scene as a glTF file, or its frame as a bundle.
+void run_export(const ExportOptions& options);
 
 /// Options of the command `docs`. Without an output the page goes to standard output.
 struct DocsOptions : CommandOptions {

@@ -4,8 +4,10 @@
 
 #include "app/base/output.h"
 #include "app/commands/commands.h"
+#include "app/session/preset_schema.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
+#include "renderer/bundle/bundle_schema.h"
 #include "renderer/reference/metrics.h"
 #include "renderer/settings/param.h"
 
@@ -104,14 +106,15 @@ void run_docs(const DocsOptions& options) {
     }
     if (!options.only.empty())
         throw UsageError(fmt::format("docs {} --only: only the page of techniques has rows", what));
-    const std::map<std::string, std::string (*)()> pages = {{"settings", settings_page},
-                                                            {"presets", presets_page},
-                                                            {"metrics", metrics_page},
-                                                            {"hard-cases", hard_cases_page}};
+    const std::map<std::string, std::string (*)()> pages = {
+        {"settings", settings_page},     {"presets", presets_page},        {"metrics", metrics_page},
+        {"hard-cases", hard_cases_page}, {"bundle-schema", bundle_schema}, {"preset-schema", preset_schema}};
     const auto wanted = pages.find(what);
     if (wanted == pages.end())
         throw UsageError(
-            fmt::format("docs {}: the pages are settings, presets, metrics, hard-cases and techniques", what));
+            fmt::format("docs {}: the pages are settings, presets, metrics, hard-cases, techniques, bundle-schema and "
+                        "preset-schema",
+                        what));
     const std::string page = wanted->second();
     if (options.check) {
         if (read_text_file(output) == page) return;

@@ -148,6 +148,45 @@ std::string preset_text(const Preset& preset) {
     return text + ",\n  \"claims\": [" + lines + "\n  ]\n}\n";
 }
 
+namespace {
+
+/// Replaces each path of a preset's settings that is set by what `work` makes of it.
+template <typename Work>
+void for_each_path(Settings& settings, const Work& work) {
+    for (const SettingRef& ref : changed_settings(settings)) {
+        if (!ref.param->file) continue;
+        const std::filesystem::path path = std::get<std::string>(get_value(settings, ref));
+        if (path.empty()) continue;
+        set_value(settings, ref, work(path).string());
+    }
+}
+
+/// Returns the folder of a file.
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/// Makes the paths of a preset's settings, which are relative to its folder, relative to the working directory.
+void paths_from_folder(Settings& settings, const std::filesystem::path& file) {
+    for_each_path(settings, [&](const std::filesystem::path& path) {
+        return path.is_absolute() ? path : (folder_of(file) / path).lexically_normal();
+    });
+}
+
+/// Makes the paths of a preset's settings relative to its folder.
+void paths_to_folder(Settings& settings, const std::filesystem::path& file) {
+    for_each_path(settings, [&](const std::filesystem::path& path) {
+        std::error_code error;
+        // Links of the folder are resolved, so that ".." leads where it should.
+        const std::filesystem::path folder = std::filesystem::weakly_canonical(folder_of(file), error);
+        if (error) return path;
+        const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+        return error ? path : whole.lexically_relative(folder);
+    });
+}
+
+}  // namespace
+
 Preset load_preset(const std::string& name_or_path) {
     std::vector<std::string> keys;
     for (const EmbeddedFile* file : preset_files()) {
@@ -161,7 +200,9 @@ Preset load_preset(const std::string& name_or_path) {
     if (!std::filesystem::exists(name_or_path, error) && lower_extension(name_or_path) != kExtension && !keys.empty())
         throw UsageError(fmt::format("no preset '{}': there is no built-in one of that name, and files end in .json{}",
                                      name_or_path, did_you_mean(nearest_name(name_or_path, keys))));
-    return parse_preset(read_text_file(name_or_path), name_or_path);
+    Preset preset = parse_preset(read_text_file(name_or_path), name_or_path);
+    paths_from_folder(preset.settings, name_or_path);
+    return preset;
 }
 
 void save_preset(const Preset& preset, const std::filesystem::path& path) {
@@ -177,7 +218,9 @@ void save_preset(const Preset& preset, const std::filesystem::path& path) {
     require_utf8("the topic", preset.topic);
     require_utf8("the sentence", preset.about);
     for (const auto& [object, own] : preset.settings.objects) require_utf8("the object", object);
-    write_regular_file(path, preset_text(preset));
+    Preset written = preset;
+    paths_to_folder(written.settings, path);
+    write_regular_file(path, preset_text(written));
 }
 
 std::vector<BuiltinPreset> builtin_presets() {

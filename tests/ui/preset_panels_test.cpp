@@ -303,6 +303,47 @@ TEST(FileDialogs, SaveByNameAndOpenByDoubleClick) {
     EXPECT_EQ(dialog.folder, fs::weakly_canonical(fs::current_path()));
 }
 
+TEST(FileDialogs, BundlesAreListedAsFilesAndChosenForTheirSetting) {
+    const fs::path folder = fresh_test_folder();
+    fs::create_directories(folder / "a.bundle");
+    fs::create_directories(folder / "below");
+    for (const char* name : {"a.bundle/frame.json", "b.zip", "c.glb", "d.json"}) std::ofstream(folder / name) << "x";
+    UiHarness ui(1280, 720);
+    FileDialog& dialog = ui.state.files.dialog;
+    open_bundle_dialog(dialog, "map.bundle", folder / "x");
+    ASSERT_EQ(dialog.entries.size(), 3u);
+    EXPECT_TRUE(dialog.entries[0].folder && dialog.entries[0].name == "below");
+    EXPECT_TRUE(!dialog.entries[1].folder && dialog.entries[1].name == "a.bundle");
+    EXPECT_EQ(dialog.entries[2].name, "b.zip");
+    ui.frames(3);
+    ui.type("a.bundle");
+    EXPECT_FALSE(confirmed(ui).open_file) << "it becomes a setting";
+    ui.frames(3);
+    EXPECT_EQ(ui.state.settings.map.bundle, (fs::weakly_canonical(folder) / "a.bundle").string());
+    EXPECT_FALSE(window_of("Choose a bundle")) << "it closes";
+
+    open_file_dialog(dialog, FileDialog::Job::Open, folder / "x");
+    EXPECT_EQ(dialog.entries.size(), 5u);
+    ui.frames(3);
+    ui.type("a.bundle");
+    EXPECT_EQ(confirmed(ui).open_file, (fs::weakly_canonical(folder) / "a.bundle").string()) << "as a scene";
+}
+
+TEST(FileDialogs, FileSettingsAreTypedWholeOrBrowsed) {
+    UiHarness ui(1280, 900);
+    ui.state.settings_panel.search = "map.bundle";
+    ui.frames(3);
+    ui.click(ui.find("/rows_", "map.bundle", "##value"));
+    ui.type("x.bundle");
+    EXPECT_EQ(ui.state.settings.map.bundle, "") << "the beginning of a path names no file";
+    ui.key(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    ui.frames(2);
+    EXPECT_EQ(ui.state.settings.map.bundle, "x.bundle");
+    ui.click(ui.find("/rows_", "map.bundle", "Browse…"));
+    ui.frames(3);
+    EXPECT_TRUE(window_of("Choose a bundle"));
+}
+
 TEST(FileDialogs, TypedFolderIsEnteredAndTypingContinues) {
     const fs::path folder = fs::weakly_canonical(fresh_test_folder());
     fs::create_directory(folder / "below");

@@ -13,7 +13,9 @@
 #include <utility>
 
 #include "renderer/base/lower_case.h"
+#include "renderer/bundle/bundle_files.h"
 #include "renderer/importers/importers.h"
+#include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -24,13 +26,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxEntries = 5000;
-constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Save the preset as";
+constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Save the preset as",
+                     *kBundleTitle = "Choose a bundle";
+
+/// Returns true for a folder that is a bundle, which is listed and opened as a file.
+bool is_bundle_folder(const fs::path& path) {
+    std::error_code error;
+    return lower_extension(path) == ".bundle" && fs::exists(path / kFrameJson, error);
+}
 
 bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind) {
     const std::string extension = lower_extension(file);
     const bool model = find_importer(file) != nullptr;
     const bool preset = extension == ".json";
     if (job == FileDialog::Job::SavePreset) return preset;
+    if (job == FileDialog::Job::ChooseBundle) return is_bundle_path(file);
     return (model && kind != FileDialog::Kind::Presets) || (preset && kind != FileDialog::Kind::Models);
 }
 
@@ -64,7 +74,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
     for (const fs::directory_iterator end; it != end && !error && entries.size() < kMaxEntries; it.increment(error)) {
         const std::string name = it->path().filename().string();
         std::error_code unreadable;
-        const bool is_folder = it->is_directory(unreadable);
+        const bool is_folder = it->is_directory(unreadable) && !is_bundle_folder(it->path());
         if (!name.starts_with('.') && (is_folder || is_shown(it->path(), d.job, d.kind)))
             entries.push_back({name, is_folder, date_of(*it)});
     }
@@ -106,8 +116,9 @@ std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
             ImGui::PopID();
         }
     if (d.entries.empty())
-        ImGui::TextDisabled(d.job == FileDialog::Job::Open ? "No folder, preset or model here."
-                                                           : "No folder or preset here.");
+        ImGui::TextDisabled(d.job == FileDialog::Job::Open           ? "No folder, preset or model here."
+                            : d.job == FileDialog::Job::ChooseBundle ? "No folder or bundle here."
+                                                                     : "No folder or preset here.");
     ImGui::EndChild();
     ImGui::PopStyleColor();
     return entered;
@@ -168,13 +179,15 @@ void choose(EditorState& state, EditorRequests& requests) {
     FileDialog& d = state.files.dialog;
     fs::path path = d.folder / d.name;
     std::error_code error;
-    if (fs::is_directory(path, error)) {
+    if (fs::is_directory(path, error) && !is_bundle_folder(path)) {
         read_folder(d, path);
         d.name.clear();
         return;
     }
     if (d.job == FileDialog::Job::Open) {
         requests.open_file = path.string();
+    } else if (d.job == FileDialog::Job::ChooseBundle) {
+        if (const auto ref = find_setting(d.setting)) set_value(state.settings, *ref, path.string());
     } else {
         requests.save_preset = with_preset_extension(path).string();
         requests.save_about = d.about;
@@ -193,6 +206,11 @@ void open_file_dialog(FileDialog& d, FileDialog::Job job, const fs::path& path, 
     const fs::path folder = path.parent_path();
     read_folder(d, fs::is_directory(folder, error) ? folder : fs::path("."));
     d.asked = true;
+}
+
+void open_bundle_dialog(FileDialog& d, const std::string& key, const fs::path& path) {
+    open_file_dialog(d, FileDialog::Job::ChooseBundle, path);
+    d.setting = key;
 }
 
 fs::path with_preset_extension(fs::path path) {
@@ -225,12 +243,14 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
 
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     FileDialog& d = state.files.dialog;
-    if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs) {
+    // The desktop's dialog chooses either files or folders, and a bundle may be both.
+    const bool any_kind = d.job == FileDialog::Job::ChooseBundle;
+    if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs && !any_kind) {
         d.asked = false;
         requests.open_desktop_dialog = {d.job, d.kind, d.folder, d.name};
     }
     const bool saving = d.job == FileDialog::Job::SavePreset;
-    const char* title = saving ? kSaveTitle : kOpenTitle;
+    const char* title = saving ? kSaveTitle : any_kind ? kBundleTitle : kOpenTitle;
     if (d.asked) ImGui::OpenPopup(title);
     const bool appearing = std::exchange(d.asked, false);
     const float em = ImGui::GetFontSize();

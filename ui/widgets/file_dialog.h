@@ -14,7 +14,7 @@ struct EditorFrame;
 /// State of the editor's own file dialog.
 struct FileDialog {
     /// Purpose of the dialog.
-    enum class Job { Open, SavePreset };
+    enum class Job { Open, SavePreset, ChooseBundle };
     /// Kind of files that the dialog lists.
     enum class Kind { All, Models, Presets };
     /// File or folder that the dialog lists.
@@ -31,6 +31,7 @@ struct FileDialog {
     std::string about;           ///< sentence to save in the preset
     Kind kind = Kind::All;       ///< files that are listed when opening
     std::vector<Entry> entries;  ///< content of `folder`, folders first
+    std::string setting;         ///< key of the setting that ChooseBundle sets
     std::string problem;         ///< reason why the folder cannot be read; empty: it can
     bool type_on = false;        ///< a folder was read; the next typed text is a name in it
 };
@@ -47,6 +48,8 @@ struct DesktopFileDialog {
 /// to save in the preset
 void open_file_dialog(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
                       const std::string& about = {});
+/// Opens the editor's file dialog to choose the file of a setting. @param key key of the setting @param path its value
+void open_bundle_dialog(FileDialog& dialog, const std::string& key, const std::filesystem::path& path);
 /// Returns the path with the extension of a preset (.json) added if it is missing.
 std::filesystem::path with_preset_extension(std::filesystem::path path);
 /// Completes a typed path as far as all matching files and folders agree, as Tab does in a shell. @param folder base of

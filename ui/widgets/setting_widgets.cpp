@@ -19,6 +19,7 @@
 #include "renderer/settings/splits.h"
 #include "renderer/settings/starting_values.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/file_dialog.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -205,6 +206,35 @@ bool text_input(const SettingRef& ref, std::string& value) {
     }
 }
 
+/// Draws a text field for the path of a file, with a button that opens the file dialog. A typed path is taken when the
+/// field is left, because its beginnings name no file.
+bool file_input(const SettingRef& ref, std::string& value, float width) {
+    constexpr const char* kBrowse = "Browse…";
+    FileDialog* const dialog = facts_in_use().files;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float button = ImGui::CalcTextSize(kBrowse).x + 2 * style.FramePadding.x;
+    const float room = width > 0 ? width : ImGui::GetContentRegionAvail().x;
+    const bool browses = dialog && room > 2 * button;
+    ImGui::SetNextItemWidth(browses ? room - button - style.ItemInnerSpacing.x : room);
+    static std::string typed;  // of the one field that is edited
+    std::string shown = value;
+    ImGui::InputTextWithHint("##value", "none", &shown);
+    if (ImGui::IsItemActive()) typed = shown;
+    bool changed = false;
+    if (ImGui::IsItemDeactivatedAfterEdit() && typed != value) {
+        try {
+            value = std::get<std::string>(parse_value(ref, typed));
+            changed = true;
+        } catch (const UsageError&) {
+            changed = false;
+        }
+    }
+    if (!browses) return changed;
+    ImGui::SameLine(0, style.ItemInnerSpacing.x);
+    if (ImGui::Button(kBrowse)) open_bundle_dialog(*dialog, setting_key(ref), value);
+    return changed;
+}
+
 /// Returns true if the setting has no effect, and changing it alone would not give it one.
 bool cannot_take_effect(Settings& settings, const SettingRef& ref) {
     if (without_effect(settings, ref).empty()) return false;
@@ -234,7 +264,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
     else if (auto* i = std::get_if<int>(&value))
         changed = p.choices ? choice_combo(p, *i) : !names.empty() ? named_combo(names, *i) : integer(p, *i, unit);
     else if (auto* t = std::get_if<std::string>(&value))
-        changed = text_input(ref, *t);
+        changed = p.file ? file_input(ref, *t, width) : text_input(ref, *t);
     else
         changed = real(ref, std::get<double>(value), unit, shown_unit(settings, ref));
     if (idle) ImGui::PopStyleVar();
@@ -249,7 +279,7 @@ void use_setting_facts(const SettingFacts* facts) {
 }
 
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
-    const auto& [driver, scene, result] = facts_in_use();
+    const auto& [driver, scene, result, files] = facts_in_use();
     if (driver && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver->polygon_offset_clamp)
         return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
     const bool moves = !scene || (scene->rig && !scene->rig->animations.empty());

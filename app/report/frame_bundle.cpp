@@ -1,0 +1,164 @@
+#include "app/report/frame_bundle.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+#include <utility>
+
+#include "app/base/output.h"
+#include "renderer/base/error.h"
+#include "renderer/bundle/bundle_json.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/paging.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+constexpr const char* kScene = "scene.glb";
+constexpr const char* kPicture = "picture.png";
+
+glm::dmat4 pose_of(const glm::dmat3& axes, const glm::dvec3& eye) {
+    glm::dmat4 out(axes);
+    out[3] = glm::dvec4(eye, 1);
+    return out;
+}
+
+BundleDepthFormat depth_format(MapFormat format) {
+    switch (format) {
+        case MapFormat::D16:
+            return BundleDepthFormat::D16;
+        case MapFormat::D24:
+            return BundleDepthFormat::D24;
+        case MapFormat::D32F:
+            return BundleDepthFormat::D32F;
+        case MapFormat::Colour:
+        case MapFormat::Linear:
+        case MapFormat::Linear16:
+            return BundleDepthFormat::R32F;
+    }
+    return BundleDepthFormat::D32F;
+}
+
+/// Returns the settings by which the frame reads back, as texts by key: all but those of the scene and of files.
+std::map<std::string, std::string> settings_of_frame(const Settings& settings) {
+    std::map<std::string, std::string> out;
+    for (const SettingRef& ref : all_settings(settings)) {
+        const bool is_ground = ref.param->key == "scene.ground";
+        if (ref.param->file || (ref.param->key.starts_with("scene.") && !is_ground)) continue;
+        if (ref.param->scope == Scope::Light && ref.light >= settings.light_count) continue;
+        out[setting_key(ref)] = value_text(*ref.param, get_value(settings, ref));
+    }
+    return out;
+}
+
+BundleLookup lookup_of(const Settings& s) {
+    BundleLookup out;
+    const Bias& bias = bias_of(s);
+    const bool is_plain = reads_setting(bias, "bias.constant") || reads_setting(bias, "bias.slope");
+    if (is_plain) {
+        out.bias.constant = reads_setting(bias, "bias.constant") ? s.bias.constant : 0;
+        out.bias.slope = reads_setting(bias, "bias.slope") ? s.bias.slope : 0;
+    }
+    out.bias.normal = s.bias.normal;
+    out.bias.units = {s.bias.unit, s.bias.unit, BiasUnit::Texels};
+    out.kernel = std::string(filter_of(s).key);
+    const bool equal = s.map.compare == Compare::LessEqual;
+    out.compare = s.map.reversed_z ? (equal ? BundleCompare::GreaterEqual : BundleCompare::Greater)
+                                   : (equal ? BundleCompare::LessEqual : BundleCompare::Less);
+    if (s.map.wrap == MapWrap::Border) out.wrap = BundleWrap::Border;
+    if (s.map.wrap == MapWrap::Clamp) out.wrap = BundleWrap::Clamp;
+    if (s.map.wrap == MapWrap::Repeat) out.wrap = BundleWrap::Repeat;
+    return out;
+}
+
+BundleMap map_of(const LightView& view, const Settings& s) {
+    BundleMap out;
+    out.image.first_row = FirstRow::Bottom;
+    out.clip.world_from_view = pose_of(view.axes, view.eye);
+    out.clip.projection = view.projection;
+    out.depth.convention = view.curve.convention;
+    out.depth.format = depth_format(s.map.format);
+    out.depth.planes_m = {view.curve.near, view.curve.far};
+    out.depth.warp = view.curve.warp;
+    out.raster.offset_factor = s.bias.raster_slope;
+    out.raster.offset_units = s.bias.raster_units;
+    out.raster.offset_clamp = s.bias.raster_clamp;
+    out.raster.cull = s.caster.cull;
+    out.raster.front = BundleFront::Ccw;
+    out.raster.depth_clamp = view.clamps_near;
+    return out;
+}
+
+/// Sets the limits between which the maps of a light are chosen.
+void set_spans(BundleLight& out, const ViewChooser& chooser) {
+    for (std::size_t i = 0; i < chooser.spans.size(); ++i) {
+        const ViewSpan& span = chooser.spans[i];
+        if (chooser.choice == ViewChoice::Map) out.maps[i].edge = {span.blends_from, span.ends};
+        if (chooser.choice != ViewChoice::Interval) continue;
+        // A blend begins where the next interval does.
+        const double from = i > 0 ? chooser.spans[i - 1].blends_from : 0;
+        out.maps[i].interval = {from, span.ends};
+    }
+}
+
+BundleLight light_of(const FittedLight& light, const LightSettings& own, const Settings& s) {
+    BundleLight out;
+    out.name = own.name;
+    out.type = light.type;
+    out.direction = -light.to_light;
+    if (light.type != LightType::Directional) out.position = light.position;
+    if (light.type == LightType::Spot) out.cone_deg = own.cone;
+    if (!light.casts) return out;
+    out.choice = light.chooser.choice;
+    out.closed = light.closed;
+    for (const LightView& view : light.views) out.maps.push_back(map_of(view, s));
+    set_spans(out, light.chooser);
+    out.lookup = lookup_of(s);
+    return out;
+}
+
+}  // namespace
+
+BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene& picture_scene,
+                            const Settings& settings, FrameRequest request) {
+    if (draws_pages(settings)) throw Error("map.virtual: a bundle holds whole maps; set map.virtual to false");
+    request.outputs.colour = request.outputs.shadow_map = true;
+    const FrameResult frame = renderer.render(picture_scene, settings, request);
+    const Camera& camera = frame.camera;
+    Bundle bundle;
+    bundle.made_by = "Shadow Inspector";
+    bundle.scene = kScene;
+    bundle.picture = kPicture;
+    bundle.camera =
+        BundleCamera{{.world_from_view = pose_of(camera.axes, camera.eye), .projection = camera.projection()},
+                     request.width,
+                     request.height,
+                     camera.curve.convention};
+    bundle.settings = settings_of_frame(settings);
+    if (scene.file_scenes.empty()) bundle.settings["scene.ground"] = "off";  // built-in scenes get no ground
+    BundleContents out;
+    for (std::size_t i = 0; i < frame.lights.size(); ++i) {
+        const FittedLight& light = frame.lights[i];
+        bundle.lights.push_back(light_of(light, settings.lights[i], settings));
+        for (std::size_t v = 0; v < bundle.lights.back().maps.size(); ++v) {
+            std::string& file = bundle.lights.back().maps[v].image.file;
+            file = fmt::format("maps/light{}-{}.pfm", i, v);
+            out[file] = pfm_bytes(renderer.read_shadow_map(frame, int(i), int(v)));
+        }
+    }
+    if (out.empty())
+        throw Error(fmt::format(
+            "{}: no light has a shadow map in this frame; set light.cast, light.on and light.source", scene.name));
+    out[kPicture] = png_bytes(renderer.read_colour(frame.colour));
+    Scene written = scene;
+    written.suggested.clear();
+    out[kScene] = glb_bytes(written);
+    out[std::string(kFrameJson)] = format_bundle(bundle);
+    return out;
+}
+
+}  // namespace si

@@ -1,0 +1,16 @@
+// A frame of this program as a bundle, as an engine would write it.
+#pragma once
+
+#include "renderer/bundle/bundle_files.h"
+#include "renderer/render/renderer.h"
+
+namespace si {
+
+/// Draws a frame and returns the files of its bundle: scene, camera, maps with their matrices, look-up, picture, and
+/// the settings by which it reads back as the same frame.
+/// @param scene without the ground of add_ground(), posed and placed @param picture_scene the same with the ground
+/// @throws Error where no light has a shadow map, and for virtual maps
+BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene& picture_scene,
+                            const Settings& settings, FrameRequest request);
+
+}  // namespace si

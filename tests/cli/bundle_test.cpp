@@ -1,0 +1,162 @@
+// Tests of `export --bundle`, and of commands on a bundle: an exported frame reads back with equal numbers.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/process.h"
+#include "tests/support/text.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Exports a frame and returns the folder with out.bundle or out.zip.
+fs::path exported(const Words& scene_and_settings, const std::string& name = "out.bundle") {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult r =
+        run_program(Words("export") + scene_and_settings + Words("--size 192x108 --bundle " + name), folder);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return folder;
+}
+
+/// Removes what a reader of a bundle may state otherwise: names, times, and what drawing took.
+Json numbers_only(Json json) {
+    if (json.is_object()) {
+        for (const char* name :
+             {"scene", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds", "notes", "settings", "reason"})
+            json.erase(name);
+        for (auto& [name, value] : json.items()) value = numbers_only(value);
+    } else if (json.is_array()) {
+        for (Json& value : json) value = numbers_only(value);
+    }
+    return json;
+}
+
+/// Returns the first difference of two JSON values; empty where they are equal.
+std::string first_difference(const Json& a, const Json& b) {
+    const Json patch = Json::diff(a, b);
+    return patch.empty() ? "" : patch[0].dump() + " of " + std::to_string(patch.size());
+}
+
+struct Case {
+    const char* name;
+    Words scene;
+    std::vector<const char*> pixels;
+};
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> out = {
+        {"stage", "stage --set map.resolution=512", {"90,80", "60,70", "120,95"}},
+        {"boxes by bias",
+         "boxes --set map.resolution=256 --set bias.kind=slope --set bias.constant=0.5 --set "
+         "bias.slope=1 --set bias.raster_slope=1 --set map.format=d16",
+         {"90,80", "60,70"}},
+        {"reversed depth",
+         "boxes --set map.resolution=256 --set map.reversed_z=true --set filter.kernel=vsm",
+         {"90,80"}},
+        {"spot",
+         "boxes --set map.resolution=256 --set light.type=spot --set light.distance=14 --set light.cone=50",
+         {"90,80", "60,70"}},
+        {"point", "boxes --set map.resolution=256 --set light.type=point --set light.distance=9", {"90,80", "60,70"}},
+        {"cascades", "stage --set map.resolution=256 --set light.cascades=3 --set light.fit=view", {"90,80", "60,70"}},
+        {"cascades by map",
+         "stage --set map.resolution=256 --set light.cascades=3 --set light.fit=view --set light.cascade_choice=map",
+         {"90,80"}},
+        {"LiSPSM", "stage --set map.resolution=256 --set light.fit=lispsm", {"90,80"}},
+        {"two lights",
+         "boxes --set map.resolution=256 --set light.count=2 --set light.1.azimuth=60 --set "
+         "light.1.cast=false",
+         {"90,80"}},
+        {"by hand",
+         "boxes --set map.resolution=256 --set camera.source=manual --set camera.distance=9 --set "
+         "camera.azimuth=20 --set scene.distance=1000",
+         {"90,80"}},
+    };
+    return out;
+}
+
+TEST(BundleCommand, ExportedFramesMeasureAndProbeEqual) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.name);
+        const fs::path folder = exported(c.scene);
+        const Words size = "--size 192x108";
+        const Json own = program_json(Words("measure --no-time") + c.scene + size, folder);
+        const Json read = program_json(Words("measure --no-time out.bundle") + size, folder);
+        EXPECT_EQ(first_difference(numbers_only(own), numbers_only(read)), "");
+        for (const char* pixel : c.pixels) {
+            const Words at = size + Words("--pixel") + Words(pixel);
+            const Json a = program_json(Words("probe") + c.scene + at, folder);
+            const Json b = program_json(Words("probe out.bundle") + at, folder);
+            EXPECT_EQ(first_difference(numbers_only(a), numbers_only(b)), "") << pixel;
+        }
+    }
+}
+
+TEST(BundleCommand, PlansDifferInTheMapsAlone) {
+    const Words scene = "boxes --set map.resolution=256 --set light.count=2 --set light.1.azimuth=60";
+    const fs::path folder = exported(scene);
+    const Json own = program_json(Words("plan") + scene + Words("--size 192x108"), folder);
+    const Json read = program_json("plan out.bundle --size 192x108", folder);
+    ASSERT_EQ(own["effects"].size(), read["effects"].size());
+    int imported = 0;
+    for (std::size_t i = 0; i < own["effects"].size(); ++i) {
+        const Json &a = own["effects"][i], &b = read["effects"][i];
+        EXPECT_EQ(a["name"], b["name"]);
+        const bool is_map = b["reason"].get<std::string>().find("imported") != std::string::npos;
+        imported += is_map;
+        if (is_map) continue;
+        EXPECT_EQ(a["state"], b["state"]) << a["name"];
+        EXPECT_EQ(a["reason"], b["reason"]) << a["name"];
+    }
+    EXPECT_EQ(imported, 2);
+}
+
+TEST(BundleCommand, ZipFolderAndFrameJsonAreOneScene) {
+    const fs::path folder = exported("boxes --set map.resolution=128");
+    ASSERT_EQ(run_program("export boxes --set map.resolution=128 --size 192x108 --bundle out.zip", folder).code, 0);
+    const auto picture = [&](const std::string& scene) {
+        const ProcessResult r = run_program("render " + scene + " --size 96x54 -o p.png", folder);
+        EXPECT_EQ(r.code, 0) << r.err;
+        return file_bytes(folder / "p.png");
+    };
+    const std::string own = picture("boxes --set map.resolution=128");
+    for (const char* name : {"out.bundle", "out.bundle/", "out.bundle/frame.json", "out.zip"})
+        EXPECT_EQ(picture(name), own) << name;
+}
+
+TEST(BundleCommand, TheSettingChoosesAndRemovesTheMaps) {
+    const fs::path folder = exported("boxes --set map.resolution=128");
+    fs::create_directories(folder / "presets");
+    const auto state = [&](const Words& words) {
+        const Json plan = program_json(Words("plan") + words + Words("--size 96x54"), folder);
+        for (const Json& e : plan["effects"])
+            if (e["name"] == "shadow map 0 (directional)") return e["reason"].get<std::string>();
+        return std::string("none");
+    };
+    EXPECT_NE(state("out.bundle").find("imported"), std::string::npos);
+    EXPECT_EQ(state("out.bundle --set map.bundle=").find("imported"), std::string::npos);
+    EXPECT_NE(state("boxes --set map.bundle=out.bundle").find("imported"), std::string::npos);
+    expect_error("plan boxes --set map.bundle=none.bundle", 1, "none.bundle: cannot be opened", folder);
+    expect_error("plan none.zip", 1, "none.zip: cannot be opened", folder);
+    EXPECT_EQ(run_program("scene out.bundle", folder).code, 0);
+}
+
+TEST(BundleCommand, ExportRefusesBadNamesAndInputs) {
+    const fs::path folder = exported("boxes --set map.resolution=64");
+    expect_error("export boxes --bundle out.glb", 2, "ends in .bundle (a folder) or .zip", folder);
+    expect_error("export boxes", 2, "-o FILE or --bundle BUNDLE", folder);
+    expect_error("export boxes -o a.glb --bundle b.zip", 2, "--bundle", folder);
+    expect_error("export out.bundle --bundle out.bundle", 2, "out.bundle", folder);
+    expect_error("export boxes --bundle none/out.zip", 1, "none", folder);
+    expect_error("export boxes --set light.cast=false --bundle a.zip", 1, "no light has a shadow map", folder);
+    expect_error("export boxes --set map.virtual=true --bundle a.zip", 1, "map.virtual", folder);
+    EXPECT_FALSE(fs::exists(folder / "a.zip"));
+}
+
+}  // namespace
+}  // namespace si
