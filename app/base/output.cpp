@@ -16,6 +16,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/base/regular_file.h"
+#include "renderer/bundle/map_image_exr.h"
 
 namespace si {
 namespace {
@@ -154,8 +155,18 @@ void write_pfm(const fs::path& path, const FloatImage& image) {
     write_file(path, pfm_bytes(image));
 }
 
+bool is_float_file(const fs::path& path) {
+    const std::string extension = lower_extension(path);
+    return extension == ".pfm" || extension == ".exr";
+}
+
+void write_floats(const fs::path& path, const FloatImage& image) {
+    if (lower_extension(path) == ".exr") return write_file(path, exr_bytes(image));
+    write_pfm(path, image);
+}
+
 void write_scalar_image(const fs::path& path, const FloatImage& image) {
-    if (lower_extension(path) == ".pfm") return write_pfm(path, image);
+    if (is_float_file(path)) return write_floats(path, image);
     std::vector<std::uint8_t> grey(std::size_t(image.width) * std::size_t(image.height));
     for (std::size_t i = 0; i < grey.size(); ++i) {
         const float v = image.data[i * std::size_t(image.channels)];

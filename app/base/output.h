@@ -63,7 +63,13 @@ std::string pfm_bytes(const FloatImage& image);
 /// Writes an image's first channel as portable float map (PFM): little-endian, bottom row first. @throws Error
 void write_pfm(const std::filesystem::path& path, const FloatImage& image);
 
-/// Writes an image's first channel as PFM or as 8-bit grey PNG file (0 black to 1 white), by the extension of
+/// Returns true for the name of a file that holds floats: .pfm or .exr.
+bool is_float_file(const std::filesystem::path& path);
+
+/// Writes an image's first channel as PFM or OpenEXR file, by the extension of `path`. @throws Error
+void write_floats(const std::filesystem::path& path, const FloatImage& image);
+
+/// Writes an image's first channel as PFM, OpenEXR or 8-bit grey PNG file (0 black to 1 white), by the extension of
 /// `path`. @throws Error
 void write_scalar_image(const std::filesystem::path& path, const FloatImage& image);
 

@@ -36,7 +36,7 @@ void add_render(CLI::App& app, Run& run) {
     auto& c = add_command(app, run, "render", "Draw a scene into a file", run_render);
     RenderOptions& o = c.options;
     c.add_session();
-    c.add_output("OUT", "The file: .png (8 bit), or .pfm (float) for views of one number a pixel")->required();
+    c.add_output("OUT", "The file: .png (8 bit), or .pfm or .exr (float) for views of one number a pixel")->required();
     c.add_value(
         "--view", o.view, "V",
         "shaded, visibility, shadow-map, camera-depth or an overlay (`list views`); without it the picture with "
@@ -66,7 +66,7 @@ void add_reference(CLI::App& app, Run& run) {
                           run_reference);
     ReferenceCommandOptions& o = c.options;
     c.add_session();
-    c.add_output("OUT", "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")->required();
+    c.add_output("OUT", "The file: .png (8 bit), .pfm or .exr (float); 1 lit to 0 in shadow")->required();
     c.add_area("Give the light its size (light.size); else it is a point or a direction. As --set truth.area=true");
     c.app().add_flag("--as-rasterised", o.as_rasterised,
                      "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
@@ -134,6 +134,38 @@ void add_compare_maps(CLI::App& app, Run& run) {
     c.add_output("DIFF.png", "Draw both maps and their difference, with a scale in metres");
     c.add_size({}, kMeasuredPixelBytes);
     c.add_json("All numbers as JSON");
+}
+
+void add_import_map(CLI::App& app, Run& run) {
+    auto& c = add_command(app, run, "import-map",
+                          "Make a bundle of another engine's depth map and the light that it belongs to; finds out how "
+                          "the map is to be read (docs/bundle.md)",
+                          run_import_map);
+    ImportMapOptions& o = c.options;
+    c.app().add_option("IMAGE", o.image, "The map: .pfm, .exr, .png (16 bits) or .raw")->required();
+    c.add_value("--light", o.light, "LIGHT.json",
+                "The light: an object as in lights of a bundle's frame.json, or only a matrix and what else is known")
+        ->required();
+    c.add_value("--scene", o.scene, "SCENE", "The scene that the map shows: a model or a built-in scene");
+    c.add_output("BUNDLE", "The bundle: a folder that ends in .bundle, or a .zip file")->required();
+    c.add_value("--depth-range", o.depth_range, "RANGE", "Clip z over w of the depth range: 0..1 or -1..1")
+        ->check(one_of({"0..1", "-1..1"}));
+    c.add_value("--reversed", o.reversed, "BOOL", "true: the near plane is stored as 1")
+        ->check(one_of({"true", "false"}));
+    c.add_value("--first-row", o.first_row, "END", "End of the map that the first stored row shows: bottom or top")
+        ->check(one_of({"bottom", "top"}));
+    c.add_value("--matrix", o.matrix, "ORDER", "Order of the numbers of a matrix: columns or rows")
+        ->check(one_of({"columns", "rows"}));
+    c.add_value("--product", o.product, "ORDER",
+                "Order of the product of view and projection: projection-view or view-projection")
+        ->check(one_of({"projection-view", "view-projection"}));
+    c.add_value(
+         "--stored", o.stored, "KIND",
+         "Meaning of a texel: depth, linear, axis-metres, distance-metres, distance-share, exponential or moments")
+        ->check(
+            one_of({"depth", "linear", "axis-metres", "distance-metres", "distance-share", "exponential", "moments"}));
+    c.add_value("--pick", o.pick, "N", "Take row N of the list of readings")->check(CLI::Range(1, 10000));
+    c.add_json("All readings with their errors as JSON");
 }
 
 void add_probe(CLI::App& app, Run& run) {
@@ -379,8 +411,8 @@ int run_cli(int argc, const char* const* argv) {
     Run run;
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
-    for (const auto add : {add_render, add_reference, add_measure, add_compare_pictures, add_compare_maps, add_probe,
-                           add_list, add_measure_commands, add_presets, add_others})
+    for (const auto add : {add_render, add_reference, add_measure, add_compare_pictures, add_compare_maps,
+                           add_import_map, add_probe, add_list, add_measure_commands, add_presets, add_others})
         add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {

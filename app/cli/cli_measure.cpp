@@ -151,7 +151,7 @@ void add_shimmer(CLI::App& app, Run& run) {
     c.add_value("--steps", o.steps, "N", "Number of steps (default 32)")->check(CLI::Range(1, 10'000));
     c.add_value("--step-texels", o.step_texels, "T", "Length of a step in texels of the map (default 0.3)")
         ->check(number_between(1e-3, 100));
-    c.add_output("OUT", "A picture of the share of steps in which each pixel flips: .png or .pfm");
+    c.add_output("OUT", "A picture of the share of steps in which each pixel flips: .png, .pfm or .exr");
     c.add_size(kSmallPicture, kMeasuredPixelBytes);
     c.add_json();
 }

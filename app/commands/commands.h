@@ -205,6 +205,16 @@ struct CompareMapsOptions : CommandOptions {
 /// Runs the command `compare-maps`: prints how imported maps differ from maps drawn with the same views.
 void run_compare_maps(const CompareMapsOptions& options);
 
+/// Options of the command `import-map`. Its output is a bundle. Empty texts: not given.
+struct ImportMapOptions : CommandOptions {
+    std::string image, light;  ///< image of a map; JSON file of its light
+    std::string scene;         ///< built-in key or path of the scene that the map shows
+    std::string depth_range, reversed, first_row, matrix, product, stored;  ///< words of conventions
+    int pick = 0;  ///< row of the list of readings, from 1; 0: the one that fits
+};
+/// Runs the command `import-map`: makes a bundle of one depth map of another engine, and finds how it is to be read.
+void run_import_map(const ImportMapOptions& options);
+
 /// Options of the command `export`.
 struct ExportOptions : CommandOptions {
     std::string bundle;  ///< bundle to write in place of a glTF file: a .bundle folder or a .zip file; empty: none

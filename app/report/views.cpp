@@ -37,7 +37,7 @@ void write_depth(Renderer& renderer, const Settings& settings, const FrameResult
             depth.data[i] = float(frame.map_view_curve.curve_at_row(row).distance(depth.data[i]));
         }
     }
-    write_pfm(path, depth);
+    write_floats(path, depth);
 }
 
 /// Composes the panes into one picture, with dark gaps between them.
@@ -98,9 +98,9 @@ View find_view(const std::string& key) {
 
 void check_view_file(const View& view, const std::string& path) {
     const std::string extension = lower_extension(path);
-    if (extension != ".png" && extension != ".pfm")
-        throw UsageError(fmt::format("{}: the file must end in .png (8 bit) or .pfm (float)", path));
-    if (extension == ".pfm" && !view.scalar)
+    if (extension != ".png" && !is_float_file(path))
+        throw UsageError(fmt::format("{}: the file must end in .png (8 bit), .pfm or .exr (float)", path));
+    if (extension != ".png" && !view.scalar)
         throw UsageError(
             fmt::format("{}: the view '{}' is a picture, not one number a pixel; write it as .png", path, view.key));
 }
@@ -111,7 +111,7 @@ PaneGrid picture_grid(const Settings& settings, int width, int height) {
 
 FrameResult write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request,
                        const View& view, const std::string& path, const Workers& workers) {
-    const bool floats = lower_extension(path) == ".pfm";
+    const bool floats = is_float_file(path);
     if (view.overlay > 0) settings.view.overlay = view.overlay;
     // Only the shaded picture has panes; every other view is a single picture.
     if (view.key != "shaded") settings.view.panes = Panes::One;
@@ -135,7 +135,7 @@ FrameResult write_view(Renderer& renderer, const Scene& scene, Settings settings
     } else if (visibility) {
         write_scalar_image(path, renderer.read_float(result.visibility, 1));
     } else if (floats) {
-        write_pfm(path, overlay_values(renderer, result));
+        write_floats(path, overlay_values(renderer, result));
     } else if (grid.count() > 1) {
         write_png(path, joined(renderer, result, grid, width, height));
     } else {

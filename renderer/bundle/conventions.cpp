@@ -82,10 +82,17 @@ double metres_of(double value, const Convention& convention, const BundleDepth& 
     return kNone;
 }
 
-std::vector<BundleStored> tried_kinds(const KnownConvention& known, bool over_scene) {
+/// Returns the kinds of stored values to try. @param parallel true: the matrix does not say where metres along the axis
+/// begin
+std::vector<BundleStored> tried_kinds(const KnownConvention& known, bool over_scene, bool parallel, bool knows_range) {
     if (known.stored && (!over_scene || *known.stored == BundleStored::Exponential)) return {*known.stored};
-    std::vector<BundleStored> out = {BundleStored::Depth, BundleStored::Linear, BundleStored::AxisMetres,
-                                     BundleStored::DistanceMetres, BundleStored::DistanceShare};
+    std::vector<BundleStored> out = {BundleStored::Depth};
+    // Along parallel rays depth is linear; reversed linear values can be told apart over a scene alone.
+    if (!parallel || over_scene) out.push_back(BundleStored::Linear);
+    if (!parallel) {
+        out.insert(out.end(), {BundleStored::AxisMetres, BundleStored::DistanceMetres});
+        if (over_scene || knows_range) out.push_back(BundleStored::DistanceShare);
+    }
     if (known.stored && std::ranges::find(out, *known.stored) == out.end()) out.push_back(*known.stored);
     return out;
 }
@@ -211,7 +218,9 @@ private:
             if (known) fits_.push_back({.convention = convention, .refusal = read.refusal});
             return;
         }
-        for (const BundleStored stored : tried_kinds(known_, bool(casters_)))
+        const bool parallel = !read.views.front().curve.perspective;
+        const bool knows_range = light_.maps.front().depth.range_m.has_value();
+        for (const BundleStored stored : tried_kinds(known_, bool(casters_), parallel, knows_range))
             for (const FirstRow first_row : {FirstRow::Bottom, FirstRow::Top}) {
                 convention.stored = stored;
                 convention.first_row = first_row;

@@ -19,6 +19,7 @@ constexpr int kMaxCells = 4096;              ///< along one side of the finest g
 constexpr double kFollowedTexels = 0.25;     ///< distance from the texels that is no error
 constexpr double kJumpTexels = 4;            ///< least jump between two texels at which the surface is cut
 constexpr double kJumpOverNeighbours = 3;    ///< and its least ratio to the steps before and behind it
+constexpr double kSteepTexels = 60;          ///< jump at which the surface is cut in any case: 89 degrees
 constexpr double kLargestCoarseness = 1024;  ///< times kFollowedTexels, before rows are left out
 
 /// Texels of a map at every `stride`-th row and column.
@@ -75,12 +76,15 @@ public:
     bool jumps(int x, int y, int dx, int dy) const {
         const auto step = [&](int sx, int sy) {
             return has(sx, sy) && has(sx + dx, sy + dy)
-                       ? std::abs(double(metres_[index(sx + dx, sy + dy)]) - metres_[index(sx, sy)])
+                       ? double(metres_[index(sx + dx, sy + dy)]) - metres_[index(sx, sy)]
                        : 0.0;
         };
-        const double own = step(x, y);
-        if (own <= kJumpTexels * texel_m(index(x, y))) return false;
-        return own > kJumpOverNeighbours * std::max(step(x - dx, y - dy), step(x + dx, y + dy));
+        const double own = step(x, y), before = step(x - dx, y - dy), behind = step(x + dx, y + dy);
+        const double texel = texel_m(index(x, y));
+        if (std::abs(own) <= kJumpTexels * texel) return false;
+        // A steep surface goes on in the same direction.
+        const double goes_on = std::max(before / own, behind / own);
+        return std::abs(own) > kSteepTexels * texel || kJumpOverNeighbours * goes_on < 1;
     }
 
 private:

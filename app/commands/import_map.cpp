@@ -1,0 +1,312 @@
+// Command `import-map`: one depth map of another engine becomes a bundle. Conventions that nobody states are found by
+// comparing the map with the scene.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/base/json_text.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/commands/commands.h"
+#include "app/report/report.h"
+#include "renderer/base/error.h"
+#include "renderer/base/lower_case.h"
+#include "renderer/base/printable.h"
+#include "renderer/base/regular_file.h"
+#include "renderer/bundle/bundle_files.h"
+#include "renderer/bundle/bundle_json.h"
+#include "renderer/bundle/bundle_members.h"
+#include "renderer/bundle/conventions.h"
+#include "renderer/bundle/given_maps.h"
+#include "renderer/bundle/light_file.h"
+#include "renderer/bundle/map_image.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/projection/view_of_matrix.h"
+#include "renderer/reference/first_surface.h"
+#include "renderer/scene/ground.h"
+#include "renderer/scenes/builtin.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxMapFileBytes = std::size_t{2} << 30;
+constexpr std::size_t kShownFits = 12;
+/// Share of texels by which a reading that contradicts the light file has to fit better, to be named.
+constexpr double kBetterByShare = 0.1;
+
+constexpr std::pair<std::string_view, MatrixOrder> kMatrixKeys[] = {{"columns", MatrixOrder::Columns},
+                                                                    {"rows", MatrixOrder::Rows}};
+constexpr std::pair<std::string_view, ProductOrder> kProductKeys[] = {
+    {"projection-view", ProductOrder::ProjectionView}, {"view-projection", ProductOrder::ViewProjection}};
+constexpr std::pair<std::string_view, bool> kReversedKeys[] = {{"true", true}, {"false", false}};
+
+template <typename Table, typename T>
+std::string_view key_of(const Table& table, const T& value) {
+    for (const auto& [key, own] : table)
+        if (own == value) return key;
+    return "?";
+}
+
+/// Sets a part of a convention from an option. An empty text leaves it as it is. The command line checks the words.
+template <typename Table, typename T>
+void set_known(std::optional<T>& part, const std::string& text, const Table& table) {
+    for (const auto& [key, value] : table)
+        if (key == text) part = value;
+}
+
+/// Returns the options that choose a reading.
+std::string options_text(const Convention& c, bool has_pair) {
+    std::string out = fmt::format("--depth-range {} --reversed {} --first-row {} --matrix {} --stored {}",
+                                  key_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
+                                  key_of(bundle::kFirstRowKeys, c.first_row), key_of(kMatrixKeys, c.matrix),
+                                  key_of(bundle::kStoredKeys, c.stored));
+    if (has_pair) out += fmt::format(" --product {}", key_of(kProductKeys, c.product));
+    return out;
+}
+
+Json fit_json(const ConventionFit& fit, std::size_t number, bool over_scene, bool has_pair) {
+    const Convention& c = fit.convention;
+    Json json = {{"number", number},
+                 {"depth_range", key_of(bundle::kRangeKeys, c.depth.zero_to_one)},
+                 {"reversed", c.depth.reversed},
+                 {"first_row", key_of(bundle::kFirstRowKeys, c.first_row)},
+                 {"matrix", key_of(kMatrixKeys, c.matrix)},
+                 {"product", key_of(kProductKeys, c.product)},
+                 {"stored", key_of(bundle::kStoredKeys, c.stored)},
+                 {"range_m", c.range_m ? Json(*c.range_m) : Json()},
+                 {"options", options_text(c, has_pair)},
+                 {"contradicts_light", !fit.known},
+                 {"finding", fit_sentence(fit, over_scene)}};
+    if (!fit.refusal.empty()) {
+        json["refused"] = fit.refusal;
+        return json;
+    }
+    json["texels"] = fit.texels;
+    json["compared"] = fit.samples;
+    json["off"] = fit.off;
+    json["share_off"] = fit.share_off();
+    json["behind"] = fit.behind;
+    json["before"] = fit.before;
+    json["outside"] = fit.outside;
+    json["empty"] = fit.empty;
+    const bool has_median = over_scene && fit.samples > 0 && std::isfinite(fit.median_m);
+    json["median_m"] = has_median ? Json(fit.median_m) : Json();
+    json["median_texels"] = has_median ? Json(fit.median_texels) : Json();
+    return json;
+}
+
+void print_fits(const ConventionFits& fits, bool has_pair) {
+    fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {:>7}  {:>10}  {}\n", "no.", "range", "reversed",
+               "first row", "matrix", has_pair ? "product          " : "", "stored", "off", "median", "remark");
+    std::size_t refused = 0, shown = 0;
+    for (std::size_t i = 0; i < fits.fits.size(); ++i) {
+        const ConventionFit& fit = fits.fits[i];
+        refused += !fit.refusal.empty();
+        if (!fit.refusal.empty() || shown == kShownFits) continue;
+        ++shown;
+        const Convention& c = fit.convention;
+        const std::string product = has_pair ? fmt::format("{:<15}  ", key_of(kProductKeys, c.product)) : std::string();
+        const std::string median = fits.over_scene && fit.samples > 0 && std::isfinite(fit.median_m)
+                                       ? fmt::format("{:.3g} m", fit.median_m)
+                                       : std::string("-");
+        fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {:>5.1f} %  {:>10}  {}\n", i + 1,
+                   key_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
+                   key_of(bundle::kFirstRowKeys, c.first_row), key_of(kMatrixKeys, c.matrix), product,
+                   key_of(bundle::kStoredKeys, c.stored), 100 * fit.share_off(), median,
+                   i < fits.equal ? "fits" : (fit.known ? "" : "contradicts the light file"));
+    }
+    if (const std::size_t left = fits.fits.size() - refused - shown; left > 0)
+        fmt::print("{} more fit worse (--json lists all)\n", left);
+    for (const ConventionFit& fit : fits.fits)
+        if (!fit.refusal.empty() && shown == 0) fmt::print("refused: {}\n", fit.refusal);
+    if (refused > 0 && shown > 0) fmt::print("{} refused, as their matrices are none of this light\n", refused);
+}
+
+/// Returns the names of the options that tell readings apart which fit equally well.
+std::string differing_options(const ConventionFits& fits) {
+    const auto differs = [&](const auto& part) {
+        return std::any_of(fits.fits.begin(), fits.fits.begin() + std::ptrdiff_t(fits.equal),
+                           [&](const ConventionFit& f) { return part(f.convention) != part(fits.fits[0].convention); });
+    };
+    std::vector<std::string_view> out;
+    if (differs([](const Convention& c) { return c.depth.zero_to_one; })) out.push_back("--depth-range");
+    if (differs([](const Convention& c) { return c.depth.reversed; })) out.push_back("--reversed");
+    if (differs([](const Convention& c) { return c.first_row; })) out.push_back("--first-row");
+    if (differs([](const Convention& c) { return c.matrix; })) out.push_back("--matrix");
+    if (differs([](const Convention& c) { return c.product; })) out.push_back("--product");
+    if (differs([](const Convention& c) { return c.stored; })) out.push_back("--stored");
+    return fmt::format("{}", fmt::join(out, ", "));
+}
+
+/// Returns the index of the reading to take. @throws Error where none or several fit
+std::size_t chosen_fit(const ConventionFits& fits, const ImportMapOptions& options, bool has_pair) {
+    const std::string& light = options.light;
+    if (options.pick > 0) {
+        if (std::size_t(options.pick) > fits.fits.size())
+            throw UsageError(fmt::format("--pick {}: there are {} readings", options.pick, fits.fits.size()));
+        const ConventionFit& fit = fits.fits[std::size_t(options.pick) - 1];
+        if (!fit.refusal.empty()) throw Error(fmt::format("--pick {}: {}", options.pick, fit.refusal));
+        return std::size_t(options.pick) - 1;
+    }
+    const ConventionFit* other = nullptr;
+    for (const ConventionFit& fit : fits.fits)
+        if (!fit.known && fit.refusal.empty() && (!other || fit.share_off() < other->share_off())) other = &fit;
+    const auto first_read = std::ranges::find_if(fits.fits, [](const ConventionFit& f) { return f.refusal.empty(); });
+    const ConventionFit& best = fits.fits.front();
+    if (other && fits.over_scene &&
+        other->share_off() + kBetterByShare < (best.refusal.empty() ? best.share_off() : 1) && other->share_off() < 0.4)
+        throw Error(fmt::format("{}: {}; another reading fits at {:.1f} % of the texels: {}", printable(light),
+                                fit_sentence(best, true), 100 * (1 - other->share_off()),
+                                options_text(other->convention, has_pair)));
+    if (first_read == fits.fits.end())
+        throw Error(
+            fmt::format("{}: no reading of the matrix is that of the light: {}", printable(light), best.refusal));
+    if (fits.equal == 0)
+        throw Error(
+            fmt::format("{}: no reading of the map fits; correct matrix or image, or take a row of the list by "
+                        "--pick N; the best one: {}",
+                        printable(light), fit_sentence(*first_read, fits.over_scene)));
+    if (fits.equal > 1)
+        throw Error(fmt::format("{}: {} readings fit equally well; take one by --pick N, or state {}", printable(light),
+                                fits.equal, differing_options(fits)));
+    return 0;
+}
+
+/// Returns the casters of a scene as the conventions are compared with them.
+FirstCasters casters_of(const Scene& scene, const glm::dmat4& world) {
+    Scene placed = scene;
+    if (world != glm::dmat4(1)) place(placed, world);
+    const auto geometry = std::make_shared<const ReferenceGeometry>(placed, Settings());
+    const auto rays = std::make_shared<const ReferenceScene>(geometry, tracing_workers());
+    return [rays](std::span<const MapRay> map_rays) {
+        std::vector<LightRaySegment> segments;
+        for (const MapRay& ray : map_rays) segments.push_back({ray.from_ws, ray.to_ws});
+        return first_caster_distances(*rays, segments);
+    };
+}
+
+}  // namespace
+
+void run_import_map(const ImportMapOptions& options) {
+    const fs::path image_path = options.image;
+    if (!is_bundle_path(options.output) || fs::path(options.output).filename() == kFrameJson)
+        throw UsageError(
+            fmt::format("{}: the name of a bundle ends in .bundle (a folder) or .zip", printable(options.output)));
+    std::vector<fs::path> inputs = {image_path, options.light};
+    const bool reads_scene = !options.scene.empty() && !is_builtin_scene(options.scene);
+    if (reads_scene) inputs.emplace_back(options.scene);
+    require_no_input(std::vector<fs::path>{options.output}, inputs);
+
+    const std::string extension = lower_extension(image_path);
+    constexpr std::string_view kRead[] = {".pfm", ".exr", ".png", ".raw"};
+    if (std::ranges::find(kRead, extension) == std::end(kRead))
+        throw Error(
+            fmt::format("{}: is no image of a map; name a .pfm, .exr, .png or .raw file", printable(options.image)));
+    const std::string image_file = "map" + extension;
+    LightFile light = parse_light_file(read_text_file(options.light), options.light, image_file);
+    BundleLight& own = light.bundle.lights.front();
+    const ReadResult bytes = read_regular_file(image_path, kMaxMapFileBytes);
+    if (!bytes.error.empty())
+        throw Error(fmt::format("{}: {}; name a .pfm, .exr, .png or .raw file", printable(options.image), bytes.error));
+    const BundleImage& stated = own.maps.front().image;
+    const FloatImage image = decode_map_image(options.image, std::as_bytes(bytes.bytes.span()),
+                                              {stated.width, stated.height, stated.channels, stated.format});
+    for (const BundleMap& map : own.maps)
+        if (map.image.channel >= image.channels)
+            throw Error(fmt::format("{}: image.channel: channel {} is read, and {} has {}; count from 0",
+                                    printable(options.light), map.image.channel, printable(options.image),
+                                    image.channels));
+
+    KnownConvention known = light.known;
+    set_known(known.zero_to_one, options.depth_range, bundle::kRangeKeys);
+    set_known(known.reversed, options.reversed, kReversedKeys);
+    set_known(known.first_row, options.first_row, bundle::kFirstRowKeys);
+    set_known(known.matrix, options.matrix, kMatrixKeys);
+    set_known(known.product, options.product, kProductKeys);
+    set_known(known.stored, options.stored, bundle::kStoredKeys);
+    std::vector<std::string> notes;
+    if (options.scene.empty() && !known.first_row) {
+        own.maps.front().image.first_row.reset();
+        known.first_row = first_row_of(own.maps.front().image);
+        notes.push_back(
+            fmt::format("without a scene the first row is taken as the {} of the map, as in other {} files; "
+                        "--first-row changes it",
+                        key_of(bundle::kFirstRowKeys, *known.first_row), extension));
+    }
+
+    const glm::dmat4 world = world_from_engine(light.bundle.world);
+    std::optional<Scene> scene;
+    FirstCasters casters;
+    if (!options.scene.empty()) {
+        scene = load_scene(options.scene);
+        remove_ground(*scene);
+        casters = casters_of(*scene, world);
+    }
+    const bool has_pair = own.maps.front().clip.view && own.maps.front().clip.projection;
+    const ConventionFits fits = fit_conventions(own, light.type_known, world, image, known, casters);
+
+    std::optional<std::size_t> chosen;
+    std::string failure;
+    try {
+        chosen = chosen_fit(fits, options, has_pair);
+    } catch (const UsageError&) {
+        throw;
+    } catch (const Error& error) {
+        failure = error.what();
+    }
+    if (options.json) {
+        Json json = {{"format", "shadow-inspector-map-import"},
+                     {"version", 1},
+                     {"image", options.image},
+                     {"width", image.width},
+                     {"height", image.height},
+                     {"scene", options.scene.empty() ? Json() : Json(options.scene)},
+                     {"bundle", chosen ? Json(options.output) : Json()},
+                     {"chosen", chosen ? Json(*chosen + 1) : Json()},
+                     {"equal", fits.equal}};
+        json["readings"] = Json::array();
+        for (std::size_t i = 0; i < fits.fits.size(); ++i)
+            json["readings"].push_back(fit_json(fits.fits[i], i + 1, fits.over_scene, has_pair));
+        fmt::print("{}", json_text(json));
+    } else {
+        print_fits(fits, has_pair);
+    }
+    if (!chosen) throw Error(failure);
+
+    const ConventionFit& fit = fits.fits[*chosen];
+    own = with_convention(own, fit.convention);
+    if (!light.type_known) {
+        const BundleMap& map = own.maps.front();
+        const LightView view = view_of_matrix(map.clip.matrix() * glm::inverse(world), map.depth.convention);
+        own.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
+    }
+    light.bundle.made_by = "import-map";
+    light.bundle.notes.push_back(
+        fmt::format("{}: {}", options_text(fit.convention, has_pair), fit_sentence(fit, fits.over_scene)));
+    BundleContents contents;
+    contents[image_file] = std::string(bytes.bytes.text());
+    if (scene) {
+        light.bundle.scene = "scene.glb";
+        scene->suggested.clear();
+        contents[light.bundle.scene] = glb_bytes(*scene);
+    }
+    contents[std::string(kFrameJson)] = format_bundle(light.bundle);
+    write_bundle_files(contents, options.output);
+    if (!options.json) {
+        fmt::print("taken: {}\n", options_text(fit.convention, has_pair));
+        fmt::print("{}\n", fit_sentence(fit, fits.over_scene));
+        print_wrote(options.output);
+    }
+    print_notes(notes);
+    if (scene) print_notes(export_notes(*scene));
+}
+
+}  // namespace si
