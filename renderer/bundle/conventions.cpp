@@ -44,21 +44,6 @@ struct ReadViews {
     std::string refusal;
 };
 
-double step_of(BundleDepthFormat format) {
-    switch (format) {
-        case BundleDepthFormat::D16:
-            return 1.0 / 65535;
-        case BundleDepthFormat::D24:
-            return 1.0 / 16777215;
-        case BundleDepthFormat::R16F:
-            return 1.0 / 2048;
-        case BundleDepthFormat::D32F:
-        case BundleDepthFormat::R32F:
-            break;
-    }
-    return 6e-8;
-}
-
 /// Returns the distance along the axis that a stored value means, metres. @param ray length of the ray for one metre
 /// along the axis
 double metres_of(double value, const Convention& convention, const BundleDepth& depth, const DepthCurve& curve,
@@ -282,7 +267,8 @@ private:
                 const double texel = view.texel_size_at(view.position_ws(sample.uv, expected), size).longest;
                 const double slope = is_depth ? curve.slope(expected) : 1 / range;
                 const double tolerance = kToleranceTexels * texel +
-                                         kToleranceSteps * step_of(map.depth.format) / slope + kToleranceShare * range;
+                                         kToleranceSteps * depth_step(map.depth.format) / slope +
+                                         kToleranceShare * range;
                 const double error = z - expected;
                 metres.push_back(std::abs(error));
                 texels.push_back(std::abs(error) / texel);
@@ -344,6 +330,21 @@ private:
 };
 
 }  // namespace
+
+double depth_step(BundleDepthFormat format) {
+    switch (format) {
+        case BundleDepthFormat::D16:
+            return 1.0 / 65535;
+        case BundleDepthFormat::D24:
+            return 1.0 / 16777215;
+        case BundleDepthFormat::R16F:
+            return 1.0 / 2048;
+        case BundleDepthFormat::D32F:
+        case BundleDepthFormat::R32F:
+            break;
+    }
+    return 6e-8;
+}
 
 bool KnownConvention::allows(const Convention& c) const {
     const auto fits = [](const auto& mine, const auto& theirs) { return !mine || *mine == theirs; };

@@ -15,6 +15,9 @@
 
 namespace si {
 
+/// Returns the step of depths stored in a format, depth-buffer units; of floats that of the values from 0.5 to 1.
+double depth_step(BundleDepthFormat format);
+
 /// Order of the 16 numbers of a matrix that multiplies columns.
 enum class MatrixOrder { Columns, Rows };
 
