@@ -49,7 +49,7 @@ constexpr std::pair<std::string_view, ProductOrder> kProductKeys[] = {
 constexpr std::pair<std::string_view, bool> kReversedKeys[] = {{"true", true}, {"false", false}};
 
 template <typename Table, typename T>
-std::string_view key_of(const Table& table, const T& value) {
+std::string_view word_of(const Table& table, const T& value) {
     for (const auto& [key, own] : table)
         if (own == value) return key;
     return "?";
@@ -65,22 +65,22 @@ void set_known(std::optional<T>& part, const std::string& text, const Table& tab
 /// Returns the options that choose a reading.
 std::string options_text(const Convention& c, bool has_pair) {
     std::string out = fmt::format("--depth-range {} --reversed {} --first-row {} --matrix {} --stored {}",
-                                  key_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
-                                  key_of(bundle::kFirstRowKeys, c.first_row), key_of(kMatrixKeys, c.matrix),
-                                  key_of(bundle::kStoredKeys, c.stored));
-    if (has_pair) out += fmt::format(" --product {}", key_of(kProductKeys, c.product));
+                                  word_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
+                                  word_of(bundle::kFirstRowKeys, c.first_row), word_of(kMatrixKeys, c.matrix),
+                                  word_of(bundle::kStoredKeys, c.stored));
+    if (has_pair) out += fmt::format(" --product {}", word_of(kProductKeys, c.product));
     return out;
 }
 
 Json fit_json(const ConventionFit& fit, std::size_t number, bool over_scene, bool has_pair) {
     const Convention& c = fit.convention;
     Json json = {{"number", number},
-                 {"depth_range", key_of(bundle::kRangeKeys, c.depth.zero_to_one)},
+                 {"depth_range", word_of(bundle::kRangeKeys, c.depth.zero_to_one)},
                  {"reversed", c.depth.reversed},
-                 {"first_row", key_of(bundle::kFirstRowKeys, c.first_row)},
-                 {"matrix", key_of(kMatrixKeys, c.matrix)},
-                 {"product", key_of(kProductKeys, c.product)},
-                 {"stored", key_of(bundle::kStoredKeys, c.stored)},
+                 {"first_row", word_of(bundle::kFirstRowKeys, c.first_row)},
+                 {"matrix", word_of(kMatrixKeys, c.matrix)},
+                 {"product", word_of(kProductKeys, c.product)},
+                 {"stored", word_of(bundle::kStoredKeys, c.stored)},
                  {"range_m", c.range_m ? Json(*c.range_m) : Json()},
                  {"options", options_text(c, has_pair)},
                  {"contradicts_light", !fit.known},
@@ -113,14 +113,15 @@ void print_fits(const ConventionFits& fits, bool has_pair) {
         if (!fit.refusal.empty() || shown == kShownFits) continue;
         ++shown;
         const Convention& c = fit.convention;
-        const std::string product = has_pair ? fmt::format("{:<15}  ", key_of(kProductKeys, c.product)) : std::string();
+        const std::string product =
+            has_pair ? fmt::format("{:<15}  ", word_of(kProductKeys, c.product)) : std::string();
         const std::string median = fits.over_scene && fit.samples > 0 && std::isfinite(fit.median_m)
                                        ? fmt::format("{:.3g} m", fit.median_m)
                                        : std::string("-");
         fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {:>5.1f} %  {:>10}  {}\n", i + 1,
-                   key_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
-                   key_of(bundle::kFirstRowKeys, c.first_row), key_of(kMatrixKeys, c.matrix), product,
-                   key_of(bundle::kStoredKeys, c.stored), 100 * fit.share_off(), median,
+                   word_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
+                   word_of(bundle::kFirstRowKeys, c.first_row), word_of(kMatrixKeys, c.matrix), product,
+                   word_of(bundle::kStoredKeys, c.stored), 100 * fit.share_off(), median,
                    i < fits.equal ? "fits" : (fit.known ? "" : "contradicts the light file"));
     }
     if (const std::size_t left = fits.fits.size() - refused - shown; left > 0)
@@ -239,7 +240,7 @@ void run_import_map(const ImportMapOptions& options) {
         notes.push_back(
             fmt::format("without a scene the first row is taken as the {} of the map, as in other {} files; "
                         "--first-row changes it",
-                        key_of(bundle::kFirstRowKeys, *known.first_row), extension));
+                        word_of(bundle::kFirstRowKeys, *known.first_row), extension));
     }
 
     const glm::dmat4 world = world_from_engine(light.bundle.world);

@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoSurface = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSamplesAcross = 64;  ///< of one map
 
 // Tolerance of a texel: the surface changes within it, bias moves it, the format rounds it.
@@ -32,7 +32,7 @@ constexpr double kSameDirection = 0.99;
 constexpr double kSamePlace = 0.01;  ///< of the distance of the far plane
 
 /// Texel of one map that is compared.
-struct Sample {
+struct MapSample {
     glm::dvec2 uv{0};
     int column = 0, row_from_top = 0;
 };
@@ -64,7 +64,7 @@ double metres_of(double value, const Convention& convention, const BundleDepth& 
         case BundleStored::DistanceShare:
             return value * convention.range_m.value_or(1) / ray;
     }
-    return kNone;
+    return kNoSurface;
 }
 
 /// Returns the kinds of stored values to try. @param parallel true: the matrix does not say where metres along the axis
@@ -83,10 +83,10 @@ std::vector<BundleStored> tried_kinds(const KnownConvention& known, bool over_sc
 }
 
 /// Tries the readings of one light's maps.
-class Trial {
+class ConventionTrial {
 public:
-    Trial(const BundleLight& light, bool type_known, const glm::dmat4& world, const FloatImage& image,
-          const KnownConvention& known, const FirstCasters& casters)
+    ConventionTrial(const BundleLight& light, bool type_known, const glm::dmat4& world, const FloatImage& image,
+                    const KnownConvention& known, const FirstCasters& casters)
         : light_(light), type_known_(type_known), world_(world), image_(image), known_(known), casters_(casters) {
         for (const BundleMap& map : light.maps) samples_.push_back(samples_of(map));
     }
@@ -115,12 +115,12 @@ public:
     }
 
 private:
-    std::vector<Sample> samples_of(const BundleMap& map) const {
+    std::vector<MapSample> samples_of(const BundleMap& map) const {
         const BundleRegion region = map.region.value_or(BundleRegion{0, 0, image_.width, image_.height});
         if (region.x > image_.width - region.width || region.y > image_.height - region.height)
             throw Error(fmt::format("the region {}, {}, {}, {} exceeds the image of {} × {} texels; correct the region",
                                     region.x, region.y, region.width, region.height, image_.width, image_.height));
-        std::vector<Sample> out;
+        std::vector<MapSample> out;
         const int across = std::min(kSamplesAcross, region.width), down = std::min(kSamplesAcross, region.height);
         for (int j = 0; j < down; ++j)
             for (int i = 0; i < across; ++i) {
@@ -130,7 +130,7 @@ private:
         return out;
     }
 
-    float stored_at(const BundleMap& map, const Sample& sample, FirstRow first_row) const {
+    float stored_at(const BundleMap& map, const MapSample& sample, FirstRow first_row) const {
         const BundleRegion region = map.region.value_or(BundleRegion{0, 0, image_.width, image_.height});
         const int row = first_row == FirstRow::Bottom ? region.height - 1 - sample.row_from_top : sample.row_from_top;
         return image_.at(region.x + sample.column, region.y + row, map.image.channel);
@@ -178,7 +178,7 @@ private:
 
     std::vector<double> expected_of(const LightView& view, std::size_t map) const {
         std::vector<MapRay> rays;
-        for (const Sample& sample : samples_[map]) {
+        for (const MapSample& sample : samples_[map]) {
             const DepthCurve curve = view.curve.curve_at_row(sample.uv.y);
             rays.push_back({view.position_ws(sample.uv, curve.near), view.position_ws(sample.uv, curve.far)});
         }
@@ -227,7 +227,7 @@ private:
             const BundleRegion region = map.region.value_or(BundleRegion{0, 0, image_.width, image_.height});
             const MapSize size(region.width, region.height);
             for (std::size_t i = 0; i < samples_[m].size(); ++i) {
-                const Sample& sample = samples_[m][i];
+                const MapSample& sample = samples_[m][i];
                 const DepthCurve curve = view.curve.curve_at_row(sample.uv.y);
                 const float value = stored_at(map, sample, convention.first_row);
                 const double ray = view.curve.perspective ? glm::distance(view.position_ws(sample.uv, 1), view.eye) : 1;
@@ -242,7 +242,7 @@ private:
                     is_depth ? (curve.convention.reversed ? value > 1 : value < 0) : z < curve.near - rounding;
                 const bool is_outside = !is_clear && (before_near || std::isnan(z) ||
                                                       (beyond_far && convention.stored != BundleStored::DistanceShare));
-                if (is_clear || !(z < curve.far - 1e-7 * range)) z = kNone;
+                if (is_clear || !(z < curve.far - 1e-7 * range)) z = kNoSurface;
                 ++fit.texels;
                 fit.empty += std::isnan(z);
                 fit.outside += is_outside;
@@ -323,7 +323,7 @@ private:
     const FloatImage& image_;
     const KnownConvention& known_;
     const FirstCasters& casters_;
-    std::vector<std::vector<Sample>> samples_;  ///< by map
+    std::vector<std::vector<MapSample>> samples_;  ///< by map
     std::vector<ConventionFit> fits_;
     std::vector<std::vector<glm::dvec3>> places_;  ///< of the map's surface, by tried reading
     std::vector<std::size_t> place_of_;            ///< index in fits_
@@ -372,7 +372,7 @@ BundleLight with_convention(const BundleLight& light, const Convention& conventi
 
 ConventionFits fit_conventions(const BundleLight& light, bool type_known, const glm::dmat4& world,
                                const FloatImage& image, const KnownConvention& known, const FirstCasters& casters) {
-    return Trial(light, type_known, world, image, known, casters).run();
+    return ConventionTrial(light, type_known, world, image, known, casters).run();
 }
 
 std::string fit_sentence(const ConventionFit& fit, bool over_scene) {
