@@ -49,7 +49,7 @@ constexpr std::pair<std::string_view, ProductOrder> kProductKeys[] = {
 constexpr std::pair<std::string_view, bool> kReversedKeys[] = {{"true", true}, {"false", false}};
 
 template <typename Table, typename T>
-std::string_view word_of(const Table& table, const T& value) {
+std::string_view convention_word(const Table& table, const T& value) {
     for (const auto& [key, own] : table)
         if (own == value) return key;
     return "?";
@@ -64,23 +64,24 @@ void set_known(std::optional<T>& part, const std::string& text, const Table& tab
 
 /// Returns the options that choose a reading.
 std::string options_text(const Convention& c, bool has_pair) {
-    std::string out = fmt::format("--depth-range {} --reversed {} --first-row {} --matrix {} --stored {}",
-                                  word_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
-                                  word_of(bundle::kFirstRowKeys, c.first_row), word_of(kMatrixKeys, c.matrix),
-                                  word_of(bundle::kStoredKeys, c.stored));
-    if (has_pair) out += fmt::format(" --product {}", word_of(kProductKeys, c.product));
+    std::string out =
+        fmt::format("--depth-range {} --reversed {} --first-row {} --matrix {} --stored {}",
+                    convention_word(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
+                    convention_word(bundle::kFirstRowKeys, c.first_row), convention_word(kMatrixKeys, c.matrix),
+                    convention_word(bundle::kStoredKeys, c.stored));
+    if (has_pair) out += fmt::format(" --product {}", convention_word(kProductKeys, c.product));
     return out;
 }
 
 Json fit_json(const ConventionFit& fit, std::size_t number, bool over_scene, bool has_pair) {
     const Convention& c = fit.convention;
     Json json = {{"number", number},
-                 {"depth_range", word_of(bundle::kRangeKeys, c.depth.zero_to_one)},
+                 {"depth_range", convention_word(bundle::kRangeKeys, c.depth.zero_to_one)},
                  {"reversed", c.depth.reversed},
-                 {"first_row", word_of(bundle::kFirstRowKeys, c.first_row)},
-                 {"matrix", word_of(kMatrixKeys, c.matrix)},
-                 {"product", word_of(kProductKeys, c.product)},
-                 {"stored", word_of(bundle::kStoredKeys, c.stored)},
+                 {"first_row", convention_word(bundle::kFirstRowKeys, c.first_row)},
+                 {"matrix", convention_word(kMatrixKeys, c.matrix)},
+                 {"product", convention_word(kProductKeys, c.product)},
+                 {"stored", convention_word(bundle::kStoredKeys, c.stored)},
                  {"range_m", c.range_m ? Json(*c.range_m) : Json()},
                  {"options", options_text(c, has_pair)},
                  {"contradicts_light", !fit.known},
@@ -114,14 +115,14 @@ void print_fits(const ConventionFits& fits, bool has_pair) {
         ++shown;
         const Convention& c = fit.convention;
         const std::string product =
-            has_pair ? fmt::format("{:<15}  ", word_of(kProductKeys, c.product)) : std::string();
+            has_pair ? fmt::format("{:<15}  ", convention_word(kProductKeys, c.product)) : std::string();
         const std::string median = fits.over_scene && fit.samples > 0 && std::isfinite(fit.median_m)
                                        ? fmt::format("{:.3g} m", fit.median_m)
                                        : std::string("-");
         fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {:>5.1f} %  {:>10}  {}\n", i + 1,
-                   word_of(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
-                   word_of(bundle::kFirstRowKeys, c.first_row), word_of(kMatrixKeys, c.matrix), product,
-                   word_of(bundle::kStoredKeys, c.stored), 100 * fit.share_off(), median,
+                   convention_word(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
+                   convention_word(bundle::kFirstRowKeys, c.first_row), convention_word(kMatrixKeys, c.matrix), product,
+                   convention_word(bundle::kStoredKeys, c.stored), 100 * fit.share_off(), median,
                    i < fits.equal ? "fits" : (fit.known ? "" : "contradicts the light file"));
     }
     if (const std::size_t left = fits.fits.size() - refused - shown; left > 0)
@@ -240,7 +241,7 @@ void run_import_map(const ImportMapOptions& options) {
         notes.push_back(
             fmt::format("without a scene the first row is taken as the {} of the map, as in other {} files; "
                         "--first-row changes it",
-                        word_of(bundle::kFirstRowKeys, *known.first_row), extension));
+                        convention_word(bundle::kFirstRowKeys, *known.first_row), extension));
     }
 
     const glm::dmat4 world = world_from_engine(light.bundle.world);
