@@ -170,6 +170,22 @@ TEST_F(BundleSceneTest, DrawnListsLeaveOtherNodesOut) {
     EXPECT_TRUE(warns(scene, "drawn: 1 of 1 names are no node"));
 }
 
+TEST_F(BundleSceneTest, WithoutASceneTheSurfaceOfTheMapIsShown) {
+    json.erase("scene");
+    BundleContents files = contents();
+    files["sun.pfm"] = "Pf\n4 4\n-1.0\n" + floats(std::vector<float>(16, 0.25f));
+    write_bundle_files(files, folder / "a.bundle");
+    const Scene scene = load_scene((folder / "a.bundle").string());
+    ASSERT_EQ(scene.objects.size(), 1u);
+    // Height 375 of 500 cm, and the centres of the outer texels of 10 m.
+    EXPECT_LT(glm::distance(scene.bounds.lo, glm::dvec3(-3.75, 3.75, -3.75)), 1e-6);
+    EXPECT_LT(glm::distance(scene.bounds.hi, glm::dvec3(3.75, 3.75, 3.75)), 1e-6);
+    EXPECT_EQ(scene.name, (folder / "a.bundle").string());
+    json.erase("settings");
+    json["lights"][0]["maps"] = Json::array();
+    EXPECT_TRUE(refuses({"frame.json: ", "the bundle has neither scene nor map"}));
+}
+
 TEST_F(BundleSceneTest, FaultsAreErrorsWithPlace) {
     json["lights"][0]["lookup"]["kernel"] = "pcx3";
     EXPECT_TRUE(refuses({"frame.json: lights[0].lookup.kernel: filter.kernel: \"pcx3\" is none of"}));
@@ -182,7 +198,7 @@ TEST_F(BundleSceneTest, FaultsAreErrorsWithPlace) {
     json["scene"] = "models/none.glb";
     EXPECT_TRUE(refuses({"a.bundle/models/none.glb: does not exist"}));
     json.erase("scene");
-    EXPECT_TRUE(refuses({"frame.json: the bundle has no scene"}));
+    EXPECT_TRUE(refuses({"frame.json: lights[0].maps[0]: the map shows no surface; "}));
     json = frame();
     json["lights"].push_back(json["lights"][0]);
     json["lights"][1]["maps"][0]["depth"]["reversed"] = true;
