@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "renderer/bundle/bundle_files.h"
+#include "renderer/bundle/bundle_json.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/gltf/image_decode.h"
 #include "tests/support/bundle_rays.h"
@@ -90,6 +92,10 @@ protected:
     static Json read(const std::string& name, const fs::path& bundle) {
         const auto files = unpack(folder / "out" / (name + ".zip"), bundle);
         EXPECT_TRUE(files.contains("frame.json"));
+        // The program's reader finds the same.
+        BundleFiles opened(folder / "out" / (name + ".zip"));
+        for (const auto& [file, size] : files) EXPECT_EQ(opened.read(file, std::size_t{1} << 30).size(), size) << file;
+        EXPECT_NO_THROW(parse_bundle(file_bytes(bundle / "frame.json"), "frame.json"));
         const Json frame = Json::parse(file_bytes(bundle / "frame.json"));
         EXPECT_EQ(frame["made_by"], "test \"" + name + "\", three.js r187");
         const std::string png = file_bytes(bundle / "picture.png");

@@ -7,6 +7,7 @@
 #include <ostream>
 #include <string>
 
+#include "renderer/bundle/bundle_json.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/gltf/image_decode.h"
 #include "tests/support/bundle_rays.h"
@@ -36,6 +37,7 @@ TEST_P(BundleProgram, MapsHoldTheirScene) {
                                         "' " + GetParam().options);
     ASSERT_EQ(run.code, 0) << run.err;
     const Json frame = Json::parse(file_bytes(bundle / "frame.json"));
+    EXPECT_NO_THROW(parse_bundle(file_bytes(bundle / "frame.json"), "frame.json"));
     const Scene scene = load_gltf(bundle / frame["scene"].get<std::string>());
     EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
     const std::string png = file_bytes(bundle / frame["picture"].get<std::string>());
