@@ -1,5 +1,6 @@
 // Draws scenes with shadows in three.js and posts the bundle of each to the server of capture.mjs.
 import * as THREE from 'three';
+import { SunLight } from 'three/addons/lights/SunLight.js';
 import { shadowBundle } from '/bundle/shadow_bundle.js';
 
 /** Returns a texture whose alpha is a lattice. */
@@ -48,6 +49,7 @@ function makeScene() {
 
 function makeLight(type) {
     const light = type === 'directional' ? new THREE.DirectionalLight(0xffffff, 2)
+        : type === 'sun' ? new SunLight(0xffffff, 2)
         : type === 'spot' ? new THREE.SpotLight(0xffffff, 120, 0, 0.6, 0.2) : new THREE.PointLight(0xffffff, 60);
     light.name = type;
     // A point light among the casters, which then lie in most faces.
@@ -67,6 +69,7 @@ const cases = [
     { name: 'spot', light: 'spot', type: THREE.BasicShadowMap, reversed: false },
     { name: 'reversed', light: 'spot', type: THREE.PCFShadowMap, reversed: true },
     { name: 'point', light: 'point', type: THREE.BasicShadowMap, reversed: false },
+    { name: 'cascades', light: 'sun', type: THREE.PCFShadowMap, reversed: false },
     { name: 'variance', light: 'directional', type: THREE.VSMShadowMap, reversed: false },
 ];
 
