@@ -1,0 +1,809 @@
+"""Shadow maps of a captured frame: candidates, passes, light matrices, camera, scene."""
+import os
+
+import numpy as np
+
+import capture_bundle as bundle
+import capture_fit as fit
+import capture_gate as gate
+from capture_reading import REVERSED_FUNCTIONS, CaptureError, texture_kind
+
+# Residual of x, y, w beyond which a draw is skinned or otherwise deformed.
+SKINNED_RESIDUAL = 1e-4
+MAX_MAPS = 16
+
+
+class Pass:
+    """Draws into one region of one slice of a map."""
+
+    def __init__(self, texture, events):
+        self.texture = texture
+        self.events = events
+        self.slice = 0
+        self.viewport = (0, 0, 1, 1)
+        self.state = None
+        self.draws = []
+        self.matrix = None      # clip_from_world
+        self.method = ""
+        self.agreement = None   # of the matrix from two draws
+        self.unread = 0
+
+
+class Candidate:
+    def __init__(self, texture, kind, passes, readers):
+        self.texture, self.kind, self.passes, self.readers = texture, kind, passes, readers
+
+
+# Candidates
+
+
+def split_pass(capture, texture, kind, events):
+    """Splits draws between two clears where slice or viewport change."""
+
+    def place(event):
+        capture.go(event)
+        state, slice_ = capture.state(capture.control.GetPipelineState())
+        if kind == "colour":
+            slice_ = capture.colour_slice(texture)
+        return state, slice_
+
+    groups = []
+
+    def same(a, b):
+        return a[1] == b[1] and a[0].viewport == b[0].viewport
+
+    known = {}
+
+    def at(i):
+        if i not in known:
+            known[i] = place(events[i])
+        return known[i]
+
+    def divide(first, last):
+        if same(at(first), at(last)):
+            groups.append((first, last))
+            return
+        if last - first == 1:
+            groups.append((first, first))
+            groups.append((last, last))
+            return
+        middle = (first + last) // 2
+        divide(first, middle)
+        divide(middle + 1, last)
+
+    divide(0, len(events) - 1)
+    result = []
+    for first, last in groups:
+        state, slice_ = at(first)
+        if result and result[-1].slice == slice_ and result[-1].viewport == state.viewport:
+            result[-1].events += events[first:last + 1]
+            continue
+        part = Pass(texture, events[first:last + 1])
+        part.slice, part.viewport, part.state = slice_, state.viewport, state
+        result.append(part)
+    return result
+
+
+def find_candidates(capture, say):
+    """Returns all textures that draws fill, or that an earlier frame filled, and that later draws read as a map."""
+    result = []
+    order = sorted(capture.textures)
+    for texture in order:
+        info = capture.textures[texture]
+        kind = texture_kind(info.format)
+        if kind is None or info.width < 16 or info.height < 16 or info.msSamp > 1:
+            continue
+        drawn, read, clears, copied = [], [], [], False
+        for use in capture.usage(texture):
+            name = use.usage.name
+            if name in ("DepthStencilTarget", "ColorTarget"):
+                if capture.is_draw(use.eventId):
+                    drawn.append(use.eventId)
+            elif name == "Clear":
+                clears.append(use.eventId)
+            elif name == "CopyDst" or name == "ResolveDst":
+                copied = True
+            elif name == "PS_Resource" and capture.is_draw(use.eventId):
+                read.append(use.eventId)
+        drawn = sorted(set(drawn))
+        read = sorted(set(read) - set(drawn))
+        if not read:
+            continue
+        target = capture.by_event[read[0]]
+        outputs = {int(o) for o in target.outputs} | {int(target.depthOut)}
+        sizes = {(capture.textures[o].width, capture.textures[o].height) for o in outputs if o in capture.textures}
+        scene_size = (info.width, info.height) in sizes
+        if not drawn:
+            # A map that an earlier frame drew: depths that geometry reads with a depth target of its own.
+            if copied or scene_size or not int(target.depthOut) or info.mips > 1:
+                continue
+            if kind == "colour" and info.format.compCount > 2:
+                continue
+            result.append(Candidate(texture, kind, [], read))
+            continue
+        if kind == "colour" and (scene_size or info.format.compCount == 4 and info.arraysize == 1
+                                 and info.width != info.height):
+            continue
+        depth_targets = {int(capture.by_event[e].depthOut) for e in drawn}
+        if kind == "colour" and depth_targets == {0}:
+            continue  # a filter over pictures, not casters
+        chunks, current = [], []
+        bounds = sorted(clears)
+        for event in drawn:
+            if current and any(current[-1] < c < event for c in bounds):
+                chunks.append(current)
+                current = []
+            current.append(event)
+        chunks.append(current)
+        passes = []
+        for chunk in chunks:
+            passes += split_pass(capture, texture, kind, chunk)
+        # Later contents of a region replace earlier ones.
+        last = {}
+        for part in passes:
+            last[(part.slice, part.viewport)] = part
+        passes = [p for p in passes if last[(p.slice, p.viewport)] is p]
+        if kind == "depth" and scene_size and len(passes) == 1 and is_camera_depth(capture, passes[0]):
+            continue
+        result.append(Candidate(texture, kind, passes, read))
+    # Depth that is read only beside a colour map of the same casters is that map's own depth buffer.
+    return result
+
+
+def is_camera_depth(capture, part):
+    """Returns whether draws of a depth pass write a picture, too: the camera's own depth buffer."""
+    return any(int(o) for e in part.events[:8] for o in capture.by_event[e].outputs)
+
+
+# Matrices
+
+
+def prepare(draw):
+    """Finds the position attribute of a draw. Returns false where it has none."""
+    if not draw.clips:
+        return False
+    best = fit.position_attribute(draw)
+    draw.skinned = best is None or best[0] > SKINNED_RESIDUAL
+    if best is None:
+        draw.position, draw.points = None, None
+        draw.geometry = draw.geometry + (draw.event,)
+        return True
+    score, draw.position, draw.mvp, draw.error, draw.rank = best
+    draw.values = fit.homogeneous(draw.attributes[draw.position])
+    draw.points = draw.values[draw.indices]
+    draw.geometry = draw.geometry + draw.offsets[draw.position]
+    draw.mvps = [draw.mvp]
+    for clip in draw.clips[1:]:
+        draw.mvps.append(fit.fit_matrix(draw.points, clip)[0])
+    return True
+
+
+def read_pass(capture, part, report):
+    for event in part.events:
+        report()
+        draw = capture.draw(event)
+        if draw is None or not prepare(draw):
+            part.unread += 1
+            continue
+        part.draws.append(draw)
+
+
+def probes_of(draws):
+    """Returns rigid draws with points of rank 4, the best conditioned first."""
+    rigid = [d for d in draws if not d.skinned and d.rank == 4]
+    return sorted(rigid, key=lambda d: max(d.error[0], d.error[1], d.error[3]))
+
+
+def projection_by_products(draws):
+    """Searches constants for clip_from_world. Returns (matrix, places) or None."""
+    probes = probes_of(draws)
+    if not probes:
+        return None
+    chosen, seen = [], []
+    for draw in probes:
+        scale = np.abs(draw.mvp).max()
+        if all(np.abs(draw.mvp - other).max() > 1e-3 * scale for other in seen):
+            chosen.append(draw)
+            seen.append(draw.mvp)
+        if len(chosen) == 6:
+            break
+    first = chosen[0]
+    best = None
+    for error, places in fit.products(first.points, first.clips[0], first.constants)[:300]:
+        lefts, explained = None, 0
+        for draw in chosen:
+            factors = [fit.window_matrix(draw.constants, place) for place in places]
+            if any(f is None for f in factors):
+                continue
+            left = np.eye(4)
+            for factor in (factors[:-1] if len(factors) > 1 else factors):
+                left = left @ factor
+            if lefts is None:
+                lefts = left
+            if not np.allclose(left, lefts, rtol=1e-6, atol=1e-6 * np.abs(lefts).max()):
+                continue
+            whole = left @ factors[-1] if len(factors) > 1 else left
+            points, clip = fit.sample_points(draw.points, draw.clips[0])
+            if fit.scores(whole[None], points, clip)[0] < fit.MATRIX_RESIDUAL:
+                explained += 1
+        if len(chosen) > 1 and explained < 2:
+            continue
+        if len(places) == 1 and explained < len(chosen):
+            continue
+        rank = (explained, -len(places) if len(places) > 1 else -2.5, -error)
+        if best is None or rank > best[0]:
+            best = (rank, lefts, places)
+    return (best[1], best[2]) if best else None
+
+
+def world_from_recipe(draw, places):
+    if len(places) == 1:
+        return np.eye(4)
+    return fit.window_matrix(draw.constants, places[-1])
+
+
+def set_worlds(part, places):
+    """Gives each rigid draw its world matrices: from constants where they explain it, else from the fit."""
+    inverse = np.linalg.inv(part.matrix)
+    for draw in part.draws:
+        draw.worlds = []
+        if draw.skinned:
+            continue
+        for i, clip in enumerate(draw.clips):
+            world = None
+            if places is not None:
+                world = world_from_recipe(draw, places)
+            if world is not None:
+                points, sample = fit.sample_points(draw.points, clip)
+                if fit.scores((part.matrix @ world)[None], points, sample)[0] > 5 * fit.MATRIX_RESIDUAL:
+                    world = None
+            if world is None:
+                world = affine_world(part.matrix, inverse, draw, i)
+            draw.worlds.append(world)
+
+
+def affine_world(matrix, inverse, draw, instance):
+    """Fits the affine matrix that takes the inputs to the world, or returns None for flat meshes."""
+    if draw.rank < 4:
+        return None
+    world = inverse @ draw.mvps[instance]
+    bottom = world[3] / (world[3, 3] or 1)
+    extent = np.abs(draw.points[:, :3]).max()
+    if np.abs(bottom[:3]).max() * max(extent, 1e-9) > 1e-3:
+        return None
+    world = world / world[3, 3]
+    world[3] = [0, 0, 0, 1]
+    return world
+
+
+def depth_row(part, places):
+    """Takes the z row from the fit where the named product has another one; compares two draws."""
+    candidates = []
+    for draw in probes_of(part.draws):
+        world = world_from_recipe(draw, places)
+        if world is None or abs(np.linalg.det(world)) < 1e-18:
+            continue
+        whole = part.matrix @ world
+        points, clip = fit.sample_points(draw.points, draw.clips[0])
+        if fit.scores(whole[None], points, clip)[0] > 5 * fit.MATRIX_RESIDUAL:
+            continue
+        z = draw.points @ whole[2]
+        w = np.maximum(np.abs(draw.clips[0][:, 3]), 1e-12)
+        off = np.abs(z - draw.clips[0][:, 2]) / w
+        candidates.append((draw, np.linalg.inv(world), np.median(off)))
+        if len(candidates) == 12:
+            break
+    if not candidates:
+        return
+    shift = np.median([c[2] for c in candidates])
+    rows = [c[0].mvp @ c[1] for c in candidates]
+    if shift > 0.02:
+        # Points of all probes together fix the row better than one draw does.
+        points = np.concatenate([c[0].points @ np.linalg.inv(c[1]).T for c in candidates])
+        depths = np.concatenate([c[0].clips[0][:, 2] for c in candidates])
+        part.matrix = part.matrix.copy()
+        part.matrix[2] = np.linalg.lstsq(points, depths, rcond=1e-12)[0]
+        part.method += ", depth row fitted"
+    part.depth_shift = float(shift)
+    compare_rows(part, [(c[0], np.linalg.inv(c[1])) for c in candidates])
+
+
+def compare_rows(part, pairs):
+    """Compares clip_from_world with what two draws of different world matrices give by themselves."""
+    for i, (draw, world) in enumerate(pairs):
+        for other, other_world in pairs[i + 1:]:
+            if np.abs(world - other_world).max() < 1e-3 * np.abs(world).max():
+                continue
+            # Both matrices are compared by what they make of the points of the two draws.
+            a = draw.mvp @ np.linalg.inv(world)
+            b = other.mvp @ np.linalg.inv(other_world)
+            points = np.concatenate([draw.points @ world.T, other.points @ other_world.T])
+            one, two = points @ a.T, points @ b.T
+            rows = [0, 1, 3]
+            part.agreement = float((np.abs(one - two).max(0) / np.abs(one).max(0))[rows].max())
+            return
+
+
+def projection_by_pairs(part, known):
+    """Finds clip_from_world from draws whose geometry and world matrix are known. @param known {geometry: [world]}"""
+    best = None
+    inverse_error = None
+    for draw in probes_of(part.draws)[:12]:
+        for world in known.get(draw.geometry, [])[:16]:
+            if world is None or abs(np.linalg.det(world)) < 1e-18:
+                continue
+            matrix = draw.mvp @ np.linalg.inv(world)
+            count = 0
+            for other in part.draws:
+                if other.skinned or other.rank < 4:
+                    continue
+                for w in known.get(other.geometry, [])[:16]:
+                    if w is None:
+                        continue
+                    points, clip = fit.sample_points(other.points, other.clips[0])
+                    if fit.scores((matrix @ w)[None], points, clip)[0] < 1e-3:
+                        count += 1
+                        break
+            if best is None or count > best[0]:
+                best = (count, matrix)
+    if best is None or best[0] < 1:
+        return None
+    del inverse_error
+    return best[1]
+
+
+def known_worlds(passes):
+    known = {}
+    for part in passes:
+        if part.matrix is None:
+            continue
+        for draw in part.draws:
+            if not draw.skinned:
+                known.setdefault(draw.geometry, []).extend(w for w in draw.worlds if w is not None)
+    return known
+
+
+def find_matrices(passes, notes):
+    """Finds clip_from_world of all passes, in one world."""
+    for part in passes:
+        found = projection_by_products(part.draws)
+        if found is None:
+            continue
+        part.matrix, part.places = found
+        part.method = "product of constants"
+        depth_row(part, part.places)
+        set_worlds(part, part.places)
+    if all(p.matrix is None for p in passes):
+        for part in passes:
+            probes = probes_of(part.draws)
+            if not probes:
+                continue
+            part.matrix, part.places = probes[0].mvp, None
+            part.method = "object space of draw %d" % probes[0].event
+            set_worlds(part, None)
+            notes.append("No constant of the capture holds the world matrix. The world is the object space of draw "
+                         "%d, so lengths are in its unit." % probes[0].event)
+            break
+    for _ in range(2):
+        known = known_worlds(passes)
+        for part in passes:
+            if part.matrix is not None or not part.draws:
+                continue
+            matrix = projection_by_pairs(part, known)
+            if matrix is None:
+                continue
+            part.matrix, part.places, part.method = matrix, None, "geometry shared with another pass"
+            set_worlds(part, None)
+
+
+def normalise_depth_range(matrix, state):
+    """Returns the matrix whose depth range is the whole one."""
+    low, high = state.depth_range
+    if (low, high) == (0.0, 1.0):
+        return matrix
+    result = matrix.copy()
+    if state.negative_one:
+        result[2] = (high - low) * matrix[2] + (high + low - 1) * matrix[3]
+    else:
+        result[2] = (high - low) * matrix[2] + low * matrix[3]
+    return result
+
+
+# Output
+
+
+def world_positions(part, draw, instance):
+    """Returns world positions of the corners of one instance."""
+    world = draw.worlds[instance] if instance < len(draw.worlds) else None
+    if world is not None:
+        return (draw.points @ world.T)[:, :3]
+    points = draw.clips[instance] @ np.linalg.inv(part.matrix).T
+    return points[:, :3] / points[:, 3:4]
+
+
+def corner_uv(draw, name, flip):
+    uv = draw.attributes[name][:, :2]
+    uv = uv[draw.indices].reshape(-1, 3, 2)
+    return np.stack([uv[:, :, 0], 1 - uv[:, :, 1]], 2) if flip else uv
+
+
+def sample_texture(image, uv, channel):
+    """Samples one channel by linear interpolation, repeated."""
+    height, width = image.shape[:2]
+    x, y = uv[:, 0] * width - 0.5, uv[:, 1] * height - 0.5
+    x0, y0 = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
+    fx, fy = x - x0, y - y0
+    plane = image[:, :, channel]
+
+    def at(i, j):
+        return plane[j % height, i % width]
+
+    return (at(x0, y0) * (1 - fx) + at(x0 + 1, y0) * fx) * (1 - fy) + \
+        (at(x0, y0 + 1) * (1 - fx) + at(x0 + 1, y0 + 1) * fx) * fy
+
+
+class Mask:
+    """Texture, texture coordinates and threshold that drop texels of a draw."""
+
+    def __init__(self, texture, image, channel, uv, flip, cutoff=0.5):
+        self.texture, self.image, self.channel, self.uv, self.flip, self.cutoff = \
+            texture, image, channel, uv, flip, cutoff
+
+    def keep(self, draw, w):
+        corners = corner_uv(draw, self.uv, self.flip)
+
+        def test(triangles, share):
+            weights = share / w.reshape(-1, 3)[triangles]
+            weights = weights / weights.sum(1, keepdims=True)
+            uv = (corners[triangles] * weights[:, :, None]).sum(1)
+            return sample_texture(self.image, uv, self.channel) >= self.cutoff
+
+        return test
+
+
+def mask_options(capture, draw):
+    """Returns all masks that a draw may have."""
+    result = []
+    names = [n for n, v in draw.attributes.items() if n != draw.position and 2 <= v.shape[1] <= 4]
+    for texture in draw.textures:
+        info = capture.textures.get(texture)
+        if info is None or texture_kind(info.format) == "depth" or info.width < 2 or info.height < 2:
+            continue
+        if info.arraysize > 1 or info.depth > 1 or info.format.compByteWidth != 1:
+            continue
+        try:
+            image = capture.texels(texture)
+        except CaptureError:
+            continue
+        if image is None:
+            continue
+        channel = image.shape[2] - 1 if image.shape[2] in (2, 4) else 0
+        if np.ptp(image[:, :, channel]) < 0.05:
+            continue
+        for name in names:
+            for flip in (False, True):
+                result.append(Mask(texture, image, channel, name, flip))
+    return result
+
+
+def draw_clip(part, draw, instance):
+    """Returns (triangle, corner, 4) clip positions by the matrix of the pass."""
+    points = world_positions(part, draw, instance)
+    clip = np.hstack([points, np.ones((len(points), 1))]) @ part.matrix.T
+    return clip.reshape(-1, 3, 4)
+
+
+def choose_masks(capture, part, captured, raster, step):
+    """Finds masks of draws that may drop texels by comparing coverage with the captured map."""
+    groups = {}
+    for draw in part.draws:
+        if draw.discards:
+            groups.setdefault((draw.pixel_shader, tuple(draw.textures)), []).append(draw)
+    for draws in groups.values():
+        options = mask_options(capture, draws[0])
+        solid = gate.Raster(raster.width, raster.height, raster.reversed)
+        for draw in draws:
+            for i in range(len(draw.clips)):
+                solid.draw(draw_clip(part, draw, i), draw.state, 0, step)
+        region = solid.covered() & ~raster.covered()
+        truth = captured[region]
+        best = (float(np.mean(~truth)) if region.any() else 0.0, None)  # solid
+        if best[0] < 0.001:
+            continue
+        for option in options:
+            trial = masked_coverage(part, draws, option, raster, step)
+            wrong = float(np.mean(trial[region] != truth))
+            if wrong < best[0]:
+                best = (wrong, option)
+        if best[1] is None or best[0] > 0.1:
+            for draw in draws:
+                draw.mask_unknown = True
+            continue
+        option = best[1]
+        for cutoff in cutoffs(draws[0]):
+            other = Mask(option.texture, option.image, option.channel, option.uv, option.flip, cutoff)
+            wrong = float(np.mean(masked_coverage(part, draws, other, raster, step)[region] != truth))
+            if wrong < best[0] * 0.98:
+                best = (wrong, other)
+        for draw in draws:
+            draw.mask, draw.mask_wrong = best[1], best[0]
+
+
+def cutoffs(draw):
+    """Returns thresholds that a mask may have: numbers between 0 and 1 of the pixel shader's constants, and tenths."""
+    result = [0.1, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9]
+    for _, data in draw.pixel_constants:
+        if len(data) <= 512:
+            values = np.frombuffer(data[:len(data) // 4 * 4], "<f4")
+            result += [float(v) for v in values if 0.01 < v < 0.99 and round(float(v), 6) not in result]
+    return result[:40]
+
+
+def masked_coverage(part, draws, option, raster, step):
+    trial = gate.Raster(raster.width, raster.height, raster.reversed)
+    for draw in draws:
+        if option.uv not in draw.attributes:
+            continue
+        for i in range(len(draw.clips)):
+            clip = draw_clip(part, draw, i)
+            trial.draw(clip, draw.state, 0, step, option.keep(draw, clip[:, :, 3].ravel()))
+    return trial.covered()
+
+
+def viewport_part(part, image):
+    x, y, w, h = (int(round(v)) for v in part.viewport)
+    height, width = image.shape[:2]
+    x, y = max(x, 0), max(y, 0)
+    return (x, y, min(w, width - x), min(h, height - y))
+
+
+def gate_of(capture, part, image, depth_format, report):
+    """Draws the casters again and compares them with the captured depths. Returns numbers of the gate."""
+    reversed_ = part.state.function in REVERSED_FUNCTIONS
+    x, y, width, height = viewport_part(part, image)
+    captured = image[y:y + height, x:x + width, 0].ravel()
+    clear = 0.0 if reversed_ else 1.0
+    step = gate.step_of(depth_format)
+    raster = gate.Raster(width, height, reversed_)
+    skinned = sum(d.skinned for d in part.draws)
+    instances = sum(len(d.clips) for d in part.draws)
+    for number, draw in enumerate(part.draws):
+        draw.mask, draw.mask_unknown, draw.mask_wrong = None, False, 0.0
+        if draw.discards:
+            continue
+        for i in range(len(draw.clips)):
+            raster.draw(draw_clip(part, draw, i), draw.state, number, step)
+        report()
+    is_covered = captured != clear
+    if any(d.discards for d in part.draws):
+        choose_masks(capture, part, is_covered, raster, step)
+    masked = gate.Raster(width, height, reversed_)
+    for number, draw in enumerate(part.draws):
+        if not draw.discards:
+            continue
+        for i in range(len(draw.clips)):
+            clip = draw_clip(part, draw, i)
+            keep = draw.mask.keep(draw, clip[:, :, 3].ravel()) if draw.mask else None
+            masked.draw(clip, draw.state, number, step)
+            if not draw.mask_unknown:
+                raster.draw(clip, draw.state, number, step, keep)
+    solid = masked.covered()
+    own = raster.covered()
+    opaque = ~solid
+    missed_all, extra_all = is_covered & ~(own | solid), own & ~is_covered
+    missed, extra = missed_all & opaque, extra_all & opaque
+    unmasked = is_covered & opaque
+    both = unmasked & own
+    quantised = np.rint(raster.depth / step) * step if step else raster.depth.astype(np.float32).astype(float)
+    result = {
+        "captured_texels": int(is_covered.sum()), "captured_unmasked_texels": int(unmasked.sum()),
+        "masked_texels": int(solid.sum()), "missed": int(missed.sum()), "extra": int(extra.sum()),
+        "missed_all": int(missed_all.sum()), "extra_all": int(extra_all.sum()),
+        "mask_mismatch": max([d.mask_wrong for d in part.draws] or [0]),
+        "masks_unknown": sum(d.mask_unknown for d in part.draws),
+        "depth": gate.compare_depths(captured, quantised, both, step),
+        "draws": len(part.draws), "instances": instances, "masked_draws": sum(d.discards for d in part.draws),
+        "post_vertex_draws": skinned, "post_vertex_share": skinned / max(1, len(part.draws)),
+        "unread_draws": part.unread, "matrix_agreement": part.agreement,
+        "fit_residual": median_residual(part),
+    }
+    share = max(1, result["captured_unmasked_texels"])
+    depth = result["depth"]
+    result["passed"] = bool(
+        result["missed"] <= 0.001 * share and result["extra"] <= 0.0001 * share and depth.get("texels", 0) > 0 and
+        depth["median_steps"] <= 1 and depth["percentile_99_steps"] <= 4 and
+        (part.agreement is None or part.agreement <= 1e-4))
+    result["caster_bias"] = caster_bias(part, captured, raster, both)
+    return result
+
+
+def median_residual(part):
+    rigid = [d.error for d in part.draws if not d.skinned]
+    return [float(v) for v in np.median(rigid, axis=0)] if rigid else None
+
+
+def caster_bias(part, captured, raster, both):
+    """Fits captured minus rebuilt depth, both without polygon offset, to the angle between light and surface."""
+    places = np.nonzero(both & np.isfinite(raster.plain))[0]
+    if len(places) < 64:
+        return None
+    places = places[::max(1, len(places) // 60000)]
+    inverse = np.linalg.inv(part.matrix)
+    kind = fit.light_of(part.matrix, part.state.function in REVERSED_FUNCTIONS, part.state.negative_one)
+    cosines = np.full(len(places), np.nan)
+    tags, owners = raster.tag[places], raster.owner[places]
+    for tag in np.unique(tags):
+        draw = part.draws[tag]
+        if len(draw.clips) != 1:
+            continue
+        rows = np.nonzero(tags == tag)[0]
+        corners = world_positions(part, draw, 0).reshape(-1, 3, 3)[owners[rows]]
+        normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        length = np.linalg.norm(normal, axis=1)
+        towards = -kind[1][None] if kind[0] == "directional" else kind[1][None] - corners.mean(1)
+        towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+        cosines[rows] = np.abs((normal * towards).sum(1)) / np.maximum(length, 1e-30)
+    del inverse
+    good = np.isfinite(cosines)
+    return gate.fit_bias((captured[places] - raster.plain[places])[good], cosines[good])
+
+
+def front_sign(part, draw):
+    """Returns +1 where triangles in their own order have normals on the front side, else -1."""
+    kind = fit.light_of(part.matrix, part.state.function in REVERSED_FUNCTIONS, part.state.negative_one)
+    clip = draw.clips[0].reshape(-1, 3, 4)
+    world = world_positions(part, draw, 0).reshape(-1, 3, 3)
+    ndc = clip[:, :, :2] / clip[:, :, 3:4]
+    a, b = ndc[:, 1] - ndc[:, 0], ndc[:, 2] - ndc[:, 0]
+    area = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    normal = np.cross(world[:, 1] - world[:, 0], world[:, 2] - world[:, 0])
+    towards = -kind[1][None] if kind[0] == "directional" else kind[1][None] - world.mean(1)
+    towards = np.broadcast_to(towards, normal.shape)
+    facing = (normal * towards).sum(1)
+    front = (area > 0) == draw.state.front_ccw
+    weight = np.abs(area)
+    return 1 if (np.where(front, facing, -facing) * weight > 0).mean() >= 0.5 else -1
+
+
+class SceneWriter:
+    """Collects nodes of casters and receivers, each once."""
+
+    def __init__(self):
+        self.scene = bundle.Scene()
+        self.names = {}  # (geometry, rounded world): name
+        self.post_vertex = 0
+        self.drawn = {}
+
+    def add(self, part, draw, caster):
+        """Adds all instances of a draw. Returns the names of its nodes."""
+        names = []
+        sign = None
+        for i in range(len(draw.clips)):
+            world = draw.worlds[i] if i < len(draw.worlds) else None
+            positions = world_positions(part, draw, i)
+            centre = positions.mean(0)
+            extent = np.ptp(positions, axis=0)
+            key = (draw.geometry, draw.skinned)
+            name = self.find(key, centre, extent)
+            if name is None:
+                if sign is None:
+                    sign = front_sign(part, draw)
+                name = "draw %d" % draw.event if len(draw.clips) == 1 else "draw %d instance %d" % (draw.event, i)
+                self.write(name, draw, world, positions, sign)
+                self.names.setdefault(key, []).append((centre, extent, name))
+            names.append(name)
+        return names
+
+    def find(self, key, centre, extent):
+        size = np.abs(extent).max() + 1e-9
+        for other, other_extent, name in self.names.get(key, []):
+            if np.abs(other - centre).max() < 2e-3 * size and np.abs(other_extent - extent).max() < 2e-3 * size:
+                return name
+        return None
+
+    def write(self, name, draw, world, positions, sign):
+        double = draw.state.cull == "none"
+        mask = getattr(draw, "mask", None)
+        uv = None
+        material_mask = None
+        if mask is not None and mask.uv in draw.attributes:
+            uv = draw.attributes[mask.uv][:, :2]
+            if mask.flip:
+                uv = np.stack([uv[:, 0], 1 - uv[:, 1]], 1)
+            image = np.zeros(mask.image.shape[:2] + (4,), np.uint8)
+            image[:, :, :3] = 200
+            image[:, :, 3] = np.rint(mask.image[:, :, mask.channel] * 255)
+            material_mask = ((mask.texture, mask.channel), bundle.rgba_png(image), float(mask.cutoff))
+        material = self.scene.material(double, material_mask)
+        triangles = np.asarray(draw.indices).reshape(-1, 3)
+        if world is None or draw.rank < 4:
+            # Positions after the vertex shader, and flat meshes: world space.
+            flat = np.arange(len(positions)).reshape(-1, 3)
+            if sign < 0:
+                flat = flat[:, [0, 2, 1]]
+            mesh = self.scene.mesh((name,), positions, flat, material, uv[draw.indices] if uv is not None else None)
+            self.scene.node(name, mesh, np.eye(4))
+            return
+        # glTF turns the front of a mirrored node; engines do not.
+        turn = sign * np.sign(np.linalg.det(world[:3, :3])) < 0
+        if turn:
+            triangles = triangles[:, [0, 2, 1]]
+        mesh = self.scene.mesh((draw.geometry, bool(turn), mask.uv if mask else None), draw.values[:, :3], triangles,
+                               material, uv)
+        self.scene.node(name, mesh, world)
+
+
+def group_lights(maps):
+    """Groups maps of one direction or of one place into lights."""
+    lights = []
+    for entry in maps:
+        for light in lights:
+            first = light[0]
+            if first["kind"][0] != entry["kind"][0] or first["texture"] != entry["texture"]:
+                continue
+            if entry["kind"][0] == "directional":
+                if np.dot(first["kind"][1], entry["kind"][1]) > 0.9999:
+                    light.append(entry)
+                    break
+            else:
+                distance = np.linalg.norm(first["kind"][1] - entry["kind"][1])
+                if distance < 1e-3 * (1 + np.linalg.norm(first["kind"][1])):
+                    light.append(entry)
+                    break
+        else:
+            lights.append([entry])
+    result = []
+    for light in lights:
+        if light[0]["kind"][0] == "local" and len(light) not in (1, 6):
+            result += [[entry] for entry in light]
+        else:
+            result.append(light)
+    return result
+
+
+def describe(capture, index, candidate, part, number):
+    info = capture.textures[candidate.texture]
+    line = {"number": number, "texture": candidate.texture, "width": info.width, "height": info.height,
+            "format": info.format.Name(), "layers": info.arraysize, "holds": candidate.kind}
+    if part is None:
+        line.update(draws=0, state="texels, no caster pass")
+    else:
+        line.update(slice=part.slice, viewport=[float(v) for v in part.viewport], draws=len(part.events),
+                    first_event=part.events[0])
+    return line
+
+
+def run(capture, options, say):
+    from capture_output import import_maps
+    say(progress=0.1, label="looking for shadow maps")
+    candidates = find_candidates(capture, say)
+    if not candidates:
+        raise CaptureError("holds no shadow map: no texture that draws fill with depth and later draws read")
+    numbered = []
+    for candidate in candidates:
+        for part in candidate.passes or [None]:
+            numbered.append((candidate, part))
+    if options.list:
+        for number, (candidate, part) in enumerate(numbered):
+            line = describe(capture, number, candidate, part, number)
+            if part is not None:
+                sample = Pass(part.texture, part.events[:1] + part.events[len(part.events) // 2:][:3])
+                sample.state = part.state
+                read_pass(capture, sample, lambda: None)
+                find_matrices([sample], [])
+                probes = probes_of(sample.draws)
+                if sample.matrix is not None or probes:
+                    matrix = sample.matrix if sample.matrix is not None else probes[0].mvp
+                    kind = fit.light_of(matrix, part.state.function in REVERSED_FUNCTIONS, part.state.negative_one)
+                    line["light"] = "directional" if kind[0] == "directional" else "spot or point"
+                    if sample.matrix is not None and sample.method.startswith("product"):
+                        line["direction" if kind[0] == "directional" else "centre"] = [float(v) for v in kind[1]]
+            say(candidate=line)
+            say(progress=(number + 1) / len(numbered), label="looking at passes")
+        return
+    for pick in options.pick:
+        if pick < 0 or pick >= len(numbered):
+            raise CaptureError("has no candidate %d; --list prints them, 0 to %d" % (pick, len(numbered) - 1))
+    chosen = [numbered[i] for i in options.pick] if options.pick else numbered
+    import_maps(capture, chosen, options, say)
+    _ = os

@@ -1,0 +1,329 @@
+"""Writes chosen maps of a capture as a bundle, with scene, camera, picture and the numbers of the gate."""
+import os
+
+import numpy as np
+import renderdoc as rd
+
+import capture_bundle as bundle
+import capture_fit as fit
+import capture_frame as frame
+import capture_gate as gate
+from capture_reading import REVERSED_FUNCTIONS, CaptureError, texture_kind
+
+FORMATS = {"D16": "d16", "D24": "d24", "D32": "d32f"}
+
+
+def depth_format(name):
+    for start, key in FORMATS.items():
+        if name.startswith(start):
+            return key
+    if name.startswith("R16") and "FLOAT" in name:
+        return "r16f"
+    return "r32f"
+
+
+def import_maps(capture, chosen, options, say):
+    notes = []
+    passes = [part for _, part in chosen if part is not None]
+    if len(chosen) > frame.MAX_MAPS:
+        notes.append("The capture has %d maps; the first %d are written." % (len(chosen), frame.MAX_MAPS))
+        chosen = chosen[:frame.MAX_MAPS]
+        passes = [part for _, part in chosen if part is not None]
+    readers = sorted({e for candidate, _ in chosen for e in candidate.readers})
+    camera_events = camera_draws(capture, readers)
+    total = max(1, sum(len(p.events) for p in passes) + len(camera_events))
+    done = [0]
+
+    def report():
+        done[0] += 1
+        say(progress=0.1 + 0.6 * min(1, done[0] / total), label="reading draws")
+
+    for part in passes:
+        frame.read_pass(capture, part, report)
+    camera = frame.Pass(0, camera_events)
+    if camera_events:
+        frame.read_pass(capture, camera, report)
+        if camera.draws:
+            camera.state = camera.draws[0].state
+            camera.viewport = camera.state.viewport
+    frame.find_matrices(passes + [camera], notes)
+    gates = []
+    maps = []
+    scene = frame.SceneWriter()
+    folder = options.output
+    os.makedirs(folder, exist_ok=True)
+    images = {}
+    for number, (candidate, part) in enumerate(chosen):
+        say(progress=0.7 + 0.2 * number / len(chosen), label="comparing map %d of %d" % (number + 1, len(chosen)))
+        maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, say)
+    if not maps:
+        raise CaptureError("holds shadow maps, but none of their light matrices could be found")
+    sizes = {}
+    for entry in maps:
+        sizes.setdefault(tuple(entry["map"]["region"][2:]), []).append(entry)
+    if len(sizes) > 1:
+        size = max(sizes, key=lambda s: len(sizes[s]))
+        left = sum(len(v) for k, v in sizes.items() if k != size)
+        notes.append("%d maps of another size than %d x %d are left out; pick them by themselves." %
+                     (left, size[0], size[1]))
+        maps = sizes[size]
+    masks = {d.mask.texture: d.mask for p in passes for d in p.draws if getattr(d, "mask", None)}
+    camera_entry = camera_of(capture, camera, masks, scene, gates, notes)
+    say(progress=0.95, label="writing")
+    lights = []
+    for group in frame.group_lights(maps):
+        kind = group[0]["kind"]
+        light = {"name": "texture %d%s" % (group[0]["texture"],
+                                          "" if len(group) > 1 else ", slice %d" % group[0]["slice"])}
+        if kind[0] == "directional":
+            light["type"] = "directional"
+            light["direction"] = [float(v) for v in kind[1]]
+            if len(group) > 1:
+                light["choice"] = "map"
+        else:
+            light["type"] = "point" if len(group) == 6 else "spot"
+            light["position"] = [float(v) for v in kind[1]]
+        light["maps"] = [entry["map"] for entry in group]
+        light["lookup"] = look_up(capture, group[0]["candidate"], folder, notes)
+        lights.append(light)
+    scene.scene.write(os.path.join(folder, "scene.glb"))
+    result = {"bundle": 1, "made_by": "%s capture, RenderDoc %s" % (capture.driver, rd.GetVersionString()),
+              "scene": "scene.glb"}
+    if camera_entry:
+        result["camera"] = camera_entry
+    if picture(capture, folder):
+        result["picture"] = "picture.png"
+    result["lights"] = lights
+    result["notes"] = notes
+    result["extras"] = {"gate": gates}
+    bundle.write_json(folder, clean(result))
+    say(done=True, maps=len(maps), lights=len(lights), nodes=len(scene.scene.nodes), gate=clean(gates), notes=notes)
+
+
+def clean(value):
+    """Replaces numbers that JSON cannot hold by null."""
+    if isinstance(value, dict):
+        return {k: clean(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [clean(v) for v in value]
+    if isinstance(value, (float, np.floating)):
+        return float(value) if np.isfinite(value) else None
+    if isinstance(value, np.integer):
+        return int(value)
+    return value
+
+
+def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, say):
+    info = capture.textures[candidate.texture]
+    name = info.format.Name()
+    if part is None:
+        notes.append("Texture %d: texels, no caster pass: an earlier frame drew it, so its light is unknown." %
+                     candidate.texture)
+        return
+    label = "texture %d, slice %d, %d x %d at %d, %d" % (
+        (candidate.texture, part.slice) + tuple(int(v) for v in (part.viewport[2], part.viewport[3],
+                                                                part.viewport[0], part.viewport[1])))
+    if part.matrix is None:
+        notes.append("%s: no light matrix could be found." % label)
+        return
+    capture.go(part.events[-1])
+    image = capture.texels(candidate.texture, 0, part.slice)
+    if image is None:
+        notes.append("%s: its format %s cannot be read." % (label, name))
+        return
+    bad = int((~np.isfinite(image)).sum())
+    if bad:
+        notes.append("%s: %d texels hold no number (NaN or infinite)." % (label, bad))
+    part.matrix = frame.normalise_depth_range(part.matrix, part.state)
+    reversed_ = part.state.function in REVERSED_FUNCTIONS
+    numbers = {"map": number, "name": label, "not_finite": bad}
+    numbers.update(frame.gate_of(capture, part, image, name, lambda: None))
+    gates.append(numbers)
+    x, y, w, h = frame.viewport_part(part, image)
+    key = (candidate.texture, part.slice)
+    if key not in images:
+        file = "map_%d_%d.raw" % key
+        values = image[:, :, 0]
+        if name.startswith("D16"):
+            bundle.write_raw(os.path.join(folder, file), np.rint(values * 65535).astype("<u2"))
+            kind, channels = "u16", 1
+        elif name.startswith("D24"):
+            bundle.write_raw(os.path.join(folder, file), np.rint(values * 16777215).astype("<u4"))
+            kind, channels = "u24", 1
+        else:
+            bundle.write_raw(os.path.join(folder, file), image.astype("<f4"))
+            kind, channels = "f32", image.shape[2]
+        images[key] = {"file": file, "first_row": "top" if part.state.flipped else "bottom", "width": info.width,
+                       "height": info.height, "format": kind, "channels": channels, "channel": 0}
+    drawn = []
+    for draw in part.draws:
+        drawn += scene.add(part, draw, True)
+    stored = "depth"
+    if candidate.kind == "colour":
+        stored = "moments" if info.format.compCount >= 2 else "exponential" if np.nanmax(image) > 1.5 else "depth"
+    first = part.draws[0].state
+    entry = {
+        "image": images[key], "region": [x, y, w, h], "clip_from_world": bundle.columns(part.matrix),
+        "depth": {"range": "-1..1" if part.state.negative_one else "0..1", "reversed": reversed_, "stored": stored,
+                  "format": depth_format(name)},
+        "raster": {"offset_factor": first.factor, "offset_units": first.units, "offset_clamp": first.clamp,
+                   "cull": most_common([d.state.cull for d in part.draws]), "front": "ccw",
+                   "depth_clamp": bool(first.depth_clamp)},
+        "drawn": sorted(set(drawn)),
+        "extras": {"gate": number, "matrix": part.method, "front_in_engine": "ccw" if first.front_ccw else "cw"},
+    }
+    maps.append({"map": entry, "kind": fit.light_of(part.matrix, reversed_, part.state.negative_one),
+                 "texture": candidate.texture, "slice": part.slice, "candidate": candidate})
+
+
+def most_common(values):
+    return max(set(values), key=values.count)
+
+
+def camera_draws(capture, readers):
+    """Returns the draws of the picture: those with the targets of the first draw that reads a map."""
+    if not readers:
+        return []
+    counts = {}
+    for event in readers:
+        action = capture.by_event[event]
+        key = (int(action.outputs[0]), int(action.depthOut))
+        counts[key] = counts.get(key, 0) + 1
+    target = max(counts, key=counts.get)
+    if not target[1]:
+        return []
+    return [a.eventId for a in capture.actions
+            if a.flags & rd.ActionFlags.Drawcall and a.numIndices > 0 and int(a.depthOut) == target[1]]
+
+
+def camera_of(capture, camera, masks, scene, gates, notes):
+    """Adds the receivers and compares their depth with the captured one. Returns the camera of the bundle."""
+    if camera.matrix is None:
+        notes.append("The camera could not be found; a camera that shows the scene is used.")
+        return None
+    action = capture.by_event[camera.events[-1]]
+    depth = int(action.depthOut)
+    info = capture.textures[depth]
+    camera.matrix = frame.normalise_depth_range(camera.matrix, camera.state)
+    camera.state.depth_range = (0.0, 1.0)
+    writes = [d.state.function for d in camera.draws]
+    reversed_ = most_common(writes) in REVERSED_FUNCTIONS
+    entry = {"clip_from_world": bundle.columns(camera.matrix), "width": int(camera.viewport[2]),
+             "height": int(camera.viewport[3]),
+             "depth": {"range": "-1..1" if camera.state.negative_one else "0..1", "reversed": reversed_}}
+    quads = 0
+    raster = None
+    image = None
+    if info.msSamp <= 1:
+        capture.go(camera.events[-1])
+        image = capture.texels(depth)
+        raster = gate.Raster(info.width, info.height, reversed_)
+    for number, draw in enumerate(camera.draws):
+        # A quad over the picture is no receiver: its w is 1 while the camera's changes.
+        if np.ptp(draw.clips[0][:, 3]) == 0 and np.abs(camera.matrix[3, :3]).max() > 1e-6 and \
+                np.abs(draw.clips[0][:, :2]).max() <= 4 and len(draw.indices) <= 6 and draw.clips[0][0, 3] == 1:
+            quads += 1
+            continue
+        draw.mask = next((masks[t] for t in draw.textures if t in masks and masks[t].uv in draw.attributes), None) \
+            if draw.discards else None
+        scene.add(camera, draw, False)
+        if raster is None or draw.state.viewport != camera.viewport or not draw.state.writes:
+            continue
+        for i in range(len(draw.clips)):
+            clip = frame.draw_clip(camera, draw, i)
+            keep = draw.mask.keep(draw, clip[:, :, 3].ravel()) if draw.mask else None
+            raster.draw(clip, draw.state, number, gate.step_of(info.format.Name()), keep)
+    if raster is not None and image is not None:
+        captured = image[:, :, 0].ravel()
+        clear = 0.0 if reversed_ else 1.0
+        seen = captured != clear
+        near = np.abs(captured - raster.depth) <= np.maximum(4 * (gate.step_of(info.format.Name()) or 2.0 ** -24),
+                                                            1e-5 * np.abs(1 - captured if not reversed_ else captured))
+        share = float(near[seen].mean()) if seen.any() else 0.0
+        numbers = {"name": "camera", "pixels": int(seen.sum()), "agree": share, "passed": share >= 0.995,
+                   "matrix": camera.method, "matrix_agreement": camera.agreement, "draws": len(camera.draws),
+                   "left_out": quads + camera.unread}
+        gates.append(numbers)
+        if not numbers["passed"]:
+            notes.append("The camera's depth agrees on %.1f %% of the pixels only; receivers may be missing." %
+                         (100 * share))
+    return entry
+
+
+def picture(capture, folder):
+    """Writes the frame's last picture. Returns whether there is one."""
+    target = 0
+    for action in reversed(capture.actions):
+        if action.flags & rd.ActionFlags.Present and int(action.copyDestination):
+            target = int(action.copyDestination)
+            break
+        if action.flags & rd.ActionFlags.Drawcall and int(action.outputs[0]):
+            target = int(action.outputs[0])
+            break
+    info = capture.textures.get(target)
+    if info is None or info.msSamp > 1:
+        return False
+    capture.go(capture.actions[-1].eventId)
+    pixels = capture.texels(target)
+    if pixels is None or pixels.shape[2] < 3:
+        return False
+    rgb = np.rint(np.clip(np.nan_to_num(pixels[:, :, :3]), 0, 1) * 255).astype(np.uint8)
+    if not capture.vulkan:
+        rgb = rgb[::-1]
+    bundle.write_png(os.path.join(folder, "picture.png"), np.ascontiguousarray(rgb))
+    return True
+
+
+COMPARE = {"Less": "less", "LessEqual": "less-equal", "Greater": "greater", "GreaterEqual": "greater-equal"}
+WRAP = {"ClampEdge": "clamp", "ClampBorder": "border", "Wrap": "repeat"}
+
+
+def look_up(capture, candidate, folder, notes):
+    """Returns what is known of the look-up: sampler and shader text. Bias stays unknown."""
+    result = {}
+    event = candidate.readers[len(candidate.readers) // 2]
+    capture.go(event)
+    pipe = capture.control.GetPipelineState()
+    try:
+        sampler = sampler_of(capture, pipe, candidate.texture)
+    except (AttributeError, IndexError):
+        sampler = None
+    if sampler is not None:
+        compare, magnify, wrap = sampler
+        if compare in COMPARE:
+            result["compare"] = COMPARE[compare]
+        if magnify in ("Point", "Linear"):
+            result["filter"] = "nearest" if magnify == "Point" else "linear"
+        if wrap in WRAP:
+            result["wrap"] = WRAP[wrap]
+    reflection = pipe.GetShaderReflection(rd.ShaderStage.Pixel)
+    if reflection is not None:
+        glsl = reflection.encoding == rd.ShaderEncoding.GLSL
+        file = "lookup_%d.%s" % (candidate.texture, "glsl" if glsl else "spvasm")
+        with open(os.path.join(folder, file), "w") as out:
+            out.write(capture.shader_text(pipe, reflection))
+        result["shader"] = file
+    return result
+
+
+def sampler_of(capture, pipe, texture):
+    """Returns compare function, magnification and wrap of the sampler that reads a texture."""
+    if not capture.vulkan:
+        state = capture.control.GetGLPipelineState()
+        for unit, bound in enumerate(state.textures):
+            if int(bound.resourceId) == texture:
+                sampler = state.samplers[unit]
+                compare = sampler.compareFunction.name if sampler.filter.filter == rd.FilterFunction.Comparison else ""
+                return compare, sampler.filter.magnify.name, sampler.addressS.name
+        return None
+    state = capture.control.GetVulkanPipelineState()
+    for group in state.graphics.descriptorSets:
+        for binding in group.bindings:
+            for bind in binding.binds:
+                if int(bind.resourceResourceId) == texture:
+                    compare = bind.compareFunction.name if bind.filter.filter == rd.FilterFunction.Comparison else ""
+                    return compare, bind.filter.magnify.name, bind.addressU.name
+    return None
+
+
+_ = texture_kind
