@@ -1,5 +1,5 @@
 """Shadow maps of a captured frame: candidates, passes, light matrices, camera, scene."""
-import os
+import hashlib
 
 import numpy as np
 
@@ -171,7 +171,9 @@ def prepare(draw):
     score, draw.position, draw.mvp, draw.error, draw.rank = best
     draw.values = fit.homogeneous(draw.attributes[draw.position])
     draw.points = draw.values[draw.indices]
-    draw.geometry = draw.geometry + draw.offsets[draw.position]
+    # Passes may draw the triangles of one mesh in different orders.
+    shape = np.unique(draw.points.astype("<f4") + np.float32(0), axis=0).tobytes()
+    draw.geometry = (len(draw.points), hashlib.sha1(shape).hexdigest())
     draw.mvps = [draw.mvp]
     for clip in draw.clips[1:]:
         draw.mvps.append(fit.fit_matrix(draw.points, clip)[0])
@@ -209,10 +211,10 @@ def projection_by_products(draws):
             break
     first = chosen[0]
     best = None
-    for error, places in fit.products(first.points, first.clips[0], first.constants)[:300]:
+    for error, places in fit.products(first.points, first.clips[0], all_constants(first))[:300]:
         lefts, explained = None, 0
         for draw in chosen:
-            factors = [fit.window_matrix(draw.constants, place) for place in places]
+            factors = [fit.window_matrix(all_constants(draw), place) for place in places]
             if any(f is None for f in factors):
                 continue
             left = np.eye(4)
@@ -236,10 +238,17 @@ def projection_by_products(draws):
     return (best[1], best[2]) if best else None
 
 
-def world_from_recipe(draw, places):
+def all_constants(draw, instance=0):
+    """Returns the constants of a draw and of one of its instances."""
+    if instance < len(draw.instance_constants):
+        return draw.constants + draw.instance_constants[instance]
+    return draw.constants
+
+
+def world_from_recipe(draw, places, instance=0):
     if len(places) == 1:
         return np.eye(4)
-    return fit.window_matrix(draw.constants, places[-1])
+    return fit.window_matrix(all_constants(draw, instance), places[-1])
 
 
 def set_worlds(part, places):
@@ -252,7 +261,7 @@ def set_worlds(part, places):
         for i, clip in enumerate(draw.clips):
             world = None
             if places is not None:
-                world = world_from_recipe(draw, places)
+                world = world_from_recipe(draw, places, i)
             if world is not None:
                 points, sample = fit.sample_points(draw.points, clip)
                 if fit.scores((part.matrix @ world)[None], points, sample)[0] > 5 * fit.MATRIX_RESIDUAL:
@@ -327,7 +336,6 @@ def compare_rows(part, pairs):
 def projection_by_pairs(part, known):
     """Finds clip_from_world from draws whose geometry and world matrix are known. @param known {geometry: [world]}"""
     best = None
-    inverse_error = None
     for draw in probes_of(part.draws)[:12]:
         for world in known.get(draw.geometry, [])[:16]:
             if world is None or abs(np.linalg.det(world)) < 1e-18:
@@ -348,7 +356,6 @@ def projection_by_pairs(part, known):
                 best = (count, matrix)
     if best is None or best[0] < 1:
         return None
-    del inverse_error
     return best[1]
 
 
@@ -394,6 +401,45 @@ def find_matrices(passes, notes):
                 continue
             part.matrix, part.places, part.method = matrix, None, "geometry shared with another pass"
             set_worlds(part, None)
+    align_worlds(passes, notes)
+
+
+def align_worlds(passes, notes):
+    """Brings passes whose constants speak of different worlds (another origin) into that of the last one."""
+    usable = [p for p in passes if p.matrix is not None]
+    if len(usable) < 2:
+        return
+    base = usable[-1]
+    known = known_worlds([base])
+    for part in usable[:-1]:
+        best = None
+        pairs = [(w, v) for d in part.draws if not d.skinned for w in d.worlds if w is not None
+                 for v in known.get(d.geometry, [])[:8]][:400]
+        tried = []
+        for world, other in pairs:
+            if abs(np.linalg.det(world)) < 1e-18 or len(tried) > 24:
+                continue
+            move = other @ np.linalg.inv(world)
+            if any(np.allclose(move, t, atol=1e-4 * np.abs(t).max()) for t in tried):
+                continue
+            tried.append(move)
+            moved = np.array([move @ w for w, _ in pairs])
+            size = 1e-3 * (np.abs(np.array([v for _, v in pairs])).max((1, 2)) + 1e-9)
+            count = int((np.abs(moved - np.array([v for _, v in pairs])).max((1, 2)) < size).sum())
+            if best is None or count > best[0]:
+                best = (count, move)
+        if best is None or np.allclose(best[1], np.eye(4), atol=1e-4):
+            continue
+        move = best[1]
+        if np.abs(move[:3, :3] - np.eye(3)).max() < 1e-4:
+            move = np.eye(4)
+            move[:3, 3] = best[1][:3, 3]
+        part.matrix = part.matrix @ np.linalg.inv(move)
+        for draw in part.draws:
+            draw.worlds = [None if w is None else move @ w for w in draw.worlds]
+        note = "Passes of the capture have worlds of different origins; all are brought into one."
+        if note not in notes:
+            notes.append(note)
 
 
 def normalise_depth_range(matrix, state):
@@ -488,45 +534,71 @@ def mask_options(capture, draw):
 
 def draw_clip(part, draw, instance):
     """Returns (triangle, corner, 4) clip positions by the matrix of the pass."""
-    points = world_positions(part, draw, instance)
-    clip = np.hstack([points, np.ones((len(points), 1))]) @ part.matrix.T
-    return clip.reshape(-1, 3, 4)
+    # Vertex shaders compute with 32 bits.
+    points = world_positions(part, draw, instance).astype(np.float32)
+    clip = np.hstack([points, np.ones((len(points), 1), np.float32)]) @ part.matrix.T.astype(np.float32)
+    return clip.astype(float).reshape(-1, 3, 4)
 
 
-def choose_masks(capture, part, captured, raster, step):
-    """Finds masks of draws that may drop texels by comparing coverage with the captured map."""
+def choose_masks(capture, part, captured, covered, raster, step, known):
+    """Finds masks of draws that may drop texels by comparing with the captured map.
+
+    @param captured depths; None: coverage alone tells @param raster draws without mask
+    @param known masks by pixel shader and textures, of earlier maps
+    """
     groups = {}
     for draw in part.draws:
         if draw.discards:
             groups.setdefault((draw.pixel_shader, tuple(draw.textures)), []).append(draw)
-    for draws in groups.values():
-        options = mask_options(capture, draws[0])
+    for key, draws in groups.items():
         solid = gate.Raster(raster.width, raster.height, raster.reversed)
         for draw in draws:
             for i in range(len(draw.clips)):
                 solid.draw(draw_clip(part, draw, i), draw.state, 0, step)
-        region = solid.covered() & ~raster.covered()
-        truth = captured[region]
-        best = (float(np.mean(~truth)) if region.any() else 0.0, None)  # solid
-        if best[0] < 0.001:
+        region, truth = mask_truth(solid, raster, captured, covered, step)
+        best = (float(np.mean(~truth)) if len(truth) else 0.0, None)  # solid
+        options = mask_options(capture, draws[0])
+        # A mask of another pass, which may have another shader.
+        options = [m for m in known.values() if m.texture in draws[0].textures and
+                   m.uv in draws[0].attributes] + options
+        if not options:
+            continue
+        if len(truth) < 16:
+            for draw in draws:
+                draw.mask_unknown = True
             continue
         for option in options:
             trial = masked_coverage(part, draws, option, raster, step)
             wrong = float(np.mean(trial[region] != truth))
             if wrong < best[0]:
                 best = (wrong, option)
+            if option in known.values() and wrong < 0.02:
+                break
         if best[1] is None or best[0] > 0.1:
             for draw in draws:
-                draw.mask_unknown = True
+                draw.mask_unknown = best[0] > 0.001
             continue
         option = best[1]
-        for cutoff in cutoffs(draws[0]):
-            other = Mask(option.texture, option.image, option.channel, option.uv, option.flip, cutoff)
-            wrong = float(np.mean(masked_coverage(part, draws, other, raster, step)[region] != truth))
-            if wrong < best[0] * 0.98:
-                best = (wrong, other)
+        if option not in known.values():
+            for cutoff in cutoffs(draws[0]):
+                other = Mask(option.texture, option.image, option.channel, option.uv, option.flip, cutoff)
+                wrong = float(np.mean(masked_coverage(part, draws, other, raster, step)[region] != truth))
+                if wrong < best[0] * 0.98:
+                    best = (wrong, other)
+        known[key] = best[1]
         for draw in draws:
             draw.mask, draw.mask_wrong = best[1], best[0]
+
+
+def mask_truth(solid, raster, captured, covered, step):
+    """Returns texels where a masked draw may be seen, and whether it is seen there."""
+    if captured is None:
+        region = solid.covered() & ~raster.covered()
+        return region, covered[region]
+    apart = 16 * (step or 2.0 ** -24)
+    nearer = solid.depth - raster.depth if raster.reversed else raster.depth - solid.depth
+    region = solid.covered() & (nearer > apart)
+    return region, (np.abs(captured - solid.depth) < np.abs(captured - raster.depth))[region]
 
 
 def cutoffs(draw):
@@ -557,12 +629,66 @@ def viewport_part(part, image):
     return (x, y, min(w, width - x), min(h, height - y))
 
 
-def gate_of(capture, part, image, depth_format, report):
-    """Draws the casters again and compares them with the captured depths. Returns numbers of the gate."""
+def linear_depth(matrix, depth, negative_one, reversed_):
+    """Returns depths along the light's axis, 0 at the near plane and 1 at the far plane."""
+    z = depth * 2 - 1 if negative_one else depth
+    inverse = np.linalg.inv(matrix)
+    ends = [inverse @ np.array([0, 0, v, 1.0]) for v in ((-1.0 if negative_one else 0.0), 1.0)]
+    ends = [e / e[3] for e in ends]
+    w = [float(matrix[3] @ e) for e in ends]
+    if abs(w[1] - w[0]) < 1e-6 * max(abs(w[0]), abs(w[1])):
+        result = depth
+    else:
+        # z over w is linear in 1 over w.
+        share = (z - (-1.0 if negative_one else 0.0)) / (2.0 if negative_one else 1.0)
+        result = (1 / ((1 - share) / w[0] + share / w[1]) - w[0]) / (w[1] - w[0])
+    return 1 - result if reversed_ and abs(w[1] - w[0]) < 1e-6 * max(abs(w[0]), abs(w[1])) else result
+
+
+def texel_meaning(part, values, depth, both, size):
+    """Finds what a texel of a colour map holds. Returns (stored, extras, residual) of the smallest residual."""
+    reversed_ = part.state.function in REVERSED_FUNCTIONS
+    linear = linear_depth(part.matrix, depth, part.state.negative_one, reversed_)
+    places = np.nonzero(both & np.isfinite(values) & np.isfinite(linear))[0]
+    if len(places) < 64:
+        return "depth", {}, None
+    places = places[::max(1, len(places) // 50000)]
+    values, depth, linear = values[places], depth[places], linear[places]
+    options = [(float(np.median(np.abs(values - depth))), "depth", {}),
+               (float(np.median(np.abs(values - linear))), "linear", {})]
+    if (values > 0).mean() >= 0.99 and np.ptp(np.log(values[values > 0])) > 1:
+        share = np.log(np.maximum(values, 1e-30))
+        exponent = float(np.median(share / np.maximum(linear, 1e-6)))
+        options.append((float(np.median(np.abs(share / exponent - linear))), "exponential", {"exponent": exponent}))
+    best = min(options, key=lambda o: o[0])
+    if best[0] < 1e-3:
+        return best[1], best[2], best[0]
+    # A distance along an axis of the engine's own is linear in the world position.
+    width, height = size
+    x = (places % width + 0.5) / width * 2 - 1
+    y = (places // width + 0.5) / height * 2 - 1
+    z = depth * 2 - 1 if part.state.negative_one else depth
+    points = np.stack([x, -y if part.state.flipped else y, z, np.ones_like(x)], 1) @ np.linalg.inv(part.matrix).T
+    points = points / points[:, 3:4]
+    plane = np.linalg.lstsq(points, values, rcond=1e-12)[0]
+    for _ in range(3):
+        error = np.abs(points @ plane - values)
+        inside = error <= 6 * np.median(error) + 1e-9
+        plane = np.linalg.lstsq(points[inside], values[inside], rcond=1e-12)[0]
+    error = float(np.median(np.abs(points @ plane - values)))
+    if error < best[0]:
+        return "linear", {"plane": [float(v) for v in plane]}, error
+    return best[1], best[2], best[0]
+
+
+def gate_of(capture, part, image, depth_format, clear_image, colour, report, known):
+    """Draws the casters again and compares them with the captured map. Returns numbers of the gate.
+
+    @param clear_image texels before the first draw, of a colour map @param known masks of earlier maps
+    """
     reversed_ = part.state.function in REVERSED_FUNCTIONS
     x, y, width, height = viewport_part(part, image)
     captured = image[y:y + height, x:x + width, 0].ravel()
-    clear = 0.0 if reversed_ else 1.0
     step = gate.step_of(depth_format)
     raster = gate.Raster(width, height, reversed_)
     skinned = sum(d.skinned for d in part.draws)
@@ -574,9 +700,13 @@ def gate_of(capture, part, image, depth_format, report):
         for i in range(len(draw.clips)):
             raster.draw(draw_clip(part, draw, i), draw.state, number, step)
         report()
-    is_covered = captured != clear
+    if colour:
+        cleared = clear_image[y:y + height, x:x + width, 0].ravel()
+        is_covered = captured != cleared
+    else:
+        is_covered = captured != (0.0 if reversed_ else 1.0)
     if any(d.discards for d in part.draws):
-        choose_masks(capture, part, is_covered, raster, step)
+        choose_masks(capture, part, None if colour else captured, is_covered, raster, step, known)
     masked = gate.Raster(width, height, reversed_)
     for number, draw in enumerate(part.draws):
         if not draw.discards:
@@ -589,31 +719,44 @@ def gate_of(capture, part, image, depth_format, report):
                 raster.draw(clip, draw.state, number, step, keep)
     solid = masked.covered()
     own = raster.covered()
+    quantised = np.rint(raster.depth / step) * step if step else raster.depth.astype(np.float32).astype(float)
+    if not colour:
+        own &= quantised != (0.0 if reversed_ else 1.0)  # a depth at the clear value covers nothing
     opaque = ~solid
     missed_all, extra_all = is_covered & ~(own | solid), own & ~is_covered
     missed, extra = missed_all & opaque, extra_all & opaque
     unmasked = is_covered & opaque
     both = unmasked & own
-    quantised = np.rint(raster.depth / step) * step if step else raster.depth.astype(np.float32).astype(float)
+    stored = {"stored": "depth"}
+    if colour:
+        name, more, error = texel_meaning(part, captured, raster.plain, both, (width, height))
+        stored = {"stored": name, "residual": error}
+        stored.update(more)
+        part.stored = dict(more, stored=name)
+        inner = np.zeros((height, width), bool)
+        inner[1:-1, 1:-1] = True
+        extra &= inner.ravel()
     result = {
         "captured_texels": int(is_covered.sum()), "captured_unmasked_texels": int(unmasked.sum()),
         "masked_texels": int(solid.sum()), "missed": int(missed.sum()), "extra": int(extra.sum()),
         "missed_all": int(missed_all.sum()), "extra_all": int(extra_all.sum()),
         "mask_mismatch": max([d.mask_wrong for d in part.draws] or [0]),
-        "masks_unknown": sum(d.mask_unknown for d in part.draws),
-        "depth": gate.compare_depths(captured, quantised, both, step),
+        "masks_unknown": sum(d.mask_unknown for d in part.draws), "texels_hold": stored,
         "draws": len(part.draws), "instances": instances, "masked_draws": sum(d.discards for d in part.draws),
         "post_vertex_draws": skinned, "post_vertex_share": skinned / max(1, len(part.draws)),
         "unread_draws": part.unread, "matrix_agreement": part.agreement,
         "fit_residual": median_residual(part),
     }
     share = max(1, result["captured_unmasked_texels"])
-    depth = result["depth"]
-    result["passed"] = bool(
-        result["missed"] <= 0.001 * share and result["extra"] <= 0.0001 * share and depth.get("texels", 0) > 0 and
-        depth["median_steps"] <= 1 and depth["percentile_99_steps"] <= 4 and
-        (part.agreement is None or part.agreement <= 1e-4))
-    result["caster_bias"] = caster_bias(part, captured, raster, both)
+    passed = result["missed"] <= 0.001 * share and result["extra"] <= 0.0001 * share and bool(both.any())
+    if not colour:
+        result["depth"] = depth = gate.compare_depths(captured, quantised, both, step)
+        passed = passed and depth.get("texels", 0) > 0 and depth["median_steps"] <= 1 and \
+            depth["percentile_99_steps"] <= 4
+        result["caster_bias"] = caster_bias(part, captured, raster, both)
+    else:
+        passed = passed and stored["residual"] is not None and stored["residual"] < 1e-3
+    result["passed"] = bool(passed and (part.agreement is None or part.agreement <= 1e-4))
     return result
 
 
@@ -623,12 +766,11 @@ def median_residual(part):
 
 
 def caster_bias(part, captured, raster, both):
-    """Fits captured minus rebuilt depth, both without polygon offset, to the angle between light and surface."""
+    """Fits captured minus rebuilt depth, with the recorded polygon offset, to the angle between light and surface."""
     places = np.nonzero(both & np.isfinite(raster.plain))[0]
     if len(places) < 64:
         return None
     places = places[::max(1, len(places) // 60000)]
-    inverse = np.linalg.inv(part.matrix)
     kind = fit.light_of(part.matrix, part.state.function in REVERSED_FUNCTIONS, part.state.negative_one)
     cosines = np.full(len(places), np.nan)
     tags, owners = raster.tag[places], raster.owner[places]
@@ -643,9 +785,8 @@ def caster_bias(part, captured, raster, both):
         towards = -kind[1][None] if kind[0] == "directional" else kind[1][None] - corners.mean(1)
         towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
         cosines[rows] = np.abs((normal * towards).sum(1)) / np.maximum(length, 1e-30)
-    del inverse
     good = np.isfinite(cosines)
-    return gate.fit_bias((captured[places] - raster.plain[places])[good], cosines[good])
+    return gate.fit_bias((captured[places] - raster.depth[places])[good], cosines[good])
 
 
 def front_sign(part, draw):
@@ -806,4 +947,3 @@ def run(capture, options, say):
             raise CaptureError("has no candidate %d; --list prints them, 0 to %d" % (pick, len(numbered) - 1))
     chosen = [numbered[i] for i in options.pick] if options.pick else numbered
     import_maps(capture, chosen, options, say)
-    _ = os

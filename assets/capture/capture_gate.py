@@ -5,26 +5,34 @@ SUBPIXELS = 256
 CHUNK = 3_000_000
 
 
-def clip_near(triangles, owners):
-    """Cuts triangles that reach behind the centre of projection at a small positive w."""
-    w = triangles[:, :, 3]
-    scale = np.abs(w).max() if w.size else 1.0
-    least = 1e-6 * scale
-    good = (w > least).all(1)
-    bad = ~good & (w > least).any(1)
-    pieces, names = [triangles[good]], [owners[good]]
-    for triangle, owner in zip(triangles[bad], owners[bad]):
-        polygon = []
-        for i in range(3):
-            a, b = triangle[i], triangle[(i + 1) % 3]
-            if a[3] > least:
-                polygon.append(a)
-            if (a[3] > least) != (b[3] > least):
-                t = (least - a[3]) / (b[3] - a[3])
-                polygon.append(a + t * (b - a))
+def clip_far_out(triangles, owners):
+    """Cuts triangles that reach behind the centre of projection or far beyond the viewport."""
+    x, y, w = triangles[:, :, 0], triangles[:, :, 1], triangles[:, :, 3]
+    least = 1e-6 * (np.abs(w).max() if w.size else 1.0)
+    planes = [np.array([0, 0, 0, 1.0]), np.array([1, 0, 0, 2.0]), np.array([-1, 0, 0, 2.0]), np.array([0, 1, 0, 2.0]),
+              np.array([0, -1, 0, 2.0])]
+    good = ((w > least) & (np.abs(x) < 8 * w) & (np.abs(y) < 8 * w)).all(1)
+    out = np.zeros(len(triangles), bool)
+    for plane in planes:
+        out |= (triangles @ plane <= (least if plane[0] == plane[1] else 0)).all(1)
+    pieces, names = [triangles[good & ~out]], [owners[good & ~out]]
+    for number in np.nonzero(~good & ~out)[0]:
+        polygon = list(triangles[number])
+        for plane in planes:
+            edge = least if plane[0] == plane[1] else 0
+            inside, kept = [float(p @ plane) - edge for p in polygon], []
+            for i, a in enumerate(polygon):
+                j = (i + 1) % len(polygon)
+                if inside[i] > 0:
+                    kept.append(a)
+                if (inside[i] > 0) != (inside[j] > 0):
+                    kept.append(a + inside[i] / (inside[i] - inside[j]) * (polygon[j] - a))
+            polygon = kept
+            if not polygon:
+                break
         for i in range(1, len(polygon) - 1):
             pieces.append(np.array([[polygon[0], polygon[i], polygon[i + 1]]]))
-            names.append(np.array([owner]))
+            names.append(owners[number:number + 1])
     return np.concatenate(pieces), np.concatenate(names)
 
 
@@ -40,7 +48,7 @@ class Raster:
         self.tag = np.full(count, -1, np.int64)
         self.uv = None
 
-    def draw(self, clip, state, tag, step=None, keep=None, shift=(0.0, 0.0)):
+    def draw(self, clip, state, tag, step=None, keep=None):
         """Draws triangles, (n, 3, 4) clip positions in the orientation of the target's rows.
 
         @param step unit of the polygon offset; None: that of float depths
@@ -48,20 +56,25 @@ class Raster:
         """
         if len(clip) == 0:
             return
-        triangles, owners = clip_near(clip, np.arange(len(clip)))
+        triangles, owners = clip_far_out(clip, np.arange(len(clip)))
         if len(triangles) == 0:
             return
-        ndc = triangles[:, :, :3] / triangles[:, :, 3:4]
+        # Rasterisers compute with 32 bits.
+        single = np.float32
+        ndc = triangles[:, :, :3].astype(single) * (single(1) / triangles[:, :, 3:4].astype(single))
         if state.flipped:
-            ndc = ndc * [1, -1, 1]
-        x = (ndc[:, :, 0] * 0.5 + 0.5) * self.width + shift[0]
-        y = (ndc[:, :, 1] * 0.5 + 0.5) * self.height + shift[1]
-        z = ndc[:, :, 2] * 0.5 + 0.5 if state.negative_one else ndc[:, :, 2]
+            ndc = ndc * np.array([1, -1, 1], single)
+        x = ndc[:, :, 0] * single(self.width / 2) + single(self.width / 2)
+        y = ndc[:, :, 1] * single(self.height / 2) + single(self.height / 2)
         low, high = state.depth_range
-        z = low + (high - low) * z
+        z = ndc[:, :, 2]
+        if state.negative_one:
+            z = z * single((high - low) / 2) + single((high + low) / 2)
+        elif (low, high) != (0.0, 1.0):
+            z = z * single(high - low) + single(low)
         limit = 1 << 40
-        sx = np.clip(np.rint(x * SUBPIXELS), -limit, limit)
-        sy = np.clip(np.rint(y * SUBPIXELS), -limit, limit)
+        sx = np.clip(np.rint(x.astype(float) * SUBPIXELS), -limit, limit)
+        sy = np.clip(np.rint(y.astype(float) * SUBPIXELS), -limit, limit)
         area = (sx[:, 1] - sx[:, 0]) * (sy[:, 2] - sy[:, 0]) - (sx[:, 2] - sx[:, 0]) * (sy[:, 1] - sy[:, 0])
         ccw = area > 0 if not state.flipped else area < 0
         front = ccw == state.front_ccw
@@ -74,16 +87,21 @@ class Raster:
         if len(chosen) == 0:
             return
         sx, sy, z, area, owners = sx[chosen], sy[chosen], z[chosen], area[chosen], owners[chosen]
+        # Edges are those of rounded corners, planes of depth those of the corners themselves.
+        tx, ty, z = x[chosen].astype(float), y[chosen].astype(float), z.astype(float)
         back = area < 0
-        for values in (sx, sy, z):
+        for values in (sx, sy, tx, ty, z):
             values[back] = values[back][:, [0, 2, 1]]
         swapped = back
         area = np.abs(area)
         # Plane of depth per texel.
-        ax, ay, az = (sx[:, 1] - sx[:, 0]), (sy[:, 1] - sy[:, 0]), z[:, 1] - z[:, 0]
-        bx, by, bz = (sx[:, 2] - sx[:, 0]), (sy[:, 2] - sy[:, 0]), z[:, 2] - z[:, 0]
-        dzdx = (az * by - bz * ay) / area * SUBPIXELS
-        dzdy = (bz * ax - az * bx) / area * SUBPIXELS
+        ax, ay, az = (tx[:, 1] - tx[:, 0]), (ty[:, 1] - ty[:, 0]), z[:, 1] - z[:, 0]
+        bx, by, bz = (tx[:, 2] - tx[:, 0]), (ty[:, 2] - ty[:, 0]), z[:, 2] - z[:, 0]
+        true_area = ax * by - bx * ay
+        pixels = area / SUBPIXELS ** 2
+        over = 1 / np.where(np.abs(true_area) < 1e-3 * pixels, pixels, true_area)
+        dzdx, dzdy = (az * by - bz * ay) * over, (bz * ax - az * bx) * over
+        origin = z[:, 0] - (dzdx * (tx[:, 0] - 0.5) + dzdy * (ty[:, 0] - 0.5))
         slope = np.maximum(np.abs(dzdx), np.abs(dzdy))
         if step is None:
             exponent = np.floor(np.log2(np.maximum(np.abs(z).max(1), 1e-38)))
@@ -131,7 +149,8 @@ class Raster:
                 continue
             t, px, py = t[index], px[index], py[index]
             share = np.stack([e[index] for e in weights], 1) / area[t][:, None]
-            depth = (share * z[t]).sum(1)
+            depth = origin[t] + dzdx[t] * px + dzdy[t] * py
+            depth = np.clip(depth, z[t].min(1), z[t].max(1))
             plain = depth
             depth = depth + (offset[t] if np.ndim(offset) else offset)
             lowest, highest = min(low, high), max(low, high)
@@ -179,8 +198,8 @@ def compare_depths(captured, own, both, step):
     if not both.any():
         return {"texels": 0}
     difference = captured[both] - own[both]
-    size = step if step else np.maximum(np.spacing(np.abs(captured[both]).astype(np.float32)), 2.0 ** -24)
-    steps = np.abs(difference) / size
+    # Rasterisers interpolate floats with an error of the last place of 1, however small the depth is.
+    steps = np.abs(difference) / (step if step else 2.0 ** -23)
     return {"texels": int(both.sum()), "median_steps": float(np.median(steps)),
             "percentile_99_steps": float(np.percentile(steps, 99)), "median": float(np.median(difference))}
 

@@ -53,9 +53,10 @@ def import_maps(capture, chosen, options, say):
     folder = options.output
     os.makedirs(folder, exist_ok=True)
     images = {}
+    masks = {}
     for number, (candidate, part) in enumerate(chosen):
         say(progress=0.7 + 0.2 * number / len(chosen), label="comparing map %d of %d" % (number + 1, len(chosen)))
-        maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, say)
+        maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks)
     if not maps:
         raise CaptureError("holds shadow maps, but none of their light matrices could be found")
     sizes = {}
@@ -67,7 +68,6 @@ def import_maps(capture, chosen, options, say):
         notes.append("%d maps of another size than %d x %d are left out; pick them by themselves." %
                      (left, size[0], size[1]))
         maps = sizes[size]
-    masks = {d.mask.texture: d.mask for p in passes for d in p.draws if getattr(d, "mask", None)}
     camera_entry = camera_of(capture, camera, masks, scene, gates, notes)
     say(progress=0.95, label="writing")
     lights = []
@@ -113,7 +113,7 @@ def clean(value):
     return value
 
 
-def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, say):
+def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks):
     info = capture.textures[candidate.texture]
     name = info.format.Name()
     if part is None:
@@ -136,8 +136,14 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
         notes.append("%s: %d texels hold no number (NaN or infinite)." % (label, bad))
     part.matrix = frame.normalise_depth_range(part.matrix, part.state)
     reversed_ = part.state.function in REVERSED_FUNCTIONS
-    numbers = {"map": number, "name": label, "not_finite": bad}
-    numbers.update(frame.gate_of(capture, part, image, name, lambda: None))
+    numbers = {"map": number, "name": label, "not_finite": bad, "matrix": part.method}
+    colour = candidate.kind == "colour"
+    clear_image = None
+    if colour:
+        capture.go(part.events[0] - 1)
+        clear_image = capture.texels(candidate.texture, 0, part.slice)
+    step_format = name if not colour else "D32"
+    numbers.update(frame.gate_of(capture, part, image, step_format, clear_image, colour, lambda: None, masks))
     gates.append(numbers)
     x, y, w, h = frame.viewport_part(part, image)
     key = (candidate.texture, part.slice)
@@ -158,14 +164,20 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     drawn = []
     for draw in part.draws:
         drawn += scene.add(part, draw, True)
-    stored = "depth"
-    if candidate.kind == "colour":
-        stored = "moments" if info.format.compCount >= 2 else "exponential" if np.nanmax(image) > 1.5 else "depth"
+    stored = {"stored": "depth"}
+    if colour:
+        stored = dict(part.stored)
+        if info.format.compCount >= 2 and stored["stored"] != "exponential":
+            stored["stored"] = "moments"
+        if "plane" in stored:
+            notes.append("%s: a texel is linear in the world position, by %s, and not between the planes of the light's "
+                         "matrix." % (label, ", ".join("%.6g" % v for v in stored.pop("plane"))))
+        stored["clear"] = float(clear_image[y, x, 0])
     first = part.draws[0].state
     entry = {
         "image": images[key], "region": [x, y, w, h], "clip_from_world": bundle.columns(part.matrix),
-        "depth": {"range": "-1..1" if part.state.negative_one else "0..1", "reversed": reversed_, "stored": stored,
-                  "format": depth_format(name)},
+        "depth": {"range": "-1..1" if part.state.negative_one else "0..1", "reversed": reversed_,
+                  "format": depth_format(name), **stored},
         "raster": {"offset_factor": first.factor, "offset_units": first.units, "offset_clamp": first.clamp,
                    "cull": most_common([d.state.cull for d in part.draws]), "front": "ccw",
                    "depth_clamp": bool(first.depth_clamp)},
@@ -201,8 +213,7 @@ def camera_of(capture, camera, masks, scene, gates, notes):
     if camera.matrix is None:
         notes.append("The camera could not be found; a camera that shows the scene is used.")
         return None
-    action = capture.by_event[camera.events[-1]]
-    depth = int(action.depthOut)
+    depth = int(capture.by_event[camera.events[-1]].depthOut)
     info = capture.textures[depth]
     camera.matrix = frame.normalise_depth_range(camera.matrix, camera.state)
     camera.state.depth_range = (0.0, 1.0)
@@ -211,43 +222,60 @@ def camera_of(capture, camera, masks, scene, gates, notes):
     entry = {"clip_from_world": bundle.columns(camera.matrix), "width": int(camera.viewport[2]),
              "height": int(camera.viewport[3]),
              "depth": {"range": "-1..1" if camera.state.negative_one else "0..1", "reversed": reversed_}}
-    quads = 0
-    raster = None
-    image = None
-    if info.msSamp <= 1:
-        capture.go(camera.events[-1])
-        image = capture.texels(depth)
-        raster = gate.Raster(info.width, info.height, reversed_)
-    for number, draw in enumerate(camera.draws):
+    receivers = []
+    for draw in camera.draws:
+        draw.mask, draw.mask_unknown, draw.mask_wrong = None, False, 0.0
         # A quad over the picture is no receiver: its w is 1 while the camera's changes.
-        if np.ptp(draw.clips[0][:, 3]) == 0 and np.abs(camera.matrix[3, :3]).max() > 1e-6 and \
-                np.abs(draw.clips[0][:, :2]).max() <= 4 and len(draw.indices) <= 6 and draw.clips[0][0, 3] == 1:
-            quads += 1
-            continue
-        draw.mask = next((masks[t] for t in draw.textures if t in masks and masks[t].uv in draw.attributes), None) \
-            if draw.discards else None
+        quad = np.ptp(draw.clips[0][:, 3]) == 0 and draw.clips[0][0, 3] == 1 and len(draw.indices) <= 6 and \
+            np.abs(camera.matrix[3, :3]).max() > 1e-6
+        if not quad:
+            receivers.append(draw)
+    left_out = len(camera.draws) - len(receivers) + camera.unread
+    camera.draws = receivers
+    if info.msSamp <= 1 and camera.viewport == (0, 0, info.width, info.height):
+        gates.append(camera_gate(capture, camera, depth, info, reversed_, masks, left_out, notes))
+    else:
+        notes.append("The camera's depth is multisampled or drawn in parts, and was not compared.")
+    for draw in receivers:
         scene.add(camera, draw, False)
-        if raster is None or draw.state.viewport != camera.viewport or not draw.state.writes:
-            continue
-        for i in range(len(draw.clips)):
-            clip = frame.draw_clip(camera, draw, i)
-            keep = draw.mask.keep(draw, clip[:, :, 3].ravel()) if draw.mask else None
-            raster.draw(clip, draw.state, number, gate.step_of(info.format.Name()), keep)
-    if raster is not None and image is not None:
-        captured = image[:, :, 0].ravel()
-        clear = 0.0 if reversed_ else 1.0
-        seen = captured != clear
-        near = np.abs(captured - raster.depth) <= np.maximum(4 * (gate.step_of(info.format.Name()) or 2.0 ** -24),
-                                                            1e-5 * np.abs(1 - captured if not reversed_ else captured))
-        share = float(near[seen].mean()) if seen.any() else 0.0
-        numbers = {"name": "camera", "pixels": int(seen.sum()), "agree": share, "passed": share >= 0.995,
-                   "matrix": camera.method, "matrix_agreement": camera.agreement, "draws": len(camera.draws),
-                   "left_out": quads + camera.unread}
-        gates.append(numbers)
-        if not numbers["passed"]:
-            notes.append("The camera's depth agrees on %.1f %% of the pixels only; receivers may be missing." %
-                         (100 * share))
     return entry
+
+
+def camera_gate(capture, camera, depth, info, reversed_, masks, left_out, notes):
+    """Draws the receivers again and compares their depth with the captured one. Returns the numbers."""
+    capture.go(camera.events[-1])
+    captured = capture.texels(depth)[:, :, 0].ravel()
+    step = gate.step_of(info.format.Name())
+    raster = gate.Raster(info.width, info.height, reversed_)
+
+    def draw_all(target, draws):
+        for number, draw in enumerate(draws):
+            if not draw.state.writes or draw.state.viewport != camera.viewport:
+                continue
+            for i in range(len(draw.clips)):
+                clip = frame.draw_clip(camera, draw, i)
+                keep = draw.mask.keep(draw, clip[:, :, 3].ravel()) if draw.mask else None
+                target.draw(clip, draw.state, number, step, keep)
+
+    draw_all(raster, [d for d in camera.draws if not d.discards])
+    seen = captured != (0.0 if reversed_ else 1.0)
+    masked = [d for d in camera.draws if d.discards]
+    unknown = gate.Raster(info.width, info.height, reversed_)
+    if masked:
+        frame.choose_masks(capture, camera, captured, seen, raster, step, masks)
+        draw_all(raster, [d for d in masked if not d.mask_unknown])
+        draw_all(unknown, [d for d in masked if d.mask_unknown])
+    hidden = unknown.covered() & ((unknown.depth >= raster.depth) if reversed_ else (unknown.depth <= raster.depth))
+    seen &= ~hidden
+    size = 4 * (step or 2.0 ** -24)
+    near = np.abs(captured - raster.depth) <= np.maximum(size, 1e-5 * (captured if reversed_ else 1 - captured))
+    share = float(near[seen].mean()) if seen.any() else 0.0
+    if share < 0.995:
+        notes.append("The camera's depth agrees on %.1f %% of the pixels only; receivers may be missing." %
+                     (100 * share))
+    return {"name": "camera", "pixels": int(seen.sum()), "agree": share, "passed": share >= 0.995,
+            "matrix": camera.method, "matrix_agreement": camera.agreement, "draws": len(camera.draws),
+            "left_out": left_out, "masked_pixels_left_out": int(hidden.sum())}
 
 
 def picture(capture, folder):

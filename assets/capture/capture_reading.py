@@ -47,6 +47,7 @@ class Draw:
         self.pixel_shader = 0
         self.discards = False
         self.constants = []   # (name, bytes)
+        self.instance_constants = []  # of each instance
         self.pixel_constants = []
         self.textures = []    # resource ids that the pixel shader reads
         self.geometry = ()
@@ -326,6 +327,24 @@ class Capture:
                     break
         return result
 
+    def instance_constants(self, pipe, buffers, action, instance):
+        """Returns (key, bytes) of the vertex buffers that step by instances."""
+        result, spans = [], {}
+        for attribute in pipe.GetVertexInputs():
+            if attribute.used and attribute.perInstance and attribute.instanceRate > 0 and \
+                    attribute.vertexBuffer < len(buffers) and attribute.format.compType == rd.CompType.Float and \
+                    attribute.format.compByteWidth == 4:
+                spans.setdefault((attribute.vertexBuffer, attribute.instanceRate), []).append(
+                    (attribute.byteOffset, 4 * attribute.format.compCount))
+        for (number, rate), parts in sorted(spans.items()):
+            bound = buffers[number]
+            data = self.buffer(bound.resourceId)
+            first = min(p[0] for p in parts)
+            last = max(p[0] + p[1] for p in parts)
+            start = bound.byteOffset + (action.instanceOffset + instance // rate) * bound.byteStride
+            result.append((("instance", number), data[start + first:start + last]))
+        return result
+
     def _flatten(self, key, variable, result):
         if len(variable.members):
             for member in variable.members:
@@ -390,6 +409,8 @@ class Capture:
         reflection = pipe.GetShaderReflection(vertex)
         result.vertex_shader = int(reflection.resourceId) if reflection else 0
         result.constants = self.constants(pipe, vertex)
+        result.instance_constants = [self.instance_constants(pipe, buffers, action, i)
+                                     for i in range(len(result.clips))]
         reflection = pipe.GetShaderReflection(pixel)
         if reflection:
             result.pixel_shader = int(reflection.resourceId)
