@@ -10,6 +10,7 @@
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/cli/command.h"
+#include "app/commands/import_capture.h"
 #include "app/context/window_context.h"
 #include "app/editor/editor.h"
 #include "app/session/workspace.h"
@@ -166,6 +167,19 @@ void add_import_map(CLI::App& app, Run& run) {
             one_of({"depth", "linear", "axis-metres", "distance-metres", "distance-share", "exponential", "moments"}));
     c.add_value("--pick", o.pick, "N", "Take row N of the list of readings")->check(CLI::Range(1, 10000));
     c.add_json("All readings with their errors as JSON");
+}
+
+void add_import_capture(CLI::App& app, Run& run) {
+    auto& c = add_command(app, run, "import-capture",
+                          "Write the shadow maps of a RenderDoc capture (OpenGL or Vulkan) as a bundle, with scene, "
+                          "camera and picture. Opening a capture runs its shaders",
+                          run_import_capture);
+    ImportCaptureOptions& o = c.options;
+    c.app().add_option("CAPTURE", o.capture, "A capture, .rdc")->required();
+    c.add_output("BUNDLE", "The bundle to write, a folder whose name ends in .bundle");
+    c.app().add_flag("--list", o.list, "Print the shadow maps of the capture and write nothing");
+    c.add_value("--pick", o.picks, "N", "Write only this map of the list (repeatable)")->check(CLI::Range(0, 1 << 20));
+    c.add_json("The list, or the numbers of the comparison, as JSON");
 }
 
 void add_probe(CLI::App& app, Run& run) {
@@ -411,8 +425,9 @@ int run_cli(int argc, const char* const* argv) {
     Run run;
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
-    for (const auto add : {add_render, add_reference, add_measure, add_compare_pictures, add_compare_maps,
-                           add_import_map, add_probe, add_list, add_measure_commands, add_presets, add_others})
+    for (const auto add :
+         {add_render, add_reference, add_measure, add_compare_pictures, add_compare_maps, add_import_map,
+          add_import_capture, add_probe, add_list, add_measure_commands, add_presets, add_others})
         add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {

@@ -171,13 +171,17 @@ def prepare(draw):
     score, draw.position, draw.mvp, draw.error, draw.rank = best
     draw.values = fit.homogeneous(draw.attributes[draw.position])
     draw.points = draw.values[draw.indices]
-    # Passes may draw the triangles of one mesh in different orders.
-    shape = np.unique(draw.points.astype("<f4") + np.float32(0), axis=0).tobytes()
-    draw.geometry = (len(draw.points), hashlib.sha1(shape).hexdigest())
+    draw.geometry = geometry_key(draw)
     draw.mvps = [draw.mvp]
     for clip in draw.clips[1:]:
         draw.mvps.append(fit.fit_matrix(draw.points, clip)[0])
     return True
+
+
+def geometry_key(draw):
+    """Returns a key of a mesh. Passes may draw the triangles of one mesh in different orders."""
+    shape = np.unique(draw.points.astype("<f4") + np.float32(0), axis=0).tobytes()
+    return len(draw.points), hashlib.sha1(shape).hexdigest()
 
 
 def read_pass(capture, part, report):
@@ -207,9 +211,18 @@ def projection_by_products(draws):
         if all(np.abs(draw.mvp - other).max() > 1e-3 * scale for other in seen):
             chosen.append(draw)
             seen.append(draw.mvp)
-        if len(chosen) == 6:
+        if len(chosen) == 8:
             break
-    first = chosen[0]
+    # A probe with instances may need more factors than are searched: others follow.
+    for first in chosen[:5]:
+        found = projection_of_probe(first, chosen)
+        if found is not None:
+            return found
+    return None
+
+
+def projection_of_probe(first, chosen):
+    """Searches products of constants that explain one probe and, with the same clip_from_world, others."""
     best = None
     for error, places in fit.products(first.points, first.clips[0], all_constants(first))[:300]:
         lefts, explained = None, 0
@@ -232,7 +245,11 @@ def projection_by_products(draws):
             continue
         if len(places) == 1 and explained < len(chosen):
             continue
-        rank = (explained, -len(places) if len(places) > 1 else -2.5, -error)
+        # Of products that agree in x, y and w the one whose depth agrees is meant.
+        factors = [fit.window_matrix(all_constants(first), place) for place in places]
+        row = (lefts @ factors[-1] if len(factors) > 1 else lefts)[2]
+        depth_error = float(np.median(np.abs(first.points @ row - first.clips[0][:, 2])))
+        rank = (explained, -len(places) if len(places) > 1 else -2.5, -round(depth_error, 3), -error)
         if best is None or rank > best[0]:
             best = (rank, lefts, places)
     return (best[1], best[2]) if best else None

@@ -8,7 +8,8 @@ import capture_bundle as bundle
 import capture_fit as fit
 import capture_frame as frame
 import capture_gate as gate
-from capture_reading import REVERSED_FUNCTIONS, CaptureError, texture_kind
+import capture_stream as stream
+from capture_reading import REVERSED_FUNCTIONS, CaptureError
 
 FORMATS = {"D16": "d16", "D24": "d24", "D32": "d32f"}
 
@@ -38,15 +39,18 @@ def import_maps(capture, chosen, options, say):
         done[0] += 1
         say(progress=0.1 + 0.6 * min(1, done[0] / total), label="reading draws")
 
-    for part in passes:
-        frame.read_pass(capture, part, report)
     camera = frame.Pass(0, camera_events)
     if camera_events:
-        frame.read_pass(capture, camera, report)
-        if camera.draws:
-            camera.state = camera.draws[0].state
-            camera.viewport = camera.state.viewport
-    frame.find_matrices(passes + [camera], notes)
+        capture.go(camera_events[0])
+        camera.state, _ = capture.state(capture.control.GetPipelineState())
+        camera.viewport = camera.state.viewport
+    everything = passes + ([camera] if camera_events else [])
+    if not capture.vulkan and total > stream.MANY_DRAWS:
+        stream.read_passes(capture, everything, report, notes)
+    else:
+        for part in everything:
+            frame.read_pass(capture, part, report)
+        frame.find_matrices(everything, notes)
     gates = []
     maps = []
     scene = frame.SceneWriter()
@@ -353,5 +357,3 @@ def sampler_of(capture, pipe, texture):
                     return compare, bind.filter.magnify.name, bind.addressU.name
     return None
 
-
-_ = texture_kind

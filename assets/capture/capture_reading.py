@@ -39,7 +39,7 @@ class Draw:
         self.event = 0
         self.indices = None   # vertex of each corner, triangle list
         self.attributes = {}  # name: (vertex, component) float64 array
-        self.offsets = {}
+        self.locations = {}   # name: number of the input
         self.clips = []       # one (corner, 4) array an instance
         self.state = State()
         self.slice = 0
@@ -386,8 +386,6 @@ class Capture:
             return None
         vertices, result.indices = np.unique(index, return_inverse=True)
         buffers = pipe.GetVBuffers()
-        key = [int(bound.resourceId) if action.flags & rd.ActionFlags.Indexed else -1,
-               bound.byteOffset, action.indexOffset, action.numIndices, action.baseVertex, action.vertexOffset]
         for number, attribute in enumerate(pipe.GetVertexInputs()):
             if not attribute.used:
                 continue
@@ -395,11 +393,8 @@ class Capture:
             values = self.attribute(attribute, buffers, vertices)
             if values is None:
                 continue
-            stream = buffers[attribute.vertexBuffer]
             result.attributes[name] = values
-            result.offsets[name] = (int(stream.resourceId), stream.byteOffset + attribute.byteOffset,
-                                    stream.byteStride)
-        result.geometry = tuple(key)
+            result.locations[name] = attribute.vertexBuffer  # in OpenGL the number of the input
         for instance in range(max(1, action.numInstances)):
             clip = self.post_vertex(instance, corners)
             if clip is None:

@@ -1,0 +1,163 @@
+// Shadow maps of a RenderDoc capture, listed or written as a bundle.
+#include "app/commands/import_capture.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/base/json_text.h"
+#include "app/base/notes.h"
+#include "app/base/output.h"
+#include "app/capture/helper.h"
+#include "app/commands/interruptible.h"
+#include "app/report/report.h"
+#include "renderer/base/error.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folder beside the output that receives the files and is renamed at the end. A run that fails leaves nothing.
+class UnfinishedBundle {
+public:
+    explicit UnfinishedBundle(fs::path output) : output_(std::move(output)) {
+        std::string name = output_.string() + ".new-XXXXXX";
+        if (!::mkdtemp(name.data()))
+            throw Error(fmt::format("{}: cannot be written: {}", output_.string(), errno_text()));
+        folder_ = name;
+    }
+    ~UnfinishedBundle() {
+        std::error_code ignored;
+        if (!folder_.empty()) fs::remove_all(folder_, ignored);
+    }
+    UnfinishedBundle(const UnfinishedBundle&) = delete;
+    UnfinishedBundle& operator=(const UnfinishedBundle&) = delete;
+
+    const fs::path& folder() const { return folder_; }
+
+    /// Gives the folder its name. @throws Error
+    void finish() {
+        std::error_code error;
+        fs::permissions(folder_,
+                        fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read |
+                            fs::perms::others_exec,
+                        error);
+        fs::rename(folder_, output_, error);
+        if (error) throw Error(fmt::format("{}: cannot be written: {}", output_.string(), error.message()));
+        folder_.clear();
+    }
+
+private:
+    fs::path output_, folder_;
+};
+
+/// Checks before long work that a new folder can be made at `path`. @throws UsageError, Error
+void require_new_bundle(const fs::path& path) {
+    if (path.extension() != ".bundle")
+        throw UsageError(fmt::format("{}: the bundle's name must end in .bundle", path.string()));
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(path, error)))
+        throw Error(fmt::format("{}: exists; remove it or name another", path.string()));
+    require_writable(path);
+}
+
+std::string number_text(const Json& value) {
+    return value.is_number() ? fmt::format("{:.3g}", value.get<double>()) : std::string("-");
+}
+
+/// Formats one candidate for people: "0  texture 242, slice 1, 1024 x 1024, D16, 30 draws, directional".
+std::string candidate_line(const Json& c) {
+    std::string out = fmt::format("{:3}  texture {}", c.value("number", 0), c.value("texture", std::uint64_t{0}));
+    if (c.contains("slice")) out += fmt::format(", slice {} of {}", c.value("slice", 0), c.value("layers", 1));
+    out += fmt::format(", {} x {}", c.value("width", 0), c.value("height", 0));
+    if (const auto view = c.find("viewport"); view != c.end() && view->is_array() && view->size() == 4)
+        out += fmt::format(" (region {} x {} at {}, {})", number_text((*view)[2]), number_text((*view)[3]),
+                           number_text((*view)[0]), number_text((*view)[1]));
+    out += fmt::format(", {}", one_line(c.value("format", std::string())));
+    out += c.contains("state") ? fmt::format(", {}", one_line(c.value("state", std::string())))
+                               : fmt::format(", {} draws", c.value("draws", 0));
+    if (c.contains("light")) out += fmt::format(", {}", one_line(c.value("light", std::string())));
+    for (const char* member : {"centre", "direction"})
+        if (const auto at = c.find(member); at != c.end() && at->is_array() && at->size() == 3)
+            out += fmt::format(", {} {} {} {}", member, number_text((*at)[0]), number_text((*at)[1]),
+                               number_text((*at)[2]));
+    return out;
+}
+
+/// Formats what the comparison of a map with its casters found.
+std::string gate_line(const Json& g) {
+    const char* verdict = g.value("passed", false) ? "agrees" : "DIFFERS";
+    if (!g.contains("captured_texels"))
+        return fmt::format("{}: {}: {:.2f} % of {} pixels have the captured depth", g.value("name", std::string()),
+                           verdict, 100 * g.value("agree", 0.0), g.value("pixels", 0));
+    std::string out =
+        fmt::format("{}: {}: {} draws, {} texels, {} missed, {} extra", g.value("name", std::string()), verdict,
+                    g.value("draws", 0), g.value("captured_texels", 0), g.value("missed", 0), g.value("extra", 0));
+    if (const auto depth = g.find("depth"); depth != g.end() && depth->contains("median_steps"))
+        out += fmt::format(", depth off by {} steps (median), {} (99 %)", number_text((*depth)["median_steps"]),
+                           number_text((*depth)["percentile_99_steps"]));
+    if (const int count = g.value("masked_draws", 0)) out += fmt::format(", {} masked draws", count);
+    if (const int count = g.value("post_vertex_draws", 0)) out += fmt::format(", {} skinned draws", count);
+    if (const int count = g.value("not_finite", 0)) out += fmt::format(", {} texels NaN or infinite", count);
+    return out;
+}
+
+}  // namespace
+
+void run_import_capture(const ImportCaptureOptions& options) {
+    if (!options.list) {
+        if (options.output.empty()) throw UsageError("--output is required, or --list");
+        require_new_bundle(options.output);
+    }
+    const CaptureRequest request{.capture = options.capture, .list = options.list, .picks = options.picks};
+    auto lines = Json::array();
+    const auto run = [&](CaptureRequest work) {
+        interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
+            const CaptureReports reports{.progress =
+                                             [&](double share, const std::string& label) {
+                                                 report(share, label);
+                                                 return !workers.stop.stop_requested();
+                                             },
+                                         .line = [&](const Json& line) { lines.push_back(line); }};
+            run_capture_helper(work, reports);
+            return 0;
+        });
+    };
+    if (options.list) {
+        run(request);
+        auto candidates = Json::array();
+        for (const Json& line : lines)
+            if (line.contains("candidate")) candidates.push_back(line["candidate"]);
+        if (options.json) {
+            fmt::print("{}", json_text(candidates));
+            return;
+        }
+        for (const Json& candidate : candidates) fmt::print("{}\n", candidate_line(candidate));
+        return;
+    }
+    UnfinishedBundle bundle(options.output);
+    CaptureRequest work = request;
+    work.output = bundle.folder();
+    run(work);
+    bundle.finish();
+    const Json summary = lines.empty() ? Json::object() : lines.back();
+    if (options.json) {
+        fmt::print("{}", json_text(summary));
+        return;
+    }
+    for (const Json& gate : summary.value("gate", Json::array())) fmt::print("{}\n", gate_line(gate));
+    print_wrote(options.output);
+    std::vector<std::string> notes;
+    for (const Json& note : summary.value("notes", Json::array()))
+        if (note.is_string()) notes.push_back(one_line(note.get<std::string>()));
+    print_notes(notes);
+}
+
+}  // namespace si
