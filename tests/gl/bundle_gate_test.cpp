@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/imported_maps.h"
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/inspect/map_comparison.h"
 #include "renderer/projection/view_of_matrix.h"
