@@ -87,6 +87,26 @@ FloatImage cut(const BundleMap& map, const FloatImage& image) {
     return out;
 }
 
+/// Returns a map whose columns are the rows of another one, so that a w that changes by column changes by row.
+/// @param image decoded image of the map; becomes that of the result
+BundleMap turned_map(const BundleMap& map, FloatImage& image) {
+    const FloatImage from = cut(map, image);
+    image = {from.height, from.width, 1, {}};
+    image.data.reserve(from.data.size());
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) image.data.push_back(from.at(from.width - 1 - y, from.height - 1 - x));
+    BundleMap out = map;
+    out.image = {.file = map.image.file, .first_row = FirstRow::Top};
+    out.region.reset();
+    out.depth.warp.reset();
+    const glm::dmat4 m = map.clip.matrix();
+    out.clip = {};
+    out.clip.clip_from_world = m;
+    for (int column = 0; column < 4; ++column)
+        std::swap((*out.clip.clip_from_world)[column].x, (*out.clip.clip_from_world)[column].y);
+    return out;
+}
+
 /// Converter of stored values of one row of a map to depth-buffer values.
 class StoredDepth {
 public:
@@ -123,8 +143,8 @@ private:
     const DepthCurve& curve_;
 };
 
-/// Returns the raster state of a light's maps; empty where nothing of it is known.
-std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<LightView>& views) {
+/// Returns the raster state of a light's maps; empty where nothing of it is known. @param turned see turned_map()
+std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<LightView>& views, bool turned) {
     std::vector<CasterRaster> out;
     bool any = false;
     for (std::size_t i = 0; i < light.maps.size(); ++i) {
@@ -134,7 +154,7 @@ std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<
         raster.offset_factor = state.offset_factor.value_or(0);
         raster.offset_units = state.offset_units.value_or(0);
         raster.offset_clamp = state.offset_clamp.value_or(0);
-        if (state.cull) raster.cull = culled_faces(*state.cull, state.front == BundleFront::Cw, views[i]);
+        if (state.cull) raster.cull = culled_faces(*state.cull, (state.front == BundleFront::Cw) != turned, views[i]);
     }
     return any ? out : std::vector<CasterRaster>();
 }
@@ -286,14 +306,26 @@ GivenMaps read_given_maps(BundleFiles& files) {
         }
         std::vector<FloatImage> images;
         ImportedViews views;
+        const bool turned = std::ranges::all_of(
+            light.maps, [](const BundleMap& map) { return is_warped_by_column(map.clip.matrix()); });
+        if (turned)
+            out.notes.push_back(fmt::format(
+                "{}: lights[{}]: w changes from column to column of its maps; their rows and columns are exchanged",
+                file, l));
         for (std::size_t m = 0; m < light.maps.size(); ++m) {
-            const BundleMap& map = light.maps[m];
+            BundleMap map = light.maps[m];
             const std::string place = fmt::format("{}: lights[{}].maps[{}]", file, l, m);
-            const FloatImage& image = image_of(map.image);
+            const FloatImage* image = &image_of(map.image);
+            FloatImage other;
             try {
+                if (turned) {
+                    other = *image;
+                    map = turned_map(map, other);
+                    image = &other;
+                }
                 views.views.push_back(view_of_map(out.bundle.world, map));
                 check_direction(out.bundle.world, light, views.views.back());
-                MapDepths depths = depths_of_map(map, views.views.back(), image);
+                MapDepths depths = depths_of_map(map, views.views.back(), *image);
                 const MapSize own(depths.depths.width, depths.depths.height);
                 if (size && !(*size == own))
                     throw Error(
@@ -326,7 +358,7 @@ GivenMaps read_given_maps(BundleFiles& files) {
         } catch (const Error& error) {
             throw Error(fmt::format("{}: camera: {}", file, error.what()));
         }
-        std::vector<CasterRaster> raster = raster_of(light, views.views);
+        std::vector<CasterRaster> raster = raster_of(light, views.views, turned);
         out.lights.push_back(
             imported_maps(std::move(images), std::move(views), std::move(raster), is_bias_known(out.bundle, light)));
     }

@@ -183,4 +183,12 @@ bool is_mirrored(const LightView& view) {
     return glm::determinant(view.axes) * glm::determinant(clip_from_across) < 0;
 }
 
+bool is_warped_by_column(const glm::dmat4& clip_from_world) {
+    const glm::dmat4 world_from_clip = glm::inverse(clip_from_world);
+    // 1 / w is an affine function of the place in clip space.
+    const auto change = [&](int axis) { return std::abs(world_from_clip[axis][3]); };
+    const double least = kRounding * std::abs(world_from_clip[3][3]);
+    return is_finite(world_from_clip) && change(0) > least && change(1) <= least && change(2) <= least;
+}
+
 }  // namespace si

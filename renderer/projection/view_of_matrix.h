@@ -19,4 +19,8 @@ LightView view_of_matrix(const glm::dmat4& clip_from_world, const DepthConventio
 /// Returns true when a view shows triangles with the opposite winding: its map is mirrored.
 bool is_mirrored(const LightView& view);
 
+/// Returns true for parallel rays whose clip-space w changes from column to column of the map and not from row to row.
+/// view_of_matrix() refuses such a matrix, and takes it once its rows for x and y are exchanged.
+bool is_warped_by_column(const glm::dmat4& clip_from_world);
+
 }  // namespace si

@@ -12,6 +12,7 @@
 #include "renderer/projection/camera.h"
 #include "renderer/projection/camera_of_matrix.h"
 #include "renderer/projection/projection.h"
+#include "renderer/projection/view_of_matrix.h"
 #include "tests/support/error_text.h"
 #include "tests/support/process.h"
 
@@ -218,6 +219,54 @@ TEST(GivenMaps, RegionsRowsAndFaultyTexels) {
     EXPECT_EQ(out.depths.data, (std::vector<float>{0, 0, 0.5f, 1, 1})) << "reversed depth: the far plane is 0";
     EXPECT_EQ(out.not_a_number, 1u);
     EXPECT_EQ(out.outside_range, 2u);
+}
+
+// The map of a matrix whose w changes by column holds what the map of the same matrix with x and y exchanged holds.
+TEST(GivenMaps, MapsWarpedByColumnAreTurned) {
+    const fs::path folder = fs::path(SI_TEST_OUTPUT_DIR) / "warped_by_column.bundle";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    glm::dmat4 by_row(0.0);  // parallel rays along -z, w = 1 + 0.05 y, depth z / -10
+    by_row[0][0] = 0.25;
+    by_row[1][1] = 0.2;
+    by_row[1][3] = 0.05;
+    by_row[2][2] = -0.1;
+    by_row[3][3] = 1;
+    glm::dmat4 by_column = by_row;
+    for (int c = 0; c < 4; ++c) std::swap(by_column[c].x, by_column[c].y);
+    EXPECT_FALSE(is_warped_by_column(by_row));
+    ASSERT_TRUE(is_warped_by_column(by_column));
+    // Three columns and two rows, the first row at the bottom: texel (x, y) holds (1 + x + 3 y) / 10.
+    const float texels[] = {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f};
+    std::ofstream(folder / "a.raw", std::ios::binary).write(reinterpret_cast<const char*>(texels), sizeof texels);
+    Bundle bundle;
+    BundleLight light;
+    BundleMap map;
+    map.image = {.file = "a.raw", .width = 3, .height = 2, .format = RawFormat::F32};
+    map.clip.clip_from_world = by_column;
+    light.maps = {map};
+    bundle.lights = {light};
+    std::ofstream(folder / "frame.json") << format_bundle(bundle);
+    BundleFiles files(folder);
+    const GivenMaps given = read_given_maps(files);
+    ASSERT_EQ(given.lights.size(), 1u);
+    const ImportedMaps& maps = *given.lights[0];
+    EXPECT_EQ(maps.size(), MapSize(2, 3));
+    EXPECT_EQ(given.notes.size(), 1u);
+    const LightView& view = maps.views->views[0];
+    EXPECT_TRUE(view.warped());
+    for (int x = 0; x < 3; ++x)
+        for (int y = 0; y < 2; ++y) {
+            const float depth = texels[x + 3 * y];
+            // The place of the texel in the world by the engine's matrix.
+            const glm::dvec4 clip((x + 0.5) / 3 * 2 - 1, (y + 0.5) / 2 * 2 - 1, double(depth), 1);
+            const glm::dvec4 world = glm::inverse(by_column) * clip;
+            const glm::dvec4 seen = view.clip_from_relative(glm::dvec3(0)) * glm::dvec4(glm::dvec3(world) / world.w, 1);
+            const glm::dvec3 uvd = uvd_from_ndc(view.curve.convention, glm::dvec3(seen) / seen.w);
+            const int column = int(uvd.x * 2), row = 2 - int(uvd.y * 3);
+            EXPECT_NEAR(uvd.z, double(depth), 1e-6);
+            EXPECT_FLOAT_EQ(maps.images[0].at(column, row), depth) << x << ", " << y;
+        }
 }
 
 TEST(GivenMaps, OverlappingIntervalsBlend) {
