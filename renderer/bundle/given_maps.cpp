@@ -40,8 +40,13 @@ void take_exact_parts(const BundleMap& map, LightView& view) {
     const glm::dvec3 eye(pose[3]);
     if (glm::transpose(pose)[3] != glm::dvec4(0, 0, 0, 1)) return;
     if (view.curve.perspective ? projection[2][3] != -1 : projection[3][3] != 1) return;
-    for (int i = 0; i < 3; ++i)
-        if (glm::length(axes[i] - view.axes[i]) > kAgreement) return;
+    // Across parallel rays any axes do: the projection counts along them.
+    if (glm::length(axes[2] - view.axes[2]) > kAgreement || !(glm::determinant(axes) > 0)) return;
+    const glm::dmat3 product = glm::transpose(axes) * axes;
+    for (int i = 0; i < 3; ++i) {
+        if (glm::length(product[i] - glm::dmat3(1)[i]) > kAgreement) return;
+        if (view.curve.perspective && glm::length(axes[i] - view.axes[i]) > kAgreement) return;
+    }
     const double range = view.curve.far - view.curve.near;
     // The eye of parallel rays is any point: the projection counts from it.
     if (view.curve.perspective && glm::distance(eye, view.eye) > kAgreement * (range + glm::length(eye))) return;

@@ -215,7 +215,7 @@ void Writer::add_nodes() {
     for (const Node& n : scene_.nodes) {
         Json node = Json::object();
         if (!n.name.empty()) node["name"] = n.name;
-        set_matrix(node, n.local);
+        set_matrix(node, n.parent < 0 ? scene_.placement * n.local : n.local);
         nodes.push_back(std::move(node));
     }
     for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
