@@ -226,6 +226,7 @@ private:
             const LightView& view = read.views[m];
             const BundleRegion region = map.region.value_or(BundleRegion{0, 0, image_.width, image_.height});
             const MapSize size(region.width, region.height);
+            places.push_back(view.axes[2]);  // both ends of parallel rays see the same places
             for (std::size_t i = 0; i < samples_[m].size(); ++i) {
                 const MapSample& sample = samples_[m][i];
                 const DepthCurve curve = view.curve.curve_at_row(sample.uv.y);

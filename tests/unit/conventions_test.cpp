@@ -179,7 +179,9 @@ TEST(Conventions, AStatedDirectionDecidesBetweenBothEndsOfParallelRays) {
     known.first_row = FirstRow::Bottom;
     known.stored = BundleStored::Depth;
     known.zero_to_one = true;
-    EXPECT_EQ(found(light, truth, known, 0, false).equal, 1u) << "empty texels lie on one plane";
+    const ConventionFits by_sky = found(light, truth, known, 0, false);
+    EXPECT_EQ(by_sky.equal, 1u) << "empty texels lie on one plane";
+    EXPECT_EQ(by_sky.fits.front().convention, truth) << shown(by_sky);
     light.light.direction = 5.0 * light.map.forward;
     const ConventionFits fits = found(light, truth, known, 0, false);
     ASSERT_EQ(fits.equal, 1u) << shown(fits);
