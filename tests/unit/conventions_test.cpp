@@ -179,9 +179,15 @@ TEST(Conventions, AStatedDirectionDecidesBetweenBothEndsOfParallelRays) {
     known.first_row = FirstRow::Bottom;
     known.stored = BundleStored::Depth;
     known.zero_to_one = true;
-    const ConventionFits by_sky = found(light, truth, known, 0, false);
-    EXPECT_EQ(by_sky.equal, 1u) << "empty texels lie on one plane";
-    EXPECT_EQ(by_sky.fits.front().convention, truth) << shown(by_sky);
+    EXPECT_EQ(found(light, truth, known, 0, false).equal, 2u) << "no texel is empty";
+    std::vector<test::TestBox> no_ground = test::unequal_boxes(kCentre);
+    no_ground.erase(no_ground.begin());
+    BundleLight with_sky = light.light;
+    with_sky.maps.front().clip.clip_from_world = light.map.clip_from_world;
+    const FloatImage image = test::upside_down(test::traced_map(light.map, no_ground));
+    const ConventionFits by_sky = fit_conventions(with_sky, true, glm::dmat4(1), image, known, {});
+    EXPECT_EQ(by_sky.equal, 1u) << "empty texels lie on one plane" << shown(by_sky);
+    EXPECT_EQ(by_sky.fits.front().convention.depth, truth.depth) << shown(by_sky);
     light.light.direction = 5.0 * light.map.forward;
     const ConventionFits fits = found(light, truth, known, 0, false);
     ASSERT_EQ(fits.equal, 1u) << shown(fits);
