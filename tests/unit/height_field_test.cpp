@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/projection/view_of_matrix.h"
 #include "tests/support/error_text.h"
 #include "tests/support/ray_traced_map.h"
@@ -96,6 +98,14 @@ TEST(HeightField, HasAtMostTheGivenTriangles) {
     EXPECT_LE(coarse.mesh.indices.size() / 3, 2000u);
     EXPECT_GT(coarse.mesh.indices.size(), 0u);
     EXPECT_GT(coarse.error_texels, fine.error_texels);
+    // A smooth surface loses detail before it loses rows.
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 256; ++x)
+            map.depths.data[std::size_t(y) * 256 + std::size_t(x)] = 0.5f + 0.01f * std::sin(0.2f * float(x + y));
+    const HeightField smooth = height_field(map.view, map.depths, {.max_triangles = 6000});
+    EXPECT_EQ(smooth.stride, 1);
+    EXPECT_LE(smooth.mesh.indices.size() / 3, 6000u);
+    EXPECT_GT(height_field(map.view, map.depths).mesh.indices.size() / 3, 6000u);
 }
 
 TEST(HeightField, FlatGroundTakesFewTrianglesAlsoUnderD16) {
