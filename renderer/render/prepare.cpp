@@ -145,7 +145,7 @@ void fit(FrameState& f) {
         if (draws_pages(f.settings)) key.add(f.request.height);
         if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
     }
-    for (const auto& given : f.request.imported) key.add(given ? given->key : 0);
+    for (const auto& given : f.request.imported) key.add(given ? given->key : 0).add(given && given->bias_known);
     if (key.value() != r.fit_key) {
         r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size,
                                      maps.seen_m, f.request.height)

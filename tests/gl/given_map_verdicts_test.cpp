@@ -91,7 +91,7 @@ TEST_F(GivenMapVerdicts, AreThoseOfADrawnMapOnceTheBiasIsKnown) {
 
 // The fix of a pixel holds for a map of 1:4, whose texels are no squares.
 TEST_F(GivenMapVerdicts, FixesOfAnOblongMapPutThePixelRight) {
-    const Settings s = test::texel_settings("pcf3", 512, 0.1);
+    const Settings s = test::texel_settings("hard", 512, 0.1);
     const FrameRequest known = with(given(s, true));
     int fixed = 0;
     for (int y = 4; y < request.height; y += 13)
@@ -148,7 +148,7 @@ TEST_F(GivenMapVerdicts, SettingsOfDrawingChangeNoGivenMap) {
                                      {"bias.raster_slope", "3"},
                                      {"bias.raster_units", "500"},
                                      {"light.0.fit", "view"},
-                                     {"light.0.near_far", "fixed"},
+                                     {"light.0.near_far", "casters"},
                                      {"light.0.extent", "3"},
                                      {"light.0.cascades", "3"},
                                      {"light.0.snap", "false"}}) {
