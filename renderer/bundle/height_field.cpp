@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/base/error.h"
+#include "renderer/projection/view_of_matrix.h"
 
 namespace si {
 namespace {
@@ -217,15 +218,6 @@ private:
     std::vector<float> error_;
     std::size_t cut_ = 0;
 };
-
-/// Returns true where columns to the right and rows downwards turn clockwise as seen from the light.
-bool is_mirrored(const LightView& view) {
-    const double z = 0.5 * (view.curve.near + view.curve.far);
-    const glm::dvec3 at = view.position_ws({0.5, 0.5}, z);
-    const glm::dvec3 right = view.position_ws({0.75, 0.5}, z) - at;
-    const glm::dvec3 down = view.position_ws({0.5, 0.25}, z) - at;
-    return glm::dot(glm::cross(down, right), view.axes[2]) < 0;
-}
 
 }  // namespace
 
