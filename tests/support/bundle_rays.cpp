@@ -60,8 +60,8 @@ GivenMap read_given_map(const std::filesystem::path& bundle, const Json& json) {
 
 namespace {
 
-/// Triangle of the scene in world space.
-struct Triangle {
+/// BundleTriangle of the scene in world space.
+struct BundleTriangle {
     std::array<glm::dvec3, 3> corner;
     std::array<glm::dvec2, 3> uv;
     const Texture* mask = nullptr;
@@ -69,8 +69,8 @@ struct Triangle {
 };
 
 /// Returns the triangles of all objects that cast shadows.
-std::vector<Triangle> casting_triangles(const Scene& scene) {
-    std::vector<Triangle> out;
+std::vector<BundleTriangle> casting_triangles(const Scene& scene) {
+    std::vector<BundleTriangle> out;
     std::set<std::string> left_out;
     for (const auto& [key, value] : scene.suggested)
         if (value == "false") left_out.insert(key);
@@ -79,7 +79,7 @@ std::vector<Triangle> casting_triangles(const Scene& scene) {
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
         const Material& material = scene.materials[std::size_t(mesh.material)];
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            Triangle t;
+            BundleTriangle t;
             for (std::size_t c = 0; c < 3; ++c) {
                 const std::size_t vertex = mesh.indices[i + c];
                 t.corner[c] = object.world * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1);
@@ -127,7 +127,7 @@ public:
         const auto [from, to] = ray(x, y);
         Hit out{map_.far_value, 0};
         const bool reversed = map_.near_value > map_.far_value;
-        for (const Triangle& t : triangles_) {
+        for (const BundleTriangle& t : triangles_) {
             const glm::dvec3 a = t.corner[1] - t.corner[0], b = t.corner[2] - t.corner[0], along = to - from;
             const glm::dvec3 normal = glm::cross(a, b);
             const double facing = glm::dot(normal, along);
@@ -165,14 +165,14 @@ private:
         return glm::mix(map_.near_value, map_.far_value, share);
     }
     /// Returns the depth of a triangle's plane at a place of the map.
-    double plane_depth(const Triangle& t, const glm::dvec3& normal, double x, double y) const {
+    double plane_depth(const BundleTriangle& t, const glm::dvec3& normal, double x, double y) const {
         const auto [from, to] = ray(x, y);
         return window_depth(from + glm::dot(normal, t.corner[0] - from) / glm::dot(normal, to - from) * (to - from));
     }
 
     const GivenMap& map_;
     glm::dmat4 world_from_clip_;
-    std::vector<Triangle> triangles_;
+    std::vector<BundleTriangle> triangles_;
     double factor_ = 0, units_ = 0;
     std::string cull_;
 };
