@@ -1,5 +1,7 @@
 // Frames of this program as bundles: exported and read again, each number of measuring and probing is equal, and in the
 // plan the passes of maps alone differ.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -107,6 +109,9 @@ TEST_F(BundleFramesTest, ExportedFramesReadBackEqual) {
         SCOPED_TRACE(c.name);
         std::vector<std::string> sets = {"map.resolution=256"};
         sets.insert(sets.end(), c.sets.begin(), c.sets.end());
+        // Causes at masks compare with casters drawn again, which a given map does not have.
+        if (std::string_view(c.scene) == "stage")
+            for (int i = 1; i <= 9; ++i) sets.push_back(fmt::format("object.Stage/Tree/Leaves {}.cast=false", i));
         const Session own = open(c.scene, sets), read = exported(own);
         EXPECT_FALSE(read.settings.map.bundle.empty());
         expect_equal_numbers(own, read);
