@@ -201,8 +201,9 @@ void suggest_bias(const BundleBias& bias, const std::string& place, const Import
 }
 
 void suggest_lookup(const Bundle& b, const GivenMaps& maps, Suggestions& to) {
-    const auto first = std::size_t(
-        std::ranges::find_if(b.lights, [](const BundleLight& light) { return !light.maps.empty(); }) - b.lights.begin());
+    const auto first =
+        std::size_t(std::ranges::find_if(b.lights, [](const BundleLight& light) { return !light.maps.empty(); }) -
+                    b.lights.begin());
     const BundleLookup& l = b.lights[first].lookup;
     const std::string place = fmt::format("lights[{}].lookup", first);
     for (std::size_t i = first + 1; i < b.lights.size(); ++i)
@@ -323,7 +324,8 @@ Scene load_bundle(const fs::path& path, const GltfOptions& options) {
     if (ground == b.settings.end() || ground->second != "auto") scene.file_scenes.clear();
     const bool shows_picture = b.camera && !b.settings.contains("camera.index");
     try {
-        if (shows_picture) scene.cameras.insert(scene.cameras.begin(), scene_camera_of(*b.camera, world, scene.warnings));
+        if (shows_picture)
+            scene.cameras.insert(scene.cameras.begin(), scene_camera_of(*b.camera, world, scene.warnings));
         suggest_map_settings(b, *maps, to);
     } catch (const Error& error) {
         throw Error(fmt::format("{}: {}", file, error.what()));

@@ -152,8 +152,8 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 
 /// Value of a setting. A choice is stored as its index, an int.
 using Value = std::variant<bool, int, double, std::string>;
-/// Returns true when the setting's values are texts: for people (a light's name), which never change a picture, or paths
-/// (Param::file).
+/// Returns true when the setting's values are texts: for people (a light's name), which never change a picture, or
+/// paths (Param::file).
 bool is_text(const Param& p);
 /// Converts a setting's value to a number: a switch to 0 or 1, a choice to its index, a text to 0.
 double numeric_value(const Value& v);
