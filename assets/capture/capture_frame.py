@@ -387,8 +387,8 @@ def known_worlds(passes):
     return known
 
 
-def find_matrices(passes, notes):
-    """Finds clip_from_world of all passes, in one world."""
+def find_matrices(passes, notes, align=True):
+    """Finds clip_from_world of all passes, in one world. @param align false: passes hold a few draws only"""
     for part in passes:
         found = projection_by_products(part.draws)
         if found is None:
@@ -418,7 +418,8 @@ def find_matrices(passes, notes):
                 continue
             part.matrix, part.places, part.method = matrix, None, "geometry shared with another pass"
             set_worlds(part, None)
-    align_worlds(passes, notes)
+    if align:
+        align_worlds(passes, notes)
 
 
 def align_worlds(passes, notes):
@@ -445,7 +446,8 @@ def align_worlds(passes, notes):
             count = int((np.abs(moved - np.array([v for _, v in pairs])).max((1, 2)) < size).sum())
             if best is None or count > best[0]:
                 best = (count, move)
-        if best is None or np.allclose(best[1], np.eye(4), atol=1e-4):
+        # One mesh in several places gives moves by chance.
+        if best is None or best[0] < 2 or np.allclose(best[1], np.eye(4), atol=1e-4):
             continue
         move = best[1]
         if np.abs(move[:3, :3] - np.eye(3)).max() < 1e-4:

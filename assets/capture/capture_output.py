@@ -61,6 +61,10 @@ def import_maps(capture, chosen, options, say):
     for number, (candidate, part) in enumerate(chosen):
         say(progress=0.7 + 0.2 * number / len(chosen), label="comparing map %d of %d" % (number + 1, len(chosen)))
         maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks)
+    bare = not maps and all(part is None for _, part in chosen)
+    if bare:
+        maps = [bare_map(capture, candidate, folder, notes) for candidate, _ in chosen]
+        maps = [entry for entry in maps if entry is not None]
     if not maps:
         raise CaptureError("holds shadow maps, but none of their light matrices could be found")
     sizes = {}
@@ -72,7 +76,7 @@ def import_maps(capture, chosen, options, say):
         notes.append("%d maps of another size than %d x %d are left out; pick them by themselves." %
                      (left, size[0], size[1]))
         maps = sizes[size]
-    camera_entry = camera_of(capture, camera, masks, scene, gates, notes)
+    camera_entry = None if bare else camera_of(capture, camera, masks, scene, gates, notes)
     say(progress=0.95, label="writing")
     lights = []
     for group in frame.group_lights(maps):
@@ -90,9 +94,10 @@ def import_maps(capture, chosen, options, say):
         light["maps"] = [entry["map"] for entry in group]
         light["lookup"] = look_up(capture, group[0]["candidate"], folder, notes)
         lights.append(light)
-    scene.scene.write(os.path.join(folder, "scene.glb"))
-    result = {"bundle": 1, "made_by": "%s capture, RenderDoc %s" % (capture.driver, rd.GetVersionString()),
-              "scene": "scene.glb"}
+    result = {"bundle": 1, "made_by": "%s capture, RenderDoc %s" % (capture.driver, rd.GetVersionString())}
+    if not bare:
+        scene.scene.write(os.path.join(folder, "scene.glb"))
+        result["scene"] = "scene.glb"
     if camera_entry:
         result["camera"] = camera_entry
     if picture(capture, folder):
@@ -190,6 +195,36 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     }
     maps.append({"map": entry, "kind": fit.light_of(part.matrix, reversed_, part.state.negative_one),
                  "texture": candidate.texture, "slice": part.slice, "candidate": candidate})
+
+
+def bare_map(capture, candidate, folder, notes):
+    """Writes a map without a caster pass: its texels as a height field over a unit square."""
+    info = capture.textures[candidate.texture]
+    capture.go(candidate.readers[0] - 1)
+    image = capture.texels(candidate.texture)
+    if image is None:
+        return None
+    bad = int((~np.isfinite(image)).sum())
+    if bad:
+        notes.append("Texture %d: %d texels hold no number (NaN or infinite)." % (candidate.texture, bad))
+    file = "map_%d_0.raw" % candidate.texture
+    bundle.write_raw(os.path.join(folder, file), image.astype("<f4"))
+    stored = {"stored": "depth"}
+    largest = float(np.nanmax(image[:, :, 0][np.isfinite(image[:, :, 0])])) if np.isfinite(image).any() else 0.0
+    if largest > 1.5:
+        stored = {"stored": "exponential", "exponent": float(np.ceil(np.log(largest)))}
+        notes.append("Texture %d: values up to %.6g are shown as exponential depths of exponent %g, which is a guess." %
+                     (candidate.texture, largest, stored["exponent"]))
+    # Clip z rises along the light, which shines downwards.
+    matrix = np.array([[1.0, 0, 0, 0], [0, 0, -1.0, 0], [0, -1.0, 0, 0.5], [0, 0, 0, 1.0]])
+    notes.append("Texture %d: its light's matrix is a stand-in: a square of 2 m from above." % candidate.texture)
+    entry = {"image": {"file": file, "first_row": "bottom", "width": info.width, "height": info.height, "format": "f32",
+                       "channels": image.shape[2], "channel": 0},
+             "region": [0, 0, info.width, info.height], "clip_from_world": bundle.columns(matrix),
+             "depth": {"range": "0..1", "reversed": False, "format": depth_format(info.format.Name()), **stored},
+             "extras": {"state": "texels, no caster pass"}}
+    return {"map": entry, "kind": ("directional", np.array([0, -1.0, 0])), "texture": candidate.texture, "slice": 0,
+            "candidate": candidate}
 
 
 def most_common(values):

@@ -279,7 +279,7 @@ def read_passes(capture, passes, report, notes):
         sample.state = part.state
         frame.read_pass(capture, sample, report)
         samples.append(sample)
-    frame.find_matrices(samples, notes)
+    frame.find_matrices(samples, notes, align=False)
     replayed = 0
     for part, sample, (programs, probes) in zip(passes, samples, chosen):
         if sample.matrix is None:
@@ -312,6 +312,7 @@ def read_passes(capture, passes, report, notes):
                 part.draws.append(draw)
                 report()
         part.draws.sort(key=lambda d: d.event)
+    frame.align_worlds([p for p in passes if p.matrix is not None], notes)
     notes.append("Draws were read from recorded calls; %d of them were replayed." %
                  (replayed + sum(len(s.draws) for s in samples)))
 

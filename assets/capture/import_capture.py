@@ -23,7 +23,7 @@ def main():
     parser.add_argument("--output")
     options = parser.parse_args()
     try:
-        import numpy  # noqa: F401
+        import numpy
     except ImportError:
         say(error="import-capture needs the Debian package python3-numpy; install it", place="program")
         return 1
@@ -44,6 +44,11 @@ def main():
             rd.ShutdownReplay()
     except CaptureError as error:
         say(error=str(error), place="capture")
+        return 1
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError, ArithmeticError,
+            numpy.linalg.LinAlgError) as error:
+        say(error="cannot be read (%s); capture the frame again, or pick single maps by --list and --pick" % error,
+            place="capture")
         return 1
     except MemoryError:
         say(error="takes more memory than import-capture may use", place="capture")

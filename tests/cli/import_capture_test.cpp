@@ -1,0 +1,221 @@
+// Tests of `import-capture`: captures in ../shared/captures, the comparison of each map slice, and captures that cannot
+// be opened. Tests that need the captures or RenderDoc's module are skipped without them.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/missing_reason.h"
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+fs::path captures() {
+    return fs::path(SI_SOURCE_DIR) / ".." / "shared" / "captures";
+}
+
+bool has_module() {
+    return run_shell("/usr/bin/python3 -I -c 'import renderdoc, numpy'").code == 0;
+}
+
+/// Numbers of one map slice, from an independent trial that is written in MANIFEST.tsv beside the captures.
+struct Slice {
+    int draws = 0, instances = 0, masked_draws = 0, skinned_draws = 0;
+    int captured_texels = 0;
+    double captured_slack = 0;  ///< share by which the count of covered texels may differ: other clear values
+};
+
+struct Case {
+    const char* name;  ///< file without extension
+    std::vector<Slice> slices;
+    bool depth = true;    ///< the map holds depths: median and 99th percentile are compared
+    int not_finite = 0;   ///< texels without a number, in all slices
+    bool camera = true;   ///< the camera is found and its depth agrees
+    double extra = 1e-4;  ///< largest share of extra texels
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.name;
+}
+
+const Case kCases[] = {
+    {"filament_csm_gl", {{30, 30, 3, 1, 69571}, {30, 30, 3, 1, 85088}, {30, 30, 3, 1, 51661}, {16, 16, 3, 1, 265845}}},
+    {"filament_csm_zink",
+     {{30, 30, 3, 1, 65083}, {30, 30, 3, 1, 82715}, {30, 30, 3, 1, 51661}, {16, 16, 3, 1, 268580}}},
+    {"filament_vsm_gl",
+     {{31, 31, 3, 1, 253588, 2e-3}, {31, 31, 3, 1, 247989, 2e-3}, {31, 31, 3, 1, 176920, 2e-3}, {17, 17, 3, 1, 260100}},
+     false,
+     0,
+     false,
+     3e-3},
+    {"shadow_inspector_zink", {{28, 96, 2, 0, 802590}}},
+    {"vtk_shadow_pass", {{4, 4, 0, 0, 238729}, {4, 4, 0, 0, 251187}}, false, 1},
+};
+
+class ImportCapture : public testing::TestWithParam<Case> {};
+
+TEST_P(ImportCapture, RebuildsEachSliceWithinTheGate) {
+    const Case& c = GetParam();
+    const fs::path file = captures() / (std::string(c.name) + ".rdc");
+    if (!fs::exists(file)) GTEST_SKIP() << test::kMissingReason << "../shared/captures";
+    if (!has_module()) GTEST_SKIP() << test::kMissingReason << "python3-renderdoc";
+    const fs::path folder = fresh_test_folder();
+    const Json summary = program_json({"import-capture", file.string(), "-o", "a.bundle", "--json"}, folder);
+    ASSERT_TRUE(summary.contains("gate")) << summary;
+    std::vector<Json> maps;
+    for (const Json& gate : summary["gate"])
+        if (gate.contains("captured_texels")) maps.push_back(gate);
+    ASSERT_EQ(maps.size(), c.slices.size());
+    int not_finite = 0;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const Json& map = maps[i];
+        const Slice& slice = c.slices[i];
+        SCOPED_TRACE(map["name"].get<std::string>());
+        std::printf("%s, %s: %d texels, %d missed, %d extra, depth %s\n", c.name,
+                    map["name"].get<std::string>().c_str(), map["captured_texels"].get<int>(), map["missed"].get<int>(),
+                    map["extra"].get<int>(),
+                    map.contains("depth") ? map["depth"].dump().c_str() : map["texels_hold"].dump().c_str());
+        EXPECT_EQ(map["draws"], slice.draws);
+        EXPECT_EQ(map["instances"], slice.instances);
+        EXPECT_EQ(map["masked_draws"], slice.masked_draws);
+        EXPECT_EQ(map["post_vertex_draws"], slice.skinned_draws);
+        EXPECT_NEAR(map["captured_texels"].get<double>(), slice.captured_texels,
+                    slice.captured_slack * slice.captured_texels);
+        const double unmasked = map["captured_unmasked_texels"];
+        EXPECT_LE(map["missed"].get<double>(), 1e-3 * unmasked);
+        EXPECT_LE(map["extra"].get<double>(), c.extra * unmasked);
+        if (c.depth) {
+            EXPECT_LE(map["depth"]["median_steps"].get<double>(), 1.01);
+            EXPECT_LE(map["depth"]["percentile_99_steps"].get<double>(), 4.0);
+            EXPECT_TRUE(map["passed"].get<bool>());
+        }
+        if (map["matrix_agreement"].is_number()) {
+            EXPECT_LE(map["matrix_agreement"].get<double>(), 1e-4);
+        }
+        not_finite += map["not_finite"].get<int>();
+    }
+    EXPECT_EQ(not_finite, c.not_finite);
+    if (c.camera) {
+        EXPECT_TRUE(summary["gate"].back()["passed"].get<bool>()) << summary["gate"].back();
+    }
+    for (const char* name : {"frame.json", "scene.glb", "picture.png"})
+        EXPECT_TRUE(fs::exists(folder / "a.bundle" / name)) << name;
+    const Json frame = Json::parse(file_bytes(folder / "a.bundle" / "frame.json"));
+    for (const Json& light : frame["lights"]) EXPECT_FALSE(light["lookup"].contains("bias")) << "unknown, not 0";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ImportCapture, testing::ValuesIn(kCases),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(ImportCaptureList, NamesMapsAndKindsOfLight) {
+    const fs::path file = captures() / "filament_csm_gl.rdc";
+    if (!fs::exists(file)) GTEST_SKIP() << test::kMissingReason << "../shared/captures";
+    if (!has_module()) GTEST_SKIP() << test::kMissingReason << "python3-renderdoc";
+    const Json list = program_json({"import-capture", file.string(), "--list", "--json"});
+    ASSERT_EQ(list.size(), 4u) << list;
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(list[i]["slice"], i);
+        EXPECT_EQ(list[i]["format"], "D16");
+        EXPECT_EQ(list[i]["light"], i < 3 ? "directional" : "spot or point") << i;
+    }
+    EXPECT_NEAR(list[3]["centre"][0].get<double>(), -12, 0.01);
+    EXPECT_NEAR(list[3]["centre"][1].get<double>(), 1, 0.01);
+    EXPECT_NEAR(list[3]["centre"][2].get<double>(), -7, 0.01);
+}
+
+TEST(ImportCaptureList, ShowsAMapThatAnEarlierFrameDrew) {
+    const fs::path file = captures() / "vtk_baked_map.rdc";
+    if (!fs::exists(file)) GTEST_SKIP() << test::kMissingReason << "../shared/captures";
+    if (!has_module()) GTEST_SKIP() << test::kMissingReason << "python3-renderdoc";
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult list = run_program({"import-capture", file.string(), "--list"});
+    EXPECT_NE(list.out.find("texels, no caster pass"), std::string::npos) << list.out << list.err;
+    const ProcessResult made = run_program({"import-capture", file.string(), "-o", "a.bundle"}, folder);
+    EXPECT_EQ(made.code, 0) << made.err;
+    const Json frame = Json::parse(file_bytes(folder / "a.bundle" / "frame.json"));
+    EXPECT_EQ(frame["lights"].size(), 2u);
+    EXPECT_FALSE(frame.contains("scene")) << "the map's own height field is shown";
+}
+
+/// Writes an executable script.
+void write_script(const fs::path& path, const std::string& text) {
+    std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
+    ::chmod(path.c_str(), 0755);
+}
+
+/// Runs the command on a file that begins as a capture, with another interpreter, and returns what it prints.
+ProcessResult with_interpreter(const fs::path& folder, const std::string& script) {
+    std::ofstream(folder / "a.rdc") << "RDOC and nothing else";
+    write_script(folder / "python", script);
+    return run_shell("SI_CAPTURE_PYTHON=\"$PWD/python\" \"$SI\" import-capture a.rdc -o a.bundle", folder);
+}
+
+TEST(ImportCaptureErrors, ACrashIsASentenceAndLeavesNothing) {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult crashed = with_interpreter(folder, "kill -SEGV $$");
+    EXPECT_EQ(crashed.code, 1);
+    EXPECT_NE(crashed.err.find("a.rdc: the capture helper crashed (Segmentation fault) while opening"),
+              std::string::npos)
+        << crashed.err;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2) << "the capture and the script";
+    const ProcessResult silent = with_interpreter(folder, "echo no json; exit 0");
+    EXPECT_EQ(silent.code, 1);
+    EXPECT_NE(silent.err.find("ended without an answer"), std::string::npos) << silent.err;
+    const ProcessResult absent =
+        run_shell("SI_CAPTURE_PYTHON=/nowhere/python \"$SI\" import-capture a.rdc -o a.bundle", folder);
+    EXPECT_NE(absent.err.find("python3-renderdoc"), std::string::npos) << absent.err;
+    const ProcessResult module =
+        with_interpreter(folder,
+                         "echo '{\"error\": \"import-capture needs the Debian package python3-renderdoc; install it\", "
+                         "\"place\": \"program\"}'; exit 1");
+    EXPECT_EQ(module.code, 1);
+    EXPECT_EQ(module.err, "shadow-inspector: import-capture needs the Debian package python3-renderdoc; install it\n");
+}
+
+TEST(ImportCaptureErrors, ASignalEndsTheWholeGroup) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "a.rdc") << "RDOC and nothing else";
+    write_script(folder / "python", "sleep 987 & echo $! > sleeper; echo $$ > helper; wait");
+    const ProcessResult r = run_shell(
+        "SI_CAPTURE_PYTHON=\"$PWD/python\" \"$SI\" import-capture a.rdc -o a.bundle & "
+        "for i in $(seq 100); do [ -s helper ] && break; sleep 0.1; done; kill -TERM $!; wait $!; echo code $?; "
+        "sleep 0.2; for p in $(cat sleeper helper); do kill -0 $p 2>/dev/null && echo alive $p; done; ls",
+        folder);
+    EXPECT_NE(r.out.find("code 143"), std::string::npos) << r.out << r.err;
+    EXPECT_EQ(r.out.find("alive"), std::string::npos) << r.out;
+    EXPECT_EQ(r.out.find("bundle"), std::string::npos) << r.out;
+}
+
+TEST(ImportCaptureErrors, OtherFilesAreRefused) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "text.rdc") << "no capture";
+    std::ofstream(folder / "empty.rdc");
+    std::ofstream(folder / "cut.rdc") << "RDOC" << std::string(200, '\1');
+    fs::create_directory(folder / "folder.rdc");
+    fs::create_directory(folder / "there.bundle");
+    expect_error({"import-capture", "none.rdc", "-o", "a.bundle"}, 1, "none.rdc: cannot be opened", folder);
+    expect_error({"import-capture", "text.rdc", "-o", "a.bundle"}, 1, "is no RenderDoc capture", folder);
+    expect_error({"import-capture", "empty.rdc", "-o", "a.bundle"}, 1, "is no RenderDoc capture", folder);
+    expect_error({"import-capture", "folder.rdc", "-o", "a.bundle"}, 1, "folder.rdc: is no regular file", folder);
+    expect_error({"import-capture", "text.rdc"}, 2, "--output is required", folder);
+    expect_error({"import-capture", "text.rdc", "-o", "a.zip"}, 2, "must end in .bundle", folder);
+    expect_error({"import-capture", "text.rdc", "-o", "there.bundle"}, 1, "there.bundle: exists", folder);
+    expect_error({"import-capture", "text.rdc", "-o", "gone/a.bundle"}, 1, "does not exist", folder);
+    if (has_module()) {
+        expect_error({"import-capture", "cut.rdc", "-o", "a.bundle"}, 1, "cut.rdc: is no whole RenderDoc capture",
+                     folder);
+    }
+    EXPECT_FALSE(fs::exists(folder / "a.bundle"));
+}
+
+}  // namespace
+}  // namespace si
