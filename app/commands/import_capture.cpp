@@ -103,6 +103,7 @@ std::string gate_line(const Json& g) {
     if (const auto depth = g.find("depth"); depth != g.end() && depth->contains("median_steps"))
         out += fmt::format(", depth off by {} steps (median), {} (99 %)", number_text((*depth)["median_steps"]),
                            number_text((*depth)["percentile_99_steps"]));
+    if (g.value("shader_bias", false)) out += ", moved by the casters' shader";
     if (const int count = g.value("masked_draws", 0)) out += fmt::format(", {} masked draws", count);
     if (const int count = g.value("post_vertex_draws", 0)) out += fmt::format(", {} skinned draws", count);
     if (const int count = g.value("not_finite", 0)) out += fmt::format(", {} texels NaN or infinite", count);

@@ -169,10 +169,8 @@ class Raster:
             rank = np.argsort(depth if self.reversed else -depth, kind="stable")
             flat, depth, plain, t = flat[rank], depth[rank], plain[rank], t[rank]
             # The last of equal places wins: the nearest.
-            best = np.full(self.width * self.height, -1, np.int64)
-            best[flat] = np.arange(len(flat))
-            places = np.nonzero(best >= 0)[0]
-            source = best[places]
+            places, first = np.unique(flat[::-1], return_index=True)
+            source = len(flat) - 1 - first
             near = depth[source] >= self.depth[places] if self.reversed else depth[source] <= self.depth[places]
             places, source = places[near], source[near]
             self.depth[places] = depth[source]

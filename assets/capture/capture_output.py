@@ -154,6 +154,12 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     step_format = name if not colour else "D32"
     numbers.update(frame.gate_of(capture, part, image, step_format, clear_image, colour, lambda: None, masks))
     gates.append(numbers)
+    if numbers.get("shader_bias"):
+        bias = numbers["caster_bias"]
+        notes.append("%s: the casters' shader moves depths: by %.3g %+.3g tan(angle) %+.3g (1 - n.l), residual %.3g." % (
+            label, bias["constant"], bias["tangent"], bias["one_minus_cosine"], bias["residual"]))
+    if not numbers["passed"]:
+        notes.append("%s: the casters drawn again differ from the map more than they should." % label)
     x, y, w, h = frame.viewport_part(part, image)
     key = (candidate.texture, part.slice)
     if key not in images:
