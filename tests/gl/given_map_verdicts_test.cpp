@@ -89,21 +89,27 @@ TEST_F(GivenMapVerdicts, AreThoseOfADrawnMapOnceTheBiasIsKnown) {
     EXPECT_GT(with_fix, 3);
 }
 
-// The fix of a pixel holds for a map of 1:4, whose texels are no squares.
+// The fix of a pixel holds for maps of 1:4 and 4:1, whose texels are no squares. It is no larger than it has to be.
 TEST_F(GivenMapVerdicts, FixesOfAnOblongMapPutThePixelRight) {
     const Settings s = test::texel_settings("hard", 512, 0.1);
-    const FrameRequest known = with(given(s, true));
-    int fixed = 0;
-    for (int y = 4; y < request.height; y += 13)
-        for (int x = 3; x < request.width; x += 17) {
-            const PixelDiagnosis d = diagnosis(s, known, {x, y});
-            if (d.right || !d.fix || d.reference.cause.artefact != Artefact::Acne) continue;
-            Settings changed = s;
-            for (const auto& [key, value] : d.fix->settings) set_setting(changed, key, value);
-            EXPECT_TRUE(diagnosis(changed, known, {x, y}).right) << x << "," << y << ": " << d.fix->text;
-            ++fixed;
-        }
-    EXPECT_GT(fixed, 3);
+    for (const MapSize size : {MapSize(64, 256), MapSize(256, 64)}) {
+        request.map_size = size;
+        const FrameRequest known = with(given(s, true));
+        int fixed = 0;
+        for (int y = 4; y < request.height; y += 13)
+            for (int x = 3; x < request.width; x += 17) {
+                const PixelDiagnosis d = diagnosis(s, known, {x, y});
+                if (d.right || !d.fix || d.reference.cause.artefact != Artefact::Acne) continue;
+                Settings changed = s;
+                for (const auto& [key, value] : d.fix->settings) set_setting(changed, key, value);
+                const PixelDiagnosis with_fix = diagnosis(changed, known, {x, y});
+                EXPECT_TRUE(with_fix.right) << x << "," << y << ": " << d.fix->text;
+                EXPECT_GE(with_fix.has.depth, with_fix.least.depth);
+                EXPECT_LE(with_fix.has.depth, 1.02 * with_fix.least.depth) << d.fix->text;
+                ++fixed;
+            }
+        EXPECT_GT(fixed, 3);
+    }
 }
 
 TEST_F(GivenMapVerdicts, TheLeastBiasOfTheMapEndsAcneOnIt) {
