@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "renderer/frame/frame.h"
 #include "renderer/bundle/imported_maps.h"
+#include "renderer/frame/frame.h"
 
 namespace si {
 
