@@ -329,21 +329,6 @@ TEST(FileDialogs, BundlesAreListedAsFilesAndChosenForTheirSetting) {
     EXPECT_EQ(confirmed(ui).open_file, (fs::weakly_canonical(folder) / "a.bundle").string()) << "as a scene";
 }
 
-TEST(FileDialogs, FileSettingsAreTypedWholeOrBrowsed) {
-    UiHarness ui(1280, 900);
-    ui.state.settings_panel.search = "map.bundle";
-    ui.frames(3);
-    ui.click(ui.find("/rows_", "map.bundle", "##value"));
-    ui.type("x.bundle");
-    EXPECT_EQ(ui.state.settings.map.bundle, "") << "the beginning of a path names no file";
-    ui.key(ImGui::GetKeyIndex(ImGuiKey_Enter));
-    ui.frames(2);
-    EXPECT_EQ(ui.state.settings.map.bundle, "x.bundle");
-    ui.click(ui.find("/rows_", "map.bundle", "Browse…"));
-    ui.frames(3);
-    EXPECT_TRUE(window_of("Choose a bundle"));
-}
-
 TEST(FileDialogs, TypedFolderIsEnteredAndTypingContinues) {
     const fs::path folder = fs::weakly_canonical(fresh_test_folder());
     fs::create_directory(folder / "below");
