@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,20 +120,25 @@ void run_import_capture(const ImportCaptureOptions& options) {
     }
     const CaptureRequest request{.capture = options.capture, .list = options.list, .picks = options.picks};
     auto lines = Json::array();
-    const auto run = [&](CaptureRequest work) {
+    const auto run = [&](CaptureRequest work, bool write) {
         interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
             const CaptureReports reports{.progress =
                                              [&](double share, const std::string& label) {
-                                                 report(share, label);
+                                                 // A capture that cannot be opened gets one line.
+                                                 share > 0 ? report(share, label) : workers.progress(0);
                                                  return !workers.stop.stop_requested();
                                              },
                                          .line = [&](const Json& line) { lines.push_back(line); }};
+            // Unwinding removes what is unfinished: a signal ends the program later.
+            std::optional<UnfinishedBundle> bundle;
+            if (write) work.output = bundle.emplace(options.output).folder();
             run_capture_helper(work, reports);
+            if (bundle) bundle->finish();
             return 0;
         });
     };
     if (options.list) {
-        run(request);
+        run(request, false);
         auto candidates = Json::array();
         for (const Json& line : lines)
             if (line.contains("candidate")) candidates.push_back(line["candidate"]);
@@ -143,11 +149,7 @@ void run_import_capture(const ImportCaptureOptions& options) {
         for (const Json& candidate : candidates) fmt::print("{}\n", candidate_line(candidate));
         return;
     }
-    UnfinishedBundle bundle(options.output);
-    CaptureRequest work = request;
-    work.output = bundle.folder();
-    run(work);
-    bundle.finish();
+    run(request, true);
     const Json summary = lines.empty() ? Json::object() : lines.back();
     if (options.json) {
         fmt::print("{}", json_text(summary));
