@@ -84,9 +84,13 @@ BundleMap map_of(const LightView& view, const Settings& s) {
     out.depth.format = depth_format(s.map.format);
     out.depth.planes_m = {view.curve.near, view.curve.far};
     out.depth.warp = view.curve.warp;
-    out.raster.offset_factor = s.bias.raster_slope;
-    out.raster.offset_units = s.bias.raster_units;
-    out.raster.offset_clamp = s.bias.raster_clamp;
+    // As OpenGL takes them: reversed depth recedes by lower values.
+    const auto as_drawn = [&](double amount) {
+        return view.curve.convention.reversed && amount != 0 ? -amount : amount;
+    };
+    out.raster.offset_factor = as_drawn(s.bias.raster_slope);
+    out.raster.offset_units = as_drawn(s.bias.raster_units);
+    out.raster.offset_clamp = as_drawn(s.bias.raster_clamp);
     out.raster.cull = s.caster.cull;
     out.raster.front = BundleFront::Ccw;
     out.raster.depth_clamp = view.clamps_near;

@@ -164,10 +164,11 @@ std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<
     return any ? out : std::vector<CasterRaster>();
 }
 
-/// Returns true when the bias is stated, as terms of the look-up or as settings of this program.
+/// Returns true when the bias with which a light's maps are read is known: all its amounts, or the settings of this
+/// program, which has written the bundle.
 bool is_bias_known(const Bundle& bundle, const BundleLight& light) {
     const BundleBias& bias = light.lookup.bias;
-    return bias.constant || bias.slope || bias.normal || bundle.settings.contains("bias.kind");
+    return !bundle.settings.empty() || (bias.constant && bias.slope && bias.normal);
 }
 
 /// Checks that a directional light shines along the rays of its map: reversed depth turns parallel rays around.

@@ -124,6 +124,12 @@ SceneLight scene_light_of(const BundleLight& light, const ImportedMaps* maps, co
     return out;
 }
 
+/// Returns an amount of polygon offset as bias.raster_* count it: above 0 is away from the light.
+std::optional<double> away_from_light(const BundleMap& map, const std::optional<double>& as_drawn) {
+    if (!as_drawn || *as_drawn == 0 || !map.depth.convention.reversed) return as_drawn;
+    return -*as_drawn;
+}
+
 void suggest_map_settings(const Bundle& b, const GivenMaps& maps, Suggestions& to) {
     const auto [reversed, same_direction] =
         shared_value<bool>(b, [](const BundleMap& m) { return std::optional(m.depth.convention.reversed); });
@@ -145,14 +151,14 @@ void suggest_map_settings(const Bundle& b, const GivenMaps& maps, Suggestions& t
         if (!same) to.warn(fmt::format("the maps differ in raster.{}; {} is that of the first", name, key));
         return value;
     };
-    if (const auto v =
-            shared("bias.raster_slope", "offset_factor", [](const BundleMap& m) { return m.raster.offset_factor; }))
+    if (const auto v = shared("bias.raster_slope", "offset_factor",
+                              [](const BundleMap& m) { return away_from_light(m, m.raster.offset_factor); }))
         to.add("bias.raster_slope", *v);
-    if (const auto v =
-            shared("bias.raster_units", "offset_units", [](const BundleMap& m) { return m.raster.offset_units; }))
+    if (const auto v = shared("bias.raster_units", "offset_units",
+                              [](const BundleMap& m) { return away_from_light(m, m.raster.offset_units); }))
         to.add("bias.raster_units", *v);
-    if (const auto v =
-            shared("bias.raster_clamp", "offset_clamp", [](const BundleMap& m) { return m.raster.offset_clamp; }))
+    if (const auto v = shared("bias.raster_clamp", "offset_clamp",
+                              [](const BundleMap& m) { return away_from_light(m, m.raster.offset_clamp); }))
         to.add("bias.raster_clamp", *v);
     if (const auto v = shared("caster.cull", "cull", [](const BundleMap& m) { return m.raster.cull; }))
         to.add("caster.cull", *v == Cull::None ? "none" : *v == Cull::Back ? "back" : "front");

@@ -24,11 +24,11 @@ fs::path exported(const Words& scene_and_settings, const std::string& name = "ou
     return folder;
 }
 
-/// Removes what a reader of a bundle may state otherwise: names, times, and what drawing took.
+/// Removes what a reader of a bundle may state otherwise: names, times, what drawing took, and whose map it is.
 Json numbers_only(Json json) {
     if (json.is_object()) {
         for (const char* name :
-             {"scene", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds", "notes", "settings", "reason"})
+             {"scene", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds", "notes", "settings", "reason", "engine_bias"})
             json.erase(name);
         for (auto& [name, value] : json.items()) value = numbers_only(value);
     } else if (json.is_array()) {

@@ -20,5 +20,44 @@ TEST(CompareMaps, NeedsImportedMaps) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
+/// Exports a frame of the scene "boxes" as boxes.bundle.
+std::filesystem::path exported(const Words& settings) {
+    const auto folder = fresh_test_folder();
+    const ProcessResult r = run_program(Words("export boxes --size 192x108 --bundle boxes.bundle") + settings, folder);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return folder;
+}
+
+TEST(CompareMaps, AnExportedFrameIsDrawnAgainWithoutADifference) {
+    for (const char* settings :
+         {"--set map.resolution=128 --set map.format=d16",
+          "--set map.resolution=128 --set map.reversed_z=true --set bias.raster_slope=2 --set bias.raster_units=3",
+          "--set map.resolution=128 --set light.fit=lispsm",
+          "--set map.resolution=64 --set light.type=point --set light.distance=9"}) {
+        SCOPED_TRACE(settings);
+        const auto folder = exported(settings);
+        const nlohmann::json json = program_json("compare-maps boxes.bundle --json --check", folder);
+        EXPECT_EQ(json["format"], "shadow-inspector-map-comparison");
+        EXPECT_EQ(json["passed"], true);
+        for (const auto& map : json["maps"]) {
+            EXPECT_EQ(map["missed"], 0);
+            EXPECT_EQ(map["extra"], 0);
+            EXPECT_LE(map["steps"]["max"], 4);
+            EXPECT_TRUE(map["lacking"].empty());
+        }
+        EXPECT_NE(json["bias"][0]["engine_bias"], nullptr);
+    }
+}
+
+TEST(CompareMaps, ACasterThatTheMapLacksIsNamed) {
+    const auto folder = exported("--set map.resolution=128 --set object.Boxes/Tower.cast=false");
+    const Words command = "compare-maps boxes.bundle --set object.Boxes/Tower.cast=true";
+    const ProcessResult text = run_program(command + "-o differences.png", folder);
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_NE(text.out.find("Boxes/Tower: the map lacks it"), std::string::npos) << text.out;
+    EXPECT_TRUE(std::filesystem::exists(folder / "differences.png"));
+    expect_error(command + "--check", 1, "some maps fail the gate", folder);
+}
+
 }  // namespace
 }  // namespace si
