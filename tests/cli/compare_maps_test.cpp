@@ -21,7 +21,7 @@ TEST(CompareMaps, NeedsImportedMaps) {
 }
 
 /// Exports a frame of the scene "boxes" as boxes.bundle.
-std::filesystem::path exported(const Words& settings) {
+std::filesystem::path exported_boxes(const Words& settings) {
     const auto folder = fresh_test_folder();
     const ProcessResult r = run_program(Words("export boxes --size 192x108 --bundle boxes.bundle") + settings, folder);
     EXPECT_EQ(r.code, 0) << r.err;
@@ -35,7 +35,7 @@ TEST(CompareMaps, AnExportedFrameIsDrawnAgainWithoutADifference) {
           "--set map.resolution=128 --set light.fit=lispsm",
           "--set map.resolution=64 --set light.type=point --set light.distance=9"}) {
         SCOPED_TRACE(settings);
-        const auto folder = exported(settings);
+        const auto folder = exported_boxes(settings);
         const nlohmann::json json = program_json("compare-maps boxes.bundle --json --check", folder);
         EXPECT_EQ(json["format"], "shadow-inspector-map-comparison");
         EXPECT_EQ(json["passed"], true);
@@ -50,7 +50,7 @@ TEST(CompareMaps, AnExportedFrameIsDrawnAgainWithoutADifference) {
 }
 
 TEST(CompareMaps, ACasterThatTheMapLacksIsNamed) {
-    const auto folder = exported("--set map.resolution=128 --set object.Boxes/Tower.cast=false");
+    const auto folder = exported_boxes("--set map.resolution=128 --set object.Boxes/Tower.cast=false");
     const Words command = "compare-maps boxes.bundle --set object.Boxes/Tower.cast=true";
     const ProcessResult text = run_program(command + "-o differences.png", folder);
     EXPECT_EQ(text.code, 0) << text.err;

@@ -34,7 +34,7 @@ struct Slice {
     double captured_slack = 0;  ///< share by which the count of covered texels may differ: other clear values
 };
 
-struct Case {
+struct CaptureCase {
     const char* name;  ///< file without extension
     std::vector<Slice> slices;
     bool depth = true;    ///< the map holds depths: median and 99th percentile are compared
@@ -43,11 +43,11 @@ struct Case {
     double extra = 1e-4;  ///< largest share of extra texels
 };
 
-void PrintTo(const Case& c, std::ostream* out) {
+void PrintTo(const CaptureCase& c, std::ostream* out) {
     *out << c.name;
 }
 
-const Case kCases[] = {
+const CaptureCase kCases[] = {
     {"filament_csm_gl", {{30, 30, 3, 1, 69571}, {30, 30, 3, 1, 85088}, {30, 30, 3, 1, 51661}, {16, 16, 3, 1, 265845}}},
     {"filament_csm_zink",
      {{30, 30, 3, 1, 65083}, {30, 30, 3, 1, 82715}, {30, 30, 3, 1, 51661}, {16, 16, 3, 1, 268580}}},
@@ -61,10 +61,10 @@ const Case kCases[] = {
     {"vtk_shadow_pass", {{4, 4, 0, 0, 238729}, {4, 4, 0, 0, 251187}}, false, 1},
 };
 
-class ImportCapture : public testing::TestWithParam<Case> {};
+class ImportCapture : public testing::TestWithParam<CaptureCase> {};
 
 TEST_P(ImportCapture, RebuildsEachSliceWithinTheGate) {
-    const Case& c = GetParam();
+    const CaptureCase& c = GetParam();
     const fs::path file = captures() / (std::string(c.name) + ".rdc");
     if (!fs::exists(file)) GTEST_SKIP() << test::kMissingReason << "../shared/captures";
     if (!has_module()) GTEST_SKIP() << test::kMissingReason << "python3-renderdoc";
