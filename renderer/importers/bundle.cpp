@@ -11,7 +11,9 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/bundle/conventions.h"
 #include "renderer/bundle/given_maps.h"
+#include "renderer/bundle/height_field.h"
 #include "renderer/projection/camera_of_matrix.h"
 #include "renderer/scene/scene_lights.h"
 #include "renderer/settings/param.h"
@@ -280,11 +282,23 @@ ReadResult read_beside(BundleFiles& files, const std::string& scene, const std::
     }
 }
 
+/// Returns the surface that the first map of a bundle shows. @param file name of frame.json, for messages
+Scene surface_of_first_map(const GivenMaps& maps, const std::string& file) {
+    for (std::size_t i = 0; i < maps.lights.size(); ++i) {
+        if (!maps.lights[i]) continue;
+        const BundleDepthFormat format = maps.bundle.lights[i].maps.front().depth.format;
+        try {
+            return height_field_scene(maps.lights[i]->views->views.front(), maps.lights[i]->images.front(),
+                                      {.depth_step = depth_step(format)});
+        } catch (const Error& error) {
+            throw Error(fmt::format("{}: lights[{}].maps[0]: {}", file, i, error.what()));
+        }
+    }
+    throw Error(fmt::format("{}: the bundle has neither scene nor map; name a .glb or .gltf file as scene", file));
+}
+
 /// Loads the scene of a bundle, in metres, y up.
 Scene load_bundle_scene(BundleFiles& files, const Bundle& b, const GltfOptions& options) {
-    if (b.scene.empty())
-        throw Error(
-            fmt::format("{}: the bundle has no scene; name a .glb or .gltf file as scene", files.label(kFrameJson)));
     const std::vector<std::byte> bytes = files.read(b.scene, options.max_file_bytes);
     GltfOptions inner = options;
     inner.file = {.scene = options.file.scene};
@@ -304,7 +318,7 @@ Scene load_bundle(const fs::path& path, const GltfOptions& options) {
     const Bundle& b = maps->bundle;
     const std::string file = files.label(kFrameJson);
     const glm::dmat4 world = world_from_engine(b.world);
-    Scene scene = load_bundle_scene(files, b, options);
+    Scene scene = b.scene.empty() ? surface_of_first_map(*maps, file) : load_bundle_scene(files, b, options);
     scene.name = path.string();
     scene.about =
         fmt::format("Frame{}; {}", b.made_by.empty() ? "" : " written by " + printable(b.made_by, 120), scene.about);
