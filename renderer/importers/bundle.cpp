@@ -166,6 +166,19 @@ void suggest_map_settings(const Bundle& b, const GivenMaps& maps, Suggestions& t
         to.add("caster.cull", *v == Cull::None ? "none" : *v == Cull::Back ? "back" : "front");
 }
 
+/// Suggests that casters of double-sided materials keep both faces, as engines draw them, where maps cull others.
+void suggest_double_sided(const Bundle& b, const Scene& scene, Suggestions& to) {
+    const auto culls = [](const BundleMap& map) { return map.raster.cull && *map.raster.cull != Cull::None; };
+    if (!b.settings.empty() ||
+        std::ranges::none_of(b.lights, [&](const BundleLight& l) { return std::ranges::any_of(l.maps, culls); }))
+        return;
+    for (const Object& object : scene.objects) {
+        const int material = scene.meshes[std::size_t(object.mesh)].material;
+        if (material < 0 || !scene.materials[std::size_t(material)].double_sided) continue;
+        to.add("object." + scene.nodes[std::size_t(object.node)].path + ".cull", "none");
+    }
+}
+
 /// Returns the normal offset in texels; nothing where its unit has no fixed length in texels.
 std::optional<double> normal_offset_texels(double amount, BiasUnit unit, const ImportedMaps& maps) {
     if (unit == BiasUnit::Texels) return amount;
@@ -175,7 +188,9 @@ std::optional<double> normal_offset_texels(double amount, BiasUnit unit, const I
     return amount / view.texel_size(1, maps.size());
 }
 
-void suggest_bias(const BundleBias& bias, const std::string& place, const ImportedMaps& maps, Suggestions& to) {
+/// @param is_ours the bundle holds settings of this program, which state the bias
+void suggest_bias(const BundleBias& bias, const std::string& place, const ImportedMaps& maps, bool is_ours,
+                  Suggestions& to) {
     constexpr std::string_view kUnits[] = {"depth", "texels", "metres"};
     const auto unit_key = [&](BiasUnit unit) {
         return std::string(kUnits[unit == BiasUnit::Depth ? 0 : unit == BiasUnit::Texels ? 1 : 2]);
@@ -201,7 +216,7 @@ void suggest_bias(const BundleBias& bias, const std::string& place, const Import
     if (!bias.constant) unknown.push_back("constant");
     if (!bias.slope) unknown.push_back("slope");
     if (!bias.normal) unknown.push_back("normal");
-    if (!unknown.empty())
+    if (!unknown.empty() && !is_ours)
         to.warn(
             fmt::format("{}.bias: {} {} unknown, and not 0; enter the engine's values at bias.* before you rely on a "
                         "verdict",
@@ -234,7 +249,7 @@ void suggest_lookup(const Bundle& b, const GivenMaps& maps, Suggestions& to) {
         to.add("map.wrap", *l.wrap == BundleWrap::Border  ? "border"
                            : *l.wrap == BundleWrap::Clamp ? "clamp"
                                                           : "repeat");
-    suggest_bias(l.bias, place, *maps.lights[first], to);
+    suggest_bias(l.bias, place, *maps.lights[first], !b.settings.empty(), to);
 }
 
 /// Lets nodes that no map holds cast no shadow, where all maps list what was drawn.
@@ -353,6 +368,7 @@ Scene load_bundle(const fs::path& path, const GltfOptions& options) {
     suggest_cascades(b, to);
     suggest_lookup(b, *maps, to);
     suggest_casters_drawn(b, scene, to);
+    suggest_double_sided(b, scene, to);
     for (const auto& [key, value] : b.settings) {
         const auto ref = find_setting(key);
         if (ref && ref->param->file)

@@ -170,6 +170,22 @@ TEST_F(BundleSceneTest, DrawnListsLeaveOtherNodesOut) {
     EXPECT_TRUE(warns(scene, "drawn: 1 of 1 names are no node"));
 }
 
+TEST_F(BundleSceneTest, DoubleSidedCastersKeepBothFaces) {
+    BundleContents files = contents();
+    Json model = Json::parse(files["models/tree.gltf"]);
+    model["meshes"][0]["primitives"][0]["material"] = 0;
+    for (const bool double_sided : {false, true}) {
+        model["materials"] = {{{"doubleSided", double_sided}}};
+        files["models/tree.gltf"] = model.dump();
+        write_bundle_files(files, folder / (double_sided ? "both.bundle" : "one.bundle"));
+        const Scene scene = load_scene((folder / (double_sided ? "both.bundle" : "one.bundle")).string());
+        const Settings settings = base_settings(scene);
+        EXPECT_EQ(settings.caster.cull, Cull::Front);
+        EXPECT_EQ(object_settings(scene, settings, scene.objects[0]).cull,
+                  double_sided ? ObjectCull::None : ObjectCull::Inherit);
+    }
+}
+
 TEST_F(BundleSceneTest, WithoutASceneTheSurfaceOfTheMapIsShown) {
     json.erase("scene");
     BundleContents files = contents();
