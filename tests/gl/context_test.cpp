@@ -67,7 +67,7 @@ TEST(HeadlessContext, FiftyContextsReleaseAllMemory) {
     const auto files = open_files();
     const long memory = resident_kib();
     for (int i = 0; i < 50; ++i) cycle();
-    EXPECT_EQ(open_files(), files);
+    EXPECT_LE(open_files(), files);  // a thread of an earlier test may still close one
     // Leaked contexts would hold 50 such textures, 800 MiB.
     EXPECT_LT(resident_kib() - memory, 100 * 1024);
 }

@@ -57,7 +57,7 @@ std::vector<Value> others(const SettingRef& ref, const Value& present) {
     if (std::holds_alternative<bool>(present)) {
         values.emplace_back(!std::get<bool>(present));
     } else if (is_text(p)) {
-        values.emplace_back("key");
+        if (!p.file) values.emplace_back("key");  // a file of that name does not exist
     } else if (p.choices) {
         for (std::size_t i = 0; i < p.choices().size() && i < 4; ++i) values.emplace_back(int(i));
     } else if (std::holds_alternative<int>(present)) {
