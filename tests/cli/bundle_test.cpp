@@ -138,9 +138,9 @@ TEST(BundleCommand, TheSettingChoosesAndRemovesTheMaps) {
             if (e["name"] == "shadow map 0 (directional)") return e["reason"].get<std::string>();
         return std::string("none");
     };
-    EXPECT_NE(state("out.bundle").find("imported"), std::string::npos);
-    EXPECT_EQ(state("out.bundle --set map.bundle=").find("imported"), std::string::npos);
-    EXPECT_NE(state("boxes --set map.bundle=out.bundle").find("imported"), std::string::npos);
+    EXPECT_NE(state("out.bundle").find("Imported"), std::string::npos);
+    EXPECT_EQ(state("out.bundle --set map.bundle=").find("Imported"), std::string::npos);
+    EXPECT_NE(state("boxes --set map.bundle=out.bundle").find("Imported"), std::string::npos);
     expect_error("plan boxes --set map.bundle=none.bundle", 1, "none.bundle: cannot be opened", folder);
     expect_error("plan none.zip", 1, "none.zip: cannot be opened", folder);
     EXPECT_EQ(run_program("scene out.bundle", folder).code, 0);
