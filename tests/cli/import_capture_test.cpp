@@ -114,7 +114,7 @@ TEST_P(ImportCapture, RebuildsEachSliceWithinTheGate) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ImportCapture, testing::ValuesIn(kCases),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 TEST(ImportCaptureList, NamesMapsAndKindsOfLight) {
     const fs::path file = captures() / "filament_csm_gl.rdc";
