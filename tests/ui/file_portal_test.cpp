@@ -61,7 +61,8 @@ TEST(FilePortal, FileIsChosen) {
     EXPECT_EQ(std::string(folder.begin(), folder.end()), std::string("/some where") + '\0');
     const std::vector<std::string> filters = names(question.options);
     ASSERT_EQ(filters.size(), 3u);
-    const std::string models = "*.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM] *.[oO][bB][jJ] *.[fF][bB][xX] ";
+    const std::string models =
+        "*.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM] *.[bB][uU][nN][dD][lL][eE] *.[zZ][iI][pP] ";
     const std::string presets = " *.[jJ][sS][oO][nN]";
     EXPECT_TRUE(filters[0].starts_with("Scenes and presets: " + models)) << filters[0];
     EXPECT_TRUE(filters[0].ends_with(" *.[xX][gG][lL]" + presets)) << filters[0];

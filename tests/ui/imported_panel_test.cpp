@@ -48,7 +48,7 @@ TEST(ImportedPanel, ShowsNumbersGateAndPicture) {
     ui.state.window.open_tab = BottomTab::Imported;
     ui.frames(4);
     EXPECT_EQ(ui.lacking({"Theirs", "Ours", "Difference", "failed: 6 texels are extra", "Covered 58 of 64",
-                          "Missed 0 0 %", "Extra 6 10.3 %", "0 steps", "-25 cm", "+25 cm", "6 of 6"}),
+                          "Missed 0 0 %", "Extra 6 10.3 %", "0 steps", "-250 mm", "+250 mm", "6 of 6"}),
               "");
     for (const auto& [picture, label] : {std::pair{ImportedPicture::Drawn, "Ours"},
                                          {ImportedPicture::Imported, "Theirs"},
