@@ -22,6 +22,7 @@
 #include "app/base/output.h"
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
+#include "renderer/base/temporary_folder.h"
 #include "renderer/base/workers.h"
 
 namespace si {
@@ -40,27 +41,6 @@ std::string interpreter() {
     const char* replaced = std::getenv("SI_CAPTURE_PYTHON");
     return replaced && *replaced ? replaced : kPython;
 }
-
-/// Folder that is removed with everything in it.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "shadow-inspector-capture-XXXXXX").string();
-        if (!::mkdtemp(name.data()))
-            throw Error(fmt::format("{}: cannot be made: {}; make room or set TMPDIR", name, errno_text()));
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
 
 /// Checks that a file is regular and begins as captures of RenderDoc do. @throws Error
 void require_capture(const fs::path& path) {
@@ -209,7 +189,10 @@ std::string ending(const CaptureRequest& request, int status, const Progress& st
 
 void run_capture_helper(const CaptureRequest& request, const CaptureReports& reports, const CaptureLimits& limits) {
     require_capture(request.capture);
-    const TemporaryFolder folder;
+    const fs::path pattern = fs::temp_directory_path() / "shadow-inspector-capture-XXXXXX";
+    const TemporaryFolder folder(pattern);
+    if (folder.path().empty())
+        throw Error(fmt::format("{}: cannot be made: {}; make room or set TMPDIR", pattern.string(), errno_text()));
     for (const EmbeddedFile& file : embedded_files())
         if (file.path.starts_with(kProgramFolder))
             write_file(folder.path() / file.path.substr(kProgramFolder.size()), file.text);

@@ -19,6 +19,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
+#include "renderer/base/temporary_folder.h"
 #include "renderer/bundle/bundle_json.h"
 #include "renderer/bundle/bundle_path.h"
 
@@ -326,15 +327,6 @@ std::string zip_bytes(const BundleContents& contents, zip_int32_t method, const 
     return out;
 }
 
-/// Removes a folder that was not finished.
-struct FolderGuard {
-    fs::path folder;
-    ~FolderGuard() {
-        std::error_code ignored;
-        if (!folder.empty()) fs::remove_all(folder, ignored);
-    }
-};
-
 /// Returns the names of the files of a bundle; frame.json alone where it cannot be read.
 std::set<std::string> names_in_bundle(const fs::path& folder) {
     std::set<std::string> out = {std::string(kFrameJson)};
@@ -377,26 +369,25 @@ void write_bundle_folder(const BundleContents& contents, const fs::path& path) {
     const fs::path folder = path.has_filename() ? path : path.parent_path();
     check_replaceable(contents, folder);
     const fs::path parent = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
-    std::string name = (parent / fmt::format(".{}.XXXXXX", folder.filename().string())).string();
-    if (!::mkdtemp(name.data()))
+    TemporaryFolder temporary(parent / fmt::format(".{}.XXXXXX", folder.filename().string()));
+    if (temporary.path().empty())
         refuse_bundle(folder, fmt::format("cannot be written ({})", std::strerror(errno)), "give another folder");
-    FolderGuard temporary{name};
-    ::chmod(name.c_str(), 0755);
+    ::chmod(temporary.path().c_str(), 0755);
     for (const auto& [file, bytes] : contents) {
-        const fs::path to = temporary.folder / file;
+        const fs::path to = temporary.path() / file;
         make_folders(to.parent_path());
         write_atomically(to, {bytes});
     }
     std::error_code error;
     if (fs::exists(fs::symlink_status(folder, error))) {
         // The old folder takes the temporary name, and is removed with it.
-        if (::renameat2(AT_FDCWD, temporary.folder.c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) != 0)
+        if (::renameat2(AT_FDCWD, temporary.path().c_str(), AT_FDCWD, folder.c_str(), RENAME_EXCHANGE) != 0)
             refuse_bundle(folder, fmt::format("cannot be replaced ({})", std::strerror(errno)), "give another name");
         return;
     }
-    fs::rename(temporary.folder, folder, error);
+    fs::rename(temporary.path(), folder, error);
     if (error) refuse_bundle(folder, fmt::format("cannot be written ({})", error.message()), "give another name");
-    temporary.folder.clear();
+    temporary.release();
 }
 
 }  // namespace

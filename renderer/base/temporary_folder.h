@@ -1,0 +1,26 @@
+// Folder that exists until the end of a scope.
+#pragma once
+
+#include <filesystem>
+
+namespace si {
+
+/// New folder that the destructor removes with everything in it, unless it was renamed.
+class TemporaryFolder {
+public:
+    /// Makes a folder that only its owner may use. path() is empty if that fails, and errno says why.
+    /// @param pattern path that ends in XXXXXX, which a free name replaces
+    explicit TemporaryFolder(const std::filesystem::path& pattern);
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    /// Keeps the folder, which has another name by now.
+    void release() { path_.clear(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace si
