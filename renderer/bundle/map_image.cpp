@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
@@ -19,18 +20,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "texels are copied as they lie in the file");
 
-[[noreturn]] void refuse_image(std::string_view file_name, std::string_view what, std::string_view fix) {
-    throw Error(fmt::format("{}: {}; {}", printable(file_name, 300), what, fix));
-}
+constexpr std::size_t kMaxNumbers = std::size_t{1} << 29;
 
-void check_image_size(std::string_view file_name, long width, long height, int channels) {
-    constexpr std::size_t kMaxNumbers = std::size_t{1} << 29;
-    if (width < 1 || height < 1 || width > kMaxBundleImageSide || height > kMaxBundleImageSide)
-        refuse_image(file_name, fmt::format("{} × {} texels cannot be read", width, height),
-                     fmt::format("use 1 to {} texels a side", kMaxBundleImageSide));
-    if (std::size_t(width) * std::size_t(height) * std::size_t(channels) > kMaxNumbers)
-        refuse_image(file_name, fmt::format("{} × {} texels of {} channels cannot be read", width, height, channels),
-                     "write the channel with the depths alone");
+[[noreturn]] void refuse_image(std::string_view what, std::string_view fix) {
+    throw Error(fmt::format("{}; {}", what, fix));
 }
 
 /// Returns the next word of the header of a PFM file and moves behind the blank that ends it; empty at its end.
@@ -49,38 +42,30 @@ bool parse_whole(std::string_view word, T& out) {
     return error == std::errc() && end == word.data() + word.size();
 }
 
-FloatImage decode_pfm(std::string_view file_name, std::span<const std::byte> bytes) {
+FloatImage decode_pfm(std::span<const std::byte> bytes) {
     constexpr std::string_view kFix = "write a PFM file: Pf, width and height, -1.0, floats";
     std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const std::string_view magic = next_word(rest);
     long width = 0, height = 0;
     double scale = 0;
-    if (magic != "Pf" && magic != "PF") refuse_image(file_name, "the file is no PFM image", kFix);
+    if (magic != "Pf" && magic != "PF") refuse_image("the file is no PFM image", kFix);
     if (!parse_whole(next_word(rest), width) || !parse_whole(next_word(rest), height) ||
         !parse_whole(next_word(rest), scale) || !std::isfinite(scale) || scale == 0)
-        refuse_image(file_name, "the header of the PFM image cannot be read", kFix);
+        refuse_image("the header of the PFM image cannot be read", kFix);
     FloatImage out{0, 0, magic == "PF" ? 3 : 1, {}};
-    check_image_size(file_name, width, height, out.channels);
+    check_map_image_sides(width, height);
+    check_map_image_numbers(width, height, out.channels, kMaxNumbers);
     out.width = int(width);
     out.height = int(height);
     const std::size_t count = std::size_t(width) * std::size_t(height) * std::size_t(out.channels);
     if (rest.size() != count * sizeof(float))
-        refuse_image(file_name,
-                     fmt::format("{} bytes follow the header and {} are needed", rest.size(), count * sizeof(float)),
+        refuse_image(fmt::format("{} bytes follow the header and {} are needed", rest.size(), count * sizeof(float)),
                      "write the file again");
     out.data.resize(count);
     std::memcpy(out.data.data(), rest.data(), rest.size());
     if (scale > 0)  // big-endian
         for (float& v : out.data) v = std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(v)));
     return out;
-}
-
-float float_of_half(std::uint16_t half) {
-    const int exponent = half >> 10 & 31, fraction = half & 1023;
-    const float sign = half & 0x8000 ? -1.f : 1.f;
-    if (exponent == 31) return fraction ? NAN : sign * INFINITY;
-    if (exponent == 0) return sign * std::ldexp(float(fraction), -24);
-    return sign * std::ldexp(float(1024 + fraction), exponent - 25);
 }
 
 /// Returns one number of a raw image from its bytes.
@@ -91,7 +76,7 @@ float raw_number(RawFormat format, const std::byte* at) {
         case RawFormat::F32:
             return std::bit_cast<float>(bits);
         case RawFormat::F16:
-            return float_of_half(std::uint16_t(bits));
+            return glm::unpackHalf1x16(std::uint16_t(bits));
         case RawFormat::U16:
             return float(bits / 65535.0);
         case RawFormat::U24:
@@ -102,17 +87,17 @@ float raw_number(RawFormat format, const std::byte* at) {
     return 0;
 }
 
-FloatImage decode_raw(std::string_view file_name, std::span<const std::byte> bytes, const MapImageFormat& raw) {
-    if (!raw.format) refuse_image(file_name, "the format of the raw image is unknown", "state format, width, height");
+FloatImage decode_raw(std::span<const std::byte> bytes, const MapImageFormat& raw) {
+    if (!raw.format) refuse_image("the format of the raw image is unknown", "state format, width, height");
     if (raw.channels < 1 || raw.channels > 4)
-        refuse_image(file_name, fmt::format("{} channels cannot be read", raw.channels), "use 1 to 4");
-    check_image_size(file_name, raw.width, raw.height, raw.channels);
+        refuse_image(fmt::format("{} channels cannot be read", raw.channels), "use 1 to 4");
+    check_map_image_sides(raw.width, raw.height);
+    check_map_image_numbers(raw.width, raw.height, raw.channels, kMaxNumbers);
     const std::size_t each = *raw.format == RawFormat::F16 || *raw.format == RawFormat::U16 ? 2 : 4;
     FloatImage out{raw.width, raw.height, raw.channels, {}};
     const std::size_t count = std::size_t(raw.width) * std::size_t(raw.height) * std::size_t(raw.channels);
     if (bytes.size() != count * each)
-        refuse_image(file_name,
-                     fmt::format("the file has {} bytes, and {} × {} texels of {} bytes make {}", bytes.size(),
+        refuse_image(fmt::format("the file has {} bytes, and {} × {} texels of {} bytes make {}", bytes.size(),
                                  raw.width, raw.height, each * std::size_t(raw.channels), count * each),
                      "correct width, height, channels or format");
     out.data.resize(count);
@@ -120,15 +105,36 @@ FloatImage decode_raw(std::string_view file_name, std::span<const std::byte> byt
     return out;
 }
 
+FloatImage decode_by_extension(std::string_view file_name, std::span<const std::byte> bytes,
+                               const MapImageFormat& raw) {
+    const std::string extension = lower_extension(file_name);
+    if (extension == ".pfm") return decode_pfm(bytes);
+    if (extension == ".raw") return decode_raw(bytes, raw);
+    if (extension == ".png") return decode_png_map(bytes);
+    if (extension == ".exr") return decode_exr_map(bytes);
+    refuse_image("the format of the image is not read", "use a .pfm, .exr, .png or .raw file");
+}
+
 }  // namespace
 
+void check_map_image_sides(std::int64_t width, std::int64_t height) {
+    if (width < 1 || height < 1 || width > kMaxBundleImageSide || height > kMaxBundleImageSide)
+        refuse_image(fmt::format("{} × {} texels cannot be read", width, height),
+                     fmt::format("use 1 to {} texels a side", kMaxBundleImageSide));
+}
+
+void check_map_image_numbers(std::int64_t width, std::int64_t height, int channels, std::size_t most) {
+    if (std::size_t(width) * std::size_t(height) * std::size_t(channels) > most)
+        refuse_image(fmt::format("{} × {} texels of {} channels cannot be read", width, height, channels),
+                     "write the channel with the depths alone");
+}
+
 FloatImage decode_map_image(std::string_view file_name, std::span<const std::byte> bytes, const MapImageFormat& raw) {
-    const std::string extension = lower_extension(file_name);
-    if (extension == ".pfm") return decode_pfm(file_name, bytes);
-    if (extension == ".raw") return decode_raw(file_name, bytes, raw);
-    if (extension == ".png") return decode_png_map(file_name, bytes);
-    if (extension == ".exr") return decode_exr_map(file_name, bytes);
-    refuse_image(file_name, "the format of the image is not read", "use a .pfm, .exr, .png or .raw file");
+    try {
+        return decode_by_extension(file_name, bytes, raw);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", printable(file_name, 300), error.what()));
+    }
 }
 
 }  // namespace si

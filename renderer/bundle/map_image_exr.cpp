@@ -17,6 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/bundle/bundle.h"
+#include "renderer/bundle/map_image.h"
 #include "renderer/foreign/pack.h"
 
 namespace si {
@@ -82,16 +83,12 @@ FloatImage decode_exr(std::span<const std::uint8_t> bytes) {
     const Imath::Box2i window = file.header().dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
     const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
-    if (width < 1 || height < 1 || width > kMaxBundleImageSide || height > kMaxBundleImageSide)
-        throw Error(fmt::format("{} × {} texels cannot be read; use 1 to {} texels a side", width, height,
-                                kMaxBundleImageSide));
+    check_map_image_sides(width, height);
     const Imf::ChannelList& channels = file.header().channels();
     const std::vector<std::string> names = channel_names(channels);
     if (names.empty()) throw Error("the image has no channel; write one of depths");
     const std::size_t texels = std::size_t(width) * std::size_t(height);
-    if (texels * names.size() > kMaxExrNumbers)
-        throw Error(fmt::format("{} × {} texels of {} channels cannot be read; write the channel with the depths alone",
-                                width, height, names.size()));
+    check_map_image_numbers(width, height, int(names.size()), kMaxExrNumbers);
     FloatImage out{int(width), int(height), int(names.size()), {}};
     out.data.resize(texels * names.size());
     Imf::FrameBuffer buffer;
@@ -151,30 +148,26 @@ std::vector<std::uint8_t> decode_packed_exr(std::span<const std::uint8_t> bytes,
     return std::move(out.bytes());
 }
 
-FloatImage decode_exr_map(std::string_view file_name, std::span<const std::byte> bytes) {
-    try {
-        constexpr std::array<std::uint8_t, 4> kMagic = {0x76, 0x2f, 0x31, 0x01};
-        const std::span file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-        if (file.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), file.begin()))
-            throw Error("the file is no OpenEXR image; write one of floats");
-        ForeignLimits limits;
-        limits.memory_bytes = std::size_t{3} << 30;
-        limits.answer_bytes = kMaxExrNumbers * sizeof(float) + 4096;
-        const auto answer = run_foreign_job(kExrJob, file, limits);
-        PackReader in(answer);
-        const std::uint64_t width = in.number(), height = in.number(), channels = in.number();
-        const auto data = in.block();
-        constexpr std::uint64_t kSide = kMaxBundleImageSide;
-        if (width < 1 || height < 1 || width > kSide || height > kSide || channels < 1 || channels > 4 ||
-            data.size() != width * height * channels * sizeof(float))
-            throw Error("the OpenEXR decoder returns an image of a wrong size");
-        FloatImage out{int(width), int(height), int(channels), {}};
-        out.data.resize(data.size() / sizeof(float));
-        std::memcpy(out.data.data(), data.data(), data.size());
-        return out;
-    } catch (const Error& error) {
-        throw Error(fmt::format("{}: {}", printable(file_name, 300), error.what()));
-    }
+FloatImage decode_exr_map(std::span<const std::byte> bytes) {
+    constexpr std::array<std::uint8_t, 4> kMagic = {0x76, 0x2f, 0x31, 0x01};
+    const std::span file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    if (file.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), file.begin()))
+        throw Error("the file is no OpenEXR image; write one of floats");
+    ForeignLimits limits;
+    limits.memory_bytes = std::size_t{3} << 30;
+    limits.answer_bytes = kMaxExrNumbers * sizeof(float) + 4096;
+    const auto answer = run_foreign_job(kExrJob, file, limits);
+    PackReader in(answer);
+    const std::uint64_t width = in.number(), height = in.number(), channels = in.number();
+    const auto data = in.block();
+    constexpr std::uint64_t kSide = kMaxBundleImageSide;
+    if (width < 1 || height < 1 || width > kSide || height > kSide || channels < 1 || channels > 4 ||
+        data.size() != width * height * channels * sizeof(float))
+        throw Error("the OpenEXR decoder returns an image of a wrong size");
+    FloatImage out{int(width), int(height), int(channels), {}};
+    out.data.resize(data.size() / sizeof(float));
+    std::memcpy(out.data.data(), data.data(), data.size());
+    return out;
 }
 
 std::string exr_bytes(const FloatImage& image) {

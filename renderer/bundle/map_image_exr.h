@@ -20,8 +20,8 @@ extern const ForeignJob kExrJob;
 /// Decodes an OpenEXR file of scanlines or tiles in a child process: half, float and whole numbers. Row 0 is the top of
 /// its data window. At most four channels are returned: Z, Y, R, G, B, A, then others by name. A whole number n becomes
 /// n / (2^32 - 1).
-/// @param file_name for messages @throws Error "FILE: what is wrong; what to do"
-FloatImage decode_exr_map(std::string_view file_name, std::span<const std::byte> bytes);
+/// @throws Error "what is wrong; what to do", without the file's name
+FloatImage decode_exr_map(std::span<const std::byte> bytes);
 
 /// Decodes an image in this process and packs it as an answer: the work of the job. @throws Error without the file's
 /// name

@@ -9,44 +9,38 @@
 #include <memory>
 
 #include "renderer/base/error.h"
-#include "renderer/base/printable.h"
-#include "renderer/bundle/bundle.h"
+#include "renderer/bundle/map_image.h"
 #include "renderer/gltf/image_faults.h"
 
 namespace si {
 namespace {
 
-[[noreturn]] void refuse_png(std::string_view file_name, std::string_view what, std::string_view fix) {
-    throw Error(fmt::format("{}: {}; {}", printable(file_name, 300), what, fix));
+[[noreturn]] void refuse_png(std::string_view what, std::string_view fix) {
+    throw Error(fmt::format("{}; {}", what, fix));
 }
 
 }  // namespace
 
-FloatImage decode_png_map(std::string_view file_name, std::span<const std::byte> bytes) {
+FloatImage decode_png_map(std::span<const std::byte> bytes) {
     constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (!text.starts_with(kSignature)) refuse_png(file_name, "the file is no PNG image", "write a PNG file of 16 bits");
+    if (!text.starts_with(kSignature)) refuse_png("the file is no PNG image", "write a PNG file of 16 bits");
     if (bytes.size() > std::size_t(std::numeric_limits<int>::max()))
-        refuse_png(file_name, "the file exceeds 2 GiB", "use a .raw file");
+        refuse_png("the file exceeds 2 GiB", "use a .raw file");
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = int(bytes.size());
     const auto fault = [&] { return gltf::image_fault({data, bytes.size()}); };
     int width = 0, height = 0, channels = 0;
-    if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
-        refuse_png(file_name, fault(), "write the file again");
-    if (width < 1 || height < 1 || width > kMaxBundleImageSide || height > kMaxBundleImageSide)
-        refuse_png(file_name, fmt::format("{} × {} texels cannot be read", width, height),
-                   fmt::format("use 1 to {} texels a side", kMaxBundleImageSide));
+    if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) refuse_png(fault(), "write the file again");
+    check_map_image_sides(width, height);
     if (stbi_is_16_bit_from_memory(data, size) == 0)
-        refuse_png(file_name, "the PNG has 8 bits a channel, too few for depths", "write a PNG file of 16 bits");
+        refuse_png("the PNG has 8 bits a channel, too few for depths", "write a PNG file of 16 bits");
     // stb_image computes sizes as int: two bytes a number, and rows with their filter bytes.
     constexpr std::size_t kMaxNumbers = std::size_t(std::numeric_limits<int>::max()) / 4;
-    if (std::size_t(width) * std::size_t(height) * std::size_t(channels) > kMaxNumbers)
-        refuse_png(file_name, fmt::format("{} × {} texels of {} channels cannot be read", width, height, channels),
-                   "write the channel with the depths alone");
+    check_map_image_numbers(width, height, channels, kMaxNumbers);
     const std::unique_ptr<stbi_us, decltype(&std::free)> decoded(
         stbi_load_16_from_memory(data, size, &width, &height, &channels, 0), &std::free);
-    if (!decoded) refuse_png(file_name, fault(), "write the file again");
+    if (!decoded) refuse_png(fault(), "write the file again");
     FloatImage out{width, height, channels, {}};
     out.data.resize(std::size_t(width) * std::size_t(height) * std::size_t(channels));
     for (std::size_t i = 0; i < out.data.size(); ++i) out.data[i] = float(decoded.get()[i] / 65535.0);

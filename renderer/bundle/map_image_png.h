@@ -10,7 +10,7 @@
 namespace si {
 
 /// Decodes a PNG file of 16 bits a channel; a number n becomes n / 65535. Row 0 is the first row of the file.
-/// @param file_name for messages @throws Error "FILE: what is wrong; what to do"
-FloatImage decode_png_map(std::string_view file_name, std::span<const std::byte> bytes);
+/// @throws Error "what is wrong; what to do", without the file's name
+FloatImage decode_png_map(std::span<const std::byte> bytes);
 
 }  // namespace si
