@@ -15,7 +15,9 @@
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/base/printable.h"
 #include "renderer/base/regular_file.h"
+#include "renderer/bundle/bundle_files.h"
 #include "renderer/bundle/map_image_exr.h"
 
 namespace si {
@@ -151,8 +153,9 @@ std::string pfm_bytes(const FloatImage& image) {
     return bytes;
 }
 
-void write_pfm(const fs::path& path, const FloatImage& image) {
-    write_file(path, pfm_bytes(image));
+void require_bundle_name(const std::string& path) {
+    if (!is_bundle_path(path) || fs::path(path).filename() == kFrameJson)
+        throw UsageError(fmt::format("{}: the name of a bundle ends in .bundle (a folder) or .zip", printable(path)));
 }
 
 bool is_float_file(const fs::path& path) {
@@ -161,8 +164,7 @@ bool is_float_file(const fs::path& path) {
 }
 
 void write_floats(const fs::path& path, const FloatImage& image) {
-    if (lower_extension(path) == ".exr") return write_file(path, exr_bytes(image));
-    write_pfm(path, image);
+    write_file(path, lower_extension(path) == ".exr" ? exr_bytes(image) : pfm_bytes(image));
 }
 
 void write_scalar_image(const fs::path& path, const FloatImage& image) {

@@ -60,8 +60,8 @@ void write_png(const std::filesystem::path& path, const ByteImage& image);
 /// Encodes an image's first channel as portable float map (PFM): little-endian, bottom row first.
 std::string pfm_bytes(const FloatImage& image);
 
-/// Writes an image's first channel as portable float map (PFM): little-endian, bottom row first. @throws Error
-void write_pfm(const std::filesystem::path& path, const FloatImage& image);
+/// Checks that an output names a bundle: a folder .bundle or a file .zip. @throws UsageError
+void require_bundle_name(const std::string& path);
 
 /// Returns true for the name of a file that holds floats: .pfm or .exr.
 bool is_float_file(const std::filesystem::path& path);

@@ -10,13 +10,13 @@
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/cli/command.h"
-#include "app/commands/import_capture.h"
 #include "app/context/window_context.h"
 #include "app/editor/editor.h"
 #include "app/session/workspace.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/bundle/bundle_members.h"
 #include "renderer/importers/importers.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/settings/param.h"
@@ -137,6 +137,13 @@ void add_compare_maps(CLI::App& app, Run& run) {
     c.add_json("All numbers as JSON");
 }
 
+/// Returns the words of a table of choices in frame.json.
+std::vector<std::string_view> keys_of(const auto& table) {
+    std::vector<std::string_view> out;
+    for (const auto& [key, value] : table) out.push_back(key);
+    return out;
+}
+
 void add_import_map(CLI::App& app, Run& run) {
     auto& c = add_command(app, run, "import-map",
                           "Make a bundle of another engine's depth map and the light that it belongs to; finds out how "
@@ -150,11 +157,11 @@ void add_import_map(CLI::App& app, Run& run) {
     c.add_value("--scene", o.scene, "SCENE", "The scene that the map shows: a model or a built-in scene");
     c.add_output("BUNDLE", "The bundle: a folder that ends in .bundle, or a .zip file")->required();
     c.add_value("--depth-range", o.depth_range, "RANGE", "Clip z over w of the depth range: 0..1 or -1..1")
-        ->check(one_of({"0..1", "-1..1"}));
+        ->check(one_of(keys_of(bundle::kRangeKeys)));
     c.add_value("--reversed", o.reversed, "BOOL", "true: the near plane is stored as 1")
         ->check(one_of({"true", "false"}));
     c.add_value("--first-row", o.first_row, "END", "End of the map that the first stored row shows: bottom or top")
-        ->check(one_of({"bottom", "top"}));
+        ->check(one_of(keys_of(bundle::kFirstRowKeys)));
     c.add_value("--matrix", o.matrix, "ORDER", "Order of the numbers of a matrix: columns or rows")
         ->check(one_of({"columns", "rows"}));
     c.add_value("--product", o.product, "ORDER",
@@ -163,8 +170,7 @@ void add_import_map(CLI::App& app, Run& run) {
     c.add_value(
          "--stored", o.stored, "KIND",
          "Meaning of a texel: depth, linear, axis-metres, distance-metres, distance-share, exponential or moments")
-        ->check(
-            one_of({"depth", "linear", "axis-metres", "distance-metres", "distance-share", "exponential", "moments"}));
+        ->check(one_of(keys_of(bundle::kStoredKeys)));
     c.add_value("--pick", o.pick, "N", "Take row N of the list of readings")->check(CLI::Range(1, 10000));
     c.add_json("All readings with their errors as JSON");
 }

@@ -215,6 +215,16 @@ struct ImportMapOptions : CommandOptions {
 /// Runs the command `import-map`: makes a bundle of one depth map of another engine, and finds how it is to be read.
 void run_import_map(const ImportMapOptions& options);
 
+/// Options of the command `import-capture`. Its output is a folder, .bundle.
+struct ImportCaptureOptions : CommandOptions {
+    std::string capture;     ///< file that RenderDoc wrote, .rdc
+    bool list = false;       ///< print the shadow maps of the capture and write nothing
+    std::vector<int> picks;  ///< numbers of the list; empty: all
+};
+/// Runs the command `import-capture`: opens a RenderDoc capture and writes its shadow maps, scene, camera and picture
+/// as a bundle.
+void run_import_capture(const ImportCaptureOptions& options);
+
 /// Options of the command `export`.
 struct ExportOptions : CommandOptions {
     std::string bundle;  ///< bundle to write in place of a glTF file: a .bundle folder or a .zip file; empty: none

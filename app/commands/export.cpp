@@ -10,7 +10,6 @@
 #include "app/context/headless_context.h"
 #include "app/report/frame_bundle.h"
 #include "renderer/base/error.h"
-#include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
 #include "renderer/bundle/given_maps.h"
 #include "renderer/gltf/gltf.h"
@@ -25,8 +24,10 @@ namespace {
 void require_other_bundle(const std::string& bundle, const Session& session) {
     namespace fs = std::filesystem;
     std::vector<StampedFile> read = session.scene.files;
-    if (const std::string& given = session.settings.map.bundle; !given.empty())
-        read.insert(read.end(), given_maps(given)->files.begin(), given_maps(given)->files.end());
+    if (const std::string& given = session.settings.map.bundle; !given.empty()) {
+        const auto maps = given_maps(given);
+        read.insert(read.end(), maps->files.begin(), maps->files.end());
+    }
     std::error_code error;
     const fs::path whole = fs::weakly_canonical(bundle, error);
     const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
@@ -41,10 +42,7 @@ void require_other_bundle(const std::string& bundle, const Session& session) {
 
 /// Writes the frame of a session as a bundle.
 void export_bundle(const ExportOptions& options) {
-    const std::string extension = lower_extension(options.bundle);
-    if (extension != ".bundle" && extension != ".zip")
-        throw UsageError(
-            fmt::format("{}: the name of a bundle ends in .bundle (a folder) or .zip", printable(options.bundle)));
+    require_bundle_name(options.bundle);
     const Session session = open_session(options.session);
     require_other_bundle(options.bundle, session);
     const HeadlessContext context;

@@ -1,10 +1,6 @@
 // Shadow maps of a RenderDoc capture, listed or written as a bundle.
-#include "app/commands/import_capture.h"
-
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -16,48 +12,28 @@
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/capture/helper.h"
+#include "app/commands/commands.h"
 #include "app/commands/interruptible.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
+#include "renderer/base/temporary_folder.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Folder beside the output that receives the files and is renamed at the end. A run that fails leaves nothing.
-class UnfinishedBundle {
-public:
-    explicit UnfinishedBundle(fs::path output) : output_(std::move(output)) {
-        std::string name = output_.string() + ".new-XXXXXX";
-        if (!::mkdtemp(name.data()))
-            throw Error(fmt::format("{}: cannot be written: {}", output_.string(), errno_text()));
-        folder_ = name;
-    }
-    ~UnfinishedBundle() {
-        std::error_code ignored;
-        if (!folder_.empty()) fs::remove_all(folder_, ignored);
-    }
-    UnfinishedBundle(const UnfinishedBundle&) = delete;
-    UnfinishedBundle& operator=(const UnfinishedBundle&) = delete;
-
-    const fs::path& folder() const { return folder_; }
-
-    /// Gives the folder its name. @throws Error
-    void finish() {
-        std::error_code error;
-        fs::permissions(folder_,
-                        fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read |
-                            fs::perms::others_exec,
-                        error);
-        fs::rename(folder_, output_, error);
-        if (error) throw Error(fmt::format("{}: cannot be written: {}", output_.string(), error.message()));
-        folder_.clear();
-    }
-
-private:
-    fs::path output_, folder_;
-};
+/// Gives a finished folder the name of the output. @throws Error
+void keep_bundle(TemporaryFolder& folder, const fs::path& output) {
+    std::error_code error;
+    fs::permissions(folder.path(),
+                    fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read |
+                        fs::perms::others_exec,
+                    error);
+    fs::rename(folder.path(), output, error);
+    if (error) throw Error(fmt::format("{}: cannot be written: {}", output.string(), error.message()));
+    folder.release();
+}
 
 /// Checks before long work that a new folder can be made at `path`. @throws UsageError, Error
 void require_new_bundle(const fs::path& path) {
@@ -130,10 +106,14 @@ void run_import_capture(const ImportCaptureOptions& options) {
                                              },
                                          .line = [&](const Json& line) { lines.push_back(line); }};
             // Unwinding removes what is unfinished: a signal ends the program later.
-            std::optional<UnfinishedBundle> bundle;
-            if (write) work.output = bundle.emplace(options.output).folder();
+            std::optional<TemporaryFolder> bundle;
+            if (write) {
+                work.output = bundle.emplace(options.output + ".new-XXXXXX").path();
+                if (work.output.empty())
+                    throw Error(fmt::format("{}: cannot be written: {}", options.output, errno_text()));
+            }
             run_capture_helper(work, reports);
-            if (bundle) bundle->finish();
+            if (bundle) keep_bundle(*bundle, options.output);
             return 0;
         });
     };

@@ -199,9 +199,7 @@ FirstCasters casters_of(const Scene& scene, const glm::dmat4& world) {
 
 void run_import_map(const ImportMapOptions& options) {
     const fs::path image_path = options.image;
-    if (!is_bundle_path(options.output) || fs::path(options.output).filename() == kFrameJson)
-        throw UsageError(
-            fmt::format("{}: the name of a bundle ends in .bundle (a folder) or .zip", printable(options.output)));
+    require_bundle_name(options.output);
     std::vector<fs::path> inputs = {image_path, options.light};
     const bool reads_scene = !options.scene.empty() && !is_builtin_scene(options.scene);
     if (reads_scene) inputs.emplace_back(options.scene);
