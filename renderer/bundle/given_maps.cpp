@@ -92,14 +92,18 @@ FloatImage cut(const BundleMap& map, const FloatImage& image) {
     return out;
 }
 
-/// Returns a map whose columns are the rows of another one, so that a w that changes by column changes by row.
-/// @param image decoded image of the map; becomes that of the result
-BundleMap turned_map(const BundleMap& map, FloatImage& image) {
+/// Returns the image of a map with its columns as rows, top row first. @param image decoded image of BundleMap::image
+FloatImage turned_image(const BundleMap& map, const FloatImage& image) {
     const FloatImage from = cut(map, image);
-    image = {from.height, from.width, 1, {}};
-    image.data.reserve(from.data.size());
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) image.data.push_back(from.at(from.width - 1 - y, from.height - 1 - x));
+    FloatImage out{from.height, from.width, 1, {}};
+    out.data.reserve(from.data.size());
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) out.data.push_back(from.at(from.width - 1 - y, from.height - 1 - x));
+    return out;
+}
+
+/// Returns the map of turned_image(), in which a w that changes by column changes by row.
+BundleMap turned_map(const BundleMap& map) {
     BundleMap out = map;
     out.image = {.file = map.image.file, .first_row = FirstRow::Top};
     out.region.reset();
@@ -319,19 +323,14 @@ GivenMaps read_given_maps(BundleFiles& files) {
                 "{}: lights[{}]: w changes from column to column of its maps; their rows and columns are exchanged",
                 file, l));
         for (std::size_t m = 0; m < light.maps.size(); ++m) {
-            BundleMap map = light.maps[m];
             const std::string place = fmt::format("{}: lights[{}].maps[{}]", file, l, m);
-            const FloatImage* image = &image_of(map.image);
-            FloatImage other;
+            const FloatImage& image = image_of(light.maps[m].image);
             try {
-                if (turned) {
-                    other = *image;
-                    map = turned_map(map, other);
-                    image = &other;
-                }
+                const BundleMap map = turned ? turned_map(light.maps[m]) : light.maps[m];
                 views.views.push_back(view_of_map(out.bundle.world, map));
                 check_direction(out.bundle.world, light, views.views.back());
-                MapDepths depths = depths_of_map(map, views.views.back(), *image);
+                MapDepths depths = turned ? depths_of_map(map, views.views.back(), turned_image(light.maps[m], image))
+                                          : depths_of_map(map, views.views.back(), image);
                 const MapSize own(depths.depths.width, depths.depths.height);
                 if (size && !(*size == own))
                     throw Error(
