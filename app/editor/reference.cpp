@@ -17,6 +17,12 @@ struct LightNeed : ReferenceNeed {
     bool light_map = false;  ///< light map; else reference
 };
 
+/// Stores a result of one light in a list by light.
+void store(auto& by_light, int light, auto what) {
+    by_light.resize(std::max(by_light.size(), std::size_t(light) + 1));
+    by_light[std::size_t(light)] = std::move(what);
+}
+
 /// Returns the references and light maps that a frame needs: of the shown light, and of lights whose source they are.
 std::vector<LightNeed> needs_of(const FrameResult& frame, int shown_light) {
     std::vector<LightNeed> out;
@@ -71,8 +77,7 @@ bool EditorReference::poll() {
     if (auto& found = outcome->value) {
         const auto take = [&](auto& by_light, auto& what) {
             if (!what) return;
-            by_light.resize(std::max(by_light.size(), std::size_t(found->light) + 1));
-            by_light[std::size_t(found->light)] = std::move(what);
+            store(by_light, found->light, std::move(what));
             problem_.clear();
             given_up_.erase(doing_key_);
         };
@@ -172,10 +177,9 @@ bool EditorReference::update(Renderer& renderer, const Scene& scene, const Setti
         return changed;
     }
     if (next != needs.end() && !next->light_map) {
-        if (auto known = kept_.find(next->key)) {
-            pictures_.resize(std::max(pictures_.size(), std::size_t(next->light) + 1));
-            const bool is_new = std::exchange(pictures_[std::size_t(next->light)], known) != known;
-            if (is_new) return true;
+        if (auto known = kept_.find(next->key); known && known != picture(next->light)) {
+            store(pictures_, next->light, std::move(known));
+            return true;
         }
     }
     // A new reference is drawn first; only then missing work is determined.
