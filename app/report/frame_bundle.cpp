@@ -84,7 +84,7 @@ BundleMap map_of(const LightView& view, const Settings& s) {
     out.depth.format = depth_format(s.map.format);
     out.depth.planes_m = {view.curve.near, view.curve.far};
     out.depth.warp = view.curve.warp;
-    // As OpenGL takes them: reversed depth recedes by lower values.
+    // OpenGL takes the opposite sign for reversed depth, which recedes by lower values.
     const auto as_drawn = [&](double amount) {
         return view.curve.convention.reversed && amount != 0 ? -amount : amount;
     };

@@ -170,7 +170,7 @@ private:
     }
 
     void measure() {
-        // Of large maps an even sample is enough for medians; the largest difference is that of all texels.
+        // Medians of large maps need an even sample only; the largest difference is that of all texels.
         const std::size_t stride = out_.both / kMaxMeasured + 1;
         std::vector<double> steps, depth, metres, texels, step;
         for (auto* list : {&steps, &depth, &metres, &texels, &step}) list->reserve(out_.both / stride + 1);

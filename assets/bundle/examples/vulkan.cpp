@@ -20,7 +20,7 @@
 #define SHADOW_BUNDLE_IMPLEMENTATION
 #include "shadow_bundle.h"
 
-// What the engine knows of its shadow map when the key is pressed, after the frame was submitted.
+// Facts that the engine has of its shadow map when the key is pressed, after the frame was submitted.
 struct ShadowMap {
     VkImage image;
     VkFormat format;       // D16_UNORM, X8_D24_UNORM_PACK32, D24_UNORM_S8_UINT, D32_SFLOAT
