@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
+#include "renderer/bundle/map_image_checks.h"
 #include "renderer/bundle/map_image_exr.h"
 #include "renderer/bundle/map_image_png.h"
 
@@ -116,18 +117,6 @@ FloatImage decode_by_extension(std::string_view file_name, std::span<const std::
 }
 
 }  // namespace
-
-void check_map_image_sides(std::int64_t width, std::int64_t height) {
-    if (width < 1 || height < 1 || width > kMaxBundleImageSide || height > kMaxBundleImageSide)
-        refuse_image(fmt::format("{} × {} texels cannot be read", width, height),
-                     fmt::format("use 1 to {} texels a side", kMaxBundleImageSide));
-}
-
-void check_map_image_numbers(std::int64_t width, std::int64_t height, int channels, std::size_t most) {
-    if (std::size_t(width) * std::size_t(height) * std::size_t(channels) > most)
-        refuse_image(fmt::format("{} × {} texels of {} channels cannot be read", width, height, channels),
-                     "write the channel with the depths alone");
-}
 
 FloatImage decode_map_image(std::string_view file_name, std::span<const std::byte> bytes, const MapImageFormat& raw) {
     try {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -24,12 +23,5 @@ struct MapImageFormat {
 /// @param file_name for the extension and for messages
 /// @throws Error "FILE: what is wrong; what to do"; sizes are checked before memory is taken
 FloatImage decode_map_image(std::string_view file_name, std::span<const std::byte> bytes, const MapImageFormat& raw);
-
-// Checks that the decoders of all formats share, before they take memory.
-
-/// Checks the sides of an image. @throws Error without the file's name, for a side below 1 or above kMaxBundleImageSide
-void check_map_image_sides(std::int64_t width, std::int64_t height);
-/// Checks how many numbers all channels of an image have. @throws Error without the file's name, for more than `most`
-void check_map_image_numbers(std::int64_t width, std::int64_t height, int channels, std::size_t most);
 
 }  // namespace si

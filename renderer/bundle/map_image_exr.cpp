@@ -17,7 +17,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/bundle/bundle.h"
-#include "renderer/bundle/map_image.h"
+#include "renderer/bundle/map_image_checks.h"
 #include "renderer/foreign/pack.h"
 
 namespace si {

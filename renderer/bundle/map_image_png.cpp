@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "renderer/base/error.h"
-#include "renderer/bundle/map_image.h"
+#include "renderer/bundle/map_image_checks.h"
 #include "renderer/gltf/image_faults.h"
 
 namespace si {
