@@ -191,9 +191,9 @@ TEST(EditorReference, ViewThatComesBackNeedsNoRays) {
 }
 
 TEST(EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture) {
-    // More rays than can be traced before the last tab.
+    // More rays than any machine traces before the last tab.
     std::vector<std::string> sets = kNoBias;
-    for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
+    for (const char* set : {"truth.area=true", "truth.samples=1048576", "truth.noise=0", "light.size=5"})
         sets.push_back(set);
     HeadlessEditor editor(options(sets));
     EditorModel& model = editor.model();
