@@ -1,6 +1,7 @@
 #include "renderer/frame/state.h"
 
 #include <algorithm>
+#include <array>
 
 #include "renderer/frame/driver.h"
 #include "renderer/frame/requested_maps.h"
@@ -12,16 +13,12 @@
 #include "renderer/view/fits/light_fit.h"
 
 namespace si {
-namespace {
-
-/// Returns true when a pass reads the corners of triangles: for the unit of polygon offset in float formats.
-bool reads_corners(const Settings& settings, std::string_view fragment) {
+bool FrameState::reads_corners(std::string_view fragment) const {
+    constexpr std::array<std::string_view, 4> kReaders{"passes/overlay.frag.glsl", "passes/evidence.frag.glsl",
+                                                       "passes/causes.frag.glsl", "passes/faint_acne.frag.glsl"};
     const bool floats = settings.map.format == MapFormat::D32F || settings.map.format == MapFormat::Colour;
-    return floats && settings.bias.raster_units != 0 &&
-           (fragment == "passes/overlay.frag.glsl" || fragment == "passes/evidence.frag.glsl");
+    return floats && settings.bias.raster_units != 0 && std::ranges::find(kReaders, fragment) != kReaders.end();
 }
-
-}  // namespace
 
 GLuint FrameState::program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra) const {
     gl::ProgramRequest wanted;
@@ -155,7 +152,7 @@ GLuint FrameState::batch_program(std::string_view vertex, std::string_view fragm
         wanted.push_back({"NORMAL_MAPPED", "1"});
         if (batch.tangents) wanted.push_back({"TANGENTS", "1"});
     }
-    if (reads_corners(settings, fragment)) wanted.push_back({"TRIANGLE_CORNERS", "1"});
+    if (reads_corners(fragment)) wanted.push_back({"TRIANGLE_CORNERS", "1"});
     if (batch.ground && fragment == "passes/shade.frag.glsl") wanted.push_back({"GROUND", "1"});
     return program(vertex, fragment, std::move(wanted));
 }
@@ -182,7 +179,7 @@ void FrameState::bind_textures(const Batch& batch) const {
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
                                   PassInfo& info) const {
     gl.scene->bind_vertices(scene, settings, origin, SceneGpu::Drawn::Seen);
-    const bool corners = reads_corners(settings, fragment);
+    const bool corners = reads_corners(fragment);
     if (corners) gl.scene->bind_triangles();
     GLuint used = 0;
     const Batch* previous = nullptr;

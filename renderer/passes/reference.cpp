@@ -130,7 +130,7 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
 }
 
 /// Returns the pass that runs trials of the marked pixels. Each kind of error has a draw of its own, as a CPU
-/// rasteriser executes both sides of a branch.
+/// rasteriser executes both sides of a branch. The scene is drawn again where corners of triangles are read.
 Pass causes_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass{.name = "causes found",
               .category = PassCategory::Tool,
@@ -143,14 +143,19 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
                                          Result::UnfilteredMap, Result::Reference});
     pass.run = [&f, &t](PassInfo& info) {
         const gl::Framebuffer framebuffer = gl::make_framebuffer("classified pixels", &t.classified, &t.marks);
-        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_EQUAL);
-        glDepthMask(GL_FALSE);
         const auto draw = [&](float mark, const char* fragment, std::vector<gl::Define> kind) {
-            glDepthRangef(mark, mark);
             const std::vector<gl::Define> trials = trial_defines(f, f.settings.view.light);
             kind.insert(kind.end(), trials.begin(), trials.end());
+            const bool corners = f.reads_corners(fragment);
+            if (corners)
+                f.begin_camera_pass(framebuffer.id());
+            else
+                f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+            glEnable(GL_DEPTH_TEST);
+            glDepthFunc(GL_EQUAL);
+            glDepthMask(GL_FALSE);
+            glDepthRangef(mark, mark);
+            if (corners) return f.draw_from_camera(fragment, kind, info);
             f.use_fullscreen(fragment, std::move(kind));
             FrameState::draw_fullscreen(info);
         };

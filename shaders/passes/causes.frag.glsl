@@ -1,5 +1,5 @@
 // Causes of wrong pixels that should be dark (FOR_FALSE_LIGHT) or lit (FOR_FALSE_SHADOW).
-#include "lib/seen_surface.glsl"
+#include "lib/seen_triangle.glsl"
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"
 #include "lib/cause.glsl"
@@ -9,7 +9,7 @@ layout(location = 0) out vec2 classified_out;  // classification()
 
 void main() {
     vec4 reference = reference_here(), more = more_reference_here();
-    Receiver r = make_receiver(seen_surface(), LIGHT_INDEX);
+    Receiver r = make_receiver(seen_triangle(), LIGHT_INDEX);
     float v = drawn_visibility();
     int place = place_in_map(r);
     int bits = compared_bits(v, reference, place == PLACE_OUTSIDE);

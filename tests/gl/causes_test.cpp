@@ -140,6 +140,11 @@ TEST_F(CausesTest, CpuAndGpuAgree) {
         agree(box, s, "polygon offset");
         s.map.blur_texels = 2;
         agree(box, s, "polygon offset and depth blur");
+        for (const char* units : {"40000", "60000"}) {
+            s = test::texel_settings(kernel, 256, 0);
+            set_all(s, {"map.format=d32f", {"bias.raster_units", units}, "bias.normal=2"});
+            agree(box, s, "polygon offset in a float format");
+        }
         s = test::texel_settings(kernel, 256, 30);
         for (const char* plane : {"receiver-plane", "receiver-plane-derivatives", "receiver-plane-remainder"}) {
             s.bias.constant = 30;
