@@ -18,7 +18,9 @@ namespace {
 
 constexpr glm::vec4 kBackground(0.155f, 0.165f, 0.185f, 1.f);  // sRGB; calm, darker than any lit surface
 
-void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo& info) {
+/// Draws the blended surfaces, which evaluate the kernel themselves.
+/// @param shift_ndc shift of smoothing's camera, normalised device coordinates; null: the picture is not smoothed
+void draw_blended(const FrameState& f, std::vector<gl::Define> defines, const glm::vec2* shift_ndc, PassInfo& info) {
     std::vector<const Batch*> batches;
     for (const Batch& b : f.gl.scene->seen_batches())
         if (b.blend) batches.push_back(&b);
@@ -28,6 +30,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
         return glm::dot(a->centre_ws - f.camera.eye, forward) > glm::dot(b->centre_ws - f.camera.eye, forward);
     });
     defines.push_back({"BLEND", "1"});
+    if (shift_ndc) defines.push_back({"SMOOTHED", "1"});
     f.gl.scene->bind_vertices(f.scene, f.settings, f.origin, SceneGpu::Drawn::Seen);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -35,6 +38,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
     for (const Batch* b : batches) {
         const GLuint program = f.batch_program("passes/scene.vert.glsl", "passes/shade.frag.glsl", defines, *b, false);
         glUseProgram(program);
+        if (shift_ndc) glUniform2fv(glGetUniformLocation(program, "camera_shift_ndc"), 1, &shift_ndc->x);
         f.set_faces_left_out(program, *b);
         f.bind_textures(*b);
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
@@ -72,7 +76,8 @@ enum class VisibilityFrom {
 };
 
 /// Draws the shaded scene into the bound framebuffer.
-void shade(const FrameState& f, VisibilityFrom from, PassInfo& info) {
+/// @param shift_ndc shift of smoothing's camera, normalised device coordinates; null: the picture is not smoothed
+void shade(const FrameState& f, VisibilityFrom from, const glm::vec2* shift_ndc, PassInfo& info) {
     const std::vector<gl::Define> look = look_defines(f);
     std::vector<gl::Define> extra = look;
     if (from != VisibilityFrom::Kernel) extra.push_back({"SEPARATE_VISIBILITY", "1"});
@@ -90,13 +95,13 @@ void shade(const FrameState& f, VisibilityFrom from, PassInfo& info) {
     } else
         draw(nullptr);
     if (f.settings.shading.sky == SkyLook::Gradient) draw_sky(f, look, info);
-    draw_blended(f, look, info);
+    draw_blended(f, look, shift_ndc, info);
 }
 
 void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
     CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // binds the framebuffer
     pass.clear(kBackground);
-    shade(f, separate ? VisibilityFrom::OwnPixel : VisibilityFrom::Kernel, info);
+    shade(f, separate ? VisibilityFrom::OwnPixel : VisibilityFrom::Kernel, nullptr, info);
 }
 
 /// Returns the report on objects culled by the view frustum.
@@ -123,9 +128,9 @@ constexpr glm::ivec2 kJitterSixteenths[kMaxSmoothedShadings] = {{1, -3}, {-1, 3}
 void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
     const glm::dvec2 part = glm::dvec2(place) / 16.0;
     shared::FrameBlock block = make_frame_block(f);
-    const glm::dvec2 ndc = 2.0 * part / glm::dvec2(f.request.width, f.request.height);
+    const glm::vec2 shift_ndc = 2.0 * part / glm::dvec2(f.request.width, f.request.height);
     for (int r = 0; r < 2; ++r)  // the block holds the matrix by rows
-        block.clip_from_relative[r] += float(ndc[r]) * block.clip_from_relative[3];
+        block.clip_from_relative[r] += shift_ndc[r] * block.clip_from_relative[3];
     replace_frame_block(f, block);
     {
         const gl::Framebuffer into = gl::make_framebuffer("one of a smooth picture", &t.one, &t.depth);
@@ -133,7 +138,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
         const float far_depth = float(f.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(into.id(), GL_COLOR, 0, &kBackground.x);
         glClearNamedFramebufferfv(into.id(), GL_DEPTH, 0, &far_depth);
-        shade(f, VisibilityFrom::StaticPixel, info);
+        shade(f, VisibilityFrom::StaticPixel, &shift_ndc, info);
     }
     replace_frame_block(f, make_frame_block(f));
 }

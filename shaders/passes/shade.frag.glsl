@@ -14,6 +14,8 @@ layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 #ifdef SMOOTHED
 #include "lib/unshifted_pixel.glsl"
 #endif
+#elif defined(SMOOTHED)
+#include "lib/unshifted_surface.glsl"
 #endif
 layout(location = 0) out vec4 colour_out;
 
@@ -58,6 +60,11 @@ vec3 light_share(int i, Surface s) {
     float visibility = 0.0;
 #elif defined(SEPARATE_VISIBILITY)
     float visibility = texelFetch(visibility_map, ivec3(visibility_at, i), 0).r;
+#elif defined(SMOOTHED)
+    Surface still = unshifted_surface(s);
+    float still_m;
+    vec3 still_l = direction_to(i, still.position, still_m);
+    float visibility = needs_visibility(i, still, still_l, still_m) ? visibility_of(i, still, still_l) : 1.0;
 #else
     float visibility = needs_visibility(i, s, l, distance_m) ? visibility_of(i, s, l) : 1.0;
 #endif
@@ -78,10 +85,12 @@ void main() {
     if (base.a < surface.y) discard;
 #endif
     Surface s = make_surface();
+#ifdef SEPARATE_VISIBILITY
 #ifdef SMOOTHED
     visibility_at = unshifted_pixel(s);
-#elif defined(SEPARATE_VISIBILITY)
+#else
     visibility_at = ivec2(gl_FragCoord.xy);
+#endif
 #endif
 #if SKY_LIGHTS
     vec4 ambient = frame_ambient();

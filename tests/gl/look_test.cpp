@@ -255,22 +255,41 @@ TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     EXPECT_LT(different_pixels(by_steps, as_drawn, 12), by_steps.data.size() / 4 / 8);
 }
 
-/// Noise of a kernel and acne are as in the one picture: only edges of surfaces are averaged.
+/// Noise of a kernel and acne are as in the one picture: only edges of surfaces are averaged. Blended surfaces evaluate
+/// the kernel in each shading.
 TEST_F(LookTest, SmoothingAveragesNoVisibility) {
-    const Scene scene = load_scene("boxes");
-    for (const Sets& look : {Sets{"filter.kernel=vogel", "filter.rotate=true", "filter.taps=4", "filter.radius=6"},
-                             Sets{"filter.kernel=hard", "bias.constant=0", "bias.normal=0"}}) {
-        SCOPED_TRACE(look.front().second);
+    const Scene opaque = load_scene("boxes");
+    Scene blended = opaque;
+    for (Material& m : blended.materials) {
+        m.alpha = AlphaMode::Blend;
+        m.base_colour.a = 0.999f;
+    }
+    finalise(blended);
+    const Sets noisy{"filter.kernel=vogel", "filter.rotate=true", "filter.taps=4", "filter.radius=6"};
+    struct Case {
+        const char* name;
+        const Scene& scene;
+        Sets look;
+    };
+    for (const Case& c :
+         {Case{"noise", opaque, noisy},
+          Case{"acne", opaque, {"filter.kernel=hard", "bias.constant=0", "bias.normal=0"}},
+          Case{"noise on blended surfaces", blended, joined(noisy, {"caster.blend=mask"})},
+          Case{"noise on blended surfaces, parallel camera", blended,
+               joined(noisy, {"caster.blend=mask", "camera.source=manual", "camera.orthographic=true"})}}) {
+        SCOPED_TRACE(c.name);
         // A face then shows nothing but visibility.
-        const Settings s = settings_for(scene, joined({"map.resolution=512", "shading.specular=0", "shading.sky=plain",
-                                                       "shading.curve=plain", "bias.kind=constant"},
-                                                      look));
-        FrameRequest request = small_request({.surface_ids = true});
+        const Settings s =
+            settings_for(c.scene, joined({"map.resolution=512", "shading.specular=0", "shading.sky=plain",
+                                          "shading.curve=plain", "bias.kind=constant"},
+                                         c.look));
+        FrameRequest request = small_request();
         FrameResult frame;
         for (request.smoothed = 1; request.smoothed <= kMaxSmoothedShadings; ++request.smoothed)
-            frame = renderer.render(scene, s, request);
+            frame = renderer.render(c.scene, s, request);
         const ByteImage one = renderer.read_colour(frame.colour), smooth = renderer.read_colour(frame.smooth);
-        const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
+        const SurfaceIds ids =
+            renderer.read_surface_ids(renderer.render(opaque, s, small_request({.surface_ids = true})).surface_ids);
         int inner = 0, differing = 0, steep = 0;
         for (int y = 1; y + 1 < ids.height; ++y)
             for (int x = 1; x + 1 < ids.width; ++x) {
@@ -284,7 +303,9 @@ TEST_F(LookTest, SmoothingAveragesNoVisibility) {
             }
         EXPECT_GT(inner, 20000);
         EXPECT_GT(steep, 300) << "there is noise";
-        EXPECT_EQ(differing, 0);
+        // Blended surfaces are moved to the static pixel's place: taps at the edge of a texel may round to its
+        // neighbour.
+        EXPECT_LE(differing, &c.scene == &blended ? inner / 1000 : 0);
     }
 }
 
