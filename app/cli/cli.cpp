@@ -171,6 +171,12 @@ void add_import_map(CLI::App& app, Run& run) {
          "--stored", o.stored, "KIND",
          "Meaning of a texel: depth, linear, axis-metres, distance-metres, distance-share, exponential or moments")
         ->check(one_of(keys_of(bundle::kStoredKeys)));
+    c.add_value("--up", o.up, "AXIS", "Axis of the light's file that is up in the scene: y, z, x, -y, -z or -x")
+        ->check(one_of(keys_of(bundle::kUpKeys)));
+    c.add_value("--mirrored", o.mirrored, "AXIS", "Axis of the light's file that the scene mirrors: none, x, y or z")
+        ->check(one_of({"none", "x", "y", "z"}));
+    c.add_value("--unit", o.unit, "N", "Length in the scene of one unit of the light's file, such as 0.01")
+        ->check(CLI::Range(1e-6, 1e6));
     c.add_value("--pick", o.pick, "N", "Take row N of the list of readings")->check(CLI::Range(1, 10000));
     c.add_json("All readings with their errors as JSON");
 }

@@ -209,8 +209,9 @@ void run_compare_maps(const CompareMapsOptions& options);
 struct ImportMapOptions : CommandOptions {
     std::string image, light;  ///< image of a map; JSON file of its light
     std::string scene;         ///< built-in key or path of the scene that the map shows
-    std::string depth_range, reversed, first_row, matrix, product, stored;  ///< words of conventions
-    int pick = 0;  ///< row of the list of readings, from 1; 0: the one that fits
+    std::string depth_range, reversed, first_row, matrix, product, stored, up, mirrored;  ///< words of conventions
+    double unit = 0;  ///< lengths of the scene in one of the light's file; 0: not given
+    int pick = 0;     ///< row of the list of readings, from 1; 0: the one that fits
 };
 /// Runs the command `import-map`: makes a bundle of one depth map of another engine, and finds how it is to be read.
 void run_import_map(const ImportMapOptions& options);

@@ -46,6 +46,8 @@ constexpr std::pair<std::string_view, MatrixOrder> kMatrixKeys[] = {{"columns", 
                                                                     {"rows", MatrixOrder::Rows}};
 constexpr std::pair<std::string_view, ProductOrder> kProductKeys[] = {
     {"projection-view", ProductOrder::ProjectionView}, {"view-projection", ProductOrder::ViewProjection}};
+constexpr std::pair<std::string_view, MirroredAxis> kMirroredKeys[] = {
+    {"none", MirroredAxis::None}, {"x", MirroredAxis::X}, {"y", MirroredAxis::Y}, {"z", MirroredAxis::Z}};
 constexpr std::pair<std::string_view, bool> kReversedKeys[] = {{"true", true}, {"false", false}};
 
 template <typename Table, typename T>
@@ -62,6 +64,23 @@ void set_known(std::optional<T>& part, const std::string& text, const Table& tab
         if (key == text) part = value;
 }
 
+/// Returns the options that state axes, hand and unit; empty for those of the scene.
+std::string axes_options_text(const LightAxes& axes) {
+    if (axes == LightAxes()) return {};
+    return fmt::format("--up {} --mirrored {} --unit {:.10g}", convention_word(bundle::kUpKeys, axes.up),
+                       convention_word(kMirroredKeys, axes.mirrored), axes.unit);
+}
+
+/// Returns axes, hand and unit in a few words: "z up, x mirrored, 0.01".
+std::string axes_words(const LightAxes& axes) {
+    if (axes == LightAxes()) return "the scene's";
+    std::string out = fmt::format("{} up", convention_word(bundle::kUpKeys, axes.up));
+    if (axes.mirrored != MirroredAxis::None)
+        out += fmt::format(", {} mirrored", convention_word(kMirroredKeys, axes.mirrored));
+    if (axes.unit != 1) out += fmt::format(", {:.6g}", axes.unit);
+    return out;
+}
+
 /// Returns the options that choose a reading.
 std::string options_text(const Convention& c, bool has_pair) {
     std::string out =
@@ -70,6 +89,7 @@ std::string options_text(const Convention& c, bool has_pair) {
                     convention_word(bundle::kFirstRowKeys, c.first_row), convention_word(kMatrixKeys, c.matrix),
                     convention_word(bundle::kStoredKeys, c.stored));
     if (has_pair) out += fmt::format(" --product {}", convention_word(kProductKeys, c.product));
+    if (const std::string axes = axes_options_text(c.axes); !axes.empty()) out += " " + axes;
     return out;
 }
 
@@ -83,6 +103,9 @@ Json fit_json(const ConventionFit& fit, std::size_t number, bool over_scene, boo
                  {"product", convention_word(kProductKeys, c.product)},
                  {"stored", convention_word(bundle::kStoredKeys, c.stored)},
                  {"range_m", c.range_m ? Json(*c.range_m) : Json()},
+                 {"up", convention_word(bundle::kUpKeys, c.axes.up)},
+                 {"mirrored", convention_word(kMirroredKeys, c.axes.mirrored)},
+                 {"unit", c.axes.unit},
                  {"options", options_text(c, has_pair)},
                  {"contradicts_light", !fit.known},
                  {"finding", fit_sentence(fit, over_scene)}};
@@ -105,8 +128,14 @@ Json fit_json(const ConventionFit& fit, std::size_t number, bool over_scene, boo
 }
 
 void print_fits(const ConventionFits& fits, bool has_pair) {
-    fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {:>7}  {:>10}  {}\n", "no.", "range", "reversed",
-               "first row", "matrix", has_pair ? "product          " : "", "stored", "off", "median", "remark");
+    // Axes and unit stand in a column only where some shown reading changes them.
+    bool has_axes = false;
+    for (std::size_t i = 0; i < std::min(fits.fits.size(), kShownFits); ++i)
+        has_axes |= !(fits.fits[i].convention.axes == LightAxes());
+    const std::string axes_title = has_axes ? fmt::format("{:<26}  ", "axes, unit") : std::string();
+    fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {}{:>7}  {:>10}  {}\n", "no.", "range", "reversed",
+               "first row", "matrix", has_pair ? "product          " : "", "stored", axes_title, "off", "median",
+               "remark");
     std::size_t refused = 0, shown = 0;
     for (std::size_t i = 0; i < fits.fits.size(); ++i) {
         const ConventionFit& fit = fits.fits[i];
@@ -119,10 +148,11 @@ void print_fits(const ConventionFits& fits, bool has_pair) {
         const std::string median = fits.over_scene && fit.samples > 0 && std::isfinite(fit.median_m)
                                        ? fmt::format("{:.3g} m", fit.median_m)
                                        : std::string("-");
-        fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {:>5.1f} %  {:>10}  {}\n", i + 1,
+        const std::string axes = has_axes ? fmt::format("{:<26}  ", axes_words(c.axes)) : std::string();
+        fmt::print("{:>3}  {:<5}  {:<8}  {:<9}  {:<7}  {}{:<15}  {}{:>5.1f} %  {:>10}  {}\n", i + 1,
                    convention_word(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
                    convention_word(bundle::kFirstRowKeys, c.first_row), convention_word(kMatrixKeys, c.matrix), product,
-                   convention_word(bundle::kStoredKeys, c.stored), 100 * fit.share_off(), median,
+                   convention_word(bundle::kStoredKeys, c.stored), axes, 100 * fit.share_off(), median,
                    i < fits.equal ? "fits" : (fit.known ? "" : "contradicts the light file"));
     }
     if (const std::size_t left = fits.fits.size() - refused - shown; left > 0)
@@ -145,6 +175,9 @@ std::string differing_options(const ConventionFits& fits) {
     if (differs([](const Convention& c) { return c.matrix; })) out.push_back("--matrix");
     if (differs([](const Convention& c) { return c.product; })) out.push_back("--product");
     if (differs([](const Convention& c) { return c.stored; })) out.push_back("--stored");
+    if (differs([](const Convention& c) { return c.axes.up; })) out.push_back("--up");
+    if (differs([](const Convention& c) { return c.axes.mirrored; })) out.push_back("--mirrored");
+    if (differs([](const Convention& c) { return c.axes.unit; })) out.push_back("--unit");
     return fmt::format("{}", fmt::join(out, ", "));
 }
 
@@ -232,6 +265,9 @@ void run_import_map(const ImportMapOptions& options) {
     set_known(known.matrix, options.matrix, kMatrixKeys);
     set_known(known.product, options.product, kProductKeys);
     set_known(known.stored, options.stored, bundle::kStoredKeys);
+    set_known(known.up, options.up, bundle::kUpKeys);
+    set_known(known.mirrored, options.mirrored, kMirroredKeys);
+    if (options.unit > 0) known.unit = options.unit;
     std::vector<std::string> notes;
     if (options.scene.empty() && !known.first_row) {
         own.maps.front().image.first_row.reset();
@@ -253,6 +289,12 @@ void run_import_map(const ImportMapOptions& options) {
     const bool has_pair = own.maps.front().clip.view && own.maps.front().clip.projection;
     const ConventionFits fits = fit_conventions(own, light.type_known, world, image, known, casters);
 
+    if (fits.other_axes > 0)
+        notes.push_back(
+            fmt::format("{} readings in other axes or units fit as well: the scene looks the same in them; "
+                        "--up, --mirrored and --unit state the right ones",
+                        fits.other_axes));
+
     std::optional<std::size_t> chosen;
     std::string failure;
     try {
@@ -271,7 +313,8 @@ void run_import_map(const ImportMapOptions& options) {
                      {"scene", options.scene.empty() ? Json() : Json(options.scene)},
                      {"bundle", chosen ? Json(options.output) : Json()},
                      {"chosen", chosen ? Json(*chosen + 1) : Json()},
-                     {"equal", fits.equal}};
+                     {"equal", fits.equal},
+                     {"other_axes", fits.other_axes}};
         json["readings"] = Json::array();
         for (std::size_t i = 0; i < fits.fits.size(); ++i)
             json["readings"].push_back(fit_json(fits.fits[i], i + 1, fits.over_scene, has_pair));

@@ -24,6 +24,19 @@ enum class MatrixOrder { Columns, Rows };
 /// Order of the product of the matrices called view and projection.
 enum class ProductOrder { ProjectionView, ViewProjection };
 
+/// Axis of the light's file that points the other way in the scene's world.
+enum class MirroredAxis { None, X, Y, Z };
+
+/// Axes, hand and unit of the light's file, compared with those of the scene's world.
+struct LightAxes {
+    UpAxis up = UpAxis::Y;  ///< axis of the light's file, after mirroring, that becomes the scene's y; never File
+    MirroredAxis mirrored = MirroredAxis::None;
+    double unit = 1;  ///< lengths of the scene's world in one length of the light's file; above 0
+    /// Returns the matrix from the light's file to the scene's world.
+    glm::dmat4 scene_from_light() const;
+    bool operator==(const LightAxes&) const = default;
+};
+
 /// One reading of a map and its matrix.
 struct Convention {
     DepthConvention depth;
@@ -32,6 +45,7 @@ struct Convention {
     ProductOrder product = ProductOrder::ProjectionView;
     BundleStored stored = BundleStored::Depth;
     std::optional<double> range_m;  ///< set for BundleStored::DistanceShare, metres
+    LightAxes axes;
     bool operator==(const Convention&) const = default;
 };
 
@@ -42,6 +56,11 @@ struct KnownConvention {
     std::optional<MatrixOrder> matrix;
     std::optional<ProductOrder> product;
     std::optional<BundleStored> stored;
+    std::optional<UpAxis> up;
+    std::optional<MirroredAxis> mirrored;
+    std::optional<double> unit;
+    /// Returns the axes of the scene's world with the known parts in their place.
+    LightAxes own_axes() const;
     /// Returns true for a reading that contradicts no known part.
     bool allows(const Convention& convention) const;
 };
@@ -77,12 +96,16 @@ struct ConventionFits {
     std::vector<ConventionFit> fits;
     /// Number of known readings at the start of `fits` that fit the map equally well; 0: none fits.
     std::size_t equal = 0;
+    /// Number of further readings that fit no better and no worse than the first, in other axes or units than the
+    /// scene's: the scene is symmetric.
+    std::size_t other_axes = 0;
     bool over_scene = false;  ///< compared with surfaces, not only with the map's own range
 };
 
 /// Tries every reading of the maps of a light, and compares some 4,000 texels a map with the casters of a scene.
 /// Without a scene only range and consistency can tell readings apart: readings that put texels outside the depth
-/// range, or the sky on the near plane, do not fit.
+/// range, or the sky on the near plane, do not fit. Over a scene other axes, hands and units of the light's file are
+/// tried too: with few texels first, and all texels for the readings that may fit.
 /// @param light stated conventions are those of `known`; its maps read one image
 /// @param type_known false: BundleLight::type is not stated
 /// @param world from the engine's world to metres, y up, right-handed

@@ -20,17 +20,19 @@ struct TestLight {
     BundleLight light;
 };
 
-TestLight make_light(bool perspective, const DepthConvention& depth) {
+TestLight make_light(bool perspective, const DepthConvention& depth, const glm::dvec3& centre = kCentre,
+                     const glm::dvec3& forward = glm::normalize(glm::dvec3(0.35, -1, 0.2))) {
     TestLight out;
-    const glm::dvec3 forward = glm::normalize(glm::dvec3(0.35, -1, 0.2));
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0.2, 1, 0.1), -forward));
+    // The sun of a symmetric scene has a symmetric map.
+    const glm::dvec3 up = forward.x == 0 ? glm::dvec3(0, 1, 0) : glm::dvec3(0.2, 1, 0.1);
+    const glm::dvec3 right = glm::normalize(glm::cross(up, -forward));
     const glm::dmat3 axes(right, glm::cross(-forward, right), -forward);
     DepthCurve curve;
     curve.perspective = perspective;
     curve.near = perspective ? 9 : 6;
     curve.far = 40;
     curve.convention = depth;
-    const glm::dvec3 eye = kCentre - 18.0 * forward;
+    const glm::dvec3 eye = centre - 18.0 * forward;
     out.view = clip_from_relative(glm::dmat4(1), axes, eye, glm::dvec3(0));
     out.projection = projection_matrix(curve, perspective ? 0.7 : 9, perspective ? 0.35 : 7);
     out.map.clip_from_world = out.projection * out.view;
@@ -131,6 +133,92 @@ TEST(Conventions, AnEngineInCentimetresWithZUpIsCompared) {
         fit_conventions(light.light, true, world, test::traced_map(light.map, boxes), {}, test::casters_of(boxes));
     ASSERT_EQ(fits.equal, 1u) << shown(fits);
     EXPECT_EQ(fits.fits.front().convention.depth, (DepthConvention{false, true})) << shown(fits);
+}
+
+/// Makes the light of a file in other axes, whose map shows boxes of the scene.
+BundleLight light_in_axes(const TestLight& light, const LightAxes& axes) {
+    BundleLight out = light.light;
+    out.maps.front().clip.clip_from_world = light.map.clip_from_world * axes.scene_from_light();
+    return out;
+}
+
+TEST(Conventions, AxesHandAndUnitOfTheLightsFileAreFound) {
+    const LightAxes kTried[] = {{UpAxis::Z, MirroredAxis::None, 1},      {UpAxis::MinusZ, MirroredAxis::None, 1},
+                                {UpAxis::X, MirroredAxis::None, 1},      {UpAxis::MinusX, MirroredAxis::None, 1},
+                                {UpAxis::MinusY, MirroredAxis::None, 1}, {UpAxis::Y, MirroredAxis::X, 1},
+                                {UpAxis::Y, MirroredAxis::Y, 1},         {UpAxis::Y, MirroredAxis::Z, 1},
+                                {UpAxis::Y, MirroredAxis::None, 0.01},   {UpAxis::Y, MirroredAxis::None, 100},
+                                {UpAxis::Y, MirroredAxis::None, 0.001},  {UpAxis::Y, MirroredAxis::None, 1000},
+                                {UpAxis::Y, MirroredAxis::None, 0.0254}, {UpAxis::Y, MirroredAxis::None, 1 / 0.0254},
+                                {UpAxis::Y, MirroredAxis::None, 0.3048}, {UpAxis::Y, MirroredAxis::None, 1 / 0.3048},
+                                {UpAxis::Z, MirroredAxis::X, 0.01},      {UpAxis::Z, MirroredAxis::Y, 0.0254}};
+    for (const glm::dvec3& centre : {kCentre, glm::dvec3(0)})
+        for (const LightAxes& axes : kTried) {
+            const bool perspective = axes.unit == 1;
+            const DepthConvention depth{perspective, !perspective};
+            TestLight light = make_light(perspective, depth, centre);
+            const auto boxes = test::unequal_boxes(centre);
+            const FloatImage image = test::upside_down(test::traced_map(light.map, boxes));
+            const BundleLight own = light_in_axes(light, axes);
+            const ConventionFits fits = fit_conventions(own, true, glm::dmat4(1), image, {}, test::casters_of(boxes));
+            ASSERT_EQ(fits.equal, 1u) << int(axes.up) << int(axes.mirrored) << " " << axes.unit << shown(fits);
+            const Convention& found = fits.fits.front().convention;
+            EXPECT_EQ(found.axes, axes) << shown(fits);
+            EXPECT_EQ(found.depth, depth) << shown(fits);
+            EXPECT_LT(fits.fits.front().share_off(), 0.01) << shown(fits);
+            // The light that is written has the scene's axes.
+            const glm::dmat4 read = with_convention(own, found).maps.front().clip.matrix();
+            const glm::dvec4 there = light.map.clip_from_world * glm::dvec4(centre, 1);
+            EXPECT_LT(glm::distance(read * glm::dvec4(centre, 1), there), 1e-6 * glm::length(there));
+        }
+}
+
+TEST(Conventions, StatedAxesAreNotSearched) {
+    const LightAxes axes{UpAxis::Z, MirroredAxis::X, 0.01};
+    const TestLight light = make_light(true, {true, false});
+    const auto boxes = test::unequal_boxes(kCentre);
+    const FloatImage image = test::traced_map(light.map, boxes);
+    KnownConvention known;
+    known.up = UpAxis::Z;
+    known.mirrored = MirroredAxis::X;
+    known.unit = 0.01;
+    const auto found_of = [&](const KnownConvention& k) {
+        return fit_conventions(light_in_axes(light, axes), true, glm::dmat4(1), image, k, test::casters_of(boxes));
+    };
+    ConventionFits fits = found_of(known);
+    ASSERT_EQ(fits.equal, 1u) << shown(fits);
+    for (const ConventionFit& fit : fits.fits) EXPECT_EQ(fit.convention.axes, axes);
+    known.unit = 100;
+    fits = found_of(known);
+    EXPECT_EQ(fits.equal, 0u) << shown(fits);
+    known.unit.reset();
+    fits = found_of(known);
+    ASSERT_EQ(fits.equal, 1u) << shown(fits);
+    EXPECT_EQ(fits.fits.front().convention.axes, axes);
+    // A unit that is none of those tried is taken where it is stated.
+    TestLight other = make_light(true, {true, false});
+    const LightAxes odd{UpAxis::Y, MirroredAxis::None, 0.37};
+    known = {};
+    known.unit = 0.37;
+    fits = fit_conventions(light_in_axes(other, odd), true, glm::dmat4(1), image, known, test::casters_of(boxes));
+    ASSERT_EQ(fits.equal, 1u) << shown(fits);
+    EXPECT_EQ(fits.fits.front().convention.axes, odd);
+}
+
+TEST(Conventions, ASymmetricSceneLeavesOtherAxesToTheUser) {
+    // A floor and a box about the origin look the same with x mirrored, from a light in the plane x = 0.
+    const std::vector<test::TestBox> boxes = {{{-8, -1, -8}, {8, 0, 8}}, {{-1, 0, -2}, {1, 3, 1}}};
+    TestLight light = make_light(false, {true, false}, glm::dvec3(0), glm::normalize(glm::dvec3(0, -1, 0.4)));
+    const FloatImage image = test::traced_map(light.map, boxes);
+    const auto found_of = [&](const LightAxes& axes) {
+        return fit_conventions(light_in_axes(light, axes), true, glm::dmat4(1), image, {}, test::casters_of(boxes));
+    };
+    const ConventionFits own = found_of({});
+    ASSERT_EQ(own.equal, 1u) << shown(own);
+    EXPECT_EQ(own.fits.front().convention.axes, LightAxes());
+    EXPECT_GE(own.other_axes, 1u) << shown(own);
+    const ConventionFits turned = found_of({UpAxis::Z, MirroredAxis::None, 1});
+    EXPECT_GE(turned.equal, 2u) << "nothing tells x from -x" << shown(turned);
 }
 
 TEST(Conventions, AWrongStatedPartIsNamedByItsEffect) {
