@@ -43,7 +43,7 @@ constexpr std::string_view kHardCasesIntro =
     "## Placements\n"
     "\n"
     "The same tests draw, trace and classify each case in other places. Each placement is tested alone and in pairs. "
-    "The label `long` runs all combinations, some 800 a case.\n"
+    "The label `long` runs all combinations, some 800 a case. Cases whose maps an engine gives stay in their place.\n"
     "\n"
     "| placement | range |\n"
     "|---|---|\n"

@@ -13,6 +13,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
+#include "renderer/bundle/builtin_bundles.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"
@@ -156,7 +157,7 @@ void for_each_path(Settings& settings, const Work& work) {
     for (const SettingRef& ref : changed_settings(settings)) {
         if (!ref.param->file) continue;
         const std::filesystem::path path = std::get<std::string>(get_value(settings, ref));
-        if (path.empty()) continue;
+        if (path.empty() || is_builtin_bundle(path)) continue;
         set_value(settings, ref, work(path).string());
     }
 }

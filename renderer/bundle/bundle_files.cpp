@@ -11,6 +11,7 @@
 #include <cstring>
 #include <optional>
 #include <set>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
 #include "renderer/base/temporary_folder.h"
+#include "renderer/bundle/builtin_bundles.h"
 #include "renderer/bundle/bundle_json.h"
 #include "renderer/bundle/bundle_path.h"
 
@@ -173,6 +175,7 @@ struct BundleFiles::Opened {
     std::string prefix;  ///< folder in the zip file that holds the bundle, with its slash
     std::uint64_t bytes_left = kMaxTotalBytes;
     std::vector<StampedFile> read;
+    std::optional<BundleContents> made;  ///< files of a built-in bundle
 
     [[noreturn]] void refuse(std::string_view name, std::string_view what, std::string_view fix) const {
         refuse_bundle(path / fs::path(name), what, fix);
@@ -224,6 +227,11 @@ std::vector<std::byte> BundleFiles::Opened::read_file(std::string_view name, std
 
 BundleFiles::BundleFiles(const fs::path& given) : opened_(std::make_unique<Opened>()) {
     Opened& o = *opened_;
+    if (is_builtin_bundle(given)) {
+        o.path = given;
+        o.made = builtin_bundle(given.string());
+        return;
+    }
     o.path = given.filename() == kFrameJson ? given.parent_path() : given;
     if (o.path.empty()) o.path = ".";
     const StampedFile stamp = stamped(o.path);
@@ -267,11 +275,18 @@ std::vector<std::byte> BundleFiles::read(std::string_view name, std::size_t max_
     if (const std::string_view fault = bundle_path_fault(name); !fault.empty())
         refuse_bundle(opened_->path, fmt::format("the file name \"{}\" {}", printable(name, 100), fault),
                       "name a file of the bundle by a relative path with /");
+    if (opened_->made) {
+        const auto found = opened_->made->find(std::string(name));
+        if (found == opened_->made->end()) opened_->refuse(name, "does not exist", "name a file of the bundle");
+        const auto bytes = std::as_bytes(std::span(found->second));
+        return {bytes.begin(), bytes.end()};
+    }
     return opened_->zip ? opened_->read_entry(name, max_bytes) : opened_->read_file(name, max_bytes);
 }
 
 bool BundleFiles::has(std::string_view name) const {
     if (!bundle_path_fault(name).empty()) return false;
+    if (opened_->made) return opened_->made->contains(std::string(name));
     if (opened_->zip) {
         const auto found = opened_->entries.find(opened_->prefix + std::string(name));
         return found != opened_->entries.end() && found->second.index != ZIP_UINT64_MAX;

@@ -25,8 +25,9 @@ bool is_bundle_path(const std::filesystem::path& path);
 /// name; nothing is unpacked to disk. In a folder no link is followed and only regular files are opened.
 class BundleFiles {
 public:
-    /// Opens a bundle. A zip file may hold all its files in one folder. @throws Error "PATH: what; what to do" for a
-    /// file that is no bundle, and for zip files with forbidden names, links, duplicates, encryption or sizes
+    /// Opens a bundle, or one that the program makes (see builtin_bundles.h). A zip file may hold all its files in one
+    /// folder. @throws Error "PATH: what; what to do" for a file that is no bundle, and for zip files with forbidden
+    /// names, links, duplicates, encryption or sizes
     explicit BundleFiles(const std::filesystem::path& path);
     ~BundleFiles();
     BundleFiles(BundleFiles&&) noexcept;

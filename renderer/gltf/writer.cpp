@@ -21,6 +21,7 @@
 #include "renderer/gltf/gltf.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scene/scene_lights.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -313,8 +314,11 @@ Json Writer::document() {
     if (!roots_.empty()) scene["nodes"] = roots_;
     if (!scene_.about.empty()) scene["extras"][gltf::kExtrasKey]["about"] = scene_.about;
     const bool lights_suffice = lights_suggest_same_settings(scene_);
-    for (const auto& [key, value] : scene_.suggested)
+    for (const auto& [key, value] : scene_.suggested) {
+        // A model names no file of a setting.
+        if (const auto ref = find_setting(key); ref && ref->param->file) continue;
         if (!lights_suffice || !key.starts_with("light.")) scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
+    }
     root_["scene"] = 0;
     root_["scenes"] = Json::array({std::move(scene)});
     for (const auto& [name, unused] : extensions_) root_["extensionsUsed"].push_back(name);

@@ -217,9 +217,18 @@ void expect_alike(const HardCase& row, const Differences& d) {
 
 constexpr std::uint32_t kSeed = 20260101;
 
+/// Returns the cases that can be moved, which come first. Maps that an engine gives stay where they are, and those
+/// cases have tests of their own.
+std::vector<const HardCase*> all_rows() {
+    std::vector<const HardCase*> rows;
+    for (const HardCase& row : hard_cases())
+        if (hard_view(row.key, true).settings.map.bundle.empty()) rows.push_back(&row);
+    return rows;
+}
+
 /// Returns the placements of a case in the pairwise table of cases and placements.
 std::vector<Placement> in_pairs(const HardCase& row) {
-    static const std::vector<PlacedCase> array = pairwise_placements(hard_cases().size(), kSeed);
+    static const std::vector<PlacedCase> array = pairwise_placements(all_rows().size(), kSeed);
     std::vector<Placement> out;
     for (const PlacedCase& c : array)
         if (int(c.case_index) + 1 == row.number) out.push_back(c.placement);
@@ -269,12 +278,6 @@ TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     compare_places(row, false, single_factor_placements(), unmoved_pictures, faults);
     compare_places(row, false, exact_placements(), unmoved_pictures, faults);
     expect_alike(row, faults);
-}
-
-std::vector<const HardCase*> all_rows() {
-    std::vector<const HardCase*> rows;
-    for (const HardCase& row : hard_cases()) rows.push_back(&row);
-    return rows;
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, HardCasesEverywhere, testing::ValuesIn(all_rows()), key_name);
