@@ -75,6 +75,53 @@ TEST_F(ImportMap, OwnMapsAreReadByTheirMatrixAlone) {
     }
 }
 
+// The matrix takes positions of a file in other axes and units: those of the scene, by columns of the change.
+TEST_F(ImportMap, AxesHandAndUnitOfTheLightAreFound) {
+    const glm::dmat3 z_up({1, 0, 0}, {0, 0, -1}, {0, 1, 0});  // (x, y, z) of the file is (x, z, -y) of the scene
+    const glm::dmat3 mirrored_z({1, 0, 0}, {0, 1, 0}, {0, 0, -1});
+    const struct {
+        glm::dmat3 scene_from_file;
+        const char *up, *mirrored;
+        double unit;
+        const char* options;
+    } cases[] = {
+        {z_up, "z", "none", 1, "--up z --mirrored none --unit 1"},
+        {mirrored_z, "y", "z", 1, "--up y --mirrored z --unit 1"},
+        {glm::dmat3(0.01), "y", "none", 0.01, "--up y --mirrored none --unit 0.01"},
+        {0.0254 * z_up * mirrored_z, "z", "z", 0.0254, "--up z --mirrored z --unit 0.0254"},
+    };
+    draw("map.pfm", Words("--set light.type=spot"));
+    const Json own = light();
+    glm::dmat4 clip_from_scene;
+    for (int i = 0; i < 16; ++i) clip_from_scene[i / 4][i % 4] = own["clip_from_world"][std::size_t(i)];
+    for (const auto& c : cases) {
+        SCOPED_TRACE(c.options);
+        const glm::dmat4 clip = clip_from_scene * glm::dmat4(c.scene_from_file);
+        Json numbers;
+        for (int i = 0; i < 16; ++i) numbers.push_back(clip[i / 4][i % 4]);
+        write("light.json", {{"clip_from_world", numbers}});
+        const Words command = "import-map map.pfm --light light.json --scene boxes -o out.bundle";
+        const Json json = program_json(command + "--json", folder_);
+        ASSERT_EQ(json["chosen"], 1) << json.dump(1);
+        const Json& fit = json["readings"][0];
+        EXPECT_EQ(fit["up"], c.up);
+        EXPECT_EQ(fit["mirrored"], c.mirrored);
+        EXPECT_EQ(fit["unit"], c.unit);
+        EXPECT_LT(fit["share_off"], 0.02);
+        EXPECT_NE(fit["options"].get<std::string>().find(c.options), std::string::npos) << fit["options"];
+        const Bundle bundle = parse_bundle(file_bytes(folder_ / "out.bundle/frame.json"), "frame.json");
+        const glm::dmat4 read = bundle.lights.at(0).maps.at(0).clip.matrix();
+        for (int i = 0; i < 4; ++i)
+            EXPECT_LT(glm::distance(read[i], clip_from_scene[i]), 1e-9 * glm::length(clip_from_scene[i]));
+        // The options state them, and other ones are refused.
+        const ProcessResult stated = run_program(command + Words(c.options), folder_);
+        EXPECT_EQ(stated.code, 0) << stated.err;
+        expect_error(command + "--up x --mirrored none --unit 1", 1, "no reading of the map fits", folder_);
+    }
+    expect_error("import-map map.pfm --light light.json --scene boxes -o out.bundle --up file", 2, "--up", folder_);
+    expect_error("import-map map.pfm --light light.json --scene boxes -o out.bundle --unit 0", 2, "--unit", folder_);
+}
+
 TEST_F(ImportMap, AWrongStatementIsNamedWithTheReadingThatFits) {
     draw("map.pfm", {});
     Json wrong = light();
