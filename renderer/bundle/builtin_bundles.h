@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
-#include "renderer/bundle/bundle_files.h"
+#include "renderer/bundle/bundle_contents.h"
 
 namespace si {
 

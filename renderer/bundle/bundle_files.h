@@ -4,18 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "renderer/base/file_stamp.h"
+#include "renderer/bundle/bundle_contents.h"
 
 namespace si {
-
-/// Name of the file at the top of a bundle that names all others.
-inline constexpr std::string_view kFrameJson = "frame.json";
 
 /// Returns true when a path is one of a bundle: a folder or file that ends in .bundle, a file that ends in .zip, or a
 /// frame.json. Opens no file.
@@ -48,9 +45,6 @@ private:
     struct Opened;
     std::unique_ptr<Opened> opened_;
 };
-
-/// Contents of the files of a bundle by their paths in it.
-using BundleContents = std::map<std::string, std::string>;
 
 /// Writes a bundle as a zip file, where `path` ends in .zip, else as a folder. Equal contents give equal bytes. The
 /// bundle appears whole or not at all. An older bundle of this name is replaced.
