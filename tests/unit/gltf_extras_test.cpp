@@ -1,6 +1,7 @@
 // Tests of glTF extras: exported ones are read back, and foreign ones do no harm.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/scenes/builtin.h"
@@ -25,6 +26,20 @@ TEST(GltfExtras, BuiltInScenesKeepTheirSentenceSuggestionsAndCameras) {
             EXPECT_NEAR(again.cameras[i].far, scene.cameras[i].far, 1e-6) << row.key;
         }
     }
+}
+
+TEST(GltfExtras, FilesOfSettingsAreNotExported) {
+    const TemporaryFolder folder;
+    const Scene scene = load_scene("hard/given-strip");
+    const auto has_bundle = [](const Scene& s) {
+        return std::ranges::any_of(s.suggested, [](const auto& row) { return row.first == "map.bundle"; });
+    };
+    ASSERT_TRUE(has_bundle(scene));
+    save_gltf(scene, folder.path() / "given.glb");
+    const Scene again = load_gltf(folder.path() / "given.glb");
+    EXPECT_TRUE(again.warnings.empty()) << again.warnings.front();
+    EXPECT_FALSE(has_bundle(again));
+    EXPECT_EQ(again.suggested.size() + 1, scene.suggested.size());
 }
 
 std::filesystem::path with_extras(const TemporaryFolder& folder, const Json& extras) {
