@@ -38,7 +38,8 @@ std::vector<int> lights_of(const CompareMapsOptions& options,
 
 void run_compare_maps(const CompareMapsOptions& options) {
     if (!options.output.empty()) require_output(options.output, "the picture of differences", {".png"});
-    const Session session = open_session(options.session);
+    Session session = open_session(options.session);
+    session.settings.map.bundle_maps = BundleMaps::Given;  // drawn ones are compared with themselves
     const HeadlessContext context;
     Renderer renderer;
     const auto given = imported_maps_of(renderer, session);

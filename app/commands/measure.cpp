@@ -16,6 +16,7 @@
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/bundle/given_maps.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/reference/artefact_picture.h"
 
@@ -103,6 +104,9 @@ void run_measure(const MeasureOptions& options) {
         health = search_numbers(renderer, session.scene, session.settings,
                                 {.width = options.size.width, .height = options.size.height});
     const auto light = std::size_t(std::clamp(session.settings.view.light, 0, kMaxLights - 1));
+    const bool imported =
+        light < classified.lights.size() && classified.lights[light].provider == MapProvider::Imported;
+    const EngineBias bias = imported ? engine_bias_of_light(session.settings, int(light)) : EngineBias::Own;
     const std::vector<LostCaster> lost = light < classified.lights.size()
                                              ? lost_casters(session.scene, session.settings, classified.lights[light])
                                              : std::vector<LostCaster>();
@@ -115,6 +119,8 @@ void run_measure(const MeasureOptions& options) {
                      {"map_resolution", classified.map_resolution},
                      {"area", session.settings.truth.area}};
         json["error"] = error_json(classified.error, classified.reference->noise);
+        json["engine_bias"] = engine_bias_key(bias);
+        json["engine_bias_from"] = engine_bias_source_json(bias);
         json["truth"] = reference_quality_json(*classified.reference);
         json["lost_casters"] = lost_casters_json(session.scene, lost);
         json["time"] = time ? time_json(*time) : Json();
@@ -130,6 +136,7 @@ void run_measure(const MeasureOptions& options) {
         fmt::print("{}", json_text(json));
     } else {
         print_error(classified.error, *classified.reference);
+        if (bias != EngineBias::Own) fmt::print("the engine's bias: {}\n", engine_bias_text(bias));
         print_time_and_cost(time, classified.cost);
         if (classified.pages) fmt::print("{}\n", page_facts_text(*classified.pages));
         if (fixes) print_fixes(*fixes, fixes->rows.size());

@@ -83,6 +83,8 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
         fmt::print("    variance of depths {:.4g} of the map's range squared\n", p.kernel.variance);
     for (const std::string& line : p.kernel.lines) fmt::print("    {}\n", line);
     print_taps(p);
+    if (const std::string_view text = engine_bias_text(p.engine_bias); !text.empty())
+        fmt::print("    the engine's bias: {}\n", text);
     fmt::print("  {}\n", p.verdict);
 }
 
@@ -149,7 +151,8 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
     if (light >= found.size() || !found[light].wants_fix()) return {};
     FixOptions options{.pixel = glm::ivec2(probe.x, probe.y), .first = true, .list = FixList::Whole};
-    if (const auto& fix = found[light].fix) options.more.push_back(suggested_candidate(*fix, session.settings));
+    for (const auto& fix : {found[light].fix, found[light].fix_of_map})
+        if (fix) options.more.push_back(suggested_candidate(*fix, session.settings));
     ReferenceCache cache;
     return interruptible("no change was tried", [&](const Workers& workers, const auto& report) {
         return find_fixes({renderer, session.scene, probe.width, probe.height, cache, workers, report},

@@ -65,8 +65,9 @@ FixOptions fix_options(const Settings& settings, std::span<const PixelDiagnosis>
     options.first = request.first;
     options.list = request.pixel ? FixList::Whole : FixList::Short;
     const auto light = std::size_t(std::max(settings.view.light, 0));
-    if (request.pixel && light < diagnoses.size() && diagnoses[light].fix)
-        options.more.push_back(suggested_candidate(*diagnoses[light].fix, settings));
+    if (request.pixel && light < diagnoses.size())
+        for (const auto& fix : {diagnoses[light].fix, diagnoses[light].fix_of_map})
+            if (fix) options.more.push_back(suggested_candidate(*fix, settings));
     return options;
 }
 

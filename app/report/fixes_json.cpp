@@ -28,6 +28,7 @@ Json fixes_json(const FixTable& table) {
             return row;
         }
         row["fix"] = t.why_not.empty();
+        row["own_map"] = t.on_own_map;
         row["why_not"] = t.why_not.empty() ? Json() : Json(t.why_not);
         row["cured_px"] = t.cured;
         row["broken_px"] = t.broken;

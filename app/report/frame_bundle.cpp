@@ -43,12 +43,15 @@ BundleDepthFormat depth_format(MapFormat format) {
     return BundleDepthFormat::D32F;
 }
 
-/// Returns the settings by which the frame reads back, as texts by key: all but those of the scene and of files.
+/// Returns the settings by which the frame reads back, as texts by key: all but those of the scene, of files, and of a
+/// bundle that the frame itself reads.
 std::map<std::string, std::string> settings_of_frame(const Settings& settings) {
     std::map<std::string, std::string> out;
     for (const SettingRef& ref : all_settings(settings)) {
         const bool is_ground = ref.param->key == "scene.ground";
-        if (ref.param->file || (ref.param->key.starts_with("scene.") && !is_ground)) continue;
+        if (ref.param->file || ref.param->key.starts_with("map.bundle") ||
+            (ref.param->key.starts_with("scene.") && !is_ground))
+            continue;
         if (ref.param->scope == Scope::Light && ref.light >= settings.light_count) continue;
         out[setting_key(ref)] = value_text(*ref.param, get_value(settings, ref));
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/report/labelled_sheet.h"
+#include "app/report/measure_json.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/reference/reference_picture.h"
@@ -166,7 +167,8 @@ MapBias map_bias(Renderer& renderer, const Scene& scene, const Settings& setting
                  const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light, glm::ivec2 pixels,
                  const Workers& workers) {
     const ImportedMaps& given = *maps.at(std::size_t(light));
-    MapBias out{.light = light, .known = given.bias_known, .engine = settings.bias, .enough = {}};
+    MapBias out{.light = light, .knowledge = engine_bias(&given, settings), .engine = settings.bias, .enough = {}};
+    if (out.knowledge == EngineBias::Changed) out.engine = *given.bias;
     out.texel_m.shortest = std::numeric_limits<double>::infinity();
     for (const LightView& view : given.views->views) {
         const TexelSize size = view.texel_size_range(given.size());
@@ -189,10 +191,11 @@ std::string map_bias_text(const MapBias& bias) {
     std::string out = fmt::format(
         "light {}: a texel is {}{} wide\n", bias.light, metres_text(bias.texel_m.shortest),
         bias.texel_m.longest > 1.01 * bias.texel_m.shortest ? " to " + metres_text(bias.texel_m.longest) : "");
-    out +=
-        bias.known
-            ? fmt::format("  the engine's bias: {}\n", bias_text(bias.engine))
-            : "  the engine's bias is unknown: state it as lookup.bias in the bundle, before a pixel is called wrong\n";
+    out += bias.knowledge == EngineBias::Unknown
+               ? std::string(
+                     "  the engine's bias is unknown: set bias.* to its values and map.bundle_bias to entered, "
+                     "before a pixel is called wrong\n")
+               : fmt::format("  the engine's bias: {}; {}\n", bias_text(bias.engine), engine_bias_text(bias.knowledge));
     if (bias.enough.empty()) return out + "  no pixel of the picture is lit within the maps, so none needs bias\n";
     out += "  bias that is enough on these maps, for what the camera sees:\n";
     for (const BiasStart& start : bias.enough) {
@@ -209,7 +212,8 @@ std::string map_bias_text(const MapBias& bias) {
 
 Json map_bias_json(const MapBias& bias) {
     Json json = {{"light", bias.light},
-                 {"engine_bias", bias.known ? Json(bias_text(bias.engine)) : Json()},
+                 {"engine_bias", bias.knowledge == EngineBias::Unknown ? Json() : Json(bias_text(bias.engine))},
+                 {"engine_bias_from", engine_bias_source_json(bias.knowledge)},
                  {"texel_m", {bias.texel_m.shortest, bias.texel_m.longest}},
                  {"depth_per_m", bias.depth_per_m}};
     json["enough"] = json_list(bias.enough, [](const BiasStart& start) -> Json {

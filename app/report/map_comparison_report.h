@@ -7,6 +7,7 @@
 
 #include "app/base/json_text.h"
 #include "renderer/advise/least_bias.h"
+#include "renderer/bundle/engine_bias.h"
 #include "renderer/inspect/map_comparison.h"
 
 namespace si {
@@ -24,8 +25,8 @@ nlohmann::ordered_json map_comparison_json(std::span<const ComparedMap> maps);
 /// Bias of a light's imported maps: what the engine has, where it is known, and what the maps need.
 struct MapBias {
     int light = 0;
-    bool known = false;  ///< the engine's bias is known, and is `engine`
-    BiasSettings engine;
+    EngineBias knowledge = EngineBias::Unknown;
+    BiasSettings engine;            ///< the engine's bias, unless unknown
     TexelSize texel_m;              ///< smallest and largest texel of the light's maps, metres
     double depth_per_m = 0;         ///< depth-buffer units per metre along the axis at the middle of the depth range
     std::vector<BiasStart> enough;  ///< least bias by theory for what the camera sees; empty: no pixel is lit

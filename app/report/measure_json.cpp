@@ -20,6 +20,11 @@ void read_count(Count& to, const Json& json, std::string_view field) {
 
 }  // namespace
 
+Json engine_bias_source_json(EngineBias bias) {
+    const std::string_view source = engine_bias_source_key(bias);
+    return source.empty() ? Json() : Json(source);
+}
+
 Json spread_json(const Spread& s) {
     return {{"median", s.median},
             {"p95", s.p95},

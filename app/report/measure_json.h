@@ -4,11 +4,14 @@
 #include <string_view>
 
 #include "app/base/json_text.h"
+#include "renderer/bundle/engine_bias.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/reference/metrics.h"
 
 namespace si {
 
+/// Converts the source of an engine's bias to JSON: "file", "entered" or null.
+nlohmann::ordered_json engine_bias_source_json(EngineBias bias);
 /// Converts a distribution to JSON {median, p95, low, high, median_low, median_high, noise}; noise is half the
 /// confidence interval of the median.
 nlohmann::ordered_json spread_json(const Spread& spread);

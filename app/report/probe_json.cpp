@@ -100,6 +100,7 @@ Json diagnosis_json(const PixelDiagnosis& d, const Trial* fix) {
     Json json = {{"verdict", d.verdict},
                  {"right", d.right},
                  {"engine_bias", engine_bias_key(d.engine_bias)},
+                 {"engine_bias_from", engine_bias_source_json(d.engine_bias)},
                  {"artefact", "none"},
                  {"any_leak", d.reference.any_leak},
                  {"truth",

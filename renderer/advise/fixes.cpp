@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/given_map_changes.h"
 #include "renderer/measure/axes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
@@ -204,11 +205,15 @@ public:
         : base_(base), meter_(meter), options_(options) {}
 
     /// Rates a trial and keeps it. Times it if it may be the best fix.
-    void add(Trial t, const ErrorMetrics& before) {
+    /// @param own own maps on which the trial was drawn; null: it was not
+    void add(Trial t, const ErrorMetrics& before, const OwnMap* own = nullptr) {
         if (t.is_drawn()) {
             t.why_not = why_no_fix(t, before);
+            // The whole change has to be a fix, and so has the step on own maps.
+            if (own && t.why_not.empty()) t.why_not = why_no_fix(t, own->before.frame->metrics);
             const Trial* const best = table.fix();
-            if (options_.time || (t.why_not.empty() && (!best || is_better(t, *best)))) limit_time(t);
+            if (options_.time || (t.why_not.empty() && (!best || is_better(t, *best))))
+                limit_time(t, own ? own->settings : base_);
             if (t.why_not.empty() && !t.ms) t.why_not = kNotTimed;
         }
         const auto at = std::ranges::find_if(table.rows, [&](const Trial& other) { return is_better(t, other); });
@@ -220,27 +225,30 @@ private:
     const Settings& base_;
     const TrialMeter& meter_;
     const FixOptions& options_;
-    std::optional<CostChange> shadow_;  ///< time of the shadow, once measured
+    std::optional<CostChange> shadow_, own_shadow_;  ///< time of the shadow, once measured; on own maps
 
-    /// Times a trial. A change that costs more than the shadow does is no fix.
-    void limit_time(Trial& t) {
-        t.ms = meter_.time(base_, t.candidate.settings);
+    /// Times a trial. A change that costs more than the shadow does is no fix. @param base settings that the trial
+    /// changes
+    void limit_time(Trial& t, const Settings& base) {
+        t.ms = meter_.time(base, t.candidate.settings);
         if (!t.why_not.empty()) return;
-        if (!shadow_) {
-            Settings unshadowed = base_;
+        std::optional<CostChange>& shadow = t.on_own_map ? own_shadow_ : shadow_;
+        if (!shadow) {
+            Settings unshadowed = base;
             unshadowed.lights[std::size_t(t.candidate.light)].cast = false;
-            shadow_ = meter_.time(unshadowed, base_);
+            shadow = meter_.time(unshadowed, base);
         }
-        const double limit = std::max(shadow_->value, 0.0) + shadow_->noise + t.ms->noise;
+        const double limit = std::max(shadow->value, 0.0) + shadow->noise + t.ms->noise;
         if (t.ms->value > limit)
-            t.why_not = fmt::format("the shadow takes {} ms, and {} ms more with it", digits_text(shadow_->value),
+            t.why_not = fmt::format("the shadow takes {} ms, and {} ms more with it", digits_text(shadow->value),
                                     digits_text(t.ms->value));
     }
 
     static bool is_better(const Trial& a, const Trial& b) {
         const auto rank = [](const Trial& t) {
             const int kind = !t.is_drawn() ? 3 : t.why_not.empty() ? 0 : t.pixel && !t.pixel->right ? 2 : 1;
-            return std::tuple(kind, t.metrics.mae, wrong_pixels(t.metrics), t.ms ? t.ms->value : 0, t.map_bytes());
+            return std::tuple(kind, kind == 0 && t.on_own_map, t.metrics.mae, wrong_pixels(t.metrics),
+                              t.ms ? t.ms->value : 0, t.map_bytes());
         };
         return rank(a) < rank(b);
     }
@@ -404,7 +412,8 @@ std::size_t FixTable::drawn() const {
 
 FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std::vector<Candidate> list,
                       const TrialMeter& meter, const FixOptions& options, const TrialReport& report,
-                      const std::function<void(const FixTable&)>& shown, std::size_t enough) {
+                      const std::function<void(const FixTable&)>& shown, std::size_t enough,
+                      const std::function<OwnMap()>& own) {
     FixSearcher search(base, meter, options);
     FixTable& table = search.table;
     const ErrorMetrics& error = before.frame->metrics;
@@ -417,11 +426,18 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
         pixel = std::size_t(options.pixel->y) * std::size_t(before.frame->traced.reference->width) +
                 std::size_t(options.pixel->x);
     }
+    std::optional<OwnMap> own_map;
     try {
         for (std::size_t k = 0; k < list.size(); ++k) {
             if (report && list[k].untried.empty())
                 report((double(k) + 1) / (double(list.size()) + 1), list[k].shown_name());
-            search.add(try_candidate(base, before, std::move(list[k]), meter, pixel), error);
+            Trial t = try_candidate(base, before, list[k], meter, pixel);
+            if (own && t.candidate.untried == kNeedsAnotherMap) {
+                if (!own_map) own_map = own();
+                t = try_on_own_map(base, before, *own_map, std::move(list[k]), meter, pixel);
+            }
+            const OwnMap* const drawn_on = t.on_own_map ? &*own_map : nullptr;
+            search.add(std::move(t), error, drawn_on);
             if (shown) shown(table);
             if (k + 1 >= enough && table.fix()) break;
         }
@@ -453,7 +469,9 @@ FixTable find_fixes(const SearchTools& whole, const Settings& settings, const Fi
     const std::size_t enough = options.first ? list.size() : std::numeric_limits<std::size_t>::max();
     if (options.first && options.list == FixList::Whole)
         for (Candidate& more : fix_candidates(base, facts, FixList::Whole)) add(std::move(more));
-    return search_fixes(base, before, std::move(list), meter, options, tools.report, shown, enough);
+    std::function<OwnMap()> own;
+    if (!base.map.bundle.empty()) own = [&] { return own_map_of(tools, base, before, meter); };
+    return search_fixes(base, before, std::move(list), meter, options, tools.report, shown, enough, own);
 }
 
 }  // namespace si

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/advise/least_bias.h"
+#include "renderer/advise/own_map.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 
 namespace si {
@@ -48,7 +49,8 @@ std::vector<Candidate> fix_candidates(const Settings& settings, const FixFacts& 
 
 /// Table of measured changes for the wrong pixels of a frame.
 struct FixTable {
-    /// Trials: the fix first, then by mean error, wrong pixels and time. Undrawn ones come last. Trial::why_not is
+    /// Trials: the fix first, then by mean error, wrong pixels and time. Undrawn ones come last. A fix of an imported
+    /// map itself comes before one that was tried on an own map. Trial::why_not is
     /// empty for a fix: the watched pixel is right within kRightVisibilityError, and wrong pixels, mean error, any acne
     /// and any leak are no higher than before. It keeps source, camera, direction and scene, and costs at most twice
     /// the shadow's time and bytes.
@@ -83,11 +85,14 @@ struct FixOptions {
 /// @param before the present settings, with their frame
 /// @param shown receives the table so far, after each trial
 /// @param enough number of candidates after which a fix ends the search
+/// @param own returns own maps, on which changes that need another map than the imported one are tried; empty: they are
+/// not tried. Called at the first such change
 /// @returns the table so far when the meter or the report throws Cancelled
 FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std::vector<Candidate> candidates,
                       const TrialMeter& meter, const FixOptions& options, const TrialReport& report = {},
                       const std::function<void(const FixTable&)>& shown = {},
-                      std::size_t enough = std::numeric_limits<std::size_t>::max());
+                      std::size_t enough = std::numeric_limits<std::size_t>::max(),
+                      const std::function<OwnMap()>& own = {});
 
 /// Searches for fixes of the wrong pixels in a frame: proposes setting changes, draws each, counts cured and broken
 /// pixels, and times those that may be the fix.

@@ -134,6 +134,9 @@ struct Trial {
     ErrorMetrics metrics;                            ///< of the frame with the change
     std::optional<PixelTrial> pixel;                 ///< watched pixel
     std::string why_not;                             ///< reason why the rule rejects the trial; empty: accepted
+    /// The trial stands for an imported map: `before` and `after` are of maps that the program draws from the same
+    /// light. See OwnMap.
+    bool on_own_map = false;
     /// Returns true when the candidate was drawn.
     bool is_drawn() const { return candidate.untried.empty(); }
     /// Returns the error that the change adds; negative: the error falls.

@@ -15,6 +15,7 @@
 #include "renderer/projection/camera_of_matrix.h"
 #include "renderer/projection/view_of_matrix.h"
 #include "renderer/scene/axes.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -26,6 +27,9 @@ constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // of all maps of a bu
 
 /// Largest relative difference between a stated number and the one that follows from the matrix.
 constexpr double kAgreement = 1e-6;
+
+/// Settings of the bias of a look-up that have amounts.
+constexpr std::string_view kBiasKeys[] = {"bias.kind", "bias.unit", "bias.constant", "bias.slope", "bias.normal"};
 
 bool agrees(double stated, double derived, double scale) {
     return std::abs(stated - derived) <= kAgreement * scale;
@@ -168,13 +172,6 @@ std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<
     return any ? out : std::vector<CasterRaster>();
 }
 
-/// Returns true when the bias with which a light's maps are read is known: all its amounts, or the settings of this
-/// program, which has written the bundle.
-bool is_bias_known(const Bundle& bundle, const BundleLight& light) {
-    const BundleBias& bias = light.lookup.bias;
-    return !bundle.settings.empty() || (bias.constant && bias.slope && bias.normal);
-}
-
 /// Checks that a directional light shines along the rays of its map: reversed depth turns parallel rays around.
 void check_direction(const BundleWorld& world, const BundleLight& light, const LightView& view) {
     if (!light.direction || light.type != LightType::Directional) return;
@@ -279,6 +276,43 @@ ViewChooser chooser_of(const Bundle& bundle, const BundleLight& light, const std
     return out;
 }
 
+std::optional<double> normal_offset_texels(double amount, BiasUnit unit, const std::vector<LightView>& views,
+                                           const MapSize& size) {
+    if (unit == BiasUnit::Texels) return amount;
+    if (amount == 0) return 0;
+    const LightView& view = views.front();
+    if (unit == BiasUnit::Depth || view.curve.perspective || view.warped() || views.size() > 1) return std::nullopt;
+    return amount / view.texel_size(1, size);
+}
+
+bool settings_state_bias(const Bundle& bundle) {
+    return std::ranges::all_of(kBiasKeys,
+                               [&](std::string_view key) { return bundle.settings.contains(std::string(key)); });
+}
+
+std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light,
+                                        const std::vector<LightView>& views, const MapSize& size) {
+    Settings settings;
+    try {
+        if (!settings_state_bias(bundle)) {
+            const BundleBias& bias = light.lookup.bias;
+            if (!bias.constant || !bias.slope || !bias.normal || bias.units[0] != bias.units[1]) return std::nullopt;
+            const std::optional<double> normal = normal_offset_texels(*bias.normal, bias.units[2], views, size);
+            if (!normal) return std::nullopt;
+            set_setting(settings, "bias.kind", "slope");
+            settings.bias.unit = bias.units[0];
+            set_setting(settings, "bias.constant", fmt::format("{}", *bias.constant));
+            set_setting(settings, "bias.slope", fmt::format("{}", *bias.slope));
+            set_setting(settings, "bias.normal", fmt::format("{}", *normal));
+        }
+        for (const auto& [key, value] : bundle.settings)
+            if (key.starts_with("bias.") && !key.starts_with("bias.raster_")) set_setting(settings, key, value);
+    } catch (const UsageError&) {
+        return std::nullopt;  // amounts beyond the limits of bias.*
+    }
+    return settings.bias;
+}
+
 Bundle read_bundle(BundleFiles& files) {
     const std::vector<std::byte> text = files.read(kFrameJson, kMaxFrameJsonBytes);
     return parse_bundle({reinterpret_cast<const char*>(text.data()), text.size()}, files.label(kFrameJson));
@@ -364,8 +398,10 @@ GivenMaps read_given_maps(BundleFiles& files) {
             throw Error(fmt::format("{}: camera: {}", file, error.what()));
         }
         std::vector<CasterRaster> raster = raster_of(light, views.views, turned);
-        out.lights.push_back(
-            imported_maps(std::move(images), std::move(views), std::move(raster), is_bias_known(out.bundle, light)));
+        const std::optional<BiasSettings> bias = stated_bias(out.bundle, light, views.views, *size);
+        ImportedMaps maps = *imported_maps(std::move(images), std::move(views), std::move(raster), bias.has_value());
+        maps.bias = bias;
+        out.lights.push_back(std::make_shared<const ImportedMaps>(std::move(maps)));
     }
     out.files = files.files_read();
     return out;
@@ -395,6 +431,13 @@ std::shared_ptr<const GivenMaps> given_maps(const fs::path& path) {
     if (kept.size() >= kKept) kept.erase(kept.begin());
     kept.emplace_back(place, maps);
     return maps;
+}
+
+EngineBias engine_bias_of_light(const Settings& settings, int light) {
+    if (settings.map.bundle.empty() || settings.map.bundle_maps == BundleMaps::Drawn) return EngineBias::Own;
+    const auto maps = given_maps(settings.map.bundle);
+    const auto i = std::size_t(std::max(light, 0));
+    return i < maps->lights.size() ? engine_bias(maps->lights[i].get(), settings) : EngineBias::Own;
 }
 
 std::shared_ptr<const ImportedMaps> placed_maps(const std::shared_ptr<const ImportedMaps>& maps,

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/base/file_stamp.h"
 #include "renderer/bundle/bundle.h"
 #include "renderer/bundle/bundle_files.h"
+#include "renderer/bundle/engine_bias.h"
 #include "renderer/bundle/imported_maps.h"
 
 namespace si {
@@ -43,6 +45,23 @@ struct GivenMaps {
     std::vector<StampedFile> files;                           ///< files that were read
     std::vector<std::string> notes;                           ///< faults that do not hinder reading, one sentence each
 };
+
+/// Returns a normal offset in texels; nothing where its unit has no fixed length in texels. @param views views of the
+/// light's maps @param size texels of a map
+std::optional<double> normal_offset_texels(double amount, BiasUnit unit, const std::vector<LightView>& views,
+                                           const MapSize& size);
+
+/// Returns true when the settings that a bundle holds state the bias of every look-up, as those of this program do.
+bool settings_state_bias(const Bundle& bundle);
+
+/// Returns bias.* of a light's look-up, without polygon offset, where the bundle states all of it in amounts that these
+/// settings can hold; else nothing.
+std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light,
+                                        const std::vector<LightView>& views, const MapSize& size);
+
+/// Returns the knowledge of the bias of the maps that map.bundle gives to a light. @throws Error as read_given_maps()
+/// @param light index of light.*
+EngineBias engine_bias_of_light(const Settings& settings, int light);
 
 /// Parses the frame.json of a bundle. @throws Error
 Bundle read_bundle(BundleFiles& files);

@@ -59,7 +59,6 @@ std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images
         add_views(key, *views);
     }
     add_raster(key, raster, images.size());
-    key.add(bias_known);
     auto maps = std::make_shared<ImportedMaps>();
     maps->images = std::move(images);
     maps->views = std::move(views);

@@ -37,9 +37,10 @@ struct ImportedMaps {
     std::optional<ImportedViews> views;  ///< nullopt: the light's own views
     std::vector<CasterRaster> raster;    ///< by view; empty: unknown, maps are drawn as the settings say
     MapSize drawn_size;                  ///< size of maps without images
-    /// The bias with which the engine reads these maps is known and set as bias.*. False: it is unknown, and no verdict
-    /// claims that the engine's pixel is wrong.
+    /// The maps come with the bias with which the engine reads them. False: it is unknown. See engine_bias().
     bool bias_known = true;
+    /// Known bias, as bias.* hold it without polygon offset; nullopt: bias.* of any settings are the engine's.
+    std::optional<BiasSettings> bias;
     std::uint64_t key = 0;  ///< hash of images, views and raster state
     /// Returns true when the maps are images that are given, false when they are drawn with the given views.
     bool has_images() const { return !images.empty(); }

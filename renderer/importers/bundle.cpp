@@ -179,17 +179,8 @@ void suggest_double_sided(const Bundle& b, const Scene& scene, Suggestions& to) 
     }
 }
 
-/// Returns the normal offset in texels; nothing where its unit has no fixed length in texels.
-std::optional<double> normal_offset_texels(double amount, BiasUnit unit, const ImportedMaps& maps) {
-    if (unit == BiasUnit::Texels) return amount;
-    const LightView& view = maps.views->views.front();
-    if (unit == BiasUnit::Depth || view.curve.perspective || view.warped() || maps.views->views.size() > 1)
-        return std::nullopt;
-    return amount / view.texel_size(1, maps.size());
-}
-
-/// @param is_ours the bundle holds settings of this program, which state the bias
-void suggest_bias(const BundleBias& bias, const std::string& place, const ImportedMaps& maps, bool is_ours,
+/// @param in_settings the settings of the bundle state the bias
+void suggest_bias(const BundleBias& bias, const std::string& place, const ImportedMaps& maps, bool in_settings,
                   Suggestions& to) {
     constexpr std::string_view kUnits[] = {"depth", "texels", "metres"};
     const auto unit_key = [&](BiasUnit unit) {
@@ -206,7 +197,7 @@ void suggest_bias(const BundleBias& bias, const std::string& place, const Import
             to.add("bias.slope", *bias.slope);
     }
     if (bias.normal) {
-        if (const auto texels = normal_offset_texels(*bias.normal, bias.units[2], maps))
+        if (const auto texels = normal_offset_texels(*bias.normal, bias.units[2], maps.views->views, maps.size()))
             to.add("bias.normal", *texels);
         else
             to.warn(
@@ -216,10 +207,10 @@ void suggest_bias(const BundleBias& bias, const std::string& place, const Import
     if (!bias.constant) unknown.push_back("constant");
     if (!bias.slope) unknown.push_back("slope");
     if (!bias.normal) unknown.push_back("normal");
-    if (!unknown.empty() && !is_ours)
+    if (!unknown.empty() && !in_settings)
         to.warn(
-            fmt::format("{}.bias: {} {} unknown, and not 0; enter the engine's values at bias.* before you rely on a "
-                        "verdict",
+            fmt::format("{}.bias: {} {} unknown, and not 0; set bias.* to the engine's values and map.bundle_bias to "
+                        "entered before you rely on a verdict",
                         place, fmt::join(unknown, ", "), unknown.size() == 1 ? "is" : "are"));
 }
 
@@ -249,7 +240,7 @@ void suggest_lookup(const Bundle& b, const GivenMaps& maps, Suggestions& to) {
         to.add("map.wrap", *l.wrap == BundleWrap::Border  ? "border"
                            : *l.wrap == BundleWrap::Clamp ? "clamp"
                                                           : "repeat");
-    suggest_bias(l.bias, place, *maps.lights[first], !b.settings.empty(), to);
+    suggest_bias(l.bias, place, *maps.lights[first], settings_state_bias(b), to);
 }
 
 /// Lets nodes that no map holds cast no shadow, where all maps list what was drawn.

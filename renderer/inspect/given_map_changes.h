@@ -13,4 +13,8 @@ inline constexpr std::string_view kNeedsAnotherMap = "needs another map from the
 /// @param key key as for find_setting(), such as "light.0.fit"
 bool acts_while_drawing(std::string_view key);
 
+/// Returns true when a setting acts on a map that is drawn again with an imported map's view (map.bundle_maps).
+/// @param key key of a setting that acts while a map is fitted or drawn
+bool acts_on_redrawn_map(std::string_view key);
+
 }  // namespace si

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/given_map_changes.h"
@@ -75,7 +76,7 @@ private:
         if (d_.fix &&
             std::ranges::any_of(d_.fix->settings, [](const auto& s) { return acts_while_drawing(s.first); })) {
             d_.verdict += fmt::format("; a fix {}: {}", kNeedsAnotherMap, d_.fix->text);
-            d_.fix.reset();
+            d_.fix_of_map = std::exchange(d_.fix, std::nullopt);
         }
         const bool tested = reference_.state == PixelState::Counted && p_.casts;
         if (p_.engine_bias == EngineBias::Unknown && tested)
@@ -86,6 +87,8 @@ private:
                 std::isfinite(d_.occluder.depth) ? fmt::format(" and may have less than {}", amount_text(d_.occluder))
                                                  : "",
                 d_.verdict);
+        if (p_.engine_bias == EngineBias::Changed && tested)
+            d_.verdict = "under bias.* of these settings, which are not the bias that the bundle states: " + d_.verdict;
     }
     /// Formats an amount of bias in texels, metres and depth.
     static std::string amount_text(const DepthShift& a) {

@@ -50,10 +50,11 @@ struct PixelDiagnosis {
     /// none, since the steps of the depth format alone are too coarse.
     double opening_resolution = 0;
     bool right = true;  ///< visibility and reference lie on the same side of one half
-    /// Unknown: the verdict speaks of this program's look-up of the engine's map, not of the engine's pixel.
+    /// Unknown or changed: the verdict speaks of this program's look-up of the engine's map, not of the engine's pixel.
     EngineBias engine_bias = EngineBias::Own;
-    std::string verdict;              ///< a sentence
-    std::optional<SuggestedFix> fix;  ///< none where the pixel is right or no fix is known
+    std::string verdict;                     ///< a sentence
+    std::optional<SuggestedFix> fix;         ///< none where the pixel is right or no fix is known
+    std::optional<SuggestedFix> fix_of_map;  ///< fix that needs another map from the engine; none on drawn maps
 };
 
 /// Diagnoses one light's shadow test at a probed pixel: verdict in words, window of right biases, suggested fix.

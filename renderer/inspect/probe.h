@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/bias/account.h"
+#include "renderer/bundle/engine_bias.h"
 #include "renderer/frame/frame.h"
 #include "renderer/projection/camera.h"
 
@@ -52,18 +53,6 @@ struct KernelFacts {
     std::vector<std::string> lines;  ///< the same numbers in words, with the formula of the bound
 };
 
-/// Knowledge of the bias with which an engine reads its own shadow map.
-enum class EngineBias {
-    Own,      ///< the map is no engine's: this program draws it
-    Known,    ///< the map is imported, and the engine's bias is set as bias.*
-    Unknown,  ///< the map is imported, and the engine's bias is not known
-};
-
-/// Returns the name of this knowledge in JSON: "own", "known" or "unknown".
-constexpr std::string_view engine_bias_key(EngineBias bias) {
-    return bias == EngineBias::Own ? "own" : bias == EngineBias::Known ? "known" : "unknown";
-}
-
 /// Number of texels to either side of the look-up whose stored depths a probe keeps.
 inline constexpr int kProbeRowReachTexels = 32;
 
@@ -87,9 +76,9 @@ struct Probe {
         int face = 0;   ///< cube face or cascade of the look-up; the numbers below belong to its view
         /// Name of the view, such as "cascade 2 of 4", with the blended one in a blend band; empty for a single view.
         std::string view;
-        bool casts = false;  ///< the light has a shadow map
-        EngineBias engine_bias = EngineBias::Own;
-        bool receives = true;  ///< object.PATH.receive
+        bool casts = false;                        ///< the light has a shadow map
+        EngineBias engine_bias = EngineBias::Own;  ///< knowledge of the bias with which an engine reads its map
+        bool receives = true;                      ///< object.PATH.receive
         FittedLight fitted;
         SurfacePoint point;
         BiasBreakdown account;            ///< with the look-up in its `receiver`

@@ -287,8 +287,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
             pixel.kernel = draw_kernel_facts(f, *seen, int(i));
         }
         out.lights.push_back(test_light_at_pixel(pixel, f.gl.fitted[i], f.settings, f.map_size, map, f.driver));
-        if (const ImportedMaps* given = f.imported(i))
-            out.lights.back().engine_bias = given->bias_known ? EngineBias::Known : EngineBias::Unknown;
+        out.lights.back().engine_bias = engine_bias(f.imported(i), f.settings);
         out.lights.back().evidence = draw_trials(f, place, int(i));
         out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_size, f.mask_levels);
     }

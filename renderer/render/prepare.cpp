@@ -8,7 +8,9 @@
 #include "renderer/base/error.h"
 #include "renderer/base/index_of.h"
 #include "renderer/base/poisson_disk.h"
+#include "renderer/bundle/engine_bias.h"
 #include "renderer/bundle/imported_maps.h"
+#include "renderer/bundle/redrawn_maps.h"
 #include "renderer/frame/blocks.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/settings_block.h"
@@ -109,11 +111,6 @@ void take_imported_views(FrameState& f, std::vector<FittedLight>& fitted) {
         if (!light.casts) continue;
         light.provider = given->has_images() ? MapProvider::Imported : MapProvider::Drawn;
         if (given->views) note_moved_light(light, i);
-        if (given->has_images() && !given->bias_known)
-            light.notes.push_back(fmt::format(
-                "light {}: the bias with which the engine reads its map is unknown; wrong pixels are those "
-                "of this program under bias.*, not the engine's; state lookup.bias in the bundle once it is known",
-                i));
         for (const LightView& view : light.views)
             if (view.curve.convention.reversed != f.settings.map.reversed_z)
                 throw Error(fmt::format("light {}: its imported map has {}reversed depth; set map.reversed_z to {}", i,
@@ -145,7 +142,7 @@ void fit(FrameState& f) {
         if (draws_pages(f.settings)) key.add(f.request.height);
         if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
     }
-    for (const auto& given : f.request.imported) key.add(given ? given->key : 0).add(given && given->bias_known);
+    for (const auto& given : f.request.imported) key.add(given ? given->key : 0);
     if (key.value() != r.fit_key) {
         r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size,
                                      maps.seen_m, f.request.height)
@@ -180,14 +177,15 @@ void note_shown_view(FrameState& f) {
 void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
     MapSize wanted = draws_pages(f.settings) ? MapSize(n) : f.request.map_size.value_or(MapSize(n));
-    bool given = false;
+    bool given = false, sized = false;
     for (const auto& maps : f.request.imported) {
         if (!maps) continue;
-        if (given && !(maps->size() == wanted))
+        if (sized && !(maps->size() == wanted))
             throw Error(fmt::format("imported maps are {}×{} and {}×{}; the maps of all lights need one size",
                                     wanted.width, wanted.height, maps->size().width, maps->size().height));
         wanted = maps->size();
-        given = true;
+        sized = true;
+        given |= maps->has_images() || f.settings.map.bundle_maps == BundleMaps::Given;
     }
     n = wanted.longest();
     const int asked = n;
@@ -213,7 +211,12 @@ void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
     }
     f.map_size = {std::max(1, int(std::int64_t(wanted.width) * n / asked)),
                   std::max(1, int(std::int64_t(wanted.height) * n / asked))};
-    for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        const FittedLight& light = f.gl.fitted[i];
+        f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
+        if (std::string remark = engine_bias_remark(f.imported(i), f.settings, int(i)); !remark.empty())
+            f.notes.push_back(std::move(remark));
+    }
     note_shown_view(f);
 }
 
@@ -535,6 +538,9 @@ void RendererImpl::take_bundle_maps(FrameState& f) {
         for (const auto& maps : bundle.given->lights) bundle.lights.push_back(placed_maps(maps, bundle.placement));
     }
     f.request.imported = bundle.lights;
+    if (f.settings.map.bundle_maps == BundleMaps::Drawn)
+        for (auto& maps : f.request.imported)
+            if (maps) maps = redrawn_maps(*maps, f.settings, first_raster(bundle.given->bundle));
     f.notes.insert(f.notes.end(), bundle.given->notes.begin(), bundle.given->notes.end());
 }
 

@@ -65,6 +65,30 @@ constexpr Choice kTransforms[] = {
      "as texture matrices of fixed-function OpenGL were."},
 };
 
+constexpr Choice kBundleMaps[] = {
+    {"given", "as given", "The images of the bundle."},
+    {"drawn", "drawn again",
+     "The program draws the scene's casters with the bundle's matrices, viewports and raster state. Resolution, "
+     "format, "
+     "culling and polygon offset then act."},
+};
+constexpr Choice kBundleBiases[] = {
+    {"file", "as the file states", "The bias that the bundle states; unknown where it does not state all of it."},
+    {"entered", "entered here", "bias.* hold the engine's bias, as you have entered it."},
+    {"unknown", "unknown", "Nobody knows it. No verdict claims that the engine's pixel is wrong."},
+};
+
+/// Returns the reason why map.bundle_maps has no effect.
+std::string_view bundle_maps_idle(const Settings& s, int) {
+    return s.map.bundle.empty() ? "without effect: no maps are given (map.bundle)" : "";
+}
+
+/// Returns the reason why map.bundle_bias has no effect.
+std::string_view bundle_bias_idle(const Settings& s, int light) {
+    return s.map.bundle_maps == BundleMaps::Drawn ? "without effect: the program draws the maps (map.bundle_maps)"
+                                                  : bundle_maps_idle(s, light);
+}
+
 /// Returns the reason why map.outside has no effect. It also applies behind the far plane and behind spot lights.
 std::string_view outside_idle(const Settings& s, int) {
     if (s.map.far_guard || s.map.wrap == MapWrap::Border || s.map.wrap == MapWrap::Range) return "";
@@ -221,6 +245,18 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
              "In a preset the path is relative to the preset's folder.",
      .also = "import, capture, engine's shadow map, external shadow map, baked depth, frame capture, RenderDoc",
      .file = true},
+    {SI_FIELD(map.bundle_maps), .label = "Bundle's maps", .cost = Cost::Target, SI_CHOICES(kBundleMaps),
+     .idle = bundle_maps_idle,
+     .help = "The maps of map.bundle as its images, or drawn again by this program from the same light: with the "
+             "bundle's matrices, sizes and raster state. Drawn maps show changes that need another map from the "
+             "engine. map.resolution, bias.raster_* and caster.cull begin with the bundle's values.",
+     .also = "same light, redraw, beside theirs"},
+    {SI_FIELD(map.bundle_bias), .label = "Engine's bias", SI_CHOICES(kBundleBiases), .idle = bundle_bias_idle,
+     .help =
+         "The source of the bias with which the engine reads the maps of map.bundle. A bundle may leave it out. Set "
+         "bias.* to the engine's values and choose entered: verdicts then speak of the engine's pixel. The picture "
+         "stays as it is.",
+     .also = "engine bias, known bias, unknown bias, shadow bias of the engine"},
 }));
 static_assert(kMap.size() == member_count<MapSettings>(), "a member of MapSettings has no row");
 

@@ -88,6 +88,10 @@ enum class MapColours { Grey, Turbo, Viridis };
 enum class MapTransform { World, Eye };
 /// Origin of positions on the GPU (map.origin).
 enum class MapOrigin { Near, World };
+/// Maps of a bundle's lights (map.bundle_maps): images of the bundle, or maps drawn with its views.
+enum class BundleMaps { Given, Drawn };
+/// Source of the bias with which an engine reads its maps (map.bundle_bias).
+enum class BundleBiasSource { File, Entered, Unknown };
 /// Direction in which the scene is moved (scene.direction).
 enum class PlacedAlong { Aslant, X, Y, Z };
 /// Axis of a file that points up (scene.up); File: the axis that the file names, else y.
@@ -164,6 +168,8 @@ struct MapSettings {
     int virtual_levels = 8;
     double virtual_bias = 0;
     std::string bundle;  ///< path of a bundle whose maps are read in place of drawn ones; empty: none
+    BundleMaps bundle_maps = BundleMaps::Given;
+    BundleBiasSource bundle_bias = BundleBiasSource::File;
     bool operator==(const MapSettings&) const = default;
 };
 

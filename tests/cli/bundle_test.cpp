@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,7 +30,7 @@ fs::path exported(const Words& scene_and_settings, const std::string& name = "ou
 Json numbers_only(Json json) {
     if (json.is_object()) {
         for (const char* name : {"scene", "cost", "driver", "cures", "cpu_ms", "gpu_ms", "frame_ms", "ms", "seconds",
-                                 "notes", "settings", "reason", "engine_bias"})
+                                 "notes", "settings", "reason", "engine_bias", "engine_bias_from"})
             json.erase(name);
         for (auto& [name, value] : json.items()) value = numbers_only(value);
     } else if (json.is_array()) {
@@ -157,6 +158,109 @@ TEST(BundleCommand, TheSettingChoosesAndRemovesTheMaps) {
     expect_error("plan boxes --set map.bundle=none.bundle", 1, "none.bundle: cannot be opened", folder);
     expect_error("plan none.zip", 1, "none.zip: cannot be opened", folder);
     EXPECT_EQ(run_program("scene out.bundle", folder).code, 0);
+}
+
+/// Removes the bias of all look-ups from a bundle's frame.json.
+void remove_bias(const fs::path& bundle) {
+    Json frame = Json::parse(file_bytes(bundle / "frame.json"));
+    for (Json& light : frame["lights"]) light["lookup"].erase("bias");
+    for (const char* key : {"kind", "unit", "constant", "slope", "plane_clamp", "normal", "normal_source"})
+        frame["settings"].erase(std::string("bias.") + key);
+    std::ofstream(bundle / "frame.json") << frame.dump();
+}
+
+TEST(BundleCommand, ABiasThatIsEnteredCounts) {
+    const Words bias =
+        "--set bias.kind=slope --set bias.unit=texels --set bias.constant=0.2 --set bias.slope=0.5 --set bias.normal=0";
+    const Words scene = Words("boxes --set map.resolution=128") + bias, size = "--size 192x108";
+    const fs::path folder = exported(scene);
+    remove_bias(folder / "out.bundle");
+    const Words entered = Words("out.bundle") + bias + Words("--set map.bundle_bias=entered");
+    const auto probed = [&](const Words& words) {
+        return program_json(Words("probe") + words + size + Words("--pixel 60,70"), folder);
+    };
+    const auto dossier = [&](const Words& words) { return probed(words)["lights"][0]["dossier"]; };
+    const Json own = dossier(scene), before = dossier("out.bundle"), then = dossier(entered);
+    EXPECT_EQ(own["engine_bias"], "own");
+    EXPECT_EQ(own["engine_bias_from"], nullptr);
+    EXPECT_EQ(before["engine_bias"], "unknown");
+    EXPECT_EQ(before["engine_bias_from"], nullptr);
+    EXPECT_TRUE(before["verdict"].get<std::string>().starts_with("the engine's bias is unknown"));
+    EXPECT_EQ(then["engine_bias"], "known");
+    EXPECT_EQ(then["engine_bias_from"], "entered");
+    EXPECT_EQ(own["verdict"], then["verdict"]);
+    EXPECT_EQ(dossier(Words("out.bundle") + bias)["engine_bias"], "unknown") << "amounts alone state nothing";
+
+    const auto measured = [&](const Words& words) {
+        return program_json(Words("measure --no-time") + words + size, folder);
+    };
+    const Json ours = measured(scene), unknown = measured("out.bundle"), known = measured(entered);
+    EXPECT_EQ(ours["engine_bias"], "own");
+    EXPECT_EQ(unknown["engine_bias"], "unknown");
+    EXPECT_EQ(known["engine_bias"], "known");
+    EXPECT_EQ(known["engine_bias_from"], "entered");
+    EXPECT_EQ(ours["error"], known["error"]);
+
+    const auto compared = [&](const Words& words) {
+        return program_json(Words("compare-maps --json") + words, folder)["bias"][0];
+    };
+    EXPECT_EQ(compared("out.bundle")["engine_bias"], nullptr);
+    EXPECT_EQ(compared("out.bundle")["engine_bias_from"], nullptr);
+    EXPECT_NE(compared(entered)["engine_bias"], nullptr);
+    EXPECT_EQ(compared(entered)["engine_bias_from"], "entered");
+    EXPECT_FALSE(compared(entered)["enough"].empty());
+
+    // A preset keeps it, and the text says it.
+    EXPECT_EQ(run_program(Words("preset save -o entered.json") + entered, folder).code, 0);
+    const ProcessResult text =
+        run_program(Words("probe out.bundle --preset entered.json --pixel 60,70 --no-truth") + size, folder);
+    EXPECT_NE(text.out.find("the engine's bias: as entered (map.bundle_bias)"), std::string::npos) << text.out;
+    expect_error("probe out.bundle --pixel 1,1 --set map.bundle_bias=enterd", 2, "entered", folder);
+}
+
+// A sweep begins at the settings of the bundle, and so do other searches.
+TEST(BundleCommand, ASweepBeginsAtTheSettingsOfTheBundle) {
+    const Words scene =
+        "boxes --set map.resolution=128 --set filter.kernel=pcf3 --set bias.kind=constant --set bias.constant=0.3 "
+        "--set "
+        "bias.normal=1.5";
+    const fs::path folder = exported(scene);
+    const auto rows = [&](const Words& words, const std::string& out) {
+        const ProcessResult r = run_program(
+            Words("sweep") + words + Words("--vary bias.constant=0.3,2 --no-time --size 96x54 -o " + out), folder);
+        EXPECT_EQ(r.code, 0) << r.err;
+        Json errors = Json::array();
+        for (const Json& row : Json::parse(file_bytes(folder / out / "results.json"))["rows"])
+            errors.push_back(row["error"]);
+        return errors;
+    };
+    const Json own = rows(scene, "own"), theirs = rows("out.bundle", "theirs");
+    ASSERT_EQ(own.size(), 2u);
+    EXPECT_EQ(own, theirs);
+    EXPECT_NE(own[0], own[1]);
+}
+
+TEST(BundleCommand, FixesThatNeedAnotherMapAreTriedOnAnOwnOne) {
+    const fs::path folder = exported("boxes --set map.resolution=48");
+    const Words size = "--size 96x54";
+    const Json measured = program_json(Words("measure --no-time --cures out.bundle") + size, folder);
+    std::size_t own = 0, given = 0, views = 0;
+    for (const Json& row : measured["cures"]) {
+        const Json& settings = row["settings"];
+        if (!row["tried"].get<bool>()) {
+            views += row["reason"] == "needs another map from the engine";
+            continue;
+        }
+        const bool redrawn = settings.contains("map.bundle_maps");
+        EXPECT_EQ(row["own_map"], redrawn) << row.dump();
+        (redrawn ? own : given) += 1;
+        EXPECT_TRUE(redrawn || !settings.contains("map.resolution"));
+    }
+    EXPECT_GT(own, 3u);
+    EXPECT_GT(given, 10u);
+    EXPECT_GT(views, 0u) << "other fits";
+    const ProcessResult text = run_program(Words("measure --no-time --cures out.bundle") + size, folder);
+    EXPECT_NE(text.out.find("tried on the inspector's own map from the same light"), std::string::npos) << text.out;
 }
 
 TEST(BundleCommand, ExportRefusesBadNamesAndInputs) {

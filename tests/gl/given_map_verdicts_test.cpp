@@ -59,7 +59,7 @@ TEST_F(GivenMapVerdicts, AreThoseOfADrawnMapOnceTheBiasIsKnown) {
                                  asked = diagnosis(s, unknown, {x, y});
             if (own.verdict.empty()) continue;
             EXPECT_EQ(own.engine_bias, EngineBias::Own);
-            EXPECT_EQ(same.engine_bias, EngineBias::Known);
+            EXPECT_EQ(same.engine_bias, EngineBias::File);
             EXPECT_EQ(asked.engine_bias, EngineBias::Unknown);
             EXPECT_EQ(own.right, same.right);
             EXPECT_EQ(own.least.depth, asked.least.depth);

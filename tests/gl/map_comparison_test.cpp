@@ -308,11 +308,23 @@ TEST_F(MapComparisonTest, ReportsNameTheGateTheCastersAndTheBias) {
     EXPECT_FALSE(bias.enough.empty());
     EXPECT_NE(map_bias_text(bias).find("the engine's bias is unknown"), std::string::npos);
     EXPECT_EQ(map_bias_json(bias)["engine_bias"], nullptr);
+    EXPECT_EQ(map_bias_json(bias)["engine_bias_from"], nullptr);
     given.bias_known = true;
     const MapBias known = map_bias(renderer, scene, plain({{"bias.constant", "0.7"}}),
                                    {std::make_shared<const ImportedMaps>(given)}, 0, {96, 72});
-    EXPECT_NE(map_bias_text(known).find("the engine's bias: bias.constant 0.7 texels"), std::string::npos)
+    EXPECT_NE(map_bias_text(known).find("the engine's bias: bias.constant 0.7 texels; as the bundle states it"),
+              std::string::npos)
         << map_bias_text(known);
+    EXPECT_EQ(map_bias_json(known)["engine_bias_from"], "file");
+
+    // Entered amounts count, whatever the file leaves out.
+    given.bias_known = false;
+    const MapBias entered = map_bias(renderer, scene, plain({{"bias.constant", "0.7"}, {"map.bundle_bias", "entered"}}),
+                                     {std::make_shared<const ImportedMaps>(given)}, 0, {96, 72});
+    EXPECT_NE(map_bias_text(entered).find("the engine's bias: bias.constant 0.7 texels; as entered"), std::string::npos)
+        << map_bias_text(entered);
+    EXPECT_EQ(map_bias_json(entered)["engine_bias_from"], "entered");
+    EXPECT_EQ(map_bias_json(entered)["enough"], map_bias_json(known)["enough"]);
 }
 
 TEST_F(MapComparisonTest, LightsWithoutImportedMapsAreRefused) {

@@ -1,6 +1,7 @@
 // Tests of the panel Imported: requests, numbers, missing casters, and the switch between the pictures.
 #include <gtest/gtest.h>
 
+#include "renderer/base/index_of.h"
 #include "renderer/inspect/map_comparison.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/ui/ui_harness.h"
@@ -56,6 +57,31 @@ TEST(ImportedPanel, ShowsNumbersGateAndPicture) {
         ui.click(ui.find("Imported", "", label));
         EXPECT_EQ(ui.state.imported_picture, picture);
     }
+}
+
+TEST(ImportedPanel, TheEnginesBiasIsEntered) {
+    UiHarness ui(1900, 1000);
+    ui.maps_imported = true;
+    ui.state.window.open_tab = BottomTab::Imported;
+    ui.frames(4);
+    EXPECT_FALSE(ui.prints("Engine's bias")) << "there is no bundle";
+    ui.state.settings.map.bundle = "frame.bundle";
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"Bundle's maps", "Engine's bias", "The engine's bias is unknown: no verdict speaks"}), "");
+    EXPECT_FALSE(ui.find("Imported", "bias.constant", "##value"));
+    ui.click(ui.find("Imported", "map.bundle_bias", "##value"));
+    ui.frames(2);
+    ui.click(ui.find_choice(index_of(BundleBiasSource::Entered), "entered here"));
+    EXPECT_EQ(ui.state.settings.map.bundle_bias, BundleBiasSource::Entered);
+    ui.frames(2);
+    EXPECT_FALSE(ui.prints("The engine's bias is unknown"));
+    for (const char* key : {"bias.kind", "bias.unit", "bias.constant", "bias.slope", "bias.normal"})
+        EXPECT_TRUE(ui.find("Imported", key, "##value")) << key;
+    ui.state.settings.map.bundle_maps = BundleMaps::Drawn;
+    ui.maps_imported = false;
+    ui.frames(2);
+    EXPECT_TRUE(ui.prints("This program draws the maps of the bundle's lights"));
+    EXPECT_TRUE(ui.find("Imported", "map.bundle_maps", "##value")) << "the way back";
 }
 
 TEST(ImportedPanel, AClickOnAMissingCasterSelectsIt) {

@@ -10,6 +10,7 @@
 #include <cfloat>
 #include <tuple>
 
+#include "renderer/bundle/imported_maps.h"
 #include "renderer/frame/pane_grid.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/view/cameras/make_camera.h"
@@ -104,6 +105,9 @@ EditorRequests UiHarness::frame() {
     result_ = made_up_frame(scene, frame_settings.value_or(state.settings));
     for (FittedLight& light : result_.lights)
         if (maps_imported) light.provider = MapProvider::Imported;
+    if (maps_imported)
+        result_.imported.assign(result_.lights.size(),
+                                imported_maps({FloatImage{1, 1, 1, {0}}}, std::nullopt, {}, false));
     effects_ = frame_effects(scene, frame_settings.value_or(state.settings), result_, state.effects.forced);
     probe_ = made_up_probe(state.settings.light_count);
     probe_.object = probed_object;

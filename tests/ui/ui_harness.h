@@ -65,7 +65,7 @@ public:
     LabFacts lab;
     const NumericHealth* health = nullptr;
     const MemoryReport* memory = nullptr;
-    bool maps_imported = false;  ///< the lights' maps are imported
+    bool maps_imported = false;  ///< the lights' maps are imported, with an unknown bias
     ImportedFacts imported;      ///< comparison of the shown imported map
     bool scene_saved = false;    ///< another program has saved the scene
     bool driver_reset = false;

@@ -9,7 +9,9 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/map_comparison.h"
+#include "renderer/settings/param.h"
 #include "ui/scene_view/picture_painter.h"
+#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -110,8 +112,41 @@ void draw_picture(bool difference, const ImportedFacts& facts, ImVec2 room) {
     small_text({at.x + room.x, top + bar}, "+" + metres_text(facts.compared_scale_m), theme::muted(), 1);
 }
 
+/// Draws a label and the widget of a setting, on the line of the widget before it where they fit.
+void labelled_widget(Settings& settings, const char* key, float width, bool first = false) {
+    const std::string label(find_setting(key)->param->label);
+    if (!first) same_line_if_fits(ImGui::CalcTextSize(label.c_str()).x + width + 3 * ImGui::GetStyle().ItemSpacing.x);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label.c_str());
+    ImGui::SameLine();
+    setting_widget(settings, key, width);
+}
+
+/// Draws the choice of the maps and what is known of the engine's bias, with the widgets by which it is entered.
+void draw_bias(Settings& settings, EngineBias bias) {
+    const float em = ImGui::GetFontSize();
+    labelled_widget(settings, "map.bundle_maps", em * 9, true);
+    if (bias == EngineBias::Own) return;
+    labelled_widget(settings, "map.bundle_bias", em * 11);
+    if (bias == EngineBias::Entered)
+        for (const char* key : {"bias.kind", "bias.unit", "bias.constant", "bias.slope", "bias.normal"})
+            labelled_widget(settings, key, em * 8);
+    if (bias == EngineBias::Unknown)
+        coloured_wrapped(
+            "The engine's bias is unknown: no verdict speaks of the engine's pixel. Choose \"entered here\" and set "
+            "it.",
+            theme::warning());
+    if (bias == EngineBias::Changed)
+        coloured_wrapped(
+            "The bias of these settings is not the one that the bundle states: verdicts speak of these settings.",
+            theme::warning());
+}
+
 /// Returns why there is no comparison of the shown map; empty: there is one, or there will be.
-std::string why_no_comparison(const FittedLight* light, const ImportedFacts& facts) {
+std::string why_no_comparison(const Settings& settings, const FittedLight* light, const ImportedFacts& facts) {
+    if (light && light->provider == MapProvider::Drawn && settings.map.bundle_maps == BundleMaps::Drawn &&
+        !settings.map.bundle.empty())
+        return "This program draws the maps of the bundle's lights. As given, they are compared with drawn ones.";
     if (!light || light->provider != MapProvider::Imported)
         return "The shown light's map is drawn by this program. A bundle of an engine's frame has maps to compare "
                "with: File, Open, or map.bundle.";
@@ -120,10 +155,11 @@ std::string why_no_comparison(const FittedLight* light, const ImportedFacts& fac
 
 }  // namespace
 
-void draw_imported(ImportedPicture& picture, const FittedLight* light, const std::string& selected,
-                   const ImportedFacts& facts, ImportedRequests& requests) {
+void draw_imported(ImportedPicture& picture, Settings& settings, const FittedLight* light, EngineBias bias,
+                   const std::string& selected, const ImportedFacts& facts, ImportedRequests& requests) {
     requests.want_map_comparison = light && light->provider == MapProvider::Imported;
-    if (const std::string why = why_no_comparison(light, facts); !why.empty())
+    if (!settings.map.bundle.empty()) draw_bias(settings, bias);
+    if (const std::string why = why_no_comparison(settings, light, facts); !why.empty())
         return coloured_wrapped(why, theme::muted());
     if (!facts.compared_map) return ImGui::TextDisabled("Comparing ...");
     const MapComparison& n = facts.compared_map->numbers;

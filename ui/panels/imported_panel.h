@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/bundle/engine_bias.h"
 #include "renderer/frame/frame.h"
 
 namespace si {
@@ -27,11 +28,13 @@ struct ImportedRequests {
     std::optional<std::string> select_object;  ///< select this object alone, by node path
 };
 
-/// Draws the panel Imported: numbers, gate, missing casters, and one of the three pictures.
+/// Draws the panel Imported: the engine's bias, numbers, gate, missing casters, and one of the three pictures.
 /// @param picture choice of the picture, which the switch changes
+/// @param settings the settings, changed by the widgets of map.bundle_maps, map.bundle_bias and bias.*
 /// @param light the shown light as fitted; null: no frame, or no light
+/// @param bias knowledge of the engine's bias of the shown light's maps
 /// @param selected node path of a selected object, which is highlighted in the list
-void draw_imported(ImportedPicture& picture, const FittedLight* light, const std::string& selected,
-                   const ImportedFacts& facts, ImportedRequests& requests);
+void draw_imported(ImportedPicture& picture, Settings& settings, const FittedLight* light, EngineBias bias,
+                   const std::string& selected, const ImportedFacts& facts, ImportedRequests& requests);
 
 }  // namespace si

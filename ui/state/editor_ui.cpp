@@ -105,7 +105,11 @@ void numbers_tab(EditorState& state, const EditorFrame& frame, EditorRequests& r
 
 void imported_tab(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const FittedLight* const light = frame.result ? shown_fitted_light(state.settings, *frame.result) : nullptr;
-    draw_imported(state.imported_picture, light, state.selection.first, frame, requests);
+    const auto index = std::size_t(std::max(state.settings.view.light, 0));
+    const ImportedMaps* const maps =
+        frame.result && index < frame.result->imported.size() ? frame.result->imported[index].get() : nullptr;
+    draw_imported(state.imported_picture, state.settings, light, engine_bias(maps, state.settings),
+                  state.selection.first, frame, requests);
     if (requests.select_object) select_objects(state, std::array{*requests.select_object});
 }
 
