@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <vector>
 
 #include "app/base/notes.h"
@@ -10,41 +6,18 @@
 #include "app/context/headless_context.h"
 #include "app/report/frame_bundle.h"
 #include "renderer/base/error.h"
-#include "renderer/base/printable.h"
-#include "renderer/bundle/given_maps.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scene/ground.h"
 #include "renderer/settings/param.h"
 
 namespace si {
-
 namespace {
-
-/// Checks that no file of the scene or its given maps lies in the bundle to be written. @throws UsageError
-void require_other_bundle(const std::string& bundle, const Session& session) {
-    namespace fs = std::filesystem;
-    std::vector<StampedFile> read = session.scene.files;
-    if (const std::string& given = session.settings.map.bundle; !given.empty()) {
-        const auto maps = given_maps(given);
-        read.insert(read.end(), maps->files.begin(), maps->files.end());
-    }
-    std::error_code error;
-    const fs::path whole = fs::weakly_canonical(bundle, error);
-    const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
-    for (const StampedFile& file : read) {
-        const fs::path path = fs::weakly_canonical(file.path, error);
-        const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-        if (end == folder.end())
-            throw UsageError(fmt::format("{}: the command reads {} of this bundle; write another one",
-                                         printable(bundle), printable(path.filename().string())));
-    }
-}
 
 /// Writes the frame of a session as a bundle.
 void export_bundle(const ExportOptions& options) {
     require_bundle_name(options.bundle);
     const Session session = open_session(options.session);
-    require_other_bundle(options.bundle, session);
+    require_other_bundle(options.bundle, session.scene, session.settings);
     const HeadlessContext context;
     Renderer renderer;
     Scene scene = session.scene;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "renderer/base/percent_decoded.h"
+#include "renderer/importers/frame_files.h"
 #include "renderer/importers/importers.h"
 
 namespace si {
@@ -58,6 +59,8 @@ VariantMap options_of(const DesktopFileDialog& dialog) {
     std::vector<std::string> scenes;
     for (const Importer& importer : importers())
         for (const std::string_view extension : importer.extensions) scenes.emplace_back(extension.substr(1));
+    for (const FrameFile& row : frame_files())
+        for (const std::string_view extension : row.extensions) scenes.emplace_back(extension.substr(1));
     std::vector<std::string> all = scenes;
     all.emplace_back("json");
     const std::vector<Filter> filters{filter_of("Scenes and presets", all), filter_of("Scenes", scenes),

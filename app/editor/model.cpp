@@ -15,6 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/bundle/bundle_files.h"
+#include "renderer/importers/frame_files.h"
 #include "ui/panels/section_view.h"
 
 namespace si {
@@ -45,7 +46,9 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
       scenes_(state, persistence_, std::move(read), options.headless),
       presets_(state, persistence_, scenes_),
       frames_(state, std::move(thread), session_),
-      work_(state, options.state_folder) {
+      work_(state, options.state_folder),
+      import_(state, persistence_, scenes_),
+      export_(state) {
     SessionPlan plan = plan_session(options.session);
     scenes_.set_initial_settings(plan.settings);
     state.layout = persistence_.workspace().layout;
@@ -78,6 +81,7 @@ EditorFrame EditorModel::facts() const {
     f.verdict_follows = frames_.busy();
     work_.fill(f, scenes_.scene(), picture_size());
     presets_.fill(f);
+    f.importing = import_.facts();
     persistence_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
     f.desktop_dialogs = has_desktop_dialog;
@@ -94,6 +98,8 @@ void EditorModel::open(const std::filesystem::path& path) {
     attempt(state, [&] {
         if (lower_extension(path) == ".json" && !is_bundle_path(path))
             presets_.open(path.string());
+        else if (const FrameFile* row = find_frame_file(path))
+            import_.open(path, row->kind);
         else
             scenes_.load({.scene_name = path.string()});
     });
@@ -181,6 +187,8 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     // The scene must not change while a frame of it is drawn.
     if (!frames_.under_way()) changed |= scenes_.poll();
     changed |= work_.poll(scenes_.scene());
+    changed |= import_.poll();
+    changed |= export_.poll();
     const auto request = [&](bool requested, const auto& what) {
         if (requested) changed |= attempt(state, what);
     };
@@ -188,7 +196,12 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
         scenes_.cancel_loading();
         scenes_.reset_file_choices();
     });
-    request(requests.load_scene.has_value(), [&] { scenes_.load({.scene_name = *requests.load_scene}); });
+    request(requests.load_scene.has_value(), [&] {
+        if (const FrameFile* row = find_frame_file(*requests.load_scene))
+            import_.open(*requests.load_scene, row->kind);
+        else
+            scenes_.load({.scene_name = *requests.load_scene});
+    });
     request(requests.reload_scene, [&] {
         const glm::ivec2 size = picture_size();
         scenes_.reload(double(std::max(size.x, 1)) / std::max(size.y, 1));
@@ -198,6 +211,9 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.open_file.has_value(), [&] { open(*requests.open_file); });
     request(requests.save_preset.has_value(),
             [&] { presets_.save(*requests.save_preset, requests.save_about, requests.replace); });
+    changed |= import_.fulfil(requests);
+    request(requests.export_bundle.has_value(),
+            [&] { export_.start(scenes_.require(), picture_size(), *requests.export_bundle, requests.replace); });
     request(requests.restore_lost, [&] { presets_.restore_lost(); });
     request(requests.discard_lost, [&] { persistence_.forget_lost(); });
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });

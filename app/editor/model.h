@@ -8,7 +8,9 @@
 
 #include "app/context/imgui_session.h"
 #include "app/editor/background_work.h"
+#include "app/editor/bundle_export.h"
 #include "app/editor/editor.h"
+#include "app/editor/frame_import.h"
 #include "app/editor/frame_loader.h"
 #include "app/editor/persistence.h"
 #include "app/editor/preset_requests.h"
@@ -35,8 +37,9 @@ public:
     /// Fulfils the requests that panels made in draw_editor(), and draws the scene if anything has changed. Returns
     /// true if the editor has to be drawn again. Errors go to the log.
     bool fulfil(const EditorRequests& requests);
-    /// Opens a file that was dropped on the window: a preset (.json) or a scene. Reads a scene in the background; a
-    /// later fulfil() switches to it. Errors go to the log.
+    /// Opens a file that was dropped on the window: a preset (.json), a scene, or a frame of another engine, which
+    /// becomes a bundle first (FrameImport). Reads a scene in the background; a later fulfil() switches to it. Errors
+    /// go to the log.
     void open(const std::filesystem::path& path);
     /// Saves the settings as a preset in the file that the user chose in the desktop's file dialog. Before it replaces
     /// a file that this editor has neither opened nor saved, the editor opens its own question and waits for the
@@ -54,19 +57,20 @@ public:
     bool follow_scene_files();
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
-    /// Returns true while a scene is read, or the thread of a cancelled one has not ended.
-    bool loading() const { return scenes_.loading().busy(); }
+    /// Returns true while a scene is read or imported, or the thread of a cancelled one has not ended.
+    bool loading() const { return scenes_.loading().busy() || import_.busy(); }
     /// Returns true if the next fulfil() has a loaded scene, or the progress of loading has changed.
-    bool loading_moved() const { return scenes_.loading().moved(); }
+    bool loading_moved() const { return scenes_.loading().moved() || import_.moved(); }
     /// Returns true if the progress of the first picture has changed.
     bool drawing_moved() { return frames_.first_picture_moved(); }
     /// Returns true while something is measured in the background.
-    bool measuring() const { return work_.busy() || frames_.facts().readings.tracing_probe; }
+    bool measuring() const { return work_.busy() || export_.busy() || frames_.facts().readings.tracing_probe; }
     /// Returns true if the next fulfil() has results of a background measurement.
-    bool measuring_moved() const { return work_.moved() || frames_.probe_moved(); }
+    bool measuring_moved() const { return work_.moved() || export_.moved() || frames_.probe_moved(); }
     /// Waits until nothing is being measured.
     void finish_measuring() const {
         work_.finish();
+        export_.finish();
         frames_.finish_probe();
     }
     /// Returns true while rays are traced, or errors are computed from them.
@@ -90,6 +94,7 @@ public:
     /// Waits for the scene that is being read and switches to it.
     void finish_loading() {
         frames_.wait();
+        import_.finish();
         scenes_.finish();
     }
     /// Checks that there is a scene. @throws Error if not. An editor without a window also throws if the first scene
@@ -132,6 +137,8 @@ private:
     PresetRequestHandler presets_;
     FrameLoader frames_;
     BackgroundWork work_;
+    FrameImport import_;
+    BundleExport export_;
 };
 
 }  // namespace si

@@ -45,6 +45,10 @@ void EditorPersistence::note_welcome() {
     if (!workspace().welcomed) workspace_.change([](WorkspaceData& d) { d.welcomed = true; });
 }
 
+void EditorPersistence::note_capture_warning() {
+    workspace_.change([](WorkspaceData& d) { d.capture_warned = true; });
+}
+
 void EditorPersistence::drop_recent(const std::string& path) {
     workspace_.change([&](WorkspaceData& d) {
         std::erase(d.recent_scenes, path);

@@ -23,6 +23,8 @@ public:
     void note_preset(const std::string& path);
     /// Records in the workspace that the welcome was shown.
     void note_welcome();
+    /// Records in the workspace that the user was told what opening a capture does.
+    void note_capture_warning();
     /// Removes a file that no longer exists from the workspace's recent files.
     void drop_recent(const std::string& path);
     /// Records at the editor's end whether the window is maximised and, if not, its size (screen coordinates at scale

@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "app/base/output.h"
 #include "renderer/base/error.h"
+#include "renderer/base/printable.h"
 #include "renderer/bundle/bundle_json.h"
+#include "renderer/bundle/given_maps.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -166,6 +171,25 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene&
     out[kScene] = glb_bytes(written);
     out[std::string(kFrameJson)] = format_bundle(bundle);
     return out;
+}
+
+void require_other_bundle(const std::string& bundle, const Scene& scene, const Settings& settings) {
+    namespace fs = std::filesystem;
+    std::vector<StampedFile> read = scene.files;
+    if (const std::string& given = settings.map.bundle; !given.empty()) {
+        const auto maps = given_maps(given);
+        read.insert(read.end(), maps->files.begin(), maps->files.end());
+    }
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(bundle, error);
+    const fs::path folder = whole.has_filename() ? whole : whole.parent_path();
+    for (const StampedFile& file : read) {
+        const fs::path path = fs::weakly_canonical(file.path, error);
+        const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+        if (end == folder.end())
+            throw UsageError(fmt::format("{}: the frame reads {} of this bundle; write another one", printable(bundle),
+                                         printable(path.filename().string())));
+    }
 }
 
 }  // namespace si

@@ -1,6 +1,8 @@
 // A frame of this program as a bundle, as an engine would write it.
 #pragma once
 
+#include <string>
+
 #include "renderer/bundle/bundle_files.h"
 #include "renderer/render/renderer.h"
 
@@ -12,5 +14,8 @@ namespace si {
 /// @throws Error where no light has a shadow map, and for virtual maps
 BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene& picture_scene,
                             const Settings& settings, FrameRequest request);
+
+/// Checks that no file of the scene or its given maps lies in the bundle to be written. @throws UsageError
+void require_other_bundle(const std::string& bundle, const Scene& scene, const Settings& settings);
 
 }  // namespace si

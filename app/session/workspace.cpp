@@ -41,6 +41,7 @@ void visit_members(Data& d, const Visit& visit) {
     visit("window", "height", d.window_height, 150, 32768);
     visit("window", "maximised", d.maximised);
     visit("", "welcomed", d.welcomed);
+    visit("", "capture_warned", d.capture_warned);
     visit("", "recent_scenes", d.recent_scenes);
     visit("", "recent_presets", d.recent_presets);
 }

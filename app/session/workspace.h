@@ -18,6 +18,7 @@ struct WorkspaceData {
     int window_width = 0, window_height = 0;  ///< screen coordinates at scale 1; 0: unknown
     bool maximised = false;
     bool welcomed = false;                                   ///< the welcome was shown
+    bool capture_warned = false;                             ///< the user knows that opening a capture runs its shaders
     std::vector<std::string> recent_scenes, recent_presets;  ///< absolute paths, the newest first
     bool operator==(const WorkspaceData&) const = default;
 };

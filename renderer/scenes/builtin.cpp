@@ -7,7 +7,9 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
+#include "renderer/importers/frame_files.h"
 #include "renderer/importers/importers.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/scenes/makers.h"
@@ -56,6 +58,9 @@ Scene load_scene(std::string_view name_or_path, const GltfOptions& options) {
     }
     const std::filesystem::path path{std::string(name_or_path)};
     if (const Importer* importer = find_importer(path)) return importer->load(path, options);
+    if (const FrameFile* row = find_frame_file(path))
+        throw UsageError(fmt::format("cannot open '{}': files that end in {} become a bundle first, by {}",
+                                     printable(name_or_path), lower_extension(path), row->command));
     if (path.has_extension())
         throw UsageError(fmt::format("cannot open '{}': files that end in {} are not read; models end in {}",
                                      printable(name_or_path), printable(path.extension().string()),

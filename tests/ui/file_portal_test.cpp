@@ -63,12 +63,14 @@ TEST(FilePortal, FileIsChosen) {
     ASSERT_EQ(filters.size(), 3u);
     const std::string models =
         "*.[gG][lL][tT][fF] *.[gG][lL][bB] *.[vV][rR][mM] *.[bB][uU][nN][dD][lL][eE] *.[zZ][iI][pP] ";
+    const std::string frames =
+        " *.[xX][gG][lL] *.[rR][dD][cC] *.[pP][fF][mM] *.[eE][xX][rR] *.[pP][nN][gG] *.[rR][aA][wW]";
     const std::string presets = " *.[jJ][sS][oO][nN]";
     EXPECT_TRUE(filters[0].starts_with("Scenes and presets: " + models)) << filters[0];
-    EXPECT_TRUE(filters[0].ends_with(" *.[xX][gG][lL]" + presets)) << filters[0];
+    EXPECT_TRUE(filters[0].ends_with(frames + presets)) << filters[0];
     EXPECT_TRUE(filters[1].starts_with("Scenes: " + models)) << filters[1];
     EXPECT_NE(filters[1].find(" *.3[dD][sS] "), std::string::npos) << filters[1];
-    EXPECT_TRUE(filters[1].ends_with(" *.[xX][gG][lL]")) << filters[1];
+    EXPECT_TRUE(filters[1].ends_with(frames)) << filters[1];
     EXPECT_EQ(filters[2], "Presets:" + presets);
     using Filter = sdbus::Struct<std::string, std::vector<sdbus::Struct<std::uint32_t, std::string>>>;
     EXPECT_EQ(question.options.at("current_filter").get<Filter>().get<0>(), "Presets");

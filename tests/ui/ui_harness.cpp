@@ -117,6 +117,7 @@ EditorRequests UiHarness::frame() {
     }
     EditorFrame facts;
     facts.loading = loading;
+    facts.importing = importing;
     facts.drawing = drawing;
     facts.desktop_dialogs = desktop_dialogs;
     if (sweep) facts.sweep = &*sweep;

@@ -41,6 +41,7 @@ public:
     Scene scene;
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
+    std::optional<ImportFacts> importing;
     std::optional<Settings> frame_settings;  ///< settings of the last frame; nothing: the present settings
     std::optional<SweepFacts> sweep;
     std::vector<PresetEntry> presets, hard_cases;

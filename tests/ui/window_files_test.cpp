@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include "renderer/scenes/builtin.h"
@@ -145,6 +146,48 @@ TEST_F(WindowFiles, DroppedModelAndPresetAreOpened) {
     wait_until_idle();
     EXPECT_EQ(saved("dropped.JSON").value("bias.constant", 0.0), 7);
     screen("window_dropped_nonsense");
+    quit();
+}
+
+TEST_F(WindowFiles, DroppedCaptureIsOpenedThroughItsDialogs) {
+    const fs::path made = folder_ / "made.bundle", capture = folder_ / "frame.rdc", helper = folder_ / "python";
+    ASSERT_EQ(run_program({"export", "plane", "--size", "64x64", "--bundle", made.string()}).code, 0);
+    std::ofstream(capture) << "RDOC and nothing else";
+    // The helper waits for a file, so that the progress is seen.
+    std::ofstream(helper) << "#!/bin/sh\n"
+                             "for w in \"$@\"; do case \"$w\" in --list) list=1;; --output=*) out=\"${w#--output=}\";; "
+                             "esac; done\n"
+                             "echo '{\"progress\": 0.5, \"label\": \"looking at passes\"}'\n"
+                             "if [ \"$list\" ]; then while [ ! -e go ]; do sleep 0.1; done\n"
+                             "echo '{\"candidate\": {\"number\": 0, \"texture\": 7, \"width\": 64, \"height\": 64, "
+                             "\"format\": \"D16\", \"draws\": 3}}'; exit 0; fi\n"
+                             "cp -r made.bundle/. \"$out\"; echo '{\"done\": true}'\n";
+    fs::permissions(helper, fs::perms::owner_all);
+    setenv("SI_CAPTURE_PYTHON", helper.c_str(), 1);
+    ASSERT_NO_FATAL_FAILURE(start());
+    unsetenv("SI_CAPTURE_PYTHON");
+    const unsigned long window = std::strtoul(ask("search --name 'Shadow Inspector'").c_str(), nullptr, 10);
+    EXPECT_TRUE(drop_file(window, capture, 300, 300));
+    wait_until_idle();
+    screen("window_capture_warning");
+    keys("Return");
+    std::this_thread::sleep_for(std::chrono::seconds(2));
+    screen("window_capture_progress");
+    // The window answers while the helper runs: a setting is changed and saved.
+    change_bias();
+    EXPECT_TRUE(saved().contains("bias.constant"));
+    std::ofstream(folder_ / "go") << "on";
+    ASSERT_TRUE(wait_until([&] {
+        wait_until_idle();
+        screen("window_capture_choice");
+        keys("Return");
+        return titled("frame.bundle");
+    })) << log();
+    screen("window_capture_opened");
+    const auto kept_files = json_of(state_folder() / "workspace.json");
+    ASSERT_TRUE(kept_files.is_object());
+    EXPECT_EQ(kept_files["recent_scenes"][0], (folder_ / "frame.bundle").string());
+    EXPECT_EQ(kept_files.value("capture_warned", false), true);
     quit();
 }
 

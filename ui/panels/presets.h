@@ -21,10 +21,11 @@ struct LostFacts {
     std::string when;  ///< age in words: "3 minutes ago"
 };
 
-/// Existing preset file that saving replaces once the user agrees.
+/// Existing preset or bundle that saving replaces once the user agrees.
 struct Replacement {
     std::string path;
-    std::optional<std::string> about;  ///< sentence to save in the preset
+    std::optional<std::string> about = {};  ///< sentence to save in the preset
+    bool bundle = false;                    ///< the frame is exported there; false: the preset is saved
 };
 
 /// Data that menus and panels show about presets, recent files and the lost session.

@@ -52,6 +52,10 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     plain_tooltip("The program's defaults with what the scene suggests over them; undo gives all back");
     item("Copy command line", Command::CopyCommandLine);
     plain_tooltip("The command that renders this picture without a window");
+    if (ImGui::MenuItem("Export bundle…"))
+        open_file_dialog(state.files.dialog, FileDialog::Job::ExportBundle, state.files.preset_path,
+                         scene_label(state.scene_name));
+    plain_tooltip("This frame with scene, camera, shadow maps and matrices, as an engine would write it");
     if (ImGui::BeginMenu("Screenshot")) {
         item("of the scene", Command::SceneScreenshot);
         item("of the map", Command::MapScreenshot);

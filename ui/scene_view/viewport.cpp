@@ -245,6 +245,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
         no_picture(state, frame, origin, size);
         draw_loading(frame, requests, origin.x, origin.y, size.x);
+        draw_import_progress(frame.importing, origin.x, origin.y, size.x, requests);
         return;
     }
     ImGui::InvisibleButton(
@@ -281,6 +282,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
             ImGui::PopID();
         }
     draw_loading(frame, requests, origin.x, origin.y, size.x);
+    draw_import_progress(frame.importing, origin.x, origin.y, size.x, requests);
 }
 
 }  // namespace si

@@ -339,6 +339,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_shortcuts(state.window.show_shortcuts);
     draw_file_dialog(state, frame, requests);
     draw_replace_dialog(state, requests);
+    draw_import_dialog(state.import_dialog, frame.importing, state.scene_name, requests);
     ImGui::End();
 
     if (keys_wait) {

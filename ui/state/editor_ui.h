@@ -17,6 +17,7 @@
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
+#include "ui/panels/import_dialog.h"
 #include "ui/panels/imported_panel.h"
 #include "ui/panels/improve_panel.h"
 #include "ui/panels/lab_panel.h"
@@ -108,6 +109,7 @@ struct EditorState : PictureState {
     TunePanel tune;
     ImprovePanel improve;
     LabPanel lab;
+    ImportDialog import_dialog;
 };
 
 /// Progress of a scene that is loading while the editor shows another one.
@@ -148,6 +150,7 @@ struct EditorFrame : ProbeFacts,
     bool driver_reset = false;  ///< the driver has lost the context; the program has to be started again
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
+    std::optional<ImportFacts> importing;  ///< frame of another engine that is being imported
     const SweepFacts* sweep = nullptr;
     std::optional<ReferenceFacts> reference;
     const LiveError* error = nullptr;  ///< errors of the shown frame; null: not known
@@ -169,6 +172,7 @@ struct EditorRequests : MapRequests,
                         ImproveRequests,
                         LabRequests,
                         HealthRequests,
+                        ImportRequests,
                         ImportedRequests {
     int scene_width = 0;               ///< wanted width of the scene picture, pixels; 0: it is not shown
     int scene_height = 0;              ///< wanted height

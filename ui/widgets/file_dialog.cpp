@@ -14,6 +14,7 @@
 
 #include "renderer/base/lower_case.h"
 #include "renderer/bundle/bundle_files.h"
+#include "renderer/importers/frame_files.h"
 #include "renderer/importers/importers.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxEntries = 5000;
 constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Save the preset as",
-                     *kBundleTitle = "Choose a bundle";
+                     *kBundleTitle = "Choose a bundle", *kExportTitle = "Export the frame as a bundle";
 
 /// Returns true for a folder that is a bundle, which is listed and opened as a file.
 bool is_bundle_folder(const fs::path& path) {
@@ -37,10 +38,10 @@ bool is_bundle_folder(const fs::path& path) {
 
 bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind) {
     const std::string extension = lower_extension(file);
-    const bool model = find_importer(file) != nullptr;
+    const bool model = find_importer(file) || find_frame_file(file);
     const bool preset = extension == ".json";
     if (job == FileDialog::Job::SavePreset) return preset;
-    if (job == FileDialog::Job::ChooseBundle) return is_bundle_path(file);
+    if (job == FileDialog::Job::ChooseBundle || job == FileDialog::Job::ExportBundle) return is_bundle_path(file);
     return (model && kind != FileDialog::Kind::Presets) || (preset && kind != FileDialog::Kind::Models);
 }
 
@@ -116,9 +117,9 @@ std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
             ImGui::PopID();
         }
     if (d.entries.empty())
-        ImGui::TextDisabled(d.job == FileDialog::Job::Open           ? "No folder, preset or model here."
-                            : d.job == FileDialog::Job::ChooseBundle ? "No folder or bundle here."
-                                                                     : "No folder or preset here.");
+        ImGui::TextDisabled(d.job == FileDialog::Job::Open         ? "No folder, preset or model here."
+                            : d.job == FileDialog::Job::SavePreset ? "No folder or preset here."
+                                                                   : "No folder or bundle here.");
     ImGui::EndChild();
     ImGui::PopStyleColor();
     return entered;
@@ -188,6 +189,8 @@ void choose(EditorState& state, EditorRequests& requests) {
         requests.open_file = path.string();
     } else if (d.job == FileDialog::Job::ChooseBundle) {
         if (const auto ref = find_setting(d.setting)) set_value(state.settings, *ref, path.string());
+    } else if (d.job == FileDialog::Job::ExportBundle) {
+        requests.export_bundle = with_bundle_extension(path).string();
     } else {
         requests.save_preset = with_preset_extension(path).string();
         requests.save_about = d.about;
@@ -200,7 +203,9 @@ void choose(EditorState& state, EditorRequests& requests) {
 void open_file_dialog(FileDialog& d, FileDialog::Job job, const fs::path& path, const std::string& about) {
     d.job = job;
     d.about = about;
-    d.name = job == FileDialog::Job::SavePreset ? path.filename().string() : std::string();
+    d.name = job == FileDialog::Job::SavePreset     ? path.filename().string()
+             : job == FileDialog::Job::ExportBundle ? with_bundle_extension(about).string()
+                                                    : std::string();
     d.entries.clear();
     std::error_code error;
     const fs::path folder = path.parent_path();
@@ -215,6 +220,12 @@ void open_bundle_dialog(FileDialog& d, const std::string& key, const fs::path& p
 
 fs::path with_preset_extension(fs::path path) {
     if (lower_extension(path) != ".json") path += ".json";
+    return path;
+}
+
+fs::path with_bundle_extension(fs::path path) {
+    const std::string extension = lower_extension(path);
+    if (extension != ".bundle" && extension != ".zip") path += ".bundle";
     return path;
 }
 
@@ -244,13 +255,15 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     FileDialog& d = state.files.dialog;
     // The desktop's dialog chooses either files or folders, and a bundle may be both.
-    const bool any_kind = d.job == FileDialog::Job::ChooseBundle;
+    const bool any_kind = d.job == FileDialog::Job::ChooseBundle || d.job == FileDialog::Job::ExportBundle;
     if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs && !any_kind) {
         d.asked = false;
         requests.open_desktop_dialog = {d.job, d.kind, d.folder, d.name};
     }
-    const bool saving = d.job == FileDialog::Job::SavePreset;
-    const char* title = saving ? kSaveTitle : any_kind ? kBundleTitle : kOpenTitle;
+    const bool saves_preset = d.job == FileDialog::Job::SavePreset;
+    const bool exporting = d.job == FileDialog::Job::ExportBundle;
+    const bool saving = saves_preset || exporting;
+    const char* title = saves_preset ? kSaveTitle : exporting ? kExportTitle : any_kind ? kBundleTitle : kOpenTitle;
     if (d.asked) ImGui::OpenPopup(title);
     const bool appearing = std::exchange(d.asked, false);
     const float em = ImGui::GetFontSize();
@@ -260,7 +273,7 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorReques
     bool open = true;
     if (!ImGui::BeginPopupModal(title, &open, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
     draw_places(d, frame);
-    const float rows = ImGui::GetFrameHeightWithSpacing() * (saving ? 3 : 2) +
+    const float rows = ImGui::GetFrameHeightWithSpacing() * (saves_preset ? 3 : 2) +
                        (d.problem.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
     const auto entered = draw_entries(d, std::max(ImGui::GetContentRegionAvail().y - rows, em * 3));
     if (!d.problem.empty()) coloured_text(d.problem, theme::error());
@@ -270,7 +283,7 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorReques
                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                                              ImGuiInputTextFlags_CallbackCompletion,
                                          complete, &d);
-    if (saving) {
+    if (saves_preset) {
         ImGui::SetNextItemWidth(-FLT_MIN);
         done |= ImGui::InputTextWithHint("##about", "what to look at, a sentence (optional)", &d.about,
                                          ImGuiInputTextFlags_EnterReturnsTrue);
@@ -306,8 +319,12 @@ void draw_replace_dialog(EditorState& state, EditorRequests& requests) {
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Replace", {em * 6, 0}) ||
         (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::GetIO().NavVisible)) {
-        requests.save_preset = state.files.replace->path;
-        requests.save_about = state.files.replace->about;
+        if (state.files.replace->bundle) {
+            requests.export_bundle = state.files.replace->path;
+        } else {
+            requests.save_preset = state.files.replace->path;
+            requests.save_about = state.files.replace->about;
+        }
         requests.replace = true;
         state.files.replace.reset();
         ImGui::CloseCurrentPopup();

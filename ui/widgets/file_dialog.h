@@ -1,4 +1,4 @@
-// File dialog: opens scenes and presets, or chooses a name to save a preset under.
+// File dialog: opens scenes and presets, or chooses a name to save a preset or a bundle under.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ struct EditorFrame;
 /// State of the editor's own file dialog.
 struct FileDialog {
     /// Purpose of the dialog.
-    enum class Job { Open, SavePreset, ChooseBundle };
+    enum class Job { Open, SavePreset, ChooseBundle, ExportBundle };
     /// Kind of files that the dialog lists.
     enum class Kind { All, Models, Presets };
     /// File or folder that the dialog lists.
@@ -45,13 +45,15 @@ struct DesktopFileDialog {
 };
 
 /// Opens the editor's file dialog in the folder of `path`, with the file's name when saving. @param about the sentence
-/// to save in the preset
+/// to save in the preset, or the name of the bundle to export without its extension
 void open_file_dialog(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
                       const std::string& about = {});
 /// Opens the editor's file dialog to choose the file of a setting. @param key key of the setting @param path its value
 void open_bundle_dialog(FileDialog& dialog, const std::string& key, const std::filesystem::path& path);
 /// Returns the path with the extension of a preset (.json) added if it is missing.
 std::filesystem::path with_preset_extension(std::filesystem::path path);
+/// Returns the path with the extension of a bundle (.bundle) added unless it names a bundle.
+std::filesystem::path with_bundle_extension(std::filesystem::path path);
 /// Completes a typed path as far as all matching files and folders agree, as Tab does in a shell. @param folder base of
 /// relative paths
 std::string completed_path(const std::filesystem::path& folder, const std::string& typed, FileDialog::Job job,

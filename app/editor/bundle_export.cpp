@@ -1,0 +1,58 @@
+#include "app/editor/bundle_export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "app/base/output.h"
+#include "app/context/headless_context.h"
+#include "app/editor/requests.h"
+#include "app/report/frame_bundle.h"
+#include "renderer/base/error.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/scene/ground.h"
+
+namespace si {
+
+void BundleExport::start(const Scene& scene, glm::ivec2 size, const std::string& path, bool replace) {
+    require_bundle_name(path);
+    require_other_bundle(path, scene, state_.settings);
+    std::error_code error;
+    if (!replace && std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+        state_.files.replace = Replacement{.path = path, .bundle = true};
+        return;
+    }
+    path_ = path;
+    job_.start([shown = std::make_shared<const Scene>(scene), settings = state_.settings, size = glm::max(size, 1),
+                path](const Workers& workers, const auto&) {
+        const HeadlessContext context;
+        Renderer renderer;
+        Scene written = *shown;
+        hide_objects(written, {});
+        remove_ground(written);
+        const BundleContents contents =
+            frame_bundle(renderer, written, *shown, settings, {.width = size.x, .height = size.y});
+        if (workers.stop.stop_requested()) throw Cancelled();
+        write_bundle_files(contents, path);
+        return export_notes(written);
+    });
+    state_.log.add(LogKind::Info, "Exporting " + path);
+}
+
+bool BundleExport::poll() {
+    const auto outcome = job_.poll();
+    if (!outcome) return false;
+    if (outcome->cancelled) return true;
+    if (!outcome->value) {
+        report(state_, exception_message(outcome->problem));
+        return true;
+    }
+    for (const std::string& note : *outcome->value) state_.log.add(LogKind::Warning, note);
+    state_.log.add(LogKind::Info, "Wrote " + path_);
+    return true;
+}
+
+}  // namespace si
