@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "renderer/base/percent_decoded.h"
-#include "renderer/importers/frame_files.h"
 #include "renderer/importers/importers.h"
 
 namespace si {

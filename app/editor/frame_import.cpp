@@ -72,7 +72,7 @@ std::vector<LogLine> capture_lines(const Json& summary) {
 }  // namespace
 
 void FrameImport::open(const fs::path& path, FrameFileKind kind) {
-    drop();
+    end_import();
     file_ = path;
     kind_ = kind;
     if (kind == FrameFileKind::MapImage) {
@@ -143,7 +143,7 @@ bool FrameImport::fulfil(const ImportRequests& requests) {
     if (!step_) return false;
     if (requests.cancel_import) {
         state_.log.add(LogKind::Info, fmt::format("Cancelled: {} was not imported", file_.string()));
-        drop();
+        end_import();
         return true;
     }
     const auto try_step = [&](const auto& work) {
@@ -186,7 +186,7 @@ bool FrameImport::poll() {
             problem_ = problem;
             return true;
         }
-        drop();
+        end_import();
         report(state_, problem);
         return true;
     }
@@ -195,14 +195,14 @@ bool FrameImport::poll() {
         return true;
     }
     const std::string bundle = std::exchange(output_, {});
-    drop();
+    end_import();
     for (const LogLine& line : outcome->value->lines) state_.log.add(line.kind, line.text);
     state_.log.add(LogKind::Info, "Wrote " + bundle);
     attempt(state_, [&] { scenes_.load({.scene_name = bundle}); });
     return true;
 }
 
-void FrameImport::drop() {
+void FrameImport::end_import() {
     job_.cancel();
     step_.reset();
     choices_.clear();

@@ -12,7 +12,7 @@
 #include "app/editor/persistence.h"
 #include "app/editor/scene_loader.h"
 #include "app/report/map_import.h"
-#include "renderer/importers/frame_files.h"
+#include "renderer/importers/importers.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
@@ -63,7 +63,7 @@ private:
     /// Shows the choices that reading has found.
     void show_choices(Made made);
     /// Ends the import.
-    void drop();
+    void end_import();
 
     EditorState& state_;
     EditorPersistence& persistence_;

@@ -15,7 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/bundle/bundle_files.h"
-#include "renderer/importers/frame_files.h"
+#include "renderer/importers/importers.h"
 #include "ui/panels/section_view.h"
 
 namespace si {

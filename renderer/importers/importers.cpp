@@ -38,6 +38,14 @@ constexpr Importer kImporters[] = {
     {"OFF", kOff, load_by_assimp}, {"DirectX X", kX, load_by_assimp},     {kOthersLabel, kOthers, load_by_assimp},
 };
 
+constexpr std::string_view kCapture[] = {".rdc"};
+constexpr std::string_view kMapImage[] = {".pfm", ".exr", ".png", ".raw"};
+
+constexpr FrameFile kFrameFiles[] = {
+    {"RenderDoc capture", kCapture, FrameFileKind::Capture, "import-capture FILE -o NAME.bundle"},
+    {"image of a map", kMapImage, FrameFileKind::MapImage, "import-map FILE --light LIGHT.json -o NAME.bundle"},
+};
+
 }  // namespace
 
 std::span<const Importer> importers() {
@@ -65,6 +73,17 @@ std::string importer_extensions() {
             extensions.insert(extensions.end(), importer.extensions.begin(), importer.extensions.end());
     extensions.push_back(kOthersLabel);
     return fmt::format("{}", fmt::join(extensions, ", "));
+}
+
+std::span<const FrameFile> frame_files() {
+    return kFrameFiles;
+}
+
+const FrameFile* find_frame_file(const std::filesystem::path& path) {
+    const std::string extension = lower_extension(path);
+    for (const FrameFile& row : kFrameFiles)
+        if (std::ranges::find(row.extensions, extension) != row.extensions.end()) return &row;
+    return nullptr;
 }
 
 }  // namespace si

@@ -9,7 +9,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
-#include "renderer/importers/frame_files.h"
 #include "renderer/importers/importers.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/scenes/makers.h"

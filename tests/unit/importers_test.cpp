@@ -249,6 +249,19 @@ TEST(Importers, SizeIsCheckedBeforeReading) {
     EXPECT_TRUE(test::fails_with([&] { load_scene(huge.string()); }, {"huge.obj", "more than the limit of"}));
 }
 
+TEST(Importers, FilesThatBecomeABundleNameTheirCommand) {
+    for (const FrameFile& row : frame_files())
+        for (const std::string_view extension : row.extensions) {
+            const std::string file = "a" + std::string(extension);
+            EXPECT_EQ(find_importer(file), nullptr) << file << ": is no scene";
+            EXPECT_EQ(find_frame_file(file), &row);
+            EXPECT_TRUE(test::fails_with([&] { load_scene(file); }, {file, "become a bundle first", "import-"}));
+        }
+    ASSERT_NE(find_frame_file("/a/FRAME.RDC"), nullptr);
+    EXPECT_EQ(find_frame_file("/a/FRAME.RDC")->kind, FrameFileKind::Capture);
+    EXPECT_EQ(find_frame_file("a.glb"), nullptr);
+}
+
 TEST(Importers, ReadmeNamesEveryFormat) {
     const std::string readme = file_bytes(fs::path(SI_SOURCE_DIR) / "README.md");
     for (const Importer& importer : importers())

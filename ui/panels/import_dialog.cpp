@@ -55,9 +55,9 @@ void draw_map_choice(ImportDialog& dialog, const ImportChoice& choice) {
     bool picked = is_picked(dialog, choice.number);
     bool changed = ImGui::Checkbox("##picked", &picked);
     ImGui::SameLine();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(fmt::format("{}: {}", choice.number, choice.text).c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::AlignTextToFramePadding();
+    const std::string text = fmt::format("{}: {}", choice.number, choice.text);
+    ImGui::TextUnformatted(broken_at_spaces(text, ImGui::GetContentRegionAvail().x).c_str());
     if (ImGui::IsItemClicked()) {
         picked = !picked;
         changed = true;
@@ -76,9 +76,8 @@ void draw_reading_choice(ImportDialog& dialog, const ImportChoice& choice) {
         dialog.picks = {choice.number};
     ImGui::EndDisabled();
     ImGui::Indent();
-    ImGui::PushTextWrapPos(0);
-    coloured_text(choice.fit, choice.fits ? theme::text() : theme::muted());
-    ImGui::PopTextWrapPos();
+    coloured_text(broken_at_spaces(choice.fit, ImGui::GetContentRegionAvail().x),
+                  choice.fits ? theme::text() : theme::muted());
     ImGui::Unindent();
 }
 
@@ -127,7 +126,7 @@ bool draw_choosing(ImportDialog& dialog, const ImportFacts& facts) {
         ImGui::SameLine();
         if (ImGui::SmallButton("None")) dialog.picks.clear();
     }
-    const float rows = facts.is_capture ? 2.6f : 3.2f;
+    const float rows = facts.is_capture ? 2.7f : 4.2f;
     draw_choices(dialog, facts, std::clamp(float(facts.choices.size()) * rows, 4.0f, 20.0f) * em);
     return path_field("Bundle to write", "path that ends in .bundle", dialog.output);
 }

@@ -14,7 +14,6 @@
 
 #include "renderer/base/lower_case.h"
 #include "renderer/bundle/bundle_files.h"
-#include "renderer/importers/frame_files.h"
 #include "renderer/importers/importers.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
