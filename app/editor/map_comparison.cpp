@@ -17,22 +17,27 @@ void EditorMapComparison::clear() {
 }
 
 bool EditorMapComparison::compare(const Scene& scene, const Settings& settings,
-                                  const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light) {
+                                  const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light,
+                                  ImportedLeftOut left_out) {
     Settings relevant = settings;
     relevant.camera = {};
     relevant.view = {};
     const std::uint64_t key = maps[std::size_t(light)]->key;
-    if (light_ == light && scene_ == scene.id && maps_ == key && settings_ == relevant) return false;
+    if (light_ == light && left_out_ == left_out && scene_ == scene.id && maps_ == key && settings_ == relevant)
+        return false;
     facts_ = {};
     compared_.clear();
     painted_.reset();
     light_ = light;
+    left_out_ = left_out;
     scene_ = scene.id;
     maps_ = key;
     settings_ = relevant;
     if (!renderer_) renderer_ = std::make_unique<Renderer>();
     try {
-        for (ComparedMap& map : compare_imported_maps(*renderer_, scene, settings, maps, light))
+        for (ComparedMap& map : compare_imported_maps(
+                 *renderer_, scene, settings, maps, light,
+                 {.border_texels = left_out.border ? 1 : 0, .leaves_out_masked = left_out.masked, .limits = {}}))
             compared_.push_back(std::make_shared<const ComparedMap>(std::move(map)));
     } catch (const std::exception& e) {
         compared_.clear();
@@ -67,7 +72,7 @@ bool EditorMapComparison::update(const Scene& scene, const PictureState& state, 
         clear();
         return had;
     }
-    bool changed = compare(scene, state.settings, maps, light);
+    bool changed = compare(scene, state.settings, maps, light, state.imported_left_out);
     if (!compared_.empty()) {
         const std::size_t view = std::min(std::size_t(shown_face(state.settings, frame)), compared_.size() - 1);
         changed |= paint(view, state.imported_picture);

@@ -36,7 +36,7 @@ public:
 private:
     /// Compares all maps of the light, if anything that a comparison depends on has changed.
     bool compare(const Scene& scene, const Settings& settings,
-                 const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light);
+                 const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light, ImportedLeftOut left_out);
     /// Uploads the picture of a view, if another one is shown.
     bool paint(std::size_t view, ImportedPicture picture);
 
@@ -49,6 +49,7 @@ private:
     Settings settings_;  ///< without camera and view
     std::uint64_t scene_ = 0, maps_ = 0;
     int light_ = -1;
+    ImportedLeftOut left_out_;
     std::size_t painted_view_ = 0;
     std::optional<ImportedPicture> painted_;
 };

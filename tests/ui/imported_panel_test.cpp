@@ -84,6 +84,22 @@ TEST(ImportedPanel, TheEnginesBiasIsEntered) {
     EXPECT_TRUE(ui.find("Imported", "map.bundle_maps", "##value")) << "the way back";
 }
 
+TEST(ImportedPanel, SwitchesLeaveTexelsOut) {
+    UiHarness ui(1900, 1000);
+    const ComparedMap map = made_up_comparison("Root/Box");
+    ui.maps_imported = true;
+    ui.imported = {
+        .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = 1, .comparison_problem = {}};
+    ui.state.window.open_tab = BottomTab::Imported;
+    ui.frames(4);
+    EXPECT_EQ(ui.state.imported_left_out, ImportedLeftOut{});
+    ui.click(ui.find("Imported", "", "No masked"));
+    EXPECT_EQ(ui.state.imported_left_out, (ImportedLeftOut{.masked = true, .border = false}));
+    ui.click(ui.find("Imported", "", "No border"));
+    ui.click(ui.find("Imported", "", "No masked"));
+    EXPECT_EQ(ui.state.imported_left_out, (ImportedLeftOut{.masked = false, .border = true}));
+}
+
 TEST(ImportedPanel, AClickOnAMissingCasterSelectsIt) {
     UiHarness ui(1900, 1000);
     const ComparedMap map = made_up_comparison("Root/Box");

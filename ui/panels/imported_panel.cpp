@@ -37,6 +37,15 @@ void picture_switch(ImportedPicture& picture) {
     }
 }
 
+/// Draws the switches of texels that the comparison leaves out.
+void left_out_switches(ImportedLeftOut& left_out) {
+    if (toggle_button("No masked", left_out.masked)) left_out.masked = !left_out.masked;
+    plain_tooltip("Leaves texels that masked casters may cover out of both maps");
+    ImGui::SameLine();
+    if (toggle_button("No border", left_out.border)) left_out.border = !left_out.border;
+    plain_tooltip("Does not count extra texels next to covered ones, as of blurred maps of moments");
+}
+
 void number_row(const char* name, const std::string& value, ImU32 colour = theme::text()) {
     ImGui::TableNextRow();
     text_cell(name, theme::muted());
@@ -155,8 +164,9 @@ std::string why_no_comparison(const Settings& settings, const FittedLight* light
 
 }  // namespace
 
-void draw_imported(ImportedPicture& picture, Settings& settings, const FittedLight* light, EngineBias bias,
-                   const std::string& selected, const ImportedFacts& facts, ImportedRequests& requests) {
+void draw_imported(ImportedPicture& picture, ImportedLeftOut& left_out, Settings& settings, const FittedLight* light,
+                   EngineBias bias, const std::string& selected, const ImportedFacts& facts,
+                   ImportedRequests& requests) {
     requests.want_map_comparison = light && light->provider == MapProvider::Imported;
     if (!settings.map.bundle.empty()) draw_bias(settings, bias);
     if (const std::string why = why_no_comparison(settings, light, facts); !why.empty())
@@ -165,6 +175,8 @@ void draw_imported(ImportedPicture& picture, Settings& settings, const FittedLig
     const MapComparison& n = facts.compared_map->numbers;
     const float em = ImGui::GetFontSize();
     picture_switch(picture);
+    ImGui::SameLine();
+    left_out_switches(left_out);
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, n.gate.passed() ? theme::text() : theme::error());
     ImGui::TextWrapped("%s%s%s", n.gate.text.c_str(), n.gate.hint.empty() ? "" : "; ", n.gate.hint.c_str());

@@ -14,6 +14,13 @@ struct ComparedMap;
 /// Picture that the panel Imported shows.
 enum class ImportedPicture { Imported, Drawn, Difference };
 
+/// Texels that the comparison of an imported map leaves out.
+struct ImportedLeftOut {
+    bool masked = false;  ///< those that masked casters may cover
+    bool border = false;  ///< extra texels next to covered ones, as of blurred maps of moments
+    bool operator==(const ImportedLeftOut&) const = default;
+};
+
 /// Data that the panel Imported shows, while it is shown.
 struct ImportedFacts {
     const ComparedMap* compared_map = nullptr;  ///< comparison of the shown light and view; null: not known
@@ -30,11 +37,13 @@ struct ImportedRequests {
 
 /// Draws the panel Imported: the engine's bias, numbers, gate, missing casters, and one of the three pictures.
 /// @param picture choice of the picture, which the switch changes
+/// @param left_out texels that the comparison leaves out, which two switches change
 /// @param settings the settings, changed by the widgets of map.bundle_maps, map.bundle_bias and bias.*
 /// @param light the shown light as fitted; null: no frame, or no light
 /// @param bias knowledge of the engine's bias of the shown light's maps
 /// @param selected node path of a selected object, which is highlighted in the list
-void draw_imported(ImportedPicture& picture, Settings& settings, const FittedLight* light, EngineBias bias,
-                   const std::string& selected, const ImportedFacts& facts, ImportedRequests& requests);
+void draw_imported(ImportedPicture& picture, ImportedLeftOut& left_out, Settings& settings, const FittedLight* light,
+                   EngineBias bias, const std::string& selected, const ImportedFacts& facts,
+                   ImportedRequests& requests);
 
 }  // namespace si

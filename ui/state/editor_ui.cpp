@@ -108,8 +108,8 @@ void imported_tab(EditorState& state, const EditorFrame& frame, EditorRequests& 
     const auto index = std::size_t(std::max(state.settings.view.light, 0));
     const ImportedMaps* const maps =
         frame.result && index < frame.result->imported.size() ? frame.result->imported[index].get() : nullptr;
-    draw_imported(state.imported_picture, state.settings, light, engine_bias(maps, state.settings),
-                  state.selection.first, frame, requests);
+    draw_imported(state.imported_picture, state.imported_left_out, state.settings, light,
+                  engine_bias(maps, state.settings), state.selection.first, frame, requests);
     if (requests.select_object) select_objects(state, std::array{*requests.select_object});
 }
 

@@ -76,6 +76,7 @@ struct PictureState {
     LoupeMode loupe = LoupeMode::Probed;
     ArtefactRequest artefacts;
     ImportedPicture imported_picture = ImportedPicture::Difference;
+    ImportedLeftOut imported_left_out;
     int active_pane = 0;  ///< pane under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
     std::optional<FrozenCamera> frozen;  ///< camera that maps are made for while another one moves
