@@ -25,6 +25,7 @@ class Pass:
         self.draws = []
         self.matrix = None      # clip_from_world
         self.method = ""
+        self.places = None      # constants whose product clip_from_world and the world matrices are
         self.agreement = None   # of the matrix from two draws
         self.unread = 0
 
@@ -376,6 +377,25 @@ def projection_by_pairs(part, known):
     return best[1]
 
 
+def projection_by_recipe(draws, places):
+    """Finds clip_from_world by the constants that hold it in another pass. Returns the matrix or None."""
+    if len(places) < 2:
+        return None
+    for draw in probes_of(draws):
+        factors = [fit.window_matrix(all_constants(draw), place) for place in places]
+        if any(f is None for f in factors):
+            continue
+        left = np.eye(4)
+        for factor in factors[:-1]:
+            left = left @ factor
+        _, instanced = fit.windows(draw.instance_constants[0] if draw.instance_constants else [])
+        worlds = [factors[-1]] + [factors[-1] @ matrix for matrix in instanced[:16]]
+        points, clip = fit.sample_points(draw.points, draw.clips[0])
+        if fit.scores(np.array([left @ world for world in worlds]), points, clip).min() < fit.MATRIX_RESIDUAL:
+            return left
+    return None
+
+
 def known_worlds(passes):
     known = {}
     for part in passes:
@@ -397,16 +417,28 @@ def find_matrices(passes, notes, align=True):
         part.method = "product of constants"
         depth_row(part, part.places)
         set_worlds(part, part.places)
+    matrices_by_places(passes)
+    recipes = [p.places for p in passes if p.matrix is not None]
+    for part in passes:
+        for places in recipes:
+            if part.matrix is not None:
+                break
+            matrix = projection_by_recipe(part.draws, places)
+            if matrix is not None:
+                part.matrix, part.places, part.method = matrix, places, "product of constants"
+                depth_row(part, places)
+                set_worlds(part, places)
     if all(p.matrix is None for p in passes):
         for part in passes:
             probes = probes_of(part.draws)
             if not probes:
                 continue
-            part.matrix, part.places = probes[0].mvp, None
-            part.method = "object space of draw %d" % probes[0].event
+            chosen = least_warped(probes)
+            part.matrix, part.places = chosen.mvp, None
+            part.method = "object space of draw %d" % chosen.event
             set_worlds(part, None)
             notes.append("No constant of the capture holds the world matrix. The world is the object space of draw "
-                         "%d, so lengths are in its unit." % probes[0].event)
+                         "%d, so lengths are in its unit." % chosen.event)
             break
     for _ in range(2):
         known = known_worlds(passes)
@@ -422,43 +454,112 @@ def find_matrices(passes, notes, align=True):
         align_worlds(passes, notes)
 
 
+def matrices_by_places(passes):
+    """Finds clip_from_world of passes with flat meshes alone, by the places where other passes have theirs."""
+    for part in passes:
+        if part.matrix is not None:
+            continue
+        rigid = [d for d in part.draws if not d.skinned]
+        for other in passes:
+            places = other.places if other.matrix is not None and other.method.startswith("product") else None
+            if places is None or len(places) < 2 or not rigid:
+                continue
+            shaders = {d.vertex_shader for d in other.draws}
+            lefts = []
+            for draw in rigid:
+                factors = [fit.window_matrix(all_constants(draw), place) for place in places]
+                if draw.vertex_shader not in shaders or any(f is None for f in factors):
+                    break
+                left = np.eye(4)
+                for factor in factors[:-1]:
+                    left = left @ factor
+                points, clip = fit.sample_points(draw.points, draw.clips[0])
+                if fit.scores((left @ factors[-1])[None], points, clip)[0] > fit.MATRIX_RESIDUAL:
+                    break
+                lefts.append(left)
+            if len(lefts) < len(rigid) or not all(np.array_equal(left, lefts[0]) for left in lefts):
+                continue
+            part.matrix, part.places, part.method = lefts[0], places, "product of constants, as in another pass"
+            set_worlds(part, places)
+            break
+
+
+def least_warped(probes):
+    """Returns the probe in whose object space most others are turned, moved and scaled alone."""
+    def votes(probe):
+        inverse, count = np.linalg.inv(probe.mvp), 0
+        for other in probes[:32]:
+            world = affine_world(probe.mvp, inverse, other, 0)
+            if world is None:
+                continue
+            square = world[:3, :3] @ world[:3, :3].T
+            scale = np.trace(square) / 3
+            count += bool(np.abs(square - scale * np.eye(3)).max() < 1e-2 * scale)
+        return count
+    return max(probes[:32], key=votes)
+
+
 def align_worlds(passes, notes):
     """Brings passes whose constants speak of different worlds (another origin) into that of the last one."""
     usable = [p for p in passes if p.matrix is not None]
-    if len(usable) < 2:
+    if len(usable) < 2 or any(p.method.startswith("object space") for p in usable):
         return
     base = usable[-1]
     known = known_worlds([base])
-    for part in usable[:-1]:
-        best = None
-        pairs = [(w, v) for d in part.draws if not d.skinned for w in d.worlds if w is not None
-                 for v in known.get(d.geometry, [])[:8]][:400]
-        tried = []
-        for world, other in pairs:
-            if abs(np.linalg.det(world)) < 1e-18 or len(tried) > 24:
-                continue
-            move = other @ np.linalg.inv(world)
-            if any(np.allclose(move, t, atol=1e-4 * np.abs(t).max()) for t in tried):
-                continue
-            tried.append(move)
-            moved = np.array([move @ w for w, _ in pairs])
-            size = 1e-3 * (np.abs(np.array([v for _, v in pairs])).max((1, 2)) + 1e-9)
-            count = int((np.abs(moved - np.array([v for _, v in pairs])).max((1, 2)) < size).sum())
-            if best is None or count > best[0]:
-                best = (count, move)
-        # One mesh in several places gives moves by chance.
-        if best is None or best[0] < 2 or np.allclose(best[1], np.eye(4), atol=1e-4):
+    # Passes that place one mesh by the very same matrix are in one world.
+    groups = []
+    for part in usable:
+        keys = {(d.geometry, w.tobytes()) for d in part.draws if not d.skinned for w in d.worlds if w is not None}
+        shared = [g for g in groups if g[1] & keys]
+        groups = [g for g in groups if not g[1] & keys]
+        groups.append(([p for g in shared for p in g[0]] + [part], keys.union(*[g[1] for g in shared])))
+    for parts, _ in groups:
+        if base in parts:
             continue
-        move = best[1]
+        moves = [m for m in (move_between(part, known) for part in parts) if m is not None]
+        if not moves:
+            continue
+        count, move = max(moves, key=lambda m: m[0])
+        if np.allclose(move, np.eye(4), atol=1e-4):
+            continue
         if np.abs(move[:3, :3] - np.eye(3)).max() < 1e-4:
+            shift = move[:3, 3]
             move = np.eye(4)
-            move[:3, 3] = best[1][:3, 3]
-        part.matrix = part.matrix @ np.linalg.inv(move)
-        for draw in part.draws:
-            draw.worlds = [None if w is None else move @ w for w in draw.worlds]
+            move[:3, 3] = shift
+        for part in parts:
+            part.matrix = part.matrix @ np.linalg.inv(move)
+            for draw in part.draws:
+                draw.worlds = [None if w is None else move @ w for w in draw.worlds]
         note = "Passes of the capture have worlds of different origins; all are brought into one."
         if note not in notes:
             notes.append(note)
+
+
+def move_between(part, known):
+    """Returns (draws that agree, matrix) of the move from a pass's world to another one, or None.
+
+    @param known {geometry: [world]} of the other world
+    """
+    best = None
+    # Meshes that are drawn once come first: others pair by chance.
+    own = known_worlds([part])
+    shared = sorted(set(own) & set(known), key=lambda g: (len(own[g]) * len(known[g]), g))
+    pairs = [(w, v) for g in shared for w in own[g][:32] for v in known[g][:8]][:400]
+    tried = []
+    for world, other in [(np.eye(4), np.eye(4))] * bool(pairs) + pairs:
+        if abs(np.linalg.det(world)) < 1e-18 or len(tried) > 24:
+            continue
+        move = other @ np.linalg.inv(world)
+        if any(np.allclose(move, t, atol=1e-4 * np.abs(t).max()) for t in tried):
+            continue
+        tried.append(move)
+        moved = np.array([move @ w for w, _ in pairs])
+        size = 1e-3 * (np.abs(np.array([v for _, v in pairs])).max((1, 2)) + 1e-9)
+        count = int((np.abs(moved - np.array([v for _, v in pairs])).max((1, 2)) < size).sum())
+        if best is None or count > best[0]:
+            best = (count, move)
+    # One mesh in several places gives moves by chance.
+    return None if best is None or best[0] < 2 else best
 
 
 def normalise_depth_range(matrix, state):
@@ -479,11 +580,60 @@ def normalise_depth_range(matrix, state):
 
 def world_positions(part, draw, instance):
     """Returns world positions of the corners of one instance."""
+    if instance < len(draw.posed):
+        return draw.posed[instance]
     world = draw.worlds[instance] if instance < len(draw.worlds) else None
     if world is not None:
         return (draw.points @ world.T)[:, :3]
     points = draw.clips[instance] @ np.linalg.inv(part.matrix).T
     return points[:, :3] / points[:, 3:4]
+
+
+def smooth_cosines(part, points):
+    """Returns |n.l| of the corners of triangles, with normals that are shared by corners of one place."""
+    kind = fit.light_of(part.matrix, part.state.function in REVERSED_FUNCTIONS, part.state.negative_one)
+    corners = points.reshape(-1, 3, 3)
+    face = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    _, place = np.unique(np.round(points / (np.ptp(points) + 1e-12), 6), axis=0, return_inverse=True)
+    normal = np.zeros((place.max() + 1, 3))
+    np.add.at(normal, place, np.repeat(face, 3, axis=0))
+    normal = normal[place] / np.maximum(np.linalg.norm(normal[place], axis=1, keepdims=True), 1e-30)
+    towards = -kind[1][None] if kind[0] == "directional" else kind[1][None] - points
+    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+    return np.abs((normal * towards).sum(1))
+
+
+def unmoved_positions(part, others, bias):
+    """Sets positions of skinned draws where the casters' shader has moved the depths from which they follow.
+
+    @param others passes that may have drawn the same skins elsewhere; without one the measured bias is taken off
+    """
+    drawn = {}
+    for other in others:
+        for draw in other.draws if other.matrix is not None else []:
+            if draw.skinned and len(draw.clips) == 1:
+                drawn.setdefault(draw.geometry, []).append(world_positions(other, draw, 0))
+    scale = 2 if part.state.negative_one else 1
+    for draw in part.draws:
+        if not draw.skinned:
+            continue
+        draw.posed = []
+        for i, clip in enumerate(draw.clips):
+            for points in drawn.get(draw.geometry, []):
+                seen = np.hstack([points, np.ones((len(points), 1))]) @ part.matrix.T
+                if np.abs(seen[:, :2] / seen[:, 3:] - clip[:, :2] / clip[:, 3:]).max() < 2e-3:
+                    draw.posed.append(points)
+                    break
+            else:
+                inverse = np.linalg.inv(part.matrix).T
+                points = clip @ inverse
+                cosine = np.maximum(smooth_cosines(part, points[:, :3] / points[:, 3:]), 0.05)
+                shift = bias["constant"] + bias["one_minus_cosine"] * (1 - cosine) + \
+                    bias["tangent"] * np.sqrt(1 - np.minimum(cosine, 1) ** 2) / cosine
+                still = clip.copy()
+                still[:, 2] -= scale * shift * clip[:, 3]
+                points = still @ inverse
+                draw.posed.append(points[:, :3] / points[:, 3:])
 
 
 def corner_uv(draw, name, flip):
@@ -516,6 +666,7 @@ class Mask:
 
     def keep(self, draw, w):
         corners = corner_uv(draw, self.uv, self.flip)
+        corners = np.concatenate([corners] * (len(w) // (3 * len(corners))))
 
         def test(triangles, share):
             weights = share / w.reshape(-1, 3)[triangles]
@@ -559,11 +710,22 @@ def draw_clip(part, draw, instance):
     return clip.astype(float).reshape(-1, 3, 4)
 
 
-def choose_masks(capture, part, captured, covered, raster, step, known):
+def draw_clips(part, draw):
+    """Returns the clip positions of all instances of a draw, one instance after the other."""
+    return np.concatenate([draw_clip(part, draw, i) for i in range(len(draw.clips))])
+
+
+def raster_draw(raster, part, draw, tag, step, mask=None):
+    """Draws all instances of a draw."""
+    clip = draw_clips(part, draw)
+    raster.draw(clip, draw.state, tag, step, mask.keep(draw, clip[:, :, 3].ravel()) if mask else None)
+
+
+def choose_masks(capture, part, captured, covered, raster, step, known, apart=None):
     """Finds masks of draws that may drop texels by comparing with the captured map.
 
     @param captured depths; None: coverage alone tells @param raster draws without mask
-    @param known masks by pixel shader and textures, of earlier maps
+    @param known masks by pixel shader and textures, of earlier maps @param apart see mask_truth()
     """
     groups = {}
     for draw in part.draws:
@@ -571,10 +733,10 @@ def choose_masks(capture, part, captured, covered, raster, step, known):
             groups.setdefault((draw.pixel_shader, tuple(draw.textures)), []).append(draw)
     for key, draws in groups.items():
         solid = gate.Raster(raster.width, raster.height, raster.reversed)
+        solid.shift = raster.shift
         for draw in draws:
-            for i in range(len(draw.clips)):
-                solid.draw(draw_clip(part, draw, i), draw.state, 0, step)
-        region, truth = mask_truth(solid, raster, captured, covered, step)
+            raster_draw(solid, part, draw, 0, step)
+        region, truth = mask_truth(solid, raster, captured, covered, step, apart)
         best = (float(np.mean(~truth)) if len(truth) else 0.0, None)  # solid
         options = mask_options(capture, draws[0])
         # A mask of another pass, which may have another shader.
@@ -609,12 +771,15 @@ def choose_masks(capture, part, captured, covered, raster, step, known):
             draw.mask, draw.mask_wrong = best[1], best[0]
 
 
-def mask_truth(solid, raster, captured, covered, step):
-    """Returns texels where a masked draw may be seen, and whether it is seen there."""
+def mask_truth(solid, raster, captured, covered, step, apart=None):
+    """Returns texels where a masked draw may be seen, and whether it is seen there.
+
+    @param apart least difference of depth that tells two surfaces apart
+    """
     if captured is None:
         region = solid.covered() & ~raster.covered()
         return region, covered[region]
-    apart = 16 * (step or 2.0 ** -24)
+    apart = apart or 16 * (step or 2.0 ** -24)
     nearer = solid.depth - raster.depth if raster.reversed else raster.depth - solid.depth
     region = solid.covered() & (nearer > apart)
     return region, (np.abs(captured - solid.depth) < np.abs(captured - raster.depth))[region]
@@ -632,12 +797,11 @@ def cutoffs(draw):
 
 def masked_coverage(part, draws, option, raster, step):
     trial = gate.Raster(raster.width, raster.height, raster.reversed)
+    trial.shift = raster.shift
     for draw in draws:
         if option.uv not in draw.attributes:
             continue
-        for i in range(len(draw.clips)):
-            clip = draw_clip(part, draw, i)
-            trial.draw(clip, draw.state, 0, step, option.keep(draw, clip[:, :, 3].ravel()))
+        raster_draw(trial, part, draw, 0, step, option)
     return trial.covered()
 
 
@@ -664,8 +828,28 @@ def linear_depth(matrix, depth, negative_one, reversed_):
     return 1 - result if reversed_ and abs(w[1] - w[0]) < 1e-6 * max(abs(w[0]), abs(w[1])) else result
 
 
-def texel_meaning(part, values, depth, both, size):
-    """Finds what a texel of a colour map holds. Returns (stored, extras, residual) of the smallest residual."""
+def half_step(values):
+    """Returns the step of 16-bit floats at values."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.abs(np.spacing(values.astype(np.float16))).astype(float)
+
+
+def fit_plane(points, values):
+    """Fits values = plane . point without outliers. Returns the plane and the median error."""
+    plane = np.linalg.lstsq(points, values, rcond=1e-12)[0]
+    for _ in range(6):
+        error = np.abs(points @ plane - values)
+        inside = error <= 6 * np.median(error) + 1e-9
+        plane = np.linalg.lstsq(points[inside], values[inside], rcond=1e-12)[0]
+    error = np.abs(points @ plane - values)
+    return plane, float(np.median(error)), float(np.percentile(error[error <= 6 * np.median(error) + 1e-9], 99))
+
+
+def texel_meaning(part, values, depth, both, size, half=False):
+    """Finds what a texel of a colour map holds. Returns (stored, extras, residual) of the smallest residual.
+
+    @param half the map holds 16-bit floats
+    """
     reversed_ = part.state.function in REVERSED_FUNCTIONS
     linear = linear_depth(part.matrix, depth, part.state.negative_one, reversed_)
     places = np.nonzero(both & np.isfinite(values) & np.isfinite(linear))[0]
@@ -680,24 +864,106 @@ def texel_meaning(part, values, depth, both, size):
         exponent = float(np.median(share / np.maximum(linear, 1e-6)))
         options.append((float(np.median(np.abs(share / exponent - linear))), "exponential", {"exponent": exponent}))
     best = min(options, key=lambda o: o[0])
+    if best[0] < 1e-4:
+        return best[1], best[2], best[0]
+    points = texel_points(part, places, depth, size)
+    kind = fit.light_of(part.matrix, reversed_, part.state.negative_one)
+    if kind[0] == "local":
+        distances = np.linalg.norm(points[:, :3] - kind[1], axis=1)
+        scale = float(np.median(values / distances))
+        # The residual is a share of the values, which may be metres.
+        error = float(np.median(np.abs(values - scale * distances))) / max(float(np.median(np.abs(values))), 1e-30)
+        if scale > 0 and error < 1e-3 and error < best[0]:
+            if abs(scale - 1) < 1e-3:
+                return "distance-metres", {}, error
+            return "distance-share", {"range_m": 1 / scale}, error
     if best[0] < 1e-3:
         return best[1], best[2], best[0]
     # A distance along an axis of the engine's own is linear in the world position.
+    plane, error, worst = fit_plane(points, values)
+    more = {}
+    if half:
+        # Drivers round to the nearest 16-bit float, or cut off: values then lie half a step higher.
+        other, other_error, other_worst = fit_plane(points, values + half_step(values) / 2)
+        more = {"rounding": "towards zero" if other_worst < worst else "to nearest"}
+        if other_worst < worst:
+            plane, error = other, other_error
+    if error < best[0]:
+        return "linear", dict(more, plane=[float(v) for v in plane]), error
+    return best[1], best[2], best[0]
+
+
+def texel_points(part, places, depth, size):
+    """Returns world positions, (n, 4), of texels at a depth."""
     width, height = size
     x = (places % width + 0.5) / width * 2 - 1
     y = (places // width + 0.5) / height * 2 - 1
     z = depth * 2 - 1 if part.state.negative_one else depth
     points = np.stack([x, -y if part.state.flipped else y, z, np.ones_like(x)], 1) @ np.linalg.inv(part.matrix).T
-    points = points / points[:, 3:4]
-    plane = np.linalg.lstsq(points, values, rcond=1e-12)[0]
-    for _ in range(3):
-        error = np.abs(points @ plane - values)
-        inside = error <= 6 * np.median(error) + 1e-9
-        plane = np.linalg.lstsq(points[inside], values[inside], rcond=1e-12)[0]
-    error = float(np.median(np.abs(points @ plane - values)))
-    if error < best[0]:
-        return "linear", {"plane": [float(v) for v in plane]}, error
-    return best[1], best[2], best[0]
+    return points / points[:, 3:4]
+
+
+def depths_of_plane(part, values, cleared, half):
+    """Returns the depths of texels that hold plane . world position. @param values, cleared (row, column) arrays"""
+    height, width = values.shape
+    reversed_ = part.state.function in REVERSED_FUNCTIONS
+    plane = np.array(part.stored["plane"])
+    middle = values + half_step(values) / 2 if half and part.stored.get("rounding") == "towards zero" else values
+    middle = middle.ravel()
+    places = np.arange(width * height)
+    x = (places % width + 0.5) / width * 2 - 1
+    y = (places // width + 0.5) / height * 2 - 1
+    inverse = np.linalg.inv(part.matrix)
+    start = np.stack([x, -y if part.state.flipped else y, np.zeros_like(x), np.ones_like(x)], 1) @ inverse.T
+    step = inverse[:, 2]
+    # plane . (start + z step) = value times the w of the same point.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        z = (start @ plane - middle * start[:, 3]) / (middle * step[3] - plane @ step)
+    depth = (z + 1) / 2 if part.state.negative_one else z
+    depth = np.where((values == cleared).ravel(), 0.0 if reversed_ else 1.0, np.clip(depth, 0, 1))
+    return depth.reshape(height, width)
+
+
+def colour_depths(part, values, cleared, seen, raster, size, half):
+    """Returns the depths of a colour map whose texels are linear in the world position, and how exact they are.
+
+    None, None for other maps. @param seen covered texels on which no masked caster lies
+    @param raster draws without mask
+    """
+    both = seen & raster.covered()
+    _, more, error = texel_meaning(part, values, raster.plain, both, size, half)
+    if error is None or "plane" not in more:
+        return None, None
+    part.stored = dict(more, stored="linear")
+    width, height = size
+    depths = depths_of_plane(part, values.reshape(height, width), cleared.reshape(height, width), half).ravel()
+    off = np.abs(depths - raster.plain)[both]
+    return depths, 4 * float(np.percentile(off[np.isfinite(off)], 99))
+
+
+def texels_like_clear(part, values, cleared, depth, both, size, half):
+    """Returns texels of a colour map for whose depth the engine stores the value of the cleared map.
+
+    They cannot be told from texels that no caster covers. @param half the map holds 16-bit floats
+    """
+    stored = part.stored["stored"]
+    if stored not in ("depth", "linear"):
+        return np.zeros(len(values), bool)
+    if "plane" in part.stored:
+        expected = texel_points(part, np.arange(len(values)), depth, size) @ np.array(part.stored["plane"])
+    elif stored == "linear":
+        expected = linear_depth(part.matrix, depth, part.state.negative_one,
+                                part.state.function in REVERSED_FUNCTIONS)
+    else:
+        expected = depth
+    if half and "rounding" in part.stored:
+        # A hundredth of a step for the error of the fit.
+        step = half_step(cleared)
+        low = cleared - (0 if part.stored["rounding"] == "towards zero" else step / 2)
+        return (expected >= low - 0.01 * step) & (expected <= low + 1.01 * step)
+    error = np.abs(expected - values)[both]
+    error = error[np.isfinite(error)]
+    return np.abs(expected - cleared) <= (np.percentile(error, 99) if len(error) else 0)
 
 
 def gate_of(capture, part, image, depth_format, clear_image, colour, report, known):
@@ -706,6 +972,8 @@ def gate_of(capture, part, image, depth_format, clear_image, colour, report, kno
     @param clear_image texels before the first draw, of a colour map @param known masks of earlier maps
     """
     reversed_ = part.state.function in REVERSED_FUNCTIONS
+    for draw in part.draws:
+        draw.state.unit_steps = capture.unit_steps
     x, y, width, height = viewport_part(part, image)
     captured = image[y:y + height, x:x + width, 0].ravel()
     step = gate.step_of(depth_format)
@@ -716,27 +984,27 @@ def gate_of(capture, part, image, depth_format, clear_image, colour, report, kno
         draw.mask, draw.mask_unknown, draw.mask_wrong = None, False, 0.0
         if draw.discards:
             continue
-        for i in range(len(draw.clips)):
-            raster.draw(draw_clip(part, draw, i), draw.state, number, step)
+        raster_draw(raster, part, draw, number, step)
         report()
     if colour:
         cleared = clear_image[y:y + height, x:x + width, 0].ravel()
         is_covered = captured != cleared
     else:
         is_covered = captured != (0.0 if reversed_ else 1.0)
-    if any(d.discards for d in part.draws):
-        choose_masks(capture, part, None if colour else captured, is_covered, raster, step, known)
     masked = gate.Raster(width, height, reversed_)
     for number, draw in enumerate(part.draws):
-        if not draw.discards:
-            continue
-        for i in range(len(draw.clips)):
-            clip = draw_clip(part, draw, i)
-            keep = draw.mask.keep(draw, clip[:, :, 3].ravel()) if draw.mask else None
-            masked.draw(clip, draw.state, number, step)
-            if not draw.mask_unknown:
-                raster.draw(clip, draw.state, number, step, keep)
+        if draw.discards:
+            raster_draw(masked, part, draw, number, step)
     solid = masked.covered()
+    half = colour and capture.textures[part.texture].format.compByteWidth == 2
+    if any(d.discards for d in part.draws):
+        depths, apart = captured, None
+        if colour:
+            depths, apart = colour_depths(part, captured, cleared, is_covered & ~solid, raster, (width, height), half)
+        choose_masks(capture, part, depths, is_covered, raster, step, known, apart)
+    for number, draw in enumerate(part.draws):
+        if draw.discards and not draw.mask_unknown:
+            raster_draw(raster, part, draw, number, step, draw.mask)
     own = raster.covered()
     quantised = np.rint(raster.depth / step) * step if step else raster.depth.astype(np.float32).astype(float)
     if not colour:
@@ -746,15 +1014,26 @@ def gate_of(capture, part, image, depth_format, clear_image, colour, report, kno
     missed, extra = missed_all & opaque, extra_all & opaque
     unmasked = is_covered & opaque
     both = unmasked & own
+    if not colour and capture.unit_steps == 1:
+        steps = gate.unit_steps_of((captured - raster.depth)[both], part.draws[0].state.units, step)
+        if steps is not None:
+            capture.unit_steps = steps
+            return gate_of(capture, part, image, depth_format, clear_image, colour, report, known)
     stored = {"stored": "depth"}
+    part.stored = dict(stored)
+    is_empty = not is_covered.any() and not (own | solid).any()
+    result_of_colour = {}
     if colour:
-        name, more, error = texel_meaning(part, captured, raster.plain, both, (width, height))
+        name, more, error = texel_meaning(part, captured, raster.plain, both, (width, height), half)
         stored = {"stored": name, "residual": error}
         stored.update(more)
         part.stored = dict(more, stored=name)
         inner = np.zeros((height, width), bool)
         inner[1:-1, 1:-1] = True
         extra &= inner.ravel()
+        like_clear = texels_like_clear(part, captured, cleared, raster.plain, both, (width, height), half)
+        result_of_colour["like_clear"] = int((extra & like_clear).sum())
+        extra &= ~like_clear
     result = {
         "captured_texels": int(is_covered.sum()), "captured_unmasked_texels": int(unmasked.sum()),
         "masked_texels": int(solid.sum()), "missed": int(missed.sum()), "extra": int(extra.sum()),
@@ -764,19 +1043,32 @@ def gate_of(capture, part, image, depth_format, clear_image, colour, report, kno
         "draws": len(part.draws), "instances": instances, "masked_draws": sum(d.discards for d in part.draws),
         "post_vertex_draws": skinned, "post_vertex_share": skinned / max(1, len(part.draws)),
         "unread_draws": part.unread, "matrix_agreement": part.agreement,
-        "fit_residual": median_residual(part),
+        "fit_residual": median_residual(part), **result_of_colour,
     }
     share = max(1, result["captured_unmasked_texels"])
     passed = result["missed"] <= 0.001 * share and result["extra"] <= 0.0001 * share and bool(both.any())
-    if not colour:
+    if is_empty:
+        passed = True  # a face of a cube that no caster reaches
+    elif not colour:
         result["depth"] = depth = gate.compare_depths(captured, quantised, both, step)
         result["caster_bias"] = caster_bias(part, captured, raster, both)
         residual = result["fit_residual"]
         # A depth that no matrix explains, beside exact x, y and w, comes from a bias in the caster's shader.
         result["shader_bias"] = residual is not None and residual[2] > 1e-4 and max(
             residual[0], residual[1], residual[3]) < 1e-5 and result["caster_bias"] is not None
-        passed = passed and depth.get("texels", 0) > 0 and (
-            result["shader_bias"] or depth["median_steps"] <= 1.001 and depth["percentile_99_steps"] <= 4.001)
+        agrees = depth.get("texels", 0) > 0 and depth["median_steps"] <= 1.001 and depth["percentile_99_steps"] <= 4.001
+        if not agrees and not result["shader_bias"]:
+            # The caster's shader may write a depth of its own.
+            name, more, error = texel_meaning(part, captured, raster.plain, both, (width, height))
+            if error is not None and error < 1e-3 and name in ("linear", "distance-metres", "distance-share") and \
+                    "plane" not in more:
+                result["texels_hold"] = dict(more, stored=name, residual=error)
+                part.stored = dict(more, stored=name)
+                result["depth"], result["caster_bias"] = {"texels": depth["texels"]}, None
+                agrees = True
+        # What is left after the measured bias has to be as small as depths without it are.
+        explained = result["shader_bias"] and result["caster_bias"]["median_error"] <= 4 * (step or 2.0 ** -23)
+        passed = passed and depth.get("texels", 0) > 0 and (explained or agrees)
     else:
         passed = passed and stored["residual"] is not None and stored["residual"] < 1e-3
     result["passed"] = bool(passed and (part.agreement is None or part.agreement <= 1e-4))
@@ -799,10 +1091,11 @@ def caster_bias(part, captured, raster, both):
     tags, owners = raster.tag[places], raster.owner[places]
     for tag in np.unique(tags):
         draw = part.draws[tag]
-        if len(draw.clips) != 1:
-            continue
+        if draw.skinned:
+            continue  # their positions have the bias
         rows = np.nonzero(tags == tag)[0]
-        corners = world_positions(part, draw, 0).reshape(-1, 3, 3)[owners[rows]]
+        corners = [world_positions(part, draw, i) for i in range(len(draw.clips))]
+        corners = np.concatenate(corners).reshape(-1, 3, 3)[owners[rows]]
         normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         length = np.linalg.norm(normal, axis=1)
         towards = -kind[1][None] if kind[0] == "directional" else kind[1][None] - corners.mean(1)
@@ -848,7 +1141,8 @@ class SceneWriter:
             centre = positions.mean(0)
             extent = np.ptp(positions, axis=0)
             key = (draw.geometry, draw.skinned)
-            name = self.find(key, centre, extent)
+            # What a measured bias was taken off is exact to a part of that bias.
+            name = self.find(key, centre, extent, 2e-2 if draw.posed else 2e-3)
             if name is None:
                 if sign is None:
                     sign = front_sign(part, draw)
@@ -858,10 +1152,10 @@ class SceneWriter:
             names.append(name)
         return names
 
-    def find(self, key, centre, extent):
-        size = np.abs(extent).max() + 1e-9
+    def find(self, key, centre, extent, share):
+        size = share * (np.abs(extent).max() + 1e-9)
         for other, other_extent, name in self.names.get(key, []):
-            if np.abs(other - centre).max() < 2e-3 * size and np.abs(other_extent - extent).max() < 2e-3 * size:
+            if np.abs(other - centre).max() < size and np.abs(other_extent - extent).max() < size:
                 return name
         return None
 

@@ -5,6 +5,8 @@ import numpy as np
 import renderdoc as rd
 
 import capture_bundle as bundle
+import capture_cube as cube
+import capture_engines as engines
 import capture_fit as fit
 import capture_frame as frame
 import capture_gate as gate
@@ -60,7 +62,7 @@ def import_maps(capture, chosen, options, say):
     masks = {}
     for number, (candidate, part) in enumerate(chosen):
         say(progress=0.7 + 0.2 * number / len(chosen), label="comparing map %d of %d" % (number + 1, len(chosen)))
-        maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks)
+        maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks, camera)
     bare = not maps and all(part is None for _, part in chosen)
     if bare:
         maps = [bare_map(capture, candidate, folder, notes) for candidate, _ in chosen]
@@ -76,6 +78,9 @@ def import_maps(capture, chosen, options, say):
         notes.append("%d maps of another size than %d x %d are left out; pick them by themselves." %
                      (left, size[0], size[1]))
         maps = sizes[size]
+    if not bare:
+        share_meaning(maps)
+        maps = add_missing_faces(capture, maps, folder, notes)
     camera_entry = None if bare else camera_of(capture, camera, masks, scene, gates, notes)
     say(progress=0.95, label="writing")
     lights = []
@@ -91,8 +96,10 @@ def import_maps(capture, chosen, options, say):
         else:
             light["type"] = "point" if len(group) == 6 else "spot"
             light["position"] = [float(v) for v in kind[1]]
-        light["maps"] = [entry["map"] for entry in group]
         light["lookup"] = look_up(capture, group[0]["candidate"], folder, notes)
+        if not bare:
+            group = engine_knowledge(capture, group, light, camera_entry is not None, notes)
+        light["maps"] = [entry["map"] for entry in group]
         lights.append(light)
     result = {"bundle": 1, "made_by": "%s capture, RenderDoc %s" % (capture.driver, rd.GetVersionString())}
     if not bare:
@@ -122,7 +129,7 @@ def clean(value):
     return value
 
 
-def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks):
+def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks, camera):
     info = capture.textures[candidate.texture]
     name = info.format.Name()
     if part is None:
@@ -156,6 +163,7 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     gates.append(numbers)
     if numbers.get("shader_bias"):
         bias = numbers["caster_bias"]
+        frame.unmoved_positions(part, [camera] + [entry["part"] for entry in maps], bias)
         notes.append("%s: the casters' shader moves depths: by %.3g %+.3g tan(angle) %+.3g (1 - n.l), residual %.3g." % (
             label, bias["constant"], bias["tangent"], bias["one_minus_cosine"], bias["residual"]))
     if not numbers["passed"]:
@@ -163,34 +171,31 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     x, y, w, h = frame.viewport_part(part, image)
     key = (candidate.texture, part.slice)
     if key not in images:
-        file = "map_%d_%d.raw" % key
-        values = image[:, :, 0]
-        if name.startswith("D16"):
-            bundle.write_raw(os.path.join(folder, file), np.rint(values * 65535).astype("<u2"))
-            kind, channels = "u16", 1
-        elif name.startswith("D24"):
-            bundle.write_raw(os.path.join(folder, file), np.rint(values * 16777215).astype("<u4"))
-            kind, channels = "u24", 1
-        else:
-            bundle.write_raw(os.path.join(folder, file), image.astype("<f4"))
-            kind, channels = "f32", image.shape[2]
-        images[key] = {"file": file, "first_row": "top" if part.state.flipped else "bottom", "width": info.width,
-                       "height": info.height, "format": kind, "channels": channels, "channel": 0}
+        images[key] = image_of(candidate.texture, part.slice, info, image, part.state.flipped, folder)
     drawn = []
     for draw in part.draws:
         drawn += scene.add(part, draw, True)
-    stored = {"stored": "depth"}
+    stored = {k: v for k, v in part.stored.items() if k in ("stored", "exponent", "range_m")}
+    own_image, region = images[key], [x, y, w, h]
     if colour:
-        stored = dict(part.stored)
-        if info.format.compCount >= 2 and stored["stored"] != "exponential":
+        if info.format.compCount >= 2 and stored["stored"] == "linear":
             stored["stored"] = "moments"
-        if "plane" in stored:
-            notes.append("%s: a texel is linear in the world position, by %s, and not between the planes of the light's "
-                         "matrix." % (label, ", ".join("%.6g" % v for v in stored.pop("plane"))))
         stored["clear"] = float(clear_image[y, x, 0])
+        if "plane" in part.stored:
+            # A bundle has no word for it: the depths that the texels stand for are written.
+            notes.append("%s: a texel is linear in the world position, by %s, and not between the planes of the "
+                         "light's matrix. The depths that follow are written." %
+                         (label, ", ".join("%.6g" % v for v in part.stored["plane"])))
+            file = "map_%d_%d_at_%d_%d.raw" % (key + (x, y))
+            depths = frame.depths_of_plane(part, image[y:y + h, x:x + w, 0], clear_image[y:y + h, x:x + w, 0],
+                                           info.format.compByteWidth == 2)
+            bundle.write_raw(os.path.join(folder, file), depths.astype("<f4"))
+            own_image = dict(images[key], file=file, width=w, height=h, format="f32", channels=1)
+            region = [0, 0, w, h]
+            stored = {"stored": "depth"}
     first = part.draws[0].state
     entry = {
-        "image": images[key], "region": [x, y, w, h], "clip_from_world": bundle.columns(part.matrix),
+        "image": own_image, "region": region, "clip_from_world": bundle.columns(part.matrix),
         "depth": {"range": "-1..1" if part.state.negative_one else "0..1", "reversed": reversed_,
                   "format": depth_format(name), **stored},
         "raster": {"offset_factor": first.factor, "offset_units": first.units, "offset_clamp": first.clamp,
@@ -200,7 +205,78 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
         "extras": {"gate": number, "matrix": part.method, "front_in_engine": "ccw" if first.front_ccw else "cw"},
     }
     maps.append({"map": entry, "kind": fit.light_of(part.matrix, reversed_, part.state.negative_one),
-                 "texture": candidate.texture, "slice": part.slice, "candidate": candidate})
+                 "texture": candidate.texture, "slice": part.slice, "candidate": candidate, "matrix": part.matrix,
+                 "viewport": part.viewport, "negative_one": part.state.negative_one, "part": part,
+                 "is_empty": numbers["captured_texels"] == 0})
+
+
+def image_of(texture, slice_, info, image, flipped, folder):
+    """Writes the texels of one slice. Returns the image of a map in the bundle."""
+    file = "map_%d_%d.raw" % (texture, slice_)
+    values, name = image[:, :, 0], info.format.Name()
+    if name.startswith("D16"):
+        bundle.write_raw(os.path.join(folder, file), np.rint(values * 65535).astype("<u2"))
+        kind, channels = "u16", 1
+    elif name.startswith("D24"):
+        bundle.write_raw(os.path.join(folder, file), np.rint(values * 16777215).astype("<u4"))
+        kind, channels = "u24", 1
+    else:
+        bundle.write_raw(os.path.join(folder, file), image.astype("<f4"))
+        kind, channels = "f32", image.shape[2]
+    return {"file": file, "first_row": "top" if flipped else "bottom", "width": info.width, "height": info.height,
+            "format": kind, "channels": channels, "channel": 0}
+
+
+def add_missing_faces(capture, maps, folder, notes):
+    """Adds faces of point lights into which the frame drew nothing. Returns all maps."""
+    groups = {}
+    for entry in maps:
+        if entry["kind"][0] == "local":
+            place = tuple(np.round(entry["kind"][1], 3))
+            groups.setdefault((entry["texture"], place), []).append(entry)
+    result = list(maps)
+    for (texture, _), group in groups.items():
+        info = capture.textures[texture]
+        first = group[0]
+        region = first["map"]["region"]
+        if any(e["map"]["region"] != region for e in group):
+            continue
+        taken = {e["slice"] for e in maps if e["texture"] == texture}
+        faces = cube.missing_faces([(e["slice"], e["matrix"], e["kind"][1]) for e in group], info.arraysize)
+        if any(slice_ in taken for slice_, _ in faces):
+            continue
+        for slice_, matrix in faces:
+            capture.go(first["candidate"].readers[0])
+            image = capture.texels(texture, 0, slice_)
+            if image is None:
+                continue
+            x, y, w, h = region
+            part = image[y:y + h, x:x + w, 0]
+            is_empty = bool((part == part.flat[0]).all())
+            flipped = first["map"]["image"]["first_row"] == "top"
+            entry = dict(first["map"], image=image_of(texture, slice_, info, image, flipped, folder),
+                         clip_from_world=bundle.columns(matrix), extras={"matrix": "from the other faces"})
+            if is_empty:
+                entry["drawn"] = []
+            else:
+                entry.pop("drawn", None)
+                notes.append("Texture %d, slice %d: an earlier frame drew this face, so its casters are unknown." % (
+                    texture, slice_))
+            result.append(dict(first, map=entry, slice=slice_, matrix=matrix))
+    order = {id(e): (maps.index(next(m for m in maps if m["texture"] == e["texture"])), e["slice"]) for e in result}
+    return sorted(result, key=lambda e: order[id(e)]) if len(result) > len(maps) else maps
+
+
+def share_meaning(maps):
+    """Gives a map without casters the meaning of its texels from another slice of its texture."""
+    for entry in maps:
+        if not entry["is_empty"]:
+            continue
+        for other in maps:
+            if other["texture"] == entry["texture"] and not other["is_empty"]:
+                depth = other["map"]["depth"]
+                entry["map"]["depth"].update({k: depth[k] for k in ("stored", "range_m", "exponent") if k in depth})
+                break
 
 
 def bare_map(capture, candidate, folder, notes):
@@ -277,35 +353,52 @@ def camera_of(capture, camera, masks, scene, gates, notes):
             receivers.append(draw)
     left_out = len(camera.draws) - len(receivers) + camera.unread
     camera.draws = receivers
-    if info.msSamp <= 1 and camera.viewport == (0, 0, info.width, info.height):
+    if info.msSamp in SAMPLE_SHIFTS and camera.viewport == (0, 0, info.width, info.height):
         gates.append(camera_gate(capture, camera, depth, info, reversed_, masks, left_out, notes))
     else:
-        notes.append("The camera's depth is multisampled or drawn in parts, and was not compared.")
+        notes.append("The camera's depth is drawn in parts or has %d samples, and was not compared." % info.msSamp)
     for draw in receivers:
         scene.add(camera, draw, False)
     return entry
+
+
+# Places of the first sample of a pixel, by the number of samples, as drivers have them.
+SAMPLE_SHIFTS = {1: [(0.0, 0.0)], 2: [(0.25, 0.25), (0.25, -0.25)], 4: [(-0.125, -0.375), (-0.125, 0.375)],
+                 8: [(0.0625, -0.1875), (0.0625, 0.1875)]}
 
 
 def camera_gate(capture, camera, depth, info, reversed_, masks, left_out, notes):
     """Draws the receivers again and compares their depth with the captured one. Returns the numbers."""
     capture.go(camera.events[-1])
     captured = capture.texels(depth)[:, :, 0].ravel()
+    tries = [camera_agreement(capture, camera, captured, info, reversed_, masks, shift)
+             for shift in SAMPLE_SHIFTS[max(1, info.msSamp)]]
+    share, pixels, hidden = max(tries)
+    if share < 0.995:
+        notes.append("The camera's depth agrees on %.1f %% of the pixels only; receivers may be missing." %
+                     (100 * share))
+    return {"name": "camera", "pixels": pixels, "agree": share, "passed": share >= 0.995,
+            "matrix": camera.method, "matrix_agreement": camera.agreement, "draws": len(camera.draws),
+            "left_out": left_out, "masked_pixels_left_out": hidden}
+
+
+def camera_agreement(capture, camera, captured, info, reversed_, masks, shift):
+    """Returns the share of pixels with the captured depth, the number of pixels, and that of pixels left out."""
     step = gate.step_of(info.format.Name())
     raster = gate.Raster(info.width, info.height, reversed_)
+    raster.shift = shift
 
     def draw_all(target, draws):
         for number, draw in enumerate(draws):
             if not draw.state.writes or draw.state.viewport != camera.viewport:
                 continue
-            for i in range(len(draw.clips)):
-                clip = frame.draw_clip(camera, draw, i)
-                keep = draw.mask.keep(draw, clip[:, :, 3].ravel()) if draw.mask else None
-                target.draw(clip, draw.state, number, step, keep)
+            frame.raster_draw(target, camera, draw, number, step, draw.mask)
 
     draw_all(raster, [d for d in camera.draws if not d.discards])
     seen = captured != (0.0 if reversed_ else 1.0)
     masked = [d for d in camera.draws if d.discards]
     unknown = gate.Raster(info.width, info.height, reversed_)
+    unknown.shift = shift
     if masked:
         frame.choose_masks(capture, camera, captured, seen, raster, step, masks)
         draw_all(raster, [d for d in masked if not d.mask_unknown])
@@ -314,13 +407,7 @@ def camera_gate(capture, camera, depth, info, reversed_, masks, left_out, notes)
     seen &= ~hidden
     size = 4 * (step or 2.0 ** -24)
     near = np.abs(captured - raster.depth) <= np.maximum(size, 1e-5 * (captured if reversed_ else 1 - captured))
-    share = float(near[seen].mean()) if seen.any() else 0.0
-    if share < 0.995:
-        notes.append("The camera's depth agrees on %.1f %% of the pixels only; receivers may be missing." %
-                     (100 * share))
-    return {"name": "camera", "pixels": int(seen.sum()), "agree": share, "passed": share >= 0.995,
-            "matrix": camera.method, "matrix_agreement": camera.agreement, "draws": len(camera.draws),
-            "left_out": left_out, "masked_pixels_left_out": int(hidden.sum())}
+    return (float(near[seen].mean()) if seen.any() else 0.0), int(seen.sum()), int(hidden.sum())
 
 
 def picture(capture, folder):
@@ -377,6 +464,35 @@ def look_up(capture, candidate, folder, notes):
             out.write(capture.shader_text(pipe, reflection))
         result["shader"] = file
     return result
+
+
+def engine_knowledge(capture, group, light, has_camera, notes):
+    """Adds bias and intervals where the shaders are those of a known engine. Returns the maps in order of choice."""
+    candidate = group[0]["candidate"]
+    event = candidate.readers[len(candidate.readers) // 2]
+    found = engines.known(capture, event, group, capture.textures[candidate.texture])
+    if found:
+        light["extras"] = {"engine": found["engine"]}
+        notes += ["%s: %s" % (light["name"], note) for note in found["notes"]]
+    if "bias" in found:
+        light["lookup"]["bias"] = found["bias"]
+        known = ["%s %.4g" % (k, found["bias"][k]) for k in ("constant", "slope", "normal") if k in found["bias"]]
+        notes.append("%s: bias of the look-up, by constants of %s: %s (%s)." %
+                     (light["name"], found["engine"], ", ".join(known), found["bias"]["units"]))
+    for number, entry in enumerate(group if found.get("engine") == "Godot 3" else []):
+        moved = engines.godot_casters(capture, entry["part"])
+        if moved:
+            entry["map"]["extras"]["caster_shader"] = moved
+            notes.append("%s, map %d: Godot 3 moves its casters by %.4g + %.4g (1 - n.l) metres along the light." %
+                         (light["name"], number, moved["constant"], moved["one_minus_cosine"]))
+    if "intervals" in found and has_camera:
+        for entry, interval in zip(group, found["intervals"]):
+            entry["map"]["interval"] = interval
+        light["choice"] = "interval"
+        return [entry for _, entry in sorted(zip(found["order"], group), key=lambda pair: pair[0])]
+    if len(group) > 1 and group[0]["kind"][0] == "directional":
+        notes.append("%s: which map a point reads is unknown; the first that contains it is taken." % light["name"])
+    return group
 
 
 def sampler_of(capture, pipe, texture):

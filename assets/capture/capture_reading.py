@@ -5,6 +5,8 @@ Differences between OpenGL and Vulkan end in this file.
 import numpy as np
 import renderdoc as rd
 
+from capture_shader import live_text
+
 
 class CaptureError(Exception):
     """One sentence for the user."""
@@ -22,6 +24,7 @@ class State:
         self.front_ccw = True
         self.factor = 0.0
         self.units = 0.0
+        self.unit_steps = 1  # steps of a format without floats that the driver takes for a unit of offset
         self.clamp = 0.0
         self.depth_clamp = False
         self.function = "Less"
@@ -52,6 +55,7 @@ class Draw:
         self.textures = []    # resource ids that the pixel shader reads
         self.geometry = ()
         self.world = None
+        self.posed = []       # world positions of the corners of each instance, where others than clips tell them
         self.position = None  # name of the position attribute
 
 
@@ -82,6 +86,14 @@ def triangle_corners(topology, count):
     return None
 
 
+def block_members(block):
+    """Returns the members of a block of constants, also where it has an instance name."""
+    members = block.variables
+    if len(members) == 1 and members[0].name == block.name:
+        return members[0].type.members
+    return members
+
+
 class Capture:
     """An opened capture."""
 
@@ -108,6 +120,7 @@ class Capture:
         self.by_event = {a.eventId: a for a in self.actions}
         self.buffers = {}
         self.geometries = {}
+        self.unit_steps = 1
 
     def close(self):
         self.control.Shutdown()
@@ -334,14 +347,15 @@ class Capture:
             if attribute.used and attribute.perInstance and attribute.instanceRate > 0 and \
                     attribute.vertexBuffer < len(buffers) and attribute.format.compType == rd.CompType.Float and \
                     attribute.format.compByteWidth == 4:
-                spans.setdefault((attribute.vertexBuffer, attribute.instanceRate), []).append(
-                    (attribute.byteOffset, 4 * attribute.format.compCount))
-        for (number, rate), parts in sorted(spans.items()):
-            bound = buffers[number]
-            data = self.buffer(bound.resourceId)
-            first = min(p[0] for p in parts)
-            last = max(p[0] + p[1] for p in parts)
-            start = bound.byteOffset + (action.instanceOffset + instance // rate) * bound.byteStride
+                # In OpenGL rows of one matrix count as buffers of their own.
+                bound = buffers[attribute.vertexBuffer]
+                start = bound.byteOffset + attribute.byteOffset
+                key = (int(bound.resourceId), bound.byteStride, attribute.instanceRate)
+                spans.setdefault(key, []).append((start, start + 4 * attribute.format.compCount, bound.resourceId))
+        for number, ((_, stride, rate), parts) in enumerate(sorted(spans.items())):
+            data = self.buffer(parts[0][2])
+            first, last = min(p[0] for p in parts), max(p[1] for p in parts)
+            start = (action.instanceOffset + instance // rate) * stride
             result.append((("instance", number), data[start + first:start + last]))
         return result
 
@@ -439,10 +453,29 @@ class Capture:
             return bytes(reflection.rawBytes).decode("utf-8", "replace")
         return self.control.DisassembleShader(pipe.GetGraphicsPipelineObject(), reflection, "")
 
+    def member_offsets(self, block):
+        """Returns {name: offset} of the members of a block, by all shaders of the capture that have it."""
+        key = ("members", block)
+        if key not in self.geometries:
+            result = {}
+            for resource in self.control.GetResources():
+                if resource.type != rd.ResourceType.Shader:
+                    continue
+                for entry in self.control.GetShaderEntryPoints(resource.resourceId):
+                    reflection = self.control.GetShader(rd.ResourceId.Null(), resource.resourceId, entry)
+                    for found in reflection.constantBlocks if reflection else []:
+                        if found.name == block:
+                            for member in block_members(found):
+                                result.setdefault(member.name, member.byteOffset)
+            self.geometries[key] = result
+        return self.geometries[key]
+
     def discards(self, pipe, reflection):
         """Returns whether a pixel shader may drop pixels."""
         key = ("discard", int(reflection.resourceId))
         if key not in self.geometries:
             text = self.shader_text(pipe, reflection)
+            if reflection.encoding == rd.ShaderEncoding.GLSL:
+                text = live_text(text)
             self.geometries[key] = "discard" in text or "Kill" in text or "TerminateInvocation" in text
         return self.geometries[key]

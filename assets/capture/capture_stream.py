@@ -18,7 +18,9 @@ TYPES = {"GL_FLOAT": "<f4", "GL_HALF_FLOAT": "<f2", "GL_UNSIGNED_BYTE": "u1", "G
 SCALES = {"GL_UNSIGNED_BYTE": 255.0, "GL_BYTE": 127.0, "GL_UNSIGNED_SHORT": 65535.0, "GL_SHORT": 32767.0}
 INDICES = {"GL_UNSIGNED_BYTE": "u1", "GL_UNSIGNED_SHORT": "<u2", "GL_UNSIGNED_INT": "<u4"}
 DRAWS = ("glDrawElements", "glDrawElementsInstanced", "glDrawRangeElements", "glDrawElementsBaseVertex",
-         "glDrawRangeElementsBaseVertex", "glDrawElementsInstancedBaseVertex", "glDrawArrays", "glDrawArraysInstanced")
+         "glDrawRangeElementsBaseVertex", "glDrawElementsInstancedBaseVertex", "glDrawArrays", "glDrawArraysInstanced",
+         "glDrawElementsInstancedBaseInstance", "glDrawElementsInstancedBaseVertexBaseInstance",
+         "glDrawArraysInstancedBaseInstance")
 
 
 def field(chunk, name):
@@ -43,7 +45,7 @@ def resource(chunk, name):
 class Call:
     """State of one recorded draw."""
 
-    __slots__ = ("event", "program", "attributes", "elements", "uniforms", "name", "mode", "count", "type", "offset",
+    __slots__ = ("event", "base_instance", "program", "attributes", "elements", "uniforms", "name", "mode", "count", "type", "offset",
                  "instances", "base", "first", "cull", "front_ccw", "generic")
 
 
@@ -116,7 +118,7 @@ def read_calls(capture):
             call.uniforms = uniforms.get(program, {})
             call.mode, call.count, call.type = text(chunk, "mode"), number(chunk, "count"), text(chunk, "type")
             call.offset, call.base = number(chunk, "indices"), number(chunk, "basevertex")
-            call.first = number(chunk, "first")
+            call.first, call.base_instance = number(chunk, "first"), number(chunk, "baseinstance")
             call.instances = number(chunk, "instancecount", 1) if "Instanced" in name else 1
             call.cull, call.front_ccw = (culling, side), ccw
             result[call.event] = call
@@ -159,7 +161,8 @@ def instance_matrix(capture, call, instance):
             a.get("size") == 4 and a.get("type") == "GL_FLOAT"][:3]
     if len(rows) < 3:
         return None
-    values = [attribute_values(capture, a, np.array([instance // a["divisor"]])) for a in rows]
+    values = [attribute_values(capture, a, np.array([call.base_instance + instance // a["divisor"]]))
+              for a in rows]
     if any(v is None for v in values):
         return None
     return np.vstack([values[0], values[1], values[2], [[0, 0, 0, 1]]])
@@ -267,8 +270,11 @@ def read_passes(capture, passes, report, notes):
         programs = {}
         for event in part.events:
             call = calls.get(event)
-            if call is not None:
-                programs.setdefault(call.program, []).append(call)
+            if call is None:
+                # A kind of draw that is not read from calls is replayed.
+                call = Call()
+                call.event, call.program, call.count, call.uniforms, call.attributes = event, None, 0, {}, {}
+            programs.setdefault(call.program, []).append(call)
         probes = {}
         for program, members in programs.items():
             probes[program] = spread(members, PROBES)
@@ -285,20 +291,21 @@ def read_passes(capture, passes, report, notes):
         if sample.matrix is None:
             continue
         part.matrix, part.method, part.agreement = sample.matrix, sample.method + ", recorded calls", sample.agreement
+        part.places = sample.places
         by_event = {d.event: d for d in sample.draws}
         part.draws, part.unread = [], sample.unread
         for program, members in programs.items():
             rules = []
             for call in probes[program]:
                 probe = by_event.get(call.event)
-                rule = find_rule(capture, call, probe, part) if probe is not None else None
+                rule = find_rule(capture, call, probe, part) if probe is not None and program is not None else None
                 if rule is not None:
                     rules.append(rule)
             for call in members:
                 draw = None
                 if call.event in by_event:
                     draw = by_event[call.event]
-                elif rules:
+                elif rules and program is not None:
                     draw = stream_draw(capture, call, rules[0], part)
                 if draw is None:
                     draw = capture.draw(call.event)
