@@ -8,10 +8,10 @@ build_packages=(g++ cmake ninja-build pkg-config
   libseccomp-dev libdraco-dev libmeshoptimizer-dev libwebp-dev libopenexr-dev libzip-dev libsdbus-c++-dev libsystemd-dev
   fonts-inter libgl1 libegl1 libegl-mesa0 libgl1-mesa-dri xclip)
 # What the tests need besides: test and benchmark libraries, a display without a screen, a hand for its mouse, a second
-# driver (zink over lavapipe), the reference compiler of GLSL, the formatter, what opens captures.
+# driver (zink over lavapipe), the reference compiler of GLSL, the formatter, what opens and makes captures.
 test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool dbus
   mesa-vulkan-drivers glslang-tools chromium parallel shellcheck clang-format graphviz
-  python3-renderdoc python3-numpy)
+  python3-renderdoc python3-numpy librenderdoc librenderdoc-dev)
 # What single stages of test.sh need, which are skipped without: a second compiler, and npm for engines in JavaScript,
 # which may be there without Debian's package.
 stage_packages=(clang)
