@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,22 +13,13 @@
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/commands/commands.h"
+#include "app/report/map_import.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
-#include "renderer/base/regular_file.h"
-#include "renderer/bundle/bundle_files.h"
-#include "renderer/bundle/bundle_json.h"
 #include "renderer/bundle/bundle_members.h"
 #include "renderer/bundle/conventions.h"
-#include "renderer/bundle/given_maps.h"
-#include "renderer/bundle/light_file.h"
-#include "renderer/bundle/map_image.h"
-#include "renderer/gltf/gltf.h"
-#include "renderer/projection/view_of_matrix.h"
-#include "renderer/reference/first_surface.h"
-#include "renderer/scene/ground.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {
@@ -37,60 +27,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxMapFileBytes = std::size_t{2} << 30;
 constexpr std::size_t kShownFits = 12;
 /// Share of texels by which a reading that contradicts the light file has to fit better, to be named.
 constexpr double kBetterByShare = 0.1;
 
-constexpr std::pair<std::string_view, MatrixOrder> kMatrixKeys[] = {{"columns", MatrixOrder::Columns},
-                                                                    {"rows", MatrixOrder::Rows}};
-constexpr std::pair<std::string_view, ProductOrder> kProductKeys[] = {
-    {"projection-view", ProductOrder::ProjectionView}, {"view-projection", ProductOrder::ViewProjection}};
-constexpr std::pair<std::string_view, MirroredAxis> kMirroredKeys[] = {
-    {"none", MirroredAxis::None}, {"x", MirroredAxis::X}, {"y", MirroredAxis::Y}, {"z", MirroredAxis::Z}};
 constexpr std::pair<std::string_view, bool> kReversedKeys[] = {{"true", true}, {"false", false}};
-
-template <typename Table, typename T>
-std::string_view convention_word(const Table& table, const T& value) {
-    for (const auto& [key, own] : table)
-        if (own == value) return key;
-    return "?";
-}
 
 /// Sets a part of a convention from an option. An empty text leaves it as it is. The command line checks the words.
 template <typename Table, typename T>
 void set_known(std::optional<T>& part, const std::string& text, const Table& table) {
     for (const auto& [key, value] : table)
         if (key == text) part = value;
-}
-
-/// Returns the options that state axes, hand and unit; empty for those of the scene.
-std::string axes_options_text(const LightAxes& axes) {
-    if (axes == LightAxes()) return {};
-    return fmt::format("--up {} --mirrored {} --unit {:.10g}", convention_word(bundle::kUpKeys, axes.up),
-                       convention_word(kMirroredKeys, axes.mirrored), axes.unit);
-}
-
-/// Returns axes, hand and unit in a few words: "z up, x mirrored, 0.01".
-std::string axes_words(const LightAxes& axes) {
-    if (axes == LightAxes()) return "the scene's";
-    std::string out = fmt::format("{} up", convention_word(bundle::kUpKeys, axes.up));
-    if (axes.mirrored != MirroredAxis::None)
-        out += fmt::format(", {} mirrored", convention_word(kMirroredKeys, axes.mirrored));
-    if (axes.unit != 1) out += fmt::format(", {:.6g}", axes.unit);
-    return out;
-}
-
-/// Returns the options that choose a reading.
-std::string options_text(const Convention& c, bool has_pair) {
-    std::string out =
-        fmt::format("--depth-range {} --reversed {} --first-row {} --matrix {} --stored {}",
-                    convention_word(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
-                    convention_word(bundle::kFirstRowKeys, c.first_row), convention_word(kMatrixKeys, c.matrix),
-                    convention_word(bundle::kStoredKeys, c.stored));
-    if (has_pair) out += fmt::format(" --product {}", convention_word(kProductKeys, c.product));
-    if (const std::string axes = axes_options_text(c.axes); !axes.empty()) out += " " + axes;
-    return out;
 }
 
 Json fit_json(const ConventionFit& fit, std::size_t number, bool over_scene, bool has_pair) {
@@ -106,7 +53,7 @@ Json fit_json(const ConventionFit& fit, std::size_t number, bool over_scene, boo
                  {"up", convention_word(bundle::kUpKeys, c.axes.up)},
                  {"mirrored", convention_word(kMirroredKeys, c.axes.mirrored)},
                  {"unit", c.axes.unit},
-                 {"options", options_text(c, has_pair)},
+                 {"options", convention_options(c, has_pair)},
                  {"contradicts_light", !fit.known},
                  {"finding", fit_sentence(fit, over_scene)}};
     if (!fit.refusal.empty()) {
@@ -200,7 +147,7 @@ std::size_t chosen_fit(const ConventionFits& fits, const ImportMapOptions& optio
         other->share_off() + kBetterByShare < (best.refusal.empty() ? best.share_off() : 1) && other->share_off() < 0.4)
         throw Error(fmt::format("{}: {}; another reading fits at {:.1f} % of the texels: {}", printable(light),
                                 fit_sentence(best, true), 100 * (1 - other->share_off()),
-                                options_text(other->convention, has_pair)));
+                                convention_options(other->convention, has_pair)));
     if (first_read == fits.fits.end())
         throw Error(
             fmt::format("{}: no reading of the matrix is that of the light: {}", printable(light), best.refusal));
@@ -215,17 +162,19 @@ std::size_t chosen_fit(const ConventionFits& fits, const ImportMapOptions& optio
     return 0;
 }
 
-/// Returns the casters of a scene as the conventions are compared with them.
-FirstCasters casters_of(const Scene& scene, const glm::dmat4& world) {
-    Scene placed = scene;
-    if (world != glm::dmat4(1)) place(placed, world);
-    const auto geometry = std::make_shared<const ReferenceGeometry>(placed, Settings());
-    const auto rays = std::make_shared<const ReferenceScene>(geometry, tracing_workers());
-    return [rays](std::span<const MapRay> map_rays) {
-        std::vector<LightRaySegment> segments;
-        for (const MapRay& ray : map_rays) segments.push_back({ray.from_ws, ray.to_ws});
-        return first_caster_distances(*rays, segments);
-    };
+/// Returns the parts of a convention that the options state.
+KnownConvention stated_convention(const ImportMapOptions& options) {
+    KnownConvention out;
+    set_known(out.zero_to_one, options.depth_range, bundle::kRangeKeys);
+    set_known(out.reversed, options.reversed, kReversedKeys);
+    set_known(out.first_row, options.first_row, bundle::kFirstRowKeys);
+    set_known(out.matrix, options.matrix, kMatrixKeys);
+    set_known(out.product, options.product, kProductKeys);
+    set_known(out.stored, options.stored, bundle::kStoredKeys);
+    set_known(out.up, options.up, bundle::kUpKeys);
+    set_known(out.mirrored, options.mirrored, kMirroredKeys);
+    if (options.unit > 0) out.unit = options.unit;
+    return out;
 }
 
 }  // namespace
@@ -238,57 +187,15 @@ void run_import_map(const ImportMapOptions& options) {
     if (reads_scene) inputs.emplace_back(options.scene);
     require_no_input(std::vector<fs::path>{options.output}, inputs);
 
-    const std::string extension = lower_extension(image_path);
-    constexpr std::string_view kRead[] = {".pfm", ".exr", ".png", ".raw"};
-    if (std::ranges::find(kRead, extension) == std::end(kRead))
-        throw Error(
-            fmt::format("{}: is no image of a map; name a .pfm, .exr, .png or .raw file", printable(options.image)));
-    const std::string image_file = "map" + extension;
-    LightFile light = parse_light_file(read_text_file(options.light), options.light, image_file);
-    BundleLight& own = light.bundle.lights.front();
-    const ReadResult bytes = read_regular_file(image_path, kMaxMapFileBytes);
-    if (!bytes.error.empty())
-        throw Error(fmt::format("{}: {}; name a .pfm, .exr, .png or .raw file", printable(options.image), bytes.error));
-    const BundleImage& stated = own.maps.front().image;
-    const FloatImage image = decode_map_image(options.image, std::as_bytes(bytes.bytes.span()),
-                                              {stated.width, stated.height, stated.channels, stated.format});
-    for (const BundleMap& map : own.maps)
-        if (map.image.channel >= image.channels)
-            throw Error(fmt::format("{}: image.channel: channel {} is read, and {} has {}; count from 0",
-                                    printable(options.light), map.image.channel, printable(options.image),
-                                    image.channels));
-
-    KnownConvention known = light.known;
-    set_known(known.zero_to_one, options.depth_range, bundle::kRangeKeys);
-    set_known(known.reversed, options.reversed, kReversedKeys);
-    set_known(known.first_row, options.first_row, bundle::kFirstRowKeys);
-    set_known(known.matrix, options.matrix, kMatrixKeys);
-    set_known(known.product, options.product, kProductKeys);
-    set_known(known.stored, options.stored, bundle::kStoredKeys);
-    set_known(known.up, options.up, bundle::kUpKeys);
-    set_known(known.mirrored, options.mirrored, kMirroredKeys);
-    if (options.unit > 0) known.unit = options.unit;
+    const MapImport map = read_map_import(image_path, options.light, options.scene, stated_convention(options));
+    const ConventionFits& fits = map.fits;
+    const bool has_pair = map.has_pair();
     std::vector<std::string> notes;
-    if (options.scene.empty() && !known.first_row) {
-        own.maps.front().image.first_row.reset();
-        known.first_row = first_row_of(own.maps.front().image);
+    if (map.row)
         notes.push_back(
             fmt::format("without a scene the first row is taken as the {} of the map, as in other {} files; "
                         "--first-row changes it",
-                        convention_word(bundle::kFirstRowKeys, *known.first_row), extension));
-    }
-
-    const glm::dmat4 world = world_from_engine(light.bundle.world);
-    std::optional<Scene> scene;
-    FirstCasters casters;
-    if (!options.scene.empty()) {
-        scene = load_scene(options.scene);
-        remove_ground(*scene);
-        casters = casters_of(*scene, world);
-    }
-    const bool has_pair = own.maps.front().clip.view && own.maps.front().clip.projection;
-    const ConventionFits fits = fit_conventions(own, light.type_known, world, image, known, casters);
-
+                        convention_word(bundle::kFirstRowKeys, *map.row), lower_extension(image_path)));
     if (fits.other_axes > 0)
         notes.push_back(
             fmt::format("{} readings in other axes or units fit as well: the scene looks the same in them; "
@@ -308,8 +215,8 @@ void run_import_map(const ImportMapOptions& options) {
         Json json = {{"format", "shadow-inspector-map-import"},
                      {"version", 1},
                      {"image", options.image},
-                     {"width", image.width},
-                     {"height", image.height},
+                     {"width", map.width},
+                     {"height", map.height},
                      {"scene", options.scene.empty() ? Json() : Json(options.scene)},
                      {"bundle", chosen ? Json(options.output) : Json()},
                      {"chosen", chosen ? Json(*chosen + 1) : Json()},
@@ -325,31 +232,15 @@ void run_import_map(const ImportMapOptions& options) {
     if (!chosen) throw Error(failure);
 
     const ConventionFit& fit = fits.fits[*chosen];
-    own = with_convention(own, fit.convention);
-    if (!light.type_known) {
-        const BundleMap& map = own.maps.front();
-        const LightView view = view_of_matrix(map.clip.matrix() * glm::inverse(world), map.depth.convention);
-        own.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
-    }
-    light.bundle.made_by = "import-map";
-    light.bundle.notes.push_back(
-        fmt::format("{}: {}", options_text(fit.convention, has_pair), fit_sentence(fit, fits.over_scene)));
-    BundleContents contents;
-    contents[image_file] = std::string(bytes.bytes.text());
-    if (scene) {
-        light.bundle.scene = "scene.glb";
-        scene->suggested.clear();
-        contents[light.bundle.scene] = glb_bytes(*scene);
-    }
-    contents[std::string(kFrameJson)] = format_bundle(light.bundle);
-    write_bundle_files(contents, options.output);
+    std::vector<std::string> remarks = write_map_import(map, *chosen, options.output);
     if (!options.json) {
-        fmt::print("taken: {}\n", options_text(fit.convention, has_pair));
+        fmt::print("taken: {}\n", convention_options(fit.convention, has_pair));
         fmt::print("{}\n", fit_sentence(fit, fits.over_scene));
         print_wrote(options.output);
     }
+    // The first remark is the reading.
+    notes.insert(notes.end(), remarks.begin() + 1, remarks.end());
     print_notes(notes);
-    if (scene) print_notes(export_notes(*scene));
 }
 
 }  // namespace si

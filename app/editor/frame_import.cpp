@@ -111,7 +111,7 @@ void FrameImport::start_reading() {
           [file = file_, light = fs::path(state_.import_dialog.light), scene,
            choices = file_choices(state_.settings.scene)](const Workers& workers, const auto&) {
               Made made;
-              made.map = std::make_shared<const MapImport>(read_map_import(file, light, scene, choices));
+              made.map = std::make_shared<const MapImport>(read_map_import(file, light, scene, {}, choices));
               if (workers.stop.stop_requested()) throw Cancelled();
               made.choices = reading_choices(*made.map);
               return made;

@@ -33,21 +33,35 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxImageBytes = std::size_t{2} << 30;
 constexpr std::size_t kMaxReadings = 48;
 
-template <typename Table, typename T>
-std::string_view reading_word(const Table& table, const T& value) {
-    for (const auto& [key, own] : table)
-        if (own == value) return key;
-    return "?";
-}
+/// Extensions of the images that are read.
+constexpr std::string_view kMapExtensions[] = {".pfm", ".exr", ".png", ".raw"};
 
-/// Formats a reading: "depth 0..1, reversed, first row at the bottom, matrix by columns".
+/// Formats a reading for a list: "range 0..1, reversed, first row bottom, matrix in columns, stored depth".
 std::string reading_text(const Convention& c, bool has_pair) {
     std::string out =
-        fmt::format("range {}{}, first row {}, matrix in {}", reading_word(bundle::kRangeKeys, c.depth.zero_to_one),
-                    c.depth.reversed ? ", reversed" : "", reading_word(bundle::kFirstRowKeys, c.first_row),
-                    c.matrix == MatrixOrder::Columns ? "columns" : "rows");
+        fmt::format("range {}{}, first row {}, matrix in {}", convention_word(bundle::kRangeKeys, c.depth.zero_to_one),
+                    c.depth.reversed ? ", reversed" : "", convention_word(bundle::kFirstRowKeys, c.first_row),
+                    convention_word(kMatrixKeys, c.matrix));
     if (has_pair) out += c.product == ProductOrder::ProjectionView ? ", projection × view" : ", view × projection";
-    return out + fmt::format(", stored {}", reading_word(bundle::kStoredKeys, c.stored));
+    out += fmt::format(", stored {}", convention_word(bundle::kStoredKeys, c.stored));
+    return c.axes == LightAxes() ? out : fmt::format("{}, light in {}", out, axes_words(c.axes));
+}
+
+/// Returns known parts with those that the user states in their place.
+KnownConvention with_stated(KnownConvention known, const KnownConvention& stated) {
+    const auto take = [](auto& part, const auto& own) {
+        if (own) part = own;
+    };
+    take(known.zero_to_one, stated.zero_to_one);
+    take(known.reversed, stated.reversed);
+    take(known.first_row, stated.first_row);
+    take(known.matrix, stated.matrix);
+    take(known.product, stated.product);
+    take(known.stored, stated.stored);
+    take(known.up, stated.up);
+    take(known.mirrored, stated.mirrored);
+    take(known.unit, stated.unit);
+    return known;
 }
 
 /// Returns the surfaces of a scene that maps are compared with.
@@ -70,8 +84,32 @@ bool MapImport::has_pair() const {
     return clip.view && clip.projection;
 }
 
+std::string axes_words(const LightAxes& axes) {
+    if (axes == LightAxes()) return "the scene's";
+    std::string out = fmt::format("{} up", convention_word(bundle::kUpKeys, axes.up));
+    if (axes.mirrored != MirroredAxis::None)
+        out += fmt::format(", {} mirrored", convention_word(kMirroredKeys, axes.mirrored));
+    if (axes.unit != 1) out += fmt::format(", {:.6g}", axes.unit);
+    return out;
+}
+
+std::string convention_options(const Convention& c, bool has_pair) {
+    std::string out =
+        fmt::format("--depth-range {} --reversed {} --first-row {} --matrix {} --stored {}",
+                    convention_word(bundle::kRangeKeys, c.depth.zero_to_one), c.depth.reversed,
+                    convention_word(bundle::kFirstRowKeys, c.first_row), convention_word(kMatrixKeys, c.matrix),
+                    convention_word(bundle::kStoredKeys, c.stored));
+    if (has_pair) out += fmt::format(" --product {}", convention_word(kProductKeys, c.product));
+    if (c.axes == LightAxes()) return out;
+    return out + fmt::format(" --up {} --mirrored {} --unit {:.10g}", convention_word(bundle::kUpKeys, c.axes.up),
+                             convention_word(kMirroredKeys, c.axes.mirrored), c.axes.unit);
+}
+
 MapImport read_map_import(const fs::path& image_path, const fs::path& light_path, const std::string& scene_name,
-                          const FileChoices& file) {
+                          const KnownConvention& stated, const FileChoices& file) {
+    if (std::ranges::find(kMapExtensions, lower_extension(image_path)) == std::end(kMapExtensions))
+        throw Error(fmt::format("{}: is no image of a map; name a .pfm, .exr, .png or .raw file",
+                                printable(image_path.string())));
     MapImport out;
     out.inputs = {image_path, light_path};
     out.image_file = "map" + lower_extension(image_path);
@@ -82,18 +120,20 @@ MapImport read_map_import(const fs::path& image_path, const fs::path& light_path
         throw Error(
             fmt::format("{}: {}; name a .pfm, .exr, .png or .raw file", printable(image_path.string()), bytes.error));
     out.bytes = bytes.bytes.text();
-    const BundleImage& stated = own.maps.front().image;
+    const BundleImage& layout = own.maps.front().image;
     const FloatImage image = decode_map_image(image_path.string(), std::as_bytes(bytes.bytes.span()),
-                                              {stated.width, stated.height, stated.channels, stated.format});
+                                              {layout.width, layout.height, layout.channels, layout.format});
+    out.width = image.width;
+    out.height = image.height;
     for (const BundleMap& map : own.maps)
         if (map.image.channel >= image.channels)
             throw Error(fmt::format("{}: image.channel: channel {} is read, and {} has {}; count from 0",
                                     printable(light_path.string()), map.image.channel, printable(image_path.string()),
                                     image.channels));
-    KnownConvention known = out.light.known;
+    KnownConvention known = with_stated(out.light.known, stated);
     if (scene_name.empty() && !known.first_row) {
         own.maps.front().image.first_row.reset();
-        known.first_row = first_row_of(own.maps.front().image);
+        known.first_row = out.row = first_row_of(own.maps.front().image);
     }
     const glm::dmat4 world = world_from_engine(out.light.bundle.world);
     FirstCasters casters;
@@ -106,13 +146,14 @@ MapImport read_map_import(const fs::path& image_path, const fs::path& light_path
         casters = surfaces_of(*out.scene, world);
     }
     out.fits = fit_conventions(own, out.light.type_known, world, image, known, casters);
-    if (std::ranges::none_of(out.fits.fits, [](const ConventionFit& fit) { return fit.refusal.empty(); }))
-        throw Error(fmt::format("{}: no reading of the matrix is that of the light: {}", printable(light_path.string()),
-                                out.fits.fits.empty() ? "there is none" : out.fits.fits.front().refusal));
     return out;
 }
 
 std::vector<ImportChoice> reading_choices(const MapImport& map) {
+    if (std::ranges::none_of(map.fits.fits, [](const ConventionFit& fit) { return fit.refusal.empty(); }))
+        throw Error(fmt::format("{}: no reading of the matrix is that of the light: {}",
+                                printable(map.inputs.at(1).string()),
+                                map.fits.fits.empty() ? "there is none" : map.fits.fits.front().refusal));
     std::vector<ImportChoice> out;
     for (std::size_t i = 0; i < map.fits.fits.size() && out.size() < kMaxReadings; ++i) {
         const ConventionFit& fit = map.fits.fits[i];
@@ -150,8 +191,8 @@ std::vector<std::string> write_map_import(const MapImport& map, std::size_t inde
         own.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
     }
     bundle.made_by = "import-map";
-    const std::string taken =
-        fmt::format("{}: {}", reading_text(fit.convention, map.has_pair()), fit_sentence(fit, map.fits.over_scene));
+    const std::string taken = fmt::format("{}: {}", convention_options(fit.convention, map.has_pair()),
+                                          fit_sentence(fit, map.fits.over_scene));
     bundle.notes.push_back(taken);
     BundleContents contents;
     contents[map.image_file] = map.bytes;
