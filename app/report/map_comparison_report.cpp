@@ -77,8 +77,8 @@ Json box_json(const TexelBox& box) {
 }
 
 Json caster_json(const LackingCaster& c) {
-    return {
-        {"object", c.path}, {"whole", c.is_whole()}, {"texels", c.texels}, {"empty", c.empty}, {"farther", c.farther}};
+    return {{"object", c.path}, {"whole", c.is_whole()}, {"texels", c.texels},
+            {"empty", c.empty}, {"farther", c.farther},  {"drawn", c.drawn}};
 }
 
 }  // namespace

@@ -401,6 +401,7 @@ GivenMaps read_given_maps(BundleFiles& files) {
         const std::optional<BiasSettings> bias = stated_bias(out.bundle, light, views.views, *size);
         ImportedMaps maps = *imported_maps(std::move(images), std::move(views), std::move(raster), bias.has_value());
         maps.bias = bias;
+        for (const BundleMap& map : light.maps) maps.drawn.push_back(map.drawn);
         out.lights.push_back(std::make_shared<const ImportedMaps>(std::move(maps)));
     }
     out.files = files.files_read();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "renderer/base/float_image.h"
@@ -36,7 +37,9 @@ struct ImportedMaps {
     std::vector<FloatImage> images;      ///< depths by view, top row first, as Renderer::read_shadow_map() returns them
     std::optional<ImportedViews> views;  ///< nullopt: the light's own views
     std::vector<CasterRaster> raster;    ///< by view; empty: unknown, maps are drawn as the settings say
-    MapSize drawn_size;                  ///< size of maps without images
+    /// Node paths that were drawn into each map, with all below them; nullopt: unknown. Empty: unknown for all.
+    std::vector<std::optional<std::vector<std::string>>> drawn;
+    MapSize drawn_size;  ///< size of maps without images
     /// The maps come with the bias with which the engine reads them. False: it is unknown. See engine_bias().
     bool bias_known = true;
     /// Known bias, as bias.* hold it without polygon offset; nullopt: bias.* of any settings are the engine's.

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
+#include <string_view>
 
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
@@ -324,6 +327,27 @@ std::vector<bool> masked_texels(Renderer& renderer, const Scene& scene, const Se
     return out;
 }
 
+using StringSet = std::set<std::string, std::less<>>;
+
+/// Returns the node paths of a scene's objects that are not drawn into a map.
+/// @param drawn node paths that are drawn, with all below them; where one names no node, all count as drawn
+StringSet left_out_casters(const Scene& scene, const std::vector<std::string>& drawn) {
+    const StringSet names(drawn.begin(), drawn.end());
+    const auto is_drawn = [&](std::string_view path) {
+        for (std::size_t end = path.size(); end != path.npos && end > 0; end = path.rfind('/', end - 1))
+            if (names.contains(path.substr(0, end))) return true;
+        return false;
+    };
+    const auto is_node = [&](const std::string& name) {
+        return std::ranges::any_of(scene.nodes, [&](const Node& node) { return node.path == name; });
+    };
+    StringSet out;
+    if (!std::ranges::all_of(names, is_node)) return out;
+    for (const Object& object : scene.objects)
+        if (const std::string& path = scene.nodes[std::size_t(object.node)].path; !is_drawn(path)) out.insert(path);
+    return out;
+}
+
 }  // namespace
 
 MapComparison compare_maps(const FloatImage& imported, const FloatImage& drawn, const LightView& view, MapFormat format,
@@ -415,7 +439,11 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
     std::vector<ComparedMap> out;
     const auto casters = ray_scenes().get(ray_scenes().geometry(scene, own), workers);
     for (std::size_t v = 0; v < given->images.size(); ++v) {
-        const FrameResult frame = renderer.render(scene, own, request);
+        const auto paths =
+            v < given->drawn.size() && given->drawn[v] ? left_out_casters(scene, *given->drawn[v]) : StringSet();
+        Settings drawn_there = own;
+        for (const std::string& path : paths) drawn_there.objects[path].cast = false;
+        const FrameResult frame = renderer.render(scene, drawn_there, request);
         const FittedLight& fitted = frame.lights.at(std::size_t(light));
         if (!fitted.casts)
             throw Error(fmt::format("light {} has no shadow map: {}", light,
@@ -426,7 +454,7 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
                         .drawn = renderer.read_shadow_map(frame, light, int(v)),
                         .lacking = {}};
         const std::vector<bool> masked = options.leaves_out_masked
-                                             ? masked_texels(renderer, scene, own, request, light, int(v))
+                                             ? masked_texels(renderer, scene, drawn_there, request, light, int(v))
                                              : std::vector<bool>{};
         map.numbers = compare_maps(map.imported, map.drawn, map.view, own.map.format, masked, options);
         map.numbers.light = light;
@@ -442,8 +470,17 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
                     traits[std::size_t(&object - scene.objects.data())].cull = cull_in_force(chosen, *cull);
                 }
         }
-        map.lacking =
-            lacking_casters(map.imported, map.drawn, map.view, map.numbers, *casters, traits, factor, workers);
+        if (paths.empty()) {
+            map.lacking =
+                lacking_casters(map.imported, map.drawn, map.view, map.numbers, *casters, traits, factor, workers);
+        } else {
+            if (map.numbers.gate.passed())
+                map.numbers.gate.text = "passed: the casters that were drawn there draw this map";
+            const FloatImage whole = renderer.read_shadow_map(renderer.render(scene, own, request), light, int(v));
+            const MapComparison numbers = compare_maps(map.imported, whole, map.view, own.map.format, masked, options);
+            map.lacking = lacking_casters(map.imported, whole, map.view, numbers, *casters, traits, factor, workers);
+            for (LackingCaster& caster : map.lacking) caster.drawn = !paths.contains(caster.path);
+        }
         out.push_back(std::move(map));
     }
     return out;
@@ -453,8 +490,9 @@ std::string lacking_caster_text(const LackingCaster& caster) {
     const std::string_view where = caster.farther == 0 ? "it is empty there"
                                    : caster.empty == 0 ? "it holds a surface behind there"
                                                        : "it is empty or holds a surface behind there";
-    return fmt::format("{}: the map lacks {} ({} of {} texels; {})", caster.path.empty() ? "(unnamed)" : caster.path,
-                       caster.is_whole() ? "it" : "a part of it", caster.empty + caster.farther, caster.texels, where);
+    return fmt::format("{}: the map lacks {} ({} of {} texels; {}{})", caster.path.empty() ? "(unnamed)" : caster.path,
+                       caster.is_whole() ? "it" : "a part of it", caster.empty + caster.farther, caster.texels, where,
+                       caster.drawn ? "" : "; it was not drawn there");
 }
 
 double difference_scale_m(const MapComparison& comparison) {

@@ -104,6 +104,7 @@ struct LackingCaster {
     std::size_t texels = 0;   ///< texels in which it is the first caster; estimated where not all were traced
     std::size_t empty = 0;    ///< of these, texels that the imported map leaves empty
     std::size_t farther = 0;  ///< of these, texels in which the imported map lies farther from the light, beyond bias
+    bool drawn = true;        ///< false: the bundle says that it was not drawn into this map
     double lacking_share() const { return texels > 0 ? double(empty + farther) / double(texels) : 0; }
     /// Returns true when the map lacks the whole caster rather than a part.
     bool is_whole() const { return lacking_share() >= 0.5; }
@@ -127,7 +128,8 @@ struct ComparedMap {
     std::vector<LackingCaster> lacking;
 };
 
-/// Draws the maps of a light with the views and raster state of its imported maps, and compares each.
+/// Draws the maps of a light with the views and raster state of its imported maps, and compares each. Where the bundle
+/// says which casters were drawn into a map, the numbers are of these alone. Casters that it lacks are among all.
 /// @param settings settings of the frame; map.format gives the format
 /// @param maps by light, as FrameRequest::imported; `light` has images and views
 /// @throws Error where the light has no imported maps; Cancelled

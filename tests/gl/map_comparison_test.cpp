@@ -147,6 +147,40 @@ TEST_F(MapComparisonTest, ACasterThatOneMapLacksIsCountedExactly) {
     }
 }
 
+// Engines leave out casters whose shadows nobody sees. The map is then right, and the caster is still named.
+TEST_F(MapComparisonTest, CastersThatWereNotDrawnCountInNoMap) {
+    const Scene scene = floor_and_tall_box();
+    Settings floor_alone = plain(), nothing = plain();
+    floor_alone.objects["box"].cast = false;
+    nothing.objects["floor"].cast = nothing.objects["box"].cast = false;
+    const auto given = [&](const Settings& s, std::optional<std::vector<std::string>> drawn) {
+        ImportedMaps maps = *as_given(scene, s, from_above());
+        maps.drawn = {std::move(drawn)};
+        return compare(scene, plain(), std::make_shared<const ImportedMaps>(std::move(maps)));
+    };
+    using Names = std::vector<std::string>;
+    ComparedMap map = given(floor_alone, Names{"floor"});
+    EXPECT_EQ(map.numbers.gate.text, "passed: the casters that were drawn there draw this map");
+    EXPECT_EQ(map.numbers.farther, 0u);
+    ASSERT_EQ(map.lacking.size(), 1u);
+    EXPECT_FALSE(map.lacking[0].drawn);
+    EXPECT_EQ(lacking_caster_text(map.lacking[0]),
+              "box: the map lacks it (128 of 128 texels; it holds a surface behind there; it was not drawn there)");
+    map = given(nothing, Names{});
+    EXPECT_EQ(map.numbers.covered + map.numbers.extra, 0u);
+    EXPECT_TRUE(map.numbers.gate.passed()) << map.numbers.gate.text;
+    EXPECT_EQ(map.lacking.size(), 2u);
+    // A caster that the bundle lists is missing from its map.
+    map = given(floor_alone, Names{"box", "floor"});
+    EXPECT_FALSE(map.numbers.gate.passed());
+    ASSERT_EQ(map.lacking.size(), 1u);
+    EXPECT_TRUE(map.lacking[0].drawn);
+    // Nothing is known from names that the scene lacks.
+    EXPECT_FALSE(given(floor_alone, Names{"floor", "Box"}).numbers.gate.passed());
+    EXPECT_FALSE(given(floor_alone, std::nullopt).numbers.gate.passed());
+    EXPECT_EQ(given(plain(), Names{"box", "floor"}).numbers.gate.text, "passed: the scene draws this map");
+}
+
 // A lamp sees the box's top at 8 m: a metre is 8 texels of 64 there.
 TEST_F(MapComparisonTest, ALampSeesTheTopOfTheBox) {
     const Scene scene =
