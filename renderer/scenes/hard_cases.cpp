@@ -658,16 +658,15 @@ constexpr HardCase kCases[] = {
      "The bias that each pixel's plane needs, by both sides of the texel it reads (bias.kind=adaptive).",
      "lit pixels darker than lit, at the predicted least bias", 0, kPixels, kExact,
      "share of pixels with acne under the least bias of square texels of the short side", 0.1, hard_given,
-     "map.bundle=builtin:strip light.azimuth=30 light.elevation=40 filter.kernel=hard",
+     "map.bundle_bias=entered map.bundle=builtin:strip light.azimuth=30 light.elevation=40 filter.kernel=hard",
      "bias.kind=constant bias.unit=metres bias.constant=0.014", "bias.kind=adaptive"},
     {43, "given-warped", "A map whose w is not constant",
      "An engine's sun has a perspective matrix (LiSPSM): a texel is 16 times as long at one end as at the other, and "
-     "no "
-     "bias in metres suits both.",
+     "no bias in metres suits both.",
      "Size of texels and range of depth by row, as the matrix has them (bias.kind=adaptive).",
      "lit pixels darker than lit, at the predicted least bias", 0, kPixels, kExact,
      "share of pixels with acne under a bias that suits the middle row", 0.1, hard_given,
-     "map.bundle=builtin:warped light.azimuth=30 light.elevation=40 filter.kernel=hard",
+     "map.bundle_bias=entered map.bundle=builtin:warped light.azimuth=30 light.elevation=40 filter.kernel=hard",
      "bias.kind=constant bias.unit=metres bias.constant=0.028", "bias.kind=adaptive"},
     {44, "given-reversed", "A matrix from before depth was reversed",
      "An engine reverses depth on its way to the GPU, and its bundle states the matrix from before: all is dark.",
@@ -676,7 +675,7 @@ constexpr HardCase kCases[] = {
      "texels' middles decide at edges, on at most 1 pixel in 2000", "share of pixels that are wrongly dark", 0.5,
      hard_given,
      "light.type=spot light.azimuth=30 light.elevation=70 light.distance=12 light.cone=60 bias.kind=adaptive "
-     "filter.kernel=hard",
+     "filter.kernel=hard map.bundle_bias=entered",
      "map.bundle=builtin:reversed-unstated map.reversed_z=false", "map.bundle=builtin:reversed map.reversed_z=true"},
     {45, "given-16-bits", "16 bits read as floats",
      "An engine's map has 16 bits, and its bundle says floats: the bias lacks a step of depth, which is 3 cm on the "
@@ -684,15 +683,16 @@ constexpr HardCase kCases[] = {
      "The format of the engine's map (depth.format, map.format), whose step is part of the least bias.",
      "lit pixels darker than lit, at the predicted least bias", 0, kPixels, kExact,
      "share of pixels with acne under the least bias of floats", 0.1, hard_given,
-     "map.bundle=builtin:16-bits light.type=spot light.azimuth=30 light.elevation=70 light.distance=12 light.cone=60 "
-     "bias.kind=adaptive filter.kernel=hard",
+     "map.bundle_bias=entered map.bundle=builtin:16-bits light.type=spot light.azimuth=30 light.elevation=70 "
+     "light.distance=12 light.cone=60 bias.kind=adaptive filter.kernel=hard",
      "map.format=d32f", "map.format=d16"},
     {46, "given-far-away", "An engine's matrix far from the origin",
      "At 6,000 km an engine's absolute matrix, in single precision, shifts its shadows by several texels.",
      "The matrix relative to the engine's camera, and the camera's place in double (world.origin).",
      "wrong pixels inside shadow or light", 5e-4, kPixels,
      "texels' middles decide at edges, on at most 1 pixel in 2000", "the same under the absolute matrix", 0.002,
-     hard_given_far_away, "light.azimuth=30 light.elevation=40 bias.kind=adaptive filter.kernel=hard",
+     hard_given_far_away,
+     "light.azimuth=30 light.elevation=40 bias.kind=adaptive filter.kernel=hard map.bundle_bias=entered",
      "map.bundle=builtin:absolute", "map.bundle=builtin:relative-to-camera"},
 };
 
