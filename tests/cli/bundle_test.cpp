@@ -222,16 +222,15 @@ TEST(BundleCommand, ABiasThatIsEnteredCounts) {
 TEST(BundleCommand, ASweepBeginsAtTheSettingsOfTheBundle) {
     const Words scene =
         "boxes --set map.resolution=128 --set filter.kernel=pcf3 --set bias.kind=constant --set bias.constant=0.3 "
-        "--set "
-        "bias.normal=1.5";
+        "--set bias.normal=1.5";
     const fs::path folder = exported(scene);
     const auto rows = [&](const Words& words, const std::string& out) {
         const ProcessResult r = run_program(
             Words("sweep") + words + Words("--vary bias.constant=0.3,2 --no-time --size 96x54 -o " + out), folder);
         EXPECT_EQ(r.code, 0) << r.err;
+        const Json results = Json::parse(file_bytes(folder / out / "results.json"));
         Json errors = Json::array();
-        for (const Json& row : Json::parse(file_bytes(folder / out / "results.json"))["rows"])
-            errors.push_back(row["error"]);
+        for (const Json& row : results["rows"]) errors.push_back(row["error"]);
         return errors;
     };
     const Json own = rows(scene, "own"), theirs = rows("out.bundle", "theirs");
