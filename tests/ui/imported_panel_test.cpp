@@ -64,7 +64,7 @@ TEST(ImportedPanel, TheEnginesBiasIsEntered) {
     ui.maps_imported = true;
     ui.state.window.open_tab = BottomTab::Imported;
     ui.frames(4);
-    EXPECT_FALSE(ui.prints("Engine's bias")) << "there is no bundle";
+    EXPECT_FALSE(ui.find("Imported", "map.bundle_bias", "##value")) << "there is no bundle";
     ui.state.settings.map.bundle = "frame.bundle";
     ui.frames(3);
     EXPECT_EQ(ui.lacking({"Bundle's maps", "Engine's bias", "The engine's bias is unknown: no verdict speaks"}), "");
