@@ -480,6 +480,7 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
             const MapComparison numbers = compare_maps(map.imported, whole, map.view, own.map.format, masked, options);
             map.lacking = lacking_casters(map.imported, whole, map.view, numbers, *casters, traits, factor, workers);
             for (LackingCaster& caster : map.lacking) caster.drawn = !paths.contains(caster.path);
+            std::ranges::stable_partition(map.lacking, &LackingCaster::drawn);
         }
         out.push_back(std::move(map));
     }

@@ -170,6 +170,12 @@ TEST_F(MapComparisonTest, CastersThatWereNotDrawnCountInNoMap) {
     EXPECT_EQ(map.numbers.covered + map.numbers.extra, 0u);
     EXPECT_TRUE(map.numbers.gate.passed()) << map.numbers.gate.text;
     EXPECT_EQ(map.lacking.size(), 2u);
+    // Casters that should be there come first.
+    map = given(nothing, Names{"box"});
+    ASSERT_EQ(map.lacking.size(), 2u);
+    EXPECT_TRUE(map.lacking[0].drawn);
+    EXPECT_EQ(map.lacking[0].path, "box");
+    EXPECT_EQ(map.lacking[1].path, "floor") << "it has more texels, and was not drawn";
     // A caster that the bundle lists is missing from its map.
     map = given(floor_alone, Names{"box", "floor"});
     EXPECT_FALSE(map.numbers.gate.passed());
