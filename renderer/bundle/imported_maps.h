@@ -37,7 +37,7 @@ struct ImportedMaps {
     std::vector<FloatImage> images;      ///< depths by view, top row first, as Renderer::read_shadow_map() returns them
     std::optional<ImportedViews> views;  ///< nullopt: the light's own views
     std::vector<CasterRaster> raster;    ///< by view; empty: unknown, maps are drawn as the settings say
-    /// Node paths that were drawn into each map, with all below them; nullopt: unknown. Empty: unknown for all.
+    /// Node paths that were drawn into each map; nullopt: unknown. Empty: unknown for all.
     std::vector<std::optional<std::vector<std::string>>> drawn;
     MapSize drawn_size;  ///< size of maps without images
     /// The maps come with the bias with which the engine reads them. False: it is unknown. See engine_bias().

@@ -12,6 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/bundle/conventions.h"
+#include "renderer/bundle/drawn_casters.h"
 #include "renderer/bundle/given_maps.h"
 #include "renderer/bundle/height_field.h"
 #include "renderer/projection/camera_of_matrix.h"
@@ -252,14 +253,11 @@ void suggest_casters_drawn(const Bundle& b, const Scene& scene, Suggestions& to)
         if (map.drawn) drawn.insert(map.drawn->begin(), map.drawn->end());
     });
     if (!all_known) return;
-    std::set<std::string> paths;
-    for (const Object& object : scene.objects) paths.insert(scene.nodes[std::size_t(object.node)].path);
-    for (const std::string& path : paths)
-        if (!drawn.contains(path)) to.add(fmt::format("object.{}.cast", path), "false");
-    std::size_t missing = 0;
-    for (const std::string& path : drawn) missing += !paths.contains(path);
-    if (missing > 0)
-        to.warn(fmt::format("drawn: {} of {} names are no node with triangles of the scene", missing, drawn.size()));
+    const DrawnCasters casters = drawn_casters(scene, drawn);
+    for (const std::string& path : casters.left_out) to.add(fmt::format("object.{}.cast", path), "false");
+    if (casters.unknown > 0)
+        to.warn(fmt::format("drawn: {} of {} names are no node with triangles of the scene", casters.unknown,
+                            drawn.size()));
 }
 
 void suggest_cascades(const Bundle& b, Suggestions& to) {

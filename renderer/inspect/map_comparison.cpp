@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <set>
-#include <string_view>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/bias/theory.h"
+#include "renderer/bundle/drawn_casters.h"
 #include "renderer/reference/first_surface.h"
 #include "renderer/reference/ray_scenes.h"
 
@@ -327,25 +327,12 @@ std::vector<bool> masked_texels(Renderer& renderer, const Scene& scene, const Se
     return out;
 }
 
-using StringSet = std::set<std::string, std::less<>>;
-
-/// Returns the node paths of a scene's objects that are not drawn into a map.
-/// @param drawn node paths that are drawn, with all below them; where one names no node, all count as drawn
-StringSet left_out_casters(const Scene& scene, const std::vector<std::string>& drawn) {
-    const StringSet names(drawn.begin(), drawn.end());
-    const auto is_drawn = [&](std::string_view path) {
-        for (std::size_t end = path.size(); end != path.npos && end > 0; end = path.rfind('/', end - 1))
-            if (names.contains(path.substr(0, end))) return true;
-        return false;
-    };
-    const auto is_node = [&](const std::string& name) {
-        return std::ranges::any_of(scene.nodes, [&](const Node& node) { return node.path == name; });
-    };
-    StringSet out;
-    if (!std::ranges::all_of(names, is_node)) return out;
-    for (const Object& object : scene.objects)
-        if (const std::string& path = scene.nodes[std::size_t(object.node)].path; !is_drawn(path)) out.insert(path);
-    return out;
+/// Returns the node paths of a scene's objects that are not drawn into a map. Where a name is unknown, all count as
+/// drawn.
+std::set<std::string> casters_left_out(const Scene& scene, const ImportedMaps& given, std::size_t view) {
+    if (view >= given.drawn.size() || !given.drawn[view]) return {};
+    DrawnCasters casters = drawn_casters(scene, {given.drawn[view]->begin(), given.drawn[view]->end()});
+    return casters.unknown > 0 ? std::set<std::string>() : std::move(casters.left_out);
 }
 
 }  // namespace
@@ -436,30 +423,35 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
     FrameRequest request{.width = 16, .height = 16, .outputs = {.colour = false, .shadow_map = true}};
     request.imported.resize(std::size_t(light) + 1);
     request.imported.back() = drawn_maps(*given->views, given->size(), given->raster);
+    const FrameResult frame = renderer.render(scene, own, request);
+    const FittedLight& fitted = frame.lights.at(std::size_t(light));
+    if (!fitted.casts)
+        throw Error(fmt::format("light {} has no shadow map: {}", light,
+                                fitted.reason.empty() ? "its source is another" : fitted.reason));
+    const ViewChoice choice = fitted.chooser.choice;
+    std::vector<FloatImage> whole;  // maps of all casters
+    for (std::size_t v = 0; v < given->images.size(); ++v)
+        whole.push_back(renderer.read_shadow_map(frame, light, int(v)));
     std::vector<ComparedMap> out;
     const auto casters = ray_scenes().get(ray_scenes().geometry(scene, own), workers);
     for (std::size_t v = 0; v < given->images.size(); ++v) {
-        const auto paths =
-            v < given->drawn.size() && given->drawn[v] ? left_out_casters(scene, *given->drawn[v]) : StringSet();
+        const std::set<std::string> left_out = casters_left_out(scene, *given, v);
         Settings drawn_there = own;
-        for (const std::string& path : paths) drawn_there.objects[path].cast = false;
-        const FrameResult frame = renderer.render(scene, drawn_there, request);
-        const FittedLight& fitted = frame.lights.at(std::size_t(light));
-        if (!fitted.casts)
-            throw Error(fmt::format("light {} has no shadow map: {}", light,
-                                    fitted.reason.empty() ? "its source is another" : fitted.reason));
-        ComparedMap map{.numbers = {},
-                        .view = given->views->views[v],
-                        .imported = given->images[v],
-                        .drawn = renderer.read_shadow_map(frame, light, int(v)),
-                        .lacking = {}};
+        for (const std::string& path : left_out) drawn_there.objects[path].cast = false;
+        ComparedMap map{
+            .numbers = {}, .view = given->views->views[v], .imported = given->images[v], .drawn = {}, .lacking = {}};
+        if (left_out.empty())
+            map.drawn = std::move(whole[v]);
+        else
+            map.drawn = renderer.read_shadow_map(renderer.render(scene, drawn_there, request), light, int(v));
+        const FloatImage& of_all = left_out.empty() ? map.drawn : whole[v];
         const std::vector<bool> masked = options.leaves_out_masked
                                              ? masked_texels(renderer, scene, drawn_there, request, light, int(v))
                                              : std::vector<bool>{};
         map.numbers = compare_maps(map.imported, map.drawn, map.view, own.map.format, masked, options);
         map.numbers.light = light;
         map.numbers.view = int(v);
-        map.numbers.name = view_name(fitted.chooser.choice, v, given->images.size());
+        map.numbers.name = view_name(choice, v, given->images.size());
         auto traits = object_traits(scene, own);
         double factor = own.bias.raster_slope;
         if (v < given->raster.size()) {
@@ -470,18 +462,16 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
                     traits[std::size_t(&object - scene.objects.data())].cull = cull_in_force(chosen, *cull);
                 }
         }
-        if (paths.empty()) {
-            map.lacking =
-                lacking_casters(map.imported, map.drawn, map.view, map.numbers, *casters, traits, factor, workers);
-        } else {
+        MapComparison with_all;  // with all casters, where some are left out
+        if (!left_out.empty()) {
+            with_all = compare_maps(map.imported, of_all, map.view, own.map.format, masked, options);
             if (map.numbers.gate.passed())
                 map.numbers.gate.text = "passed: the casters that were drawn there draw this map";
-            const FloatImage whole = renderer.read_shadow_map(renderer.render(scene, own, request), light, int(v));
-            const MapComparison numbers = compare_maps(map.imported, whole, map.view, own.map.format, masked, options);
-            map.lacking = lacking_casters(map.imported, whole, map.view, numbers, *casters, traits, factor, workers);
-            for (LackingCaster& caster : map.lacking) caster.drawn = !paths.contains(caster.path);
-            std::ranges::stable_partition(map.lacking, &LackingCaster::drawn);
         }
+        map.lacking = lacking_casters(map.imported, of_all, map.view, left_out.empty() ? map.numbers : with_all,
+                                      *casters, traits, factor, workers);
+        for (LackingCaster& caster : map.lacking) caster.drawn = !left_out.contains(caster.path);
+        std::ranges::stable_partition(map.lacking, &LackingCaster::drawn);
         out.push_back(std::move(map));
     }
     return out;

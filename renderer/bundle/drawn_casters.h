@@ -1,0 +1,21 @@
+// Casters of a scene that were not drawn into maps, by the names that a bundle lists.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "renderer/scene/scene.h"
+
+namespace si {
+
+/// Objects of a scene, told apart by the node paths that were drawn.
+struct DrawnCasters {
+    std::set<std::string> left_out;  ///< node paths of objects that were not drawn
+    std::size_t unknown = 0;         ///< names that are no node with triangles
+};
+
+/// Compares the objects of a scene with a list of those drawn. @param drawn node paths, as BundleMap::drawn
+DrawnCasters drawn_casters(const Scene& scene, const std::set<std::string>& drawn);
+
+}  // namespace si
