@@ -7,7 +7,6 @@
 #include "app/report/frame_bundle.h"
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
-#include "renderer/scene/ground.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -20,14 +19,11 @@ void export_bundle(const ExportOptions& options) {
     require_other_bundle(options.bundle, session.scene, session.settings);
     const HeadlessContext context;
     Renderer renderer;
-    Scene scene = session.scene;
-    hide_objects(scene, {});
-    remove_ground(scene);
-    const BundleContents contents = frame_bundle(renderer, scene, session.scene, session.settings,
-                                                 {.width = options.size.width, .height = options.size.height});
-    write_bundle_files(contents, options.bundle);
+    write_bundle_files(frame_bundle(renderer, session.scene, session.settings,
+                                    {.width = options.size.width, .height = options.size.height}),
+                       options.bundle);
     print_notes(session.notes);
-    print_notes(export_notes(scene));
+    print_notes(export_notes(written_scene(session.scene)));
 }
 
 }  // namespace
@@ -44,10 +40,9 @@ void run_export(const ExportOptions& options) {
                 session.scene.suggested.emplace_back(setting_key(ref),
                                                      value_text(*ref.param, get_value(session.settings, ref)));
     }
-    hide_objects(session.scene, {});  // hidden objects are exported, and hidden again by their setting
-    remove_ground(session.scene);     // the ground is not part of the scene
-    const std::vector<std::string> changes = export_notes(session.scene);
-    save_gltf(session.scene, options.output);
+    const Scene written = written_scene(session.scene);
+    const std::vector<std::string> changes = export_notes(written);
+    save_gltf(written, options.output);
     print_notes(session.notes);
     print_notes(changes);
 }

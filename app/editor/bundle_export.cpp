@@ -13,7 +13,6 @@
 #include "app/report/frame_bundle.h"
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
-#include "renderer/scene/ground.h"
 
 namespace si {
 
@@ -30,14 +29,10 @@ void BundleExport::start(const Scene& scene, glm::ivec2 size, const std::string&
                 path](const Workers& workers, const auto&) {
         const HeadlessContext context;
         Renderer renderer;
-        Scene written = *shown;
-        hide_objects(written, {});
-        remove_ground(written);
-        const BundleContents contents =
-            frame_bundle(renderer, written, *shown, settings, {.width = size.x, .height = size.y});
+        const BundleContents contents = frame_bundle(renderer, *shown, settings, {.width = size.x, .height = size.y});
         if (workers.stop.stop_requested()) throw Cancelled();
         write_bundle_files(contents, path);
-        return export_notes(written);
+        return export_notes(written_scene(*shown));
     });
     state_.log.add(LogKind::Info, "Exporting " + path);
 }

@@ -15,6 +15,7 @@
 #include "renderer/bundle/bundle_json.h"
 #include "renderer/bundle/given_maps.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/scene/ground.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/paging.h"
@@ -135,11 +136,17 @@ BundleLight light_of(const FittedLight& light, const LightSettings& own, const S
 
 }  // namespace
 
-BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene& picture_scene,
-                            const Settings& settings, FrameRequest request) {
+Scene written_scene(const Scene& shown) {
+    Scene out = shown;
+    hide_objects(out, {});
+    remove_ground(out);
+    return out;
+}
+
+BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request) {
     if (draws_pages(settings)) throw Error("map.virtual: a bundle holds whole maps; set map.virtual to false");
     request.outputs.colour = request.outputs.shadow_map = true;
-    const FrameResult frame = renderer.render(picture_scene, settings, request);
+    const FrameResult frame = renderer.render(shown, settings, request);
     const Camera& camera = frame.camera;
     Bundle bundle;
     bundle.made_by = "Shadow Inspector";
@@ -151,7 +158,7 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene&
                      request.height,
                      camera.curve.convention};
     bundle.settings = settings_of_frame(settings);
-    if (scene.file_scenes.empty()) bundle.settings["scene.ground"] = "off";  // built-in scenes get no ground
+    if (shown.file_scenes.empty()) bundle.settings["scene.ground"] = "off";  // built-in scenes get no ground
     BundleContents out;
     for (std::size_t i = 0; i < frame.lights.size(); ++i) {
         const FittedLight& light = frame.lights[i];
@@ -164,9 +171,9 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene&
     }
     if (out.empty())
         throw Error(fmt::format(
-            "{}: no light has a shadow map in this frame; set light.cast, light.on and light.source", scene.name));
+            "{}: no light has a shadow map in this frame; set light.cast, light.on and light.source", shown.name));
     out[kPicture] = png_bytes(renderer.read_colour(frame.colour));
-    Scene written = scene;
+    Scene written = written_scene(shown);
     written.suggested.clear();
     out[kScene] = glb_bytes(written);
     out[std::string(kFrameJson)] = format_bundle(bundle);

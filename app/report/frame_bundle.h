@@ -8,12 +8,14 @@
 
 namespace si {
 
-/// Draws a frame and returns the files of its bundle: scene, camera, maps with their matrices, look-up, picture, and
-/// the settings by which it reads back as the same frame.
-/// @param scene without the ground of add_ground(), posed and placed @param picture_scene the same with the ground
+/// Returns a scene as it is written to files: with the objects that settings hide, and without the ground of
+/// add_ground().
+Scene written_scene(const Scene& shown);
+
+/// Draws a frame and returns the files of its bundle: written_scene(), camera, maps with their matrices, look-up,
+/// picture, and the settings by which it reads back as the same frame.
 /// @throws Error where no light has a shadow map, and for virtual maps
-BundleContents frame_bundle(Renderer& renderer, const Scene& scene, const Scene& picture_scene,
-                            const Settings& settings, FrameRequest request);
+BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request);
 
 /// Checks that no file of the scene or its given maps lies in the bundle to be written. @throws UsageError
 void require_other_bundle(const std::string& bundle, const Scene& scene, const Settings& settings);

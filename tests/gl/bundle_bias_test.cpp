@@ -12,7 +12,6 @@
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/measure.h"
 #include "renderer/reference/ray_scenes.h"
-#include "renderer/scene/ground.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 
@@ -33,13 +32,10 @@ protected:
     }
     /// Exports a frame without its bias, and returns the bundle.
     std::string exported_without_bias(const Session& session) {
-        Scene scene = session.scene;
-        hide_objects(scene, {});
-        remove_ground(scene);
         const fs::path path = folder / "out.bundle";
         fs::remove_all(path);
         write_bundle_files(
-            frame_bundle(renderer, scene, session.scene, session.settings, {.width = kWidth, .height = kHeight}), path);
+            frame_bundle(renderer, session.scene, session.settings, {.width = kWidth, .height = kHeight}), path);
         Json frame = Json::parse(std::ifstream(path / "frame.json"));
         for (Json& light : frame["lights"]) light["lookup"].erase("bias");
         for (const char* key : {"kind", "unit", "constant", "slope", "plane_clamp", "normal", "normal_source"})
@@ -145,7 +141,7 @@ TEST_F(BundleBiasTest, NotesSayWhoseBiasItIs) {
     EXPECT_NE(note(open(bundle, {"bias.kind=constant", "bias.constant=0.4"})).find("is unknown"), std::string::npos);
     EXPECT_EQ(note(open(bundle, {"bias.kind=constant", "bias.constant=0.4", "map.bundle_bias=entered"})), "");
 
-    write_bundle_files(frame_bundle(renderer, own.scene, own.scene, own.settings, {.width = kWidth, .height = kHeight}),
+    write_bundle_files(frame_bundle(renderer, own.scene, own.settings, {.width = kWidth, .height = kHeight}),
                        folder / "stated.bundle");
     const std::string stated = (folder / "stated.bundle").string();
     EXPECT_EQ(note(open(stated, {})), "");

@@ -14,7 +14,6 @@
 #include "renderer/base/error.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/measure/measure.h"
-#include "renderer/scene/ground.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 
@@ -33,12 +32,9 @@ protected:
     }
     /// Exports a session's frame and opens the bundle.
     Session exported(const Session& session, const char* name = "out.bundle") {
-        Scene scene = session.scene;
-        hide_objects(scene, {});
-        remove_ground(scene);
-        const BundleContents contents =
-            frame_bundle(renderer, scene, session.scene, session.settings, {.width = kWidth, .height = kHeight});
-        write_bundle_files(contents, folder / name);
+        write_bundle_files(
+            frame_bundle(renderer, session.scene, session.settings, {.width = kWidth, .height = kHeight}),
+            folder / name);
         return open((folder / name).string());
     }
     Json measured(const Session& session) {

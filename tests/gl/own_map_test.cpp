@@ -10,7 +10,6 @@
 #include "renderer/inspect/given_map_changes.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/measured_error.h"
-#include "renderer/scene/ground.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
 
@@ -31,12 +30,9 @@ protected:
         return out;
     }
     std::string exported(const Session& session) {
-        Scene scene = session.scene;
-        hide_objects(scene, {});
-        remove_ground(scene);
         const fs::path path = folder / "out.bundle";
         write_bundle_files(
-            frame_bundle(renderer, scene, session.scene, session.settings, {.width = kWidth, .height = kHeight}), path);
+            frame_bundle(renderer, session.scene, session.settings, {.width = kWidth, .height = kHeight}), path);
         return path.string();
     }
     SearchTools tools(const Scene& scene) { return {renderer, scene, kWidth, kHeight, cache}; }
