@@ -68,20 +68,15 @@ std::vector<gl::Define> look_defines(const FrameState& f) {
             {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
 }
 
-/// Origin of visibility in shading.
-enum class VisibilityFrom {
-    Kernel,       ///< shading evaluates it
-    OwnPixel,     ///< the bound visibility image
-    StaticPixel,  ///< the bound visibility image, at the pixel that shows the surface without the camera's shift
-};
-
 /// Draws the shaded scene into the bound framebuffer.
-/// @param shift_ndc shift of smoothing's camera, normalised device coordinates; null: the picture is not smoothed
-void shade(const FrameState& f, VisibilityFrom from, const glm::vec2* shift_ndc, PassInfo& info) {
+/// @param separate true: reads the bound visibility image; false: evaluates the kernel
+/// @param shift_ndc shift of smoothing's camera, normalised device coordinates: visibility is read at the pixel that
+/// shows the surface without it; null: the picture is not smoothed
+void shade(const FrameState& f, bool separate, const glm::vec2* shift_ndc, PassInfo& info) {
     const std::vector<gl::Define> look = look_defines(f);
     std::vector<gl::Define> extra = look;
-    if (from != VisibilityFrom::Kernel) extra.push_back({"SEPARATE_VISIBILITY", "1"});
-    if (from == VisibilityFrom::StaticPixel) extra.push_back({"SMOOTHED", "1"});
+    if (separate) extra.push_back({"SEPARATE_VISIBILITY", "1"});
+    if (shift_ndc) extra.push_back({"SMOOTHED", "1"});
     const auto draw = [&](const char* which) {
         std::vector<gl::Define> defines = extra;
         if (which) defines.push_back({which, "1"});
@@ -101,7 +96,7 @@ void shade(const FrameState& f, VisibilityFrom from, const glm::vec2* shift_ndc,
 void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
     CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // binds the framebuffer
     pass.clear(kBackground);
-    shade(f, separate ? VisibilityFrom::OwnPixel : VisibilityFrom::Kernel, nullptr, info);
+    shade(f, separate, nullptr, info);
 }
 
 /// Returns the report on objects culled by the view frustum.
@@ -138,7 +133,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
         const float far_depth = float(f.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(into.id(), GL_COLOR, 0, &kBackground.x);
         glClearNamedFramebufferfv(into.id(), GL_DEPTH, 0, &far_depth);
-        shade(f, VisibilityFrom::StaticPixel, &shift_ndc, info);
+        shade(f, true, &shift_ndc, info);
     }
     replace_frame_block(f, make_frame_block(f));
 }
