@@ -222,23 +222,33 @@ def projection_by_products(draws):
     return None
 
 
+def factors_at(draw, places):
+    """Returns the product of a draw's constants at all places but the last, and the last one. None, None: one lacks."""
+    factors = [fit.window_matrix(all_constants(draw), place) for place in places]
+    if any(f is None for f in factors):
+        return None, None
+    left = np.eye(4)
+    for factor in factors[:-1]:
+        left = left @ factor
+    return left, factors[-1]
+
+
 def projection_of_probe(first, chosen):
     """Searches products of constants that explain one probe and, with the same clip_from_world, others."""
     best = None
     for error, places in fit.products(first.points, first.clips[0], all_constants(first))[:300]:
         lefts, explained = None, 0
         for draw in chosen:
-            factors = [fit.window_matrix(all_constants(draw), place) for place in places]
-            if any(f is None for f in factors):
+            left, last = factors_at(draw, places)
+            if left is None:
                 continue
-            left = np.eye(4)
-            for factor in (factors[:-1] if len(factors) > 1 else factors):
-                left = left @ factor
+            whole = left @ last
+            if len(places) == 1:
+                left = whole
             if lefts is None:
                 lefts = left
             if not np.allclose(left, lefts, rtol=1e-6, atol=1e-6 * np.abs(lefts).max()):
                 continue
-            whole = left @ factors[-1] if len(factors) > 1 else left
             points, clip = fit.sample_points(draw.points, draw.clips[0])
             if fit.scores(whole[None], points, clip)[0] < fit.MATRIX_RESIDUAL:
                 explained += 1
@@ -247,8 +257,8 @@ def projection_of_probe(first, chosen):
         if len(places) == 1 and explained < len(chosen):
             continue
         # Of products that agree in x, y and w the one whose depth agrees is meant.
-        factors = [fit.window_matrix(all_constants(first), place) for place in places]
-        row = (lefts @ factors[-1] if len(factors) > 1 else lefts)[2]
+        _, last = factors_at(first, places)
+        row = (lefts @ last if len(places) > 1 else lefts)[2]
         depth_error = float(np.median(np.abs(first.points @ row - first.clips[0][:, 2])))
         rank = (explained, -len(places) if len(places) > 1 else -2.5, -round(depth_error, 3), -error)
         if best is None or rank > best[0]:
@@ -382,14 +392,11 @@ def projection_by_recipe(draws, places):
     if len(places) < 2:
         return None
     for draw in probes_of(draws):
-        factors = [fit.window_matrix(all_constants(draw), place) for place in places]
-        if any(f is None for f in factors):
+        left, last = factors_at(draw, places)
+        if left is None:
             continue
-        left = np.eye(4)
-        for factor in factors[:-1]:
-            left = left @ factor
         _, instanced = fit.windows(draw.instance_constants[0] if draw.instance_constants else [])
-        worlds = [factors[-1]] + [factors[-1] @ matrix for matrix in instanced[:16]]
+        worlds = [last] + [last @ matrix for matrix in instanced[:16]]
         points, clip = fit.sample_points(draw.points, draw.clips[0])
         if fit.scores(np.array([left @ world for world in worlds]), points, clip).min() < fit.MATRIX_RESIDUAL:
             return left
@@ -467,14 +474,11 @@ def matrices_by_places(passes):
             shaders = {d.vertex_shader for d in other.draws}
             lefts = []
             for draw in rigid:
-                factors = [fit.window_matrix(all_constants(draw), place) for place in places]
-                if draw.vertex_shader not in shaders or any(f is None for f in factors):
+                left, last = factors_at(draw, places)
+                if draw.vertex_shader not in shaders or left is None:
                     break
-                left = np.eye(4)
-                for factor in factors[:-1]:
-                    left = left @ factor
                 points, clip = fit.sample_points(draw.points, draw.clips[0])
-                if fit.scores((left @ factors[-1])[None], points, clip)[0] > fit.MATRIX_RESIDUAL:
+                if fit.scores((left @ last)[None], points, clip)[0] > fit.MATRIX_RESIDUAL:
                     break
                 lefts.append(left)
             if len(lefts) < len(rigid) or not all(np.array_equal(left, lefts[0]) for left in lefts):
@@ -893,13 +897,18 @@ def texel_meaning(part, values, depth, both, size, half=False):
     return best[1], best[2], best[0]
 
 
-def texel_points(part, places, depth, size):
-    """Returns world positions, (n, 4), of texels at a depth."""
+def unprojected(part, places, z, size):
+    """Returns world positions, (n, 4), of texels at a clip z over w, not divided by their w."""
     width, height = size
     x = (places % width + 0.5) / width * 2 - 1
     y = (places // width + 0.5) / height * 2 - 1
-    z = depth * 2 - 1 if part.state.negative_one else depth
-    points = np.stack([x, -y if part.state.flipped else y, z, np.ones_like(x)], 1) @ np.linalg.inv(part.matrix).T
+    clip = np.stack([x, -y if part.state.flipped else y, np.broadcast_to(z, x.shape), np.ones_like(x)], 1)
+    return clip @ np.linalg.inv(part.matrix).T
+
+
+def texel_points(part, places, depth, size):
+    """Returns world positions, (n, 4), of texels at a depth."""
+    points = unprojected(part, places, depth * 2 - 1 if part.state.negative_one else depth, size)
     return points / points[:, 3:4]
 
 
@@ -910,12 +919,8 @@ def depths_of_plane(part, values, cleared, half):
     plane = np.array(part.stored["plane"])
     middle = values + half_step(values) / 2 if half and part.stored.get("rounding") == "towards zero" else values
     middle = middle.ravel()
-    places = np.arange(width * height)
-    x = (places % width + 0.5) / width * 2 - 1
-    y = (places // width + 0.5) / height * 2 - 1
-    inverse = np.linalg.inv(part.matrix)
-    start = np.stack([x, -y if part.state.flipped else y, np.zeros_like(x), np.ones_like(x)], 1) @ inverse.T
-    step = inverse[:, 2]
+    start = unprojected(part, np.arange(width * height), 0.0, (width, height))
+    step = np.linalg.inv(part.matrix)[:, 2]
     # plane . (start + z step) = value times the w of the same point.
     with np.errstate(divide="ignore", invalid="ignore"):
         z = (start @ plane - middle * start[:, 3]) / (middle * step[3] - plane @ step)
