@@ -12,6 +12,7 @@
 #include "app/cli/command.h"
 #include "app/context/window_context.h"
 #include "app/editor/editor.h"
+#include "app/report/map_import.h"
 #include "app/session/workspace.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
@@ -163,10 +164,10 @@ void add_import_map(CLI::App& app, Run& run) {
     c.add_value("--first-row", o.first_row, "END", "End of the map that the first stored row shows: bottom or top")
         ->check(one_of(keys_of(bundle::kFirstRowKeys)));
     c.add_value("--matrix", o.matrix, "ORDER", "Order of the numbers of a matrix: columns or rows")
-        ->check(one_of({"columns", "rows"}));
+        ->check(one_of(keys_of(kMatrixKeys)));
     c.add_value("--product", o.product, "ORDER",
                 "Order of the product of view and projection: projection-view or view-projection")
-        ->check(one_of({"projection-view", "view-projection"}));
+        ->check(one_of(keys_of(kProductKeys)));
     c.add_value(
          "--stored", o.stored, "KIND",
          "Meaning of a texel: depth, linear, axis-metres, distance-metres, distance-share, exponential or moments")
@@ -174,7 +175,7 @@ void add_import_map(CLI::App& app, Run& run) {
     c.add_value("--up", o.up, "AXIS", "Axis of the light's file that is up in the scene: y, z, x, -y, -z or -x")
         ->check(one_of(keys_of(bundle::kUpKeys)));
     c.add_value("--mirrored", o.mirrored, "AXIS", "Axis of the light's file that the scene mirrors: none, x, y or z")
-        ->check(one_of({"none", "x", "y", "z"}));
+        ->check(one_of(keys_of(kMirroredKeys)));
     c.add_value("--unit", o.unit, "N", "Length in the scene of one unit of the light's file, such as 0.01")
         ->check(CLI::Range(1e-6, 1e6));
     c.add_value("--pick", o.pick, "N", "Take row N of the list of readings")->check(CLI::Range(1, 10000));

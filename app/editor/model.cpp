@@ -98,11 +98,16 @@ void EditorModel::open(const std::filesystem::path& path) {
     attempt(state, [&] {
         if (lower_extension(path) == ".json" && !is_bundle_path(path))
             presets_.open(path.string());
-        else if (const FrameFile* row = find_frame_file(path))
-            import_.open(path, row->kind);
         else
-            scenes_.load({.scene_name = path.string()});
+            open_scene(path.string());
     });
+}
+
+void EditorModel::open_scene(const std::string& name) {
+    if (const FrameFile* row = find_frame_file(name))
+        import_.open(name, row->kind);
+    else
+        scenes_.load({.scene_name = name});
 }
 
 void EditorModel::save_as(const std::filesystem::path& path) {
@@ -196,12 +201,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
         scenes_.cancel_loading();
         scenes_.reset_file_choices();
     });
-    request(requests.load_scene.has_value(), [&] {
-        if (const FrameFile* row = find_frame_file(*requests.load_scene))
-            import_.open(*requests.load_scene, row->kind);
-        else
-            scenes_.load({.scene_name = *requests.load_scene});
-    });
+    request(requests.load_scene.has_value(), [&] { open_scene(*requests.load_scene); });
     request(requests.reload_scene, [&] {
         const glm::ivec2 size = picture_size();
         scenes_.reload(double(std::max(size.x, 1)) / std::max(size.y, 1));

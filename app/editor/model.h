@@ -117,6 +117,8 @@ public:
     SessionReport& session() { return session_; }
 
 private:
+    /// Opens a scene, or begins to import a file that becomes a bundle. @param name built-in key or path @throws Error
+    void open_scene(const std::string& name);
     /// Copies a command line that draws the present picture to the clipboard.
     void copy_command_line();
     /// Returns the probed pixel's cross-section for view.light; null: there is none.

@@ -20,6 +20,7 @@
 #include "renderer/bundle/given_maps.h"
 #include "renderer/bundle/map_image.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/importers/importers.h"
 #include "renderer/projection/view_of_matrix.h"
 #include "renderer/reference/first_surface.h"
 #include "renderer/scene/ground.h"
@@ -32,9 +33,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxImageBytes = std::size_t{2} << 30;
 constexpr std::size_t kMaxReadings = 48;
-
-/// Extensions of the images that are read.
-constexpr std::string_view kMapExtensions[] = {".pfm", ".exr", ".png", ".raw"};
 
 /// Formats a reading for a list: "range 0..1, reversed, first row bottom, matrix in columns, stored depth".
 std::string reading_text(const Convention& c, bool has_pair) {
@@ -107,7 +105,8 @@ std::string convention_options(const Convention& c, bool has_pair) {
 
 MapImport read_map_import(const fs::path& image_path, const fs::path& light_path, const std::string& scene_name,
                           const KnownConvention& stated, const FileChoices& file) {
-    if (std::ranges::find(kMapExtensions, lower_extension(image_path)) == std::end(kMapExtensions))
+    const FrameFile* const kind = find_frame_file(image_path);
+    if (!kind || kind->kind != FrameFileKind::MapImage)
         throw Error(fmt::format("{}: is no image of a map; name a .pfm, .exr, .png or .raw file",
                                 printable(image_path.string())));
     MapImport out;

@@ -97,17 +97,22 @@ std::string map_bytes(const GivenMap& map) {
     return out;
 }
 
+/// Returns the axes of a light's view: right, up, and back to the light.
+glm::dmat3 axes_of_light(const GivenLight& light) {
+    const glm::dvec3 back = direction_from_angles(light.azimuth_deg, light.elevation_deg);
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
+    return {right, glm::cross(back, right), back};
+}
+
 /// Returns the matrix of parallel rays of the light over a box of light space about the scene's middle.
 /// @param half half sizes across the rays and along them, metres
 glm::dmat4 clip_of_sun(const GivenLight& light, const glm::dvec3& half, const DepthConvention& depth) {
-    const glm::dvec3 back = direction_from_angles(light.azimuth_deg, light.elevation_deg);
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
+    const glm::dmat3 axes = axes_of_light(light);
     DepthCurve curve;
     curve.near = 0;
     curve.far = 2 * half.z;
     curve.convention = depth;
-    return clip_from_relative(projection_matrix(curve, half.x, half.y),
-                              glm::dmat3(right, glm::cross(back, right), back), half.z * back, glm::dvec3(0));
+    return clip_from_relative(projection_matrix(curve, half.x, half.y), axes, half.z * axes[2], glm::dvec3(0));
 }
 
 /// Returns the middle of the bounds of floor and bodies, from which lamps of the settings count.
@@ -122,16 +127,15 @@ glm::dvec3 bounds_middle() {
 }
 
 glm::dmat4 clip_of_spot(const GivenLight& light, double near, double far, const DepthConvention& depth) {
-    const glm::dvec3 back = direction_from_angles(light.azimuth_deg, light.elevation_deg);
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
+    const glm::dmat3 axes = axes_of_light(light);
     DepthCurve curve;
     curve.perspective = true;
     curve.near = near;
     curve.far = far;
     curve.convention = depth;
     const double half = std::tan(light.cone_deg * M_PI / 360);
-    return clip_from_relative(projection_matrix(curve, half, half), glm::dmat3(right, glm::cross(back, right), back),
-                              bounds_middle() + light.distance * back, glm::dvec3(0));
+    return clip_from_relative(projection_matrix(curve, half, half), axes, bounds_middle() + light.distance * axes[2],
+                              glm::dvec3(0));
 }
 
 /// Returns a warp whose w changes with y: w = 1 + rise y. It keeps the square of x and y, and depth from -1 to 1.

@@ -69,8 +69,7 @@ constexpr Choice kBundleMaps[] = {
     {"given", "as given", "The images of the bundle."},
     {"drawn", "drawn again",
      "The program draws the scene's casters with the bundle's matrices, viewports and raster state. Resolution, "
-     "format, "
-     "culling and polygon offset then act."},
+     "format, culling and polygon offset then act."},
 };
 constexpr Choice kBundleBiases[] = {
     {"file", "as the file states", "The bias that the bundle states; unknown where it does not state all of it."},
