@@ -24,6 +24,15 @@ ComparedMap made_up_comparison(const std::string& path) {
     return out;
 }
 
+/// Opens the tab with a comparison. @param scale_m difference at the end of the scale of colours
+void show_comparison(UiHarness& ui, const ComparedMap& map, double scale_m) {
+    ui.maps_imported = true;
+    ui.imported = {
+        .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = scale_m, .comparison_problem = {}};
+    ui.state.window.open_tab = BottomTab::Imported;
+    ui.frames(4);
+}
+
 TEST(ImportedPanel, ComparesOnlyImportedMapsAndOnlyWhileShown) {
     UiHarness ui(1900, 1000);
     ui.maps_imported = true;
@@ -43,11 +52,7 @@ TEST(ImportedPanel, ComparesOnlyImportedMapsAndOnlyWhileShown) {
 TEST(ImportedPanel, ShowsNumbersGateAndPicture) {
     UiHarness ui(1900, 1000);
     const ComparedMap map = made_up_comparison("Root/Box");
-    ui.maps_imported = true;
-    ui.imported = {
-        .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = 0.25, .comparison_problem = {}};
-    ui.state.window.open_tab = BottomTab::Imported;
-    ui.frames(4);
+    show_comparison(ui, map, 0.25);
     EXPECT_EQ(ui.lacking({"Theirs", "Ours", "Difference", "failed: 6 texels are extra", "Covered 58 of 64",
                           "Missed 0 0 %", "Extra 6 10.3 %", "0 steps", "-250 mm", "+250 mm", "6 of 6"}),
               "");
@@ -87,11 +92,7 @@ TEST(ImportedPanel, TheEnginesBiasIsEntered) {
 TEST(ImportedPanel, SwitchesLeaveTexelsOut) {
     UiHarness ui(1900, 1000);
     const ComparedMap map = made_up_comparison("Root/Box");
-    ui.maps_imported = true;
-    ui.imported = {
-        .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = 1, .comparison_problem = {}};
-    ui.state.window.open_tab = BottomTab::Imported;
-    ui.frames(4);
+    show_comparison(ui, map, 1);
     EXPECT_EQ(ui.state.imported_left_out, ImportedLeftOut{});
     ui.click(ui.find("Imported", "", "No masked"));
     EXPECT_EQ(ui.state.imported_left_out, (ImportedLeftOut{.masked = true, .border = false}));
@@ -103,11 +104,7 @@ TEST(ImportedPanel, SwitchesLeaveTexelsOut) {
 TEST(ImportedPanel, AClickOnAMissingCasterSelectsIt) {
     UiHarness ui(1900, 1000);
     const ComparedMap map = made_up_comparison("Root/Box");
-    ui.maps_imported = true;
-    ui.imported = {
-        .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = 1, .comparison_problem = {}};
-    ui.state.window.open_tab = BottomTab::Imported;
-    ui.frames(4);
+    show_comparison(ui, map, 1);
     EXPECT_FALSE(is_selected(ui.state, "Root/Box"));
     ui.click(ui.find("lacking casters", "lacking", "Root/Box###lacking 0"));
     EXPECT_TRUE(is_selected(ui.state, "Root/Box"));
