@@ -84,7 +84,8 @@ BundleLookup lookup_of(const Settings& s) {
     return out;
 }
 
-BundleMap map_of(const LightView& view, const Settings& s) {
+/// @param raster raster state with which the map was drawn; null: as the settings say
+BundleMap map_of(const LightView& view, const Settings& s, const CasterRaster* raster) {
     BundleMap out;
     out.image.first_row = FirstRow::Bottom;
     out.clip.world_from_view = pose_of(view.axes, view.eye);
@@ -101,6 +102,16 @@ BundleMap map_of(const LightView& view, const Settings& s) {
     out.raster.offset_units = as_drawn(s.bias.raster_units);
     out.raster.offset_clamp = as_drawn(s.bias.raster_clamp);
     out.raster.cull = s.caster.cull;
+    if (raster) {
+        out.raster.offset_factor = raster->offset_factor;
+        out.raster.offset_units = raster->offset_units;
+        out.raster.offset_clamp = raster->offset_clamp;
+        if (raster->cull) out.raster.cull = raster->cull;
+        if (raster->moves_casters()) {
+            out.raster.shift_m = raster->shift_m;
+            out.raster.grazing_shift_m = raster->grazing_shift_m;
+        }
+    }
     out.raster.front = BundleFront::Ccw;
     out.raster.depth_clamp = view.clamps_near;
     return out;
@@ -118,7 +129,8 @@ void set_spans(BundleLight& out, const ViewChooser& chooser) {
     }
 }
 
-BundleLight light_of(const FittedLight& light, const LightSettings& own, const Settings& s) {
+/// @param given the light's given or redrawn maps; null: the program's own
+BundleLight light_of(const FittedLight& light, const LightSettings& own, const Settings& s, const ImportedMaps* given) {
     BundleLight out;
     out.name = own.name;
     out.type = light.type;
@@ -128,7 +140,8 @@ BundleLight light_of(const FittedLight& light, const LightSettings& own, const S
     if (!light.casts) return out;
     out.choice = light.chooser.choice;
     out.closed = light.closed;
-    for (const LightView& view : light.views) out.maps.push_back(map_of(view, s));
+    for (std::size_t v = 0; v < light.views.size(); ++v)
+        out.maps.push_back(map_of(light.views[v], s, given && v < given->raster.size() ? &given->raster[v] : nullptr));
     set_spans(out, light.chooser);
     out.lookup = lookup_of(s);
     return out;
@@ -162,7 +175,8 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settin
     BundleContents out;
     for (std::size_t i = 0; i < frame.lights.size(); ++i) {
         const FittedLight& light = frame.lights[i];
-        bundle.lights.push_back(light_of(light, settings.lights[i], settings));
+        bundle.lights.push_back(light_of(light, settings.lights[i], settings,
+                                         i < frame.imported.size() ? frame.imported[i].get() : nullptr));
         for (std::size_t v = 0; v < bundle.lights.back().maps.size(); ++v) {
             std::string& file = bundle.lights.back().maps[v].image.file;
             file = fmt::format("maps/light{}-{}.pfm", i, v);

@@ -84,13 +84,15 @@ class Scene:
             self.materials.append(entry)
         return self.material_keys[key]
 
-    def mesh(self, key, positions, triangles, material, uv=None):
+    def mesh(self, key, positions, triangles, material, uv=None, normals=None):
         key = (key, material)
         if key not in self.mesh_keys:
             used, triangles = np.unique(triangles, return_inverse=True)
             attributes = {"POSITION": self.accessor(positions[used].astype("<f4"), "VEC3", 5126, 34962, True)}
             if uv is not None:
                 attributes["TEXCOORD_0"] = self.accessor(uv[used].astype("<f4"), "VEC2", 5126, 34962)
+            if normals is not None:
+                attributes["NORMAL"] = self.accessor(normals[used].astype("<f4"), "VEC3", 5126, 34962)
             index = self.accessor(triangles.reshape(-1, 1).astype("<u4"), "SCALAR", 5125, 34963)
             self.meshes.append({"primitives": [{"attributes": attributes, "indices": index, "material": material}]})
             self.mesh_keys[key] = len(self.meshes) - 1

@@ -180,12 +180,12 @@ def godot(look_up, group, info):
 
 
 def godot_casters(capture, part):
-    """Returns the amounts, in metres along the light, by which Godot 3 moves its casters, or None."""
+    """Returns how far Godot 3 moves its casters, as members of a map's raster state, or None."""
     scene = LookUp(capture, part.draws[0].event).blocks.get("SceneData", {})
     if not {"z_offset", "z_slope_scale"} <= set(scene):
         return None
-    return {"constant": float(np.ravel(scene["z_offset"])[0]),
-            "one_minus_cosine": float(np.ravel(scene["z_slope_scale"])[0]), "unit": "metres along the light"}
+    return {"shift_m": float(np.ravel(scene["z_offset"])[0]),
+            "grazing_shift_m": float(np.ravel(scene["z_slope_scale"])[0])}
 
 
 def filament(look_up, group, info):

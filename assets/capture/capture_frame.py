@@ -11,6 +11,7 @@ from capture_reading import REVERSED_FUNCTIONS, CaptureError, texture_kind
 # Residual of x, y, w beyond which a draw is skinned or otherwise deformed.
 SKINNED_RESIDUAL = 1e-4
 MAX_MAPS = 16
+MOST_NORMAL_ERROR = 0.3  # of 1 - cosine between normals and triangles, in the mean
 
 
 class Pass:
@@ -593,15 +594,48 @@ def world_positions(part, draw, instance):
     return points[:, :3] / points[:, 3:4]
 
 
-def smooth_cosines(part, points):
-    """Returns |n.l| of the corners of triangles, with normals that are shared by corners of one place."""
-    kind = fit.light_of(part.matrix, part.state.function in REVERSED_FUNCTIONS, part.state.negative_one)
+def smooth_normals(points):
+    """Returns unit normals of the corners of triangles, shared by corners of one place."""
     corners = points.reshape(-1, 3, 3)
     face = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     _, place = np.unique(np.round(points / (np.ptp(points) + 1e-12), 6), axis=0, return_inverse=True)
     normal = np.zeros((place.max() + 1, 3))
     np.add.at(normal, place, np.repeat(face, 3, axis=0))
-    normal = normal[place] / np.maximum(np.linalg.norm(normal[place], axis=1, keepdims=True), 1e-30)
+    return normal[place] / np.maximum(np.linalg.norm(normal[place], axis=1, keepdims=True), 1e-30)
+
+
+def vertex_normals(draw):
+    """Returns the unit normals of a draw's vertices, in the space of its positions, or None.
+
+    They are the input of three numbers that has length 1 and agrees best with the triangles.
+    """
+    corners = draw.values[draw.indices][:, :3].reshape(-1, 3, 3)
+    face = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    length = np.linalg.norm(face, axis=1)
+    seen = length > 1e-6 * max(length.max(initial=0), 1e-30)
+    if not seen.any():
+        return None
+    face = np.repeat(face[seen] / length[seen, None], 3, axis=0)
+    best, most = None, MOST_NORMAL_ERROR
+    for name, values in draw.attributes.items():
+        if name == draw.position or values.shape[1] < 3:
+            continue
+        normals = values[:, :3]
+        size = np.linalg.norm(normals, axis=1)
+        if not np.isfinite(size).all() or (np.abs(size - 1) > 0.05).mean() > 0.01:
+            continue
+        normals = np.where(size[:, None] > 0.5, normals / np.maximum(size, 1e-30)[:, None], [0.0, 1.0, 0.0])
+        # Engines differ in the winding of front faces.
+        cosine = (normals[np.asarray(draw.indices).reshape(-1, 3)[seen].ravel()] * face).sum(1).mean()
+        if 1 - abs(cosine) < most:
+            best, most = normals, 1 - abs(cosine)
+    return best
+
+
+def smooth_cosines(part, points):
+    """Returns |n.l| of the corners of triangles, with normals that are shared by corners of one place."""
+    kind = fit.light_of(part.matrix, part.state.function in REVERSED_FUNCTIONS, part.state.negative_one)
+    normal = smooth_normals(points)
     towards = -kind[1][None] if kind[0] == "directional" else kind[1][None] - points
     towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
     return np.abs((normal * towards).sum(1))
@@ -1184,7 +1218,9 @@ class SceneWriter:
             flat = np.arange(len(positions)).reshape(-1, 3)
             if sign < 0:
                 flat = flat[:, [0, 2, 1]]
-            mesh = self.scene.mesh((name,), positions, flat, material, uv[draw.indices] if uv is not None else None)
+            normals = smooth_normals(positions) * sign if draw.posed else None
+            mesh = self.scene.mesh((name,), positions, flat, material, uv[draw.indices] if uv is not None else None,
+                                   normals)
             self.scene.node(name, mesh, np.eye(4))
             return
         # glTF turns the front of a mirrored node; engines do not.
@@ -1192,7 +1228,7 @@ class SceneWriter:
         if turn:
             triangles = triangles[:, [0, 2, 1]]
         mesh = self.scene.mesh((draw.geometry, bool(turn), mask.uv if mask else None), draw.values[:, :3], triangles,
-                               material, uv)
+                               material, uv, vertex_normals(draw))
         self.scene.node(name, mesh, world)
 
 

@@ -482,9 +482,9 @@ def engine_knowledge(capture, group, light, has_camera, notes):
     for number, entry in enumerate(group if found.get("engine") == "Godot 3" else []):
         moved = engines.godot_casters(capture, entry["part"])
         if moved:
-            entry["map"]["extras"]["caster_shader"] = moved
+            entry["map"]["raster"].update(moved)
             notes.append("%s, map %d: Godot 3 moves its casters by %.4g + %.4g (1 - n.l) metres along the light." %
-                         (light["name"], number, moved["constant"], moved["one_minus_cosine"]))
+                         (light["name"], number, moved["shift_m"], moved["grazing_shift_m"]))
     if "intervals" in found and has_camera:
         for entry, interval in zip(group, found["intervals"]):
             entry["map"]["interval"] = interval

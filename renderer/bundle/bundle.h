@@ -108,6 +108,9 @@ struct BundleRaster {
     std::optional<Cull> cull;
     std::optional<BundleFront> front;
     std::optional<bool> depth_clamp;
+    /// Metres by which the casters' shader moves them along the map's axis, away from the light: everywhere, and times
+    /// 1 − |n·l| with the vertex's normal and the axis.
+    std::optional<double> shift_m, grazing_shift_m;
     bool operator==(const BundleRaster&) const = default;
 };
 

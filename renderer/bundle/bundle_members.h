@@ -194,6 +194,8 @@ void members(Io& io, BundleRaster& r) {
     io.optional("cull", ChoiceOf{kCullKeys}, r.cull);
     io.optional("front", ChoiceOf{kFrontKeys}, r.front);
     io.optional("depth_clamp", Switch{}, r.depth_clamp);
+    io.optional("shift_m", Number{}, r.shift_m);
+    io.optional("grazing_shift_m", Number{}, r.grazing_shift_m);
 }
 
 template <typename Io>

@@ -167,6 +167,8 @@ std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<
         raster.offset_factor = state.offset_factor.value_or(0);
         raster.offset_units = state.offset_units.value_or(0);
         raster.offset_clamp = state.offset_clamp.value_or(0);
+        raster.shift_m = state.shift_m.value_or(0);
+        raster.grazing_shift_m = state.grazing_shift_m.value_or(0);
         if (state.cull) raster.cull = culled_faces(*state.cull, (state.front == BundleFront::Cw) != turned, views[i]);
     }
     return any ? out : std::vector<CasterRaster>();

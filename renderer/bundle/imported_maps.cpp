@@ -32,7 +32,12 @@ void add_raster(Key& key, const std::vector<CasterRaster>& raster, std::size_t m
     if (raster.size() != maps)
         throw Error(fmt::format("{} imported maps have {} raster states; each map needs one", maps, raster.size()));
     for (const CasterRaster& r : raster)
-        key.add(r.offset_factor).add(r.offset_units).add(r.offset_clamp).add(r.cull ? int(*r.cull) : -1);
+        key.add(r.offset_factor)
+            .add(r.offset_units)
+            .add(r.offset_clamp)
+            .add(r.cull ? int(*r.cull) : -1)
+            .add(r.shift_m)
+            .add(r.grazing_shift_m);
 }
 
 }  // namespace

@@ -445,10 +445,12 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
         else
             map.drawn = renderer.read_shadow_map(renderer.render(scene, drawn_there, request), light, int(v));
         const FloatImage& of_all = left_out.empty() ? map.drawn : whole[v];
+        MapCompareOptions applied = options;
+        if (v < given->raster.size() && given->raster[v].moves_casters()) applied.limits = kMovedCasterLimits;
         const std::vector<bool> masked = options.leaves_out_masked
                                              ? masked_texels(renderer, scene, drawn_there, request, light, int(v))
                                              : std::vector<bool>{};
-        map.numbers = compare_maps(map.imported, map.drawn, map.view, own.map.format, masked, options);
+        map.numbers = compare_maps(map.imported, map.drawn, map.view, own.map.format, masked, applied);
         map.numbers.light = light;
         map.numbers.view = int(v);
         map.numbers.name = view_name(choice, v, given->images.size());
@@ -464,7 +466,7 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
         }
         MapComparison with_all;  // with all casters, where some are left out
         if (!left_out.empty()) {
-            with_all = compare_maps(map.imported, of_all, map.view, own.map.format, masked, options);
+            with_all = compare_maps(map.imported, of_all, map.view, own.map.format, masked, applied);
             if (map.numbers.gate.passed())
                 map.numbers.gate.text = "passed: the casters that were drawn there draw this map";
         }

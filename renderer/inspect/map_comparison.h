@@ -40,6 +40,10 @@ struct MapGateLimits {
     double most_steps = 4;       ///< steps within which 99 % of the texels lie
 };
 
+/// Limits for a map whose casters the engine's shader moves: single precision rounds the moved positions in the
+/// engine's own space, which no bundle knows.
+inline constexpr MapGateLimits kMovedCasterLimits{.median_steps = 4, .most_steps = 16};
+
 /// Result of the gate.
 struct MapGate {
     bool missed = false, extra = false, median = false, most = false;  ///< true: within the limit
@@ -54,7 +58,7 @@ struct TexelBox {
     bool is_empty() const { return to.x <= from.x || to.y <= from.y; }
 };
 
-/// Options of a comparison of maps.
+/// Options of a comparison of maps. compare_imported_maps() takes kMovedCasterLimits where they apply.
 struct MapCompareOptions {
     /// Texels next to texels that the imported map covers, within which an extra texel does not count. 1 for maps of
     /// moments, which are blurred.

@@ -25,6 +25,11 @@ Cull cull_of(const FrameState& f, const CasterRaster* raster, const Batch& batch
     return cull_in_force(batch.cull, raster && raster->cull ? *raster->cull : f.settings.caster.cull);
 }
 
+/// Returns true when the engine's shader moves the casters of a map.
+bool moves_casters(const CasterRaster* raster) {
+    return raster && raster->moves_casters();
+}
+
 /// Returns true when polygon offset changes the depths of a map.
 bool offsets_polygons(const FrameState& f, const CasterRaster* raster) {
     if (!raster) return offsets_polygons(f.settings);
@@ -130,9 +135,12 @@ public:
             made_ = {};
         previous_ = batch;
         GLuint& id = made_[bare];
-        if (id == 0)
-            id = f_.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl",
-                                  {{"DROPS_STRAYS", drops_ && !bare ? "1" : "0"}}, batch, true);
+        const CasterRaster* const raster = view_.choice.raster;
+        if (id == 0) {
+            std::vector<gl::Define> defines = {{"DROPS_STRAYS", drops_ && !bare ? "1" : "0"}};
+            if (moves_casters(raster)) defines.push_back({"MOVES_CASTERS", "1"});
+            id = f_.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", defines, batch, true);
+        }
         if (id != current_) {
             const glm::mat4 matrix(view_.clip_from_relative);
             const DepthCurve& curve = view_.curve;
@@ -141,6 +149,12 @@ public:
             if (holds_distances(f_.settings.map.format))
                 glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective,
                             curve.convention.reversed);
+            if (moves_casters(raster)) {
+                const glm::vec3 away(view_.away_ws);
+                glUniform3fv(glGetUniformLocation(id, "away_ws"), 1, glm::value_ptr(away));
+                glUniform2f(glGetUniformLocation(id, "shift_m"), float(raster->shift_m),
+                            float(raster->grazing_shift_m));
+            }
         }
         const GLuint mask = view_.unfiltered ? batch.finest_texture : batch.texture;
         if (batch.masked && mask && mask != texture_) glBindTextureUnit(shared::UNIT_BASE_COLOUR, texture_ = mask);
@@ -170,14 +184,15 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.size.shortest()),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f, view.choice.raster)),
-          skips_(!seen && !f.request.forced.contains(Optimisation::CasterCulling)),
-          bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
-                 !f.request.forced.contains(Optimisation::CasterFragments)),
+          moves_(moves_casters(view.choice.raster)),
+          skips_(!moves_ && !seen && !f.request.forced.contains(Optimisation::CasterCulling)),
+          bares_(!moves_ && programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective &&
+                 !view.curve.warp && !f.request.forced.contains(Optimisation::CasterFragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
         const bool closed =
-            batch.closed && !batch.masked && !offset_ && cull_of(f_, choice_.raster, batch) == Cull::None;
+            batch.closed && !batch.masked && !offset_ && !moves_ && cull_of(f_, choice_.raster, batch) == Cull::None;
         Run run{batch};
         run.batch.instances = 0;
         for (GLuint i = 0; i < GLuint(batch.instances); ++i) add(batch, batch.first_instance + i, closed, run);
@@ -200,7 +215,9 @@ private:
     PassInfo& info_;
     BoxCuller sight_;
     glm::dvec4 rays_from_;
-    bool offset_, skips_, bares_;
+    bool offset_;
+    bool moves_;  ///< casters lie elsewhere than their boxes
+    bool skips_, bares_;
     glm::dmat4 uvd_from_relative_;
     std::vector<IndexRange> parts_;
 
@@ -256,6 +273,7 @@ private:
 
     /// Returns the cells that a box may cover; nullopt: any.
     std::optional<Bounds2> covered_by(const SkewBox& box) const {
+        if (moves_) return std::nullopt;
         const double before = view_.curve.perspective ? kMinDepthShare * view_.curve.near : 0;
         std::optional<Bounds2> rect = projected_rect(box, uvd_from_relative_, view_.origin, before);
         const glm::dvec2 room = kCasterPadTexels / view_.size.texels();
@@ -419,7 +437,8 @@ SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unf
                      view.clamps_near,
                      f.map_size,
                      choice,
-                     is_mirrored(view)};
+                     is_mirrored(view),
+                     -view.axes[2]};
     if (choice.needed && choice.needed->is_whole()) whole.choice.needed = nullptr;
     return draw_casters(f, whole, {}, info);
 }

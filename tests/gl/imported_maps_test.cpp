@@ -260,6 +260,56 @@ TEST_F(DrawnByGivenViews, AMirroredMapIsTheMirroredImage) {
     }
 }
 
+// An engine's shader may move casters away from the light before they are drawn.
+TEST_F(DrawnByGivenViews, CastersThatAreMovedLieWhereTheyAreMovedTo) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    constexpr double kShift = 0.125, kGrazing = 0.5;
+    for (const auto& [type, reversed] :
+         {std::pair{LightType::Directional, "false"}, {LightType::Directional, "true"}, {LightType::Spot, "false"}}) {
+        SCOPED_TRACE(testing::Message() << int(type) << " reversed " << reversed);
+        const Settings s = settings_with(lit_by_kernel(type, LightFit::Scene, "hard"),
+                                         {{"map.reversed_z", reversed}, {"map.format", "d32f"}});
+        const ImportedViews views = *read_back(scene, s, true, 128)->views;
+        const LightView& view = views.views[0];
+        const glm::dvec3 away = -view.axes[2];
+        const auto drawn = [&](const Scene& casters, CasterRaster raster) {
+            FrameRequest r = request;
+            r.outputs.shadow_map = true;
+            r.imported = {drawn_maps(views, 128, {raster})};
+            return renderer.read_shadow_map(renderer.render(casters, s, r), 0, 0);
+        };
+        // All casters moved by one length: equal to a scene whose objects lie there.
+        Scene moved = scene;
+        moved.placement[3] += glm::dvec4(kShift * away, 0);
+        refresh(moved);
+        const FloatImage by_shader = drawn(scene, {.cull = {}, .shift_m = kShift}),
+                         by_hand = drawn(moved, {.cull = {}});
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < by_hand.data.size(); ++i)
+            differ += std::abs(by_shader.data[i] - by_hand.data[i]) > 1e-5f;
+        EXPECT_LE(differ, by_hand.data.size() / 1000);
+        if (type == LightType::Spot) continue;
+        // Parallel rays: each surface recedes by the closed form of its normal.
+        const FloatImage rest = drawn(scene, {.cull = {}}),
+                         slanted = drawn(scene, {.cull = {}, .shift_m = kShift, .grazing_shift_m = kGrazing});
+        std::size_t covered = 0, floor = 0, other = 0;
+        for (std::size_t i = 0; i < rest.data.size(); ++i) {
+            if (rest.data[i] == float(view.curve.convention.far_depth())) continue;
+            ++covered;
+            const double by = view.curve.distance(slanted.data[i]) - view.curve.distance(rest.data[i]);
+            const auto is_normal = [&](const glm::dvec3& normal) {
+                return std::abs(by - kShift - kGrazing * (1 - std::abs(glm::dot(normal, away)))) < 1e-4;
+            };
+            floor += is_normal({0, 1, 0});
+            other += is_normal({1, 0, 0}) || is_normal({0, 0, 1});
+        }
+        EXPECT_GT(floor, covered / 2);
+        EXPECT_GT(other, covered / 100);
+        // A top that recedes may end before a side, in a strip along the edge.
+        EXPECT_GE(floor + other, covered * 9 / 10) << "of " << covered;
+    }
+}
+
 TEST_F(ImportedMapsTest, BadImportsAreRefused) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     const Settings s = lit_by_kernel(LightType::Point, LightFit::Scene, "hard");

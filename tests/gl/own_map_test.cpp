@@ -2,7 +2,9 @@
 #include "renderer/advise/own_map.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "app/base/output.h"
 #include "app/report/frame_bundle.h"
 #include "app/session/session.h"
 #include "renderer/advise/fixes.h"
@@ -173,6 +175,64 @@ TEST_F(OwnMapTest, WithoutTheGateNothingIsTried) {
             << t->candidate.untried;
         EXPECT_FALSE(t->on_own_map);
     }
+}
+
+// A shader that moves casters is part of how a map was drawn: own maps move them alike.
+TEST_F(OwnMapTest, CastersThatTheEngineMovesAreMoved) {
+    const std::string first = exported(open("boxes", {"map.resolution=96"}));
+    const fs::path file = fs::path(first) / "frame.json";
+    nlohmann::json frame = nlohmann::json::parse(read_text_file(file));
+    frame["lights"][0]["maps"][0]["raster"].update({{"shift_m", 0.25}, {"grazing_shift_m", 0.125}});
+    write_file(file.string(), frame.dump());
+    const auto why_not = [&](const Session& read) {
+        const TrialMeter m = meter(read.scene);
+        return own_map_of(tools(read.scene), read.settings, m.measure(read.settings, 0), m).why_not;
+    };
+    EXPECT_NE(why_not(open(first)).find("the median depth differs by"), std::string::npos)
+        << "the image holds casters that are not moved";
+    // The own maps of that bundle are a frame of such an engine.
+    const Session engine = open(first, {"map.bundle_maps=drawn"});
+    const fs::path second = folder / "moved.bundle";
+    write_bundle_files(frame_bundle(renderer, engine.scene, engine.settings, {.width = kWidth, .height = kHeight}),
+                       second);
+    const Session read = open(second.string());
+    const auto raster = given_maps(read.settings.map.bundle)->lights[0]->raster.at(0);
+    EXPECT_EQ(raster.shift_m, 0.25);
+    EXPECT_EQ(raster.grazing_shift_m, 0.125);
+    EXPECT_EQ(why_not(read), "");
+    const FixTable table = searched(read, {"map.resolution=256"});
+    EXPECT_TRUE(table.rows.at(0).on_own_map) << table.rows[0].candidate.untried;
+}
+
+// What masked casters cover counts in no gate, as masks are rarely those of the engine to the texel.
+TEST_F(OwnMapTest, MaskedCastersAreLeftOutOfTheGate) {
+    const auto why_not = [&](const std::string& alpha) {
+        Session session = open("boxes", {"map.resolution=96"});
+        for (Object& object : session.scene.objects)
+            if (session.scene.nodes[std::size_t(object.node)].path == "Boxes/Tower") {
+                Material mask =
+                    session.scene.materials.at(std::size_t(session.scene.meshes[std::size_t(object.mesh)].material));
+                mask.alpha = alpha == "mask" ? AlphaMode::Mask : AlphaMode::Opaque;
+                mask.double_sided = true;
+                session.scene.materials.push_back(mask);
+                Mesh mesh = session.scene.meshes[std::size_t(object.mesh)];
+                mesh.material = int(session.scene.materials.size()) - 1;
+                session.scene.meshes.push_back(mesh);
+                object.mesh = int(session.scene.meshes.size()) - 1;
+            }
+        refresh(session.scene);
+        // The engine's mask drops the whole tower, ours none of it.
+        Settings without = session.settings;
+        set_setting(without, "object.Boxes/Tower.cast", "false");
+        fs::remove_all(folder / "out.bundle");
+        write_bundle_files(frame_bundle(renderer, session.scene, without, {.width = kWidth, .height = kHeight}),
+                           folder / "out.bundle");
+        const Session read = open((folder / "out.bundle").string(), {"object.Boxes/Tower.cast=true"});
+        const TrialMeter m = meter(read.scene);
+        return own_map_of(tools(read.scene), read.settings, m.measure(read.settings, 0), m).why_not;
+    };
+    EXPECT_NE(why_not("opaque").find("differs: failed:"), std::string::npos);
+    EXPECT_EQ(why_not("mask"), "");
 }
 
 // The gate draws with the bundle's raster state. Settings that are another one already draw something else.
