@@ -104,6 +104,7 @@ public:
 
     MapComparison compare() {
         out_.size = {imported_.width, imported_.height};
+        out_.room_m = options_.room_m;
         classify();
         measure();
         find_other_surfaces();
@@ -223,7 +224,11 @@ private:
                 }
             const double theirs = away * imported_.at(x, y);
             // The depth range around a texel is that of two texels. Bias by slope is less than as much again.
-            const double room = kSurfaceSteps * step_of(format_, std::abs(theirs)) + bias + (most - least);
+            double room = kSurfaceSteps * step_of(format_, std::abs(theirs)) + bias + (most - least);
+            if (out_.room_m > 0) {
+                const glm::dvec2 uv = rays_.uv(x, y);
+                room += out_.room_m * rays_.curve(uv).slope(rays_.axis_m(uv, drawn_.at(x, y)));
+            }
             if (theirs < least - room) {
                 ++out_.nearer;
                 add_texel(out_.unexplained, x, y);
@@ -387,7 +392,8 @@ std::vector<LackingCaster> lacking_casters(const FloatImage& imported, const Flo
         const double tangent =
             cosine > 0 ? std::min(std::sqrt(std::max(1 - cosine * cosine, 0.0)) / cosine, kMaxTangent) : kMaxTangent;
         const double step_m = comparison.step / rays.curve(uv).slope(ours);
-        const double room = kSurfaceSteps * step_m + kSurfaceMedians * std::abs(comparison.metres.signed_median) +
+        const double room = comparison.room_m + kSurfaceSteps * step_m +
+                            kSurfaceMedians * std::abs(comparison.metres.signed_median) +
                             (1.5 + std::abs(offset_factor)) * tangent * rays.texel_m(uv, ours);
         caster.farther += theirs > ours + room;
     }
@@ -446,7 +452,10 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
             map.drawn = renderer.read_shadow_map(renderer.render(scene, drawn_there, request), light, int(v));
         const FloatImage& of_all = left_out.empty() ? map.drawn : whole[v];
         MapCompareOptions applied = options;
-        if (v < given->raster.size() && given->raster[v].moves_casters()) applied.limits = kMovedCasterLimits;
+        if (v < given->raster.size() && given->raster[v].moves_casters()) {
+            applied.limits = kMovedCasterLimits;
+            applied.room_m = std::abs(given->raster[v].grazing_shift_m);
+        }
         const std::vector<bool> masked = options.leaves_out_masked
                                              ? masked_texels(renderer, scene, drawn_there, request, light, int(v))
                                              : std::vector<bool>{};

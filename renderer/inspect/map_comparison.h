@@ -58,12 +58,15 @@ struct TexelBox {
     bool is_empty() const { return to.x <= from.x || to.y <= from.y; }
 };
 
-/// Options of a comparison of maps. compare_imported_maps() takes kMovedCasterLimits where they apply.
+/// Options of a comparison of maps. compare_imported_maps() sets `room_m` and `limits` for moved casters.
 struct MapCompareOptions {
     /// Texels next to texels that the imported map covers, within which an extra texel does not count. 1 for maps of
     /// moments, which are blurred.
     int border_texels = 0;
     bool leaves_out_masked = false;  ///< true: texels that masked casters may cover count in neither map
+    /// Metres along the axis by which both depths of one surface may differ, besides rounding and slope. For casters
+    /// that the engine moves by normals which the scene does not hold.
+    double room_m = 0;
     MapGateLimits limits;
 };
 
@@ -84,6 +87,7 @@ struct MapComparison {
     std::size_t farther = 0;  ///< texels in both where it lies behind all drawn texels around, beyond bias
     TexelBox unexplained;     ///< around all missed and nearer texels: something that no caster of the scene explains
     TexelBox lacking;         ///< around all extra and farther texels: something that the imported map lacks
+    double room_m = 0;        ///< MapCompareOptions::room_m
     double step = 0;          ///< median step of the format, depth-buffer units
     DepthDifferences steps, depth, metres,
         texels;  ///< over texels in both; metres along the ray, texels along the axis
