@@ -169,14 +169,15 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     if not numbers["passed"]:
         notes.append("%s: the casters drawn again differ from the map more than they should." % label)
     x, y, w, h = frame.viewport_part(part, image)
-    key = (candidate.texture, part.slice)
+    # Other parts of an atlas hold the depths of an earlier frame until their own pass has run.
+    key = (candidate.texture, part.slice, x, y, w, h)
     if key not in images:
-        images[key] = image_of(candidate.texture, part.slice, info, image, part.state.flipped, folder)
+        images[key] = image_of(candidate.texture, part.slice, info, image, (x, y, w, h), part.state.flipped, folder)
     drawn = []
     for draw in part.draws:
         drawn += scene.add(part, draw, True)
     stored = {k: v for k, v in part.stored.items() if k in ("stored", "exponent", "range_m")}
-    own_image, region = images[key], [x, y, w, h]
+    own_image, region = images[key], [0, 0, w, h]
     if colour:
         if info.format.compCount >= 2 and stored["stored"] == "linear":
             stored["stored"] = "moments"
@@ -186,12 +187,11 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
             notes.append("%s: a texel is linear in the world position, by %s, and not between the planes of the "
                          "light's matrix. The depths that follow are written." %
                          (label, ", ".join("%.6g" % v for v in part.stored["plane"])))
-            file = "map_%d_%d_at_%d_%d.raw" % (key + (x, y))
+            file = "depth_" + own_image["file"]
             depths = frame.depths_of_plane(part, image[y:y + h, x:x + w, 0], clear_image[y:y + h, x:x + w, 0],
                                            info.format.compByteWidth == 2)
             bundle.write_raw(os.path.join(folder, file), depths.astype("<f4"))
-            own_image = dict(images[key], file=file, width=w, height=h, format="f32", channels=1)
-            region = [0, 0, w, h]
+            own_image = dict(own_image, file=file, format="f32", channels=1)
             stored = {"stored": "depth"}
     first = part.draws[0].state
     entry = {
@@ -206,13 +206,16 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     }
     maps.append({"map": entry, "kind": fit.light_of(part.matrix, reversed_, part.state.negative_one),
                  "texture": candidate.texture, "slice": part.slice, "candidate": candidate, "matrix": part.matrix,
-                 "viewport": part.viewport, "negative_one": part.state.negative_one, "part": part,
+                 "viewport": part.viewport, "region": (x, y, w, h), "negative_one": part.state.negative_one, "part": part,
                  "is_empty": numbers["captured_texels"] == 0})
 
 
-def image_of(texture, slice_, info, image, flipped, folder):
-    """Writes the texels of one slice. Returns the image of a map in the bundle."""
-    file = "map_%d_%d.raw" % (texture, slice_)
+def image_of(texture, slice_, info, image, region, flipped, folder):
+    """Writes the texels of a region of one slice. Returns the image of a map in the bundle."""
+    x, y, w, h = region
+    whole = (w, h) == (info.width, info.height)
+    file = "map_%d_%d%s.raw" % (texture, slice_, "" if whole else "_at_%d_%d" % (x, y))
+    image = image[y:y + h, x:x + w]
     values, name = image[:, :, 0], info.format.Name()
     if name.startswith("D16"):
         bundle.write_raw(os.path.join(folder, file), np.rint(values * 65535).astype("<u2"))
@@ -223,8 +226,8 @@ def image_of(texture, slice_, info, image, flipped, folder):
     else:
         bundle.write_raw(os.path.join(folder, file), image.astype("<f4"))
         kind, channels = "f32", image.shape[2]
-    return {"file": file, "first_row": "top" if flipped else "bottom", "width": info.width, "height": info.height,
-            "format": kind, "channels": channels, "channel": 0}
+    return {"file": file, "first_row": "top" if flipped else "bottom", "width": w, "height": h, "format": kind,
+            "channels": channels, "channel": 0}
 
 
 def add_missing_faces(capture, maps, folder, notes):
@@ -238,8 +241,7 @@ def add_missing_faces(capture, maps, folder, notes):
     for (texture, _), group in groups.items():
         info = capture.textures[texture]
         first = group[0]
-        region = first["map"]["region"]
-        if any(e["map"]["region"] != region for e in group):
+        if any(e["region"] != first["region"] for e in group):
             continue
         taken = {e["slice"] for e in maps if e["texture"] == texture}
         faces = cube.missing_faces([(e["slice"], e["matrix"], e["kind"][1]) for e in group], info.arraysize)
@@ -250,11 +252,11 @@ def add_missing_faces(capture, maps, folder, notes):
             image = capture.texels(texture, 0, slice_)
             if image is None:
                 continue
-            x, y, w, h = region
+            x, y, w, h = first["region"]
             part = image[y:y + h, x:x + w, 0]
             is_empty = bool((part == part.flat[0]).all())
             flipped = first["map"]["image"]["first_row"] == "top"
-            entry = dict(first["map"], image=image_of(texture, slice_, info, image, flipped, folder),
+            entry = dict(first["map"], image=image_of(texture, slice_, info, image, first["region"], flipped, folder),
                          clip_from_world=bundle.columns(matrix), extras={"matrix": "from the other faces"})
             if is_empty:
                 entry["drawn"] = []

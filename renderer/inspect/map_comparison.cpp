@@ -18,8 +18,8 @@
 namespace si {
 namespace {
 
-/// Least step of float formats. Clip-space z is rounded in single precision near 1, whatever its depth is.
-constexpr double kLeastFloatStep = 0x1p-24;
+/// Least step of float formats. Rasterisers interpolate with an error of the last place of 1, whatever the depth is.
+constexpr double kLeastFloatStep = 0x1p-23;
 /// Steps of the format, and multiples of the median difference, beyond which a depth belongs to another surface.
 constexpr double kSurfaceSteps = 4, kSurfaceMedians = 2;
 /// Most differences of which medians and percentiles are taken.

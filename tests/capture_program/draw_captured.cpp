@@ -32,7 +32,7 @@ using glm::vec4;
 constexpr int kMapSide = 256, kWidth = 320, kHeight = 180;
 constexpr float kFarRange = 20;
 
-enum class Storage { kPlane, kCube, kLayers };
+enum class Storage { kPlane, kCube, kLayers, kAtlas };
 enum class Holds { kDepth, kDistanceInDepth, kDistanceInColour };
 
 /// Choices of one frame.
@@ -54,6 +54,7 @@ struct Variant {
     bool relative = false;        ///< matrices are relative to the camera
     bool block = false;           ///< matrices are in a uniform block, the world first
     bool clockwise = false;       ///< front faces are clockwise, and so are the meshes
+    vec3 step = vec3(0);          ///< way of all objects but the ground from the frame before to the captured one
 };
 
 const Variant kVariants[] = {
@@ -71,6 +72,7 @@ const Variant kVariants[] = {
      .holds = Holds::kDistanceInColour,
      .format = GL_R32F},
     {.name = "spot-and-point", .spot = true, .point = true, .storage = Storage::kLayers},
+    {.name = "atlas", .sun = true, .spot = true, .storage = Storage::kAtlas, .step = vec3(0.7f, 0, 0.4f)},
     {.name = "front-culling", .sun = true, .cull = GL_FRONT},
     {.name = "clockwise", .sun = true, .clockwise = true},
     {.name = "one-matrix", .sun = true, .one_matrix = true},
@@ -347,6 +349,11 @@ std::string picture_source(const Variant& v) {
             "f += " +
             std::string(v.spot ? "1" : "0") + ";\n" + with_index("f") + "lit *= texture(t0, vec4(uv, f, " + own +
             ")); }\n";
+    } else if (v.storage == Storage::kAtlas) {
+        text += "layout(binding = 0) uniform sampler2DShadow t0;\n";
+        for (const std::string index : {"0", "1"})
+            lit += "{" + with_index(index) + "lit *= 0.5 + 0.5 * texture(t0, vec3(0.5 * (clamp(uv.x, 0, 1) + " + index +
+                   "), uv.y, " + own + ")); }\n";
     } else if (!v.compares) {
         text += "layout(binding = 0) uniform sampler2D t0;\n";
         lit = with_index("0") + "lit *= " + range + " - 0.001 <= texture(t0, uv).r ? 1.0 : 0.0;\n";
@@ -411,7 +418,7 @@ public:
         if (v_.storage == Storage::kLayers)
             glTexStorage3D(target_, 1, v_.format, kMapSide, kMapSide, GLsizei(maps_.size()));
         else
-            glTexStorage2D(target_, 1, v_.format, kMapSide, kMapSide);
+            glTexStorage2D(target_, 1, v_.format, atlas_x(int(maps_.size()) - 1) + kMapSide, kMapSide);
         const bool compares = v_.compares && v_.holds == Holds::kDepth;
         glTexParameteri(target_, GL_TEXTURE_MIN_FILTER, compares ? GL_LINEAR : GL_NEAREST);
         glTexParameteri(target_, GL_TEXTURE_MAG_FILTER, compares ? GL_LINEAR : GL_NEAREST);
@@ -440,6 +447,12 @@ public:
         glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth, 0);
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) fail("the picture is not complete");
         if (v_.block) glGenBuffers(1, &block_);
+    }
+
+    /// Moves the objects to their places in the captured frame.
+    void step() {
+        for (Object& object : scene_.objects)
+            if (object.name != std::string("Ground")) object.world = glm::translate(mat4(1), v_.step) * object.world;
     }
 
     void draw() {
@@ -492,7 +505,8 @@ public:
             std::vector<float> texels(kMapSide * kMapSide);
             const bool colour = v_.holds == Holds::kDistanceInColour;
             if (colour) glReadBuffer(GL_COLOR_ATTACHMENT0);
-            glReadPixels(0, 0, kMapSide, kMapSide, colour ? GL_RED : GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
+            glReadPixels(atlas_x(int(i)), 0, kMapSide, kMapSide, colour ? GL_RED : GL_DEPTH_COMPONENT, GL_FLOAT,
+                         texels.data());
             std::ofstream(folder + "/truth_" + std::to_string(i) + ".raw", std::ios::binary)
                 .write(reinterpret_cast<const char*>(texels.data()), std::streamsize(texels.size() * sizeof(float)));
             truth["maps"].push_back(
@@ -532,6 +546,9 @@ private:
                  with_depth(v_, glm::perspective(glm::radians(90.0f), 1.0f, 0.1f, kFarRange), 0.1f, kFarRange) *
                      glm::lookAt(position, position + axes[face], ups[face])});
     }
+
+    /// Returns the first texel column of a map in its texture.
+    int atlas_x(int map) const { return v_.storage == Storage::kAtlas ? map * kMapSide : 0; }
 
     void attach(const Map& map) {
         glBindFramebuffer(GL_FRAMEBUFFER, map_frame_);
@@ -576,14 +593,18 @@ private:
             glPolygonOffset(v_.factor, v_.units);
         }
         if (v_.depth_clamp) glEnable(GL_DEPTH_CLAMP);
-        glViewport(0, 0, kMapSide, kMapSide);
-        for (const Map& map : maps_) {
+        glEnable(GL_SCISSOR_TEST);
+        for (std::size_t i = 0; i < maps_.size(); ++i) {
+            const Map& map = maps_[i];
             attach(map);
+            glViewport(atlas_x(int(i)), 0, kMapSide, kMapSide);
+            glScissor(atlas_x(int(i)), 0, kMapSide, kMapSide);
             glClearColor(1000, 0, 0, 0);
             glClear(GL_DEPTH_BUFFER_BIT | (v_.holds == Holds::kDistanceInColour ? GL_COLOR_BUFFER_BIT : 0u));
             if (v_.holds != Holds::kDepth) glUniform3fv(5, 1, glm::value_ptr(lights_[std::size_t(map.light)].position));
-            for (const int i : drawn_in(map)) draw_object(scene_.objects[std::size_t(i)], map.clip_from_world);
+            for (const int drawn : drawn_in(map)) draw_object(scene_.objects[std::size_t(drawn)], map.clip_from_world);
         }
+        glDisable(GL_SCISSOR_TEST);
         glDisable(GL_POLYGON_OFFSET_FILL);
         glDisable(GL_DEPTH_CLAMP);
     }
@@ -628,6 +649,7 @@ void run(const std::string& name, const std::string& folder) {
     si::test::FrameCapture capture(folder + "/frame");
     // Programs of a first frame are compiled outside the capture.
     frame.draw();
+    frame.step();
     capture.begin();
     frame.draw();
     if (!capture.end()) fail("no frame was captured");

@@ -172,6 +172,7 @@ const CapturedCase kCaptured[] = {
     {"point-distance"},
     {"point-colour"},
     {"spot-and-point"},
+    {"atlas"},
     {"front-culling"},
     {"clockwise"},
     {"one-matrix", false, true},
