@@ -1,16 +1,17 @@
 # Writes OUT: a C++ table of (path relative to ROOT, text) of FILES.
-set(body "// Generated from shaders/ and assets/presets/.\n#include \"renderer/base/embedded.h\"\n\nnamespace si {\nnamespace {\n")
+set(body "// Generated from shaders/ and assets/presets/.\n#include \"renderer/base/embedded.h\"\n\nnamespace si {\nnamespace {\nusing namespace std::string_view_literals;\n")
 string(APPEND body "constexpr EmbeddedFile kFiles[] = {\n")
 foreach(file IN LISTS FILES)
   file(RELATIVE_PATH name ${ROOT} ${file})
   file(READ ${file} text)
+  # Suffix sv: compilers know the length, and limit how far they count characters in constants.
   # A string literal may hold 64 KiB at most in strict C++; adjacent literals are joined.
   string(LENGTH "${text}" length)
   string(APPEND body "    {\"${name}\",\n")
   set(at 0)
   while(at LESS length OR at EQUAL 0)
     string(SUBSTRING "${text}" ${at} 12000 part)
-    string(APPEND body "R\"~~si~~(${part})~~si~~\"\n")
+    string(APPEND body "R\"~~si~~(${part})~~si~~\"sv\n")
     math(EXPR at "${at} + 12000")
   endwhile()
   string(APPEND body "},\n")

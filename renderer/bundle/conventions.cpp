@@ -474,7 +474,7 @@ private:
         const auto rest = std::ranges::stable_partition(
             all.fits, [&](const ConventionFit& fit) { return fits_equally(fit) && !is_other(fit); });
         all.equal = std::size_t(rest.begin() - all.fits.begin());
-        all.other_axes = std::size_t(std::ranges::count_if(rest, fits_equally));
+        all.other_axes = std::size_t(std::count_if(rest.begin(), rest.end(), fits_equally));
     }
 
     const BundleLight& light_;

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <ranges>
+#include <string_view>
+#include <vector>
 
 #include "renderer/base/error.h"
 #include "renderer/view/cameras/make_camera.h"
@@ -39,7 +40,9 @@ const CostRow& cost_row(CostCase cost) {
 }
 
 std::string cost_keys() {
-    return fmt::format("{}", fmt::join(kCosts | std::views::transform(&CostRow::key), ", "));
+    std::vector<std::string_view> keys;
+    for (const CostRow& row : kCosts) keys.push_back(row.key);
+    return fmt::format("{}", fmt::join(keys, ", "));
 }
 
 CostCase parse_cost(std::string_view key) {

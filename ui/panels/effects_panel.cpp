@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <ranges>
 
 #include "renderer/base/index_of.h"
 #include "renderer/base/lengths_text.h"
@@ -240,8 +239,7 @@ void sum_row(const PassCost& sum) {
 void history(const FrameTimes& times) {
     if (times.frames.size() < 2) return;
     const double now = ImGui::GetTime();
-    const auto ms_of = [](const TimedFrame& f) { return f.ms; };
-    const double longest = std::ranges::max(times.frames | std::views::transform(ms_of));
+    const double longest = std::ranges::max(times.frames, {}, &TimedFrame::ms).ms;
     const float em = ImGui::GetFontSize(), wide = em * 9, high = ImGui::GetTextLineHeight();
     ImGui::SameLine(0, em);
     const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -38,9 +38,9 @@ ViewExtent seen_from_light(const LightView& view, std::span<const glm::dvec3> po
 }
 
 bool is_within(const ViewExtent& e, const LightView& view, double near, double far) {
-    const auto [lo, hi] = view.cross_section();
+    const auto section = view.cross_section();
     const auto is_between = [&](int axis) {
-        return e.lo[axis] >= e.lo.z * lo[axis] && e.hi[axis] <= e.lo.z * hi[axis];
+        return e.lo[axis] >= e.lo.z * section.lo[axis] && e.hi[axis] <= e.lo.z * section.hi[axis];
     };
     return e.lo.z >= near && e.hi.z <= far && is_between(0) && is_between(1);
 }
