@@ -161,11 +161,8 @@ std::vector<ImportChoice> reading_choices(const MapImport& map) {
                             .fits = i < map.fits.equal,
                             .usable = fit.refusal.empty()};
         if (choice.usable) {
-            choice.fit = fmt::format("{:.1f} % of the texels are off", 100 * fit.share_off());
-            if (map.fits.over_scene && fit.samples > 0 && std::isfinite(fit.median_m))
-                choice.fit += fmt::format(", median {:.3g} m", fit.median_m);
-            if (!fit.known) choice.fit += ", contradicts the light file";
-            choice.fit += ": " + fit_sentence(fit, map.fits.over_scene);
+            choice.fit = fit_sentence(fit, map.fits.over_scene);
+            if (!fit.known) choice.fit += "; it contradicts the light's file";
         } else {
             choice.fit = fit.refusal;
         }
