@@ -108,7 +108,8 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d) {
         print_amount("of itself", a.amount(a.bias_of_kind), "bias that bias.kind itself adds, at any numbers");
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
-        print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
+        print_amount("while drawing", a.amount(a.raster),
+                     "bias.raster_*, the least that a driver may add, and an engine's shift of casters");
     print_amount("have", d.has, "against acne");
     print_amount("needed", d.least, "of kernel, format, sub-pixel grid and single precision:");
     print_amount("  kernel", a.amount(a.least.kernel));

@@ -107,10 +107,10 @@ BundleMap map_of(const LightView& view, const Settings& s, const CasterRaster* r
         out.raster.offset_units = raster->offset_units;
         out.raster.offset_clamp = raster->offset_clamp;
         if (raster->cull) out.raster.cull = raster->cull;
-        if (raster->moves_casters()) {
-            out.raster.shift_m = raster->shift_m;
-            out.raster.grazing_shift_m = raster->grazing_shift_m;
-        }
+    }
+    if (view.caster_shift.moves()) {
+        out.raster.shift_m = view.caster_shift.all_m;
+        out.raster.grazing_shift_m = view.caster_shift.grazing_m;
     }
     out.raster.front = BundleFront::Ccw;
     out.raster.depth_clamp = view.clamps_near;

@@ -112,6 +112,10 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
     if (bias.normal != 0)
         a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.depth_at(glm::dvec2(r.tap)) - r.tap.z);
     a.raster = offsets_polygons(settings) ? bias_of_stage(BiasStage::Raster).amount(bias, b) : 0;
+    if (view.caster_shift.moves()) {
+        const double shift_m = view.caster_shift.metres(glm::dot(p.geometric, view.axes[2]));
+        a.raster -= a.curve.depth_change_towards_light(r.own_m, -shift_m);
+    }
     a.depth_shift = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }

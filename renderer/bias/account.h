@@ -48,7 +48,7 @@ struct BiasBreakdown {
     double bias_of_kind = 0;  ///< offset that bias.kind adds with constant and slope 0 (Bias::gives_needed_bias)
     /// Normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on to the light.
     double normal = 0;
-    /// bias.raster_* on this plane, as the driver applies them (PolygonOffset).
+    /// bias.raster_* on this plane, as the driver applies them (PolygonOffset), and LightView::caster_shift.
     double raster = 0;
 
     /// Returns the equivalent depth bias of all bias settings together, in depth-buffer units. The surface does not

@@ -167,8 +167,6 @@ std::vector<CasterRaster> raster_of(const BundleLight& light, const std::vector<
         raster.offset_factor = state.offset_factor.value_or(0);
         raster.offset_units = state.offset_units.value_or(0);
         raster.offset_clamp = state.offset_clamp.value_or(0);
-        raster.shift_m = state.shift_m.value_or(0);
-        raster.grazing_shift_m = state.grazing_shift_m.value_or(0);
         if (state.cull) raster.cull = culled_faces(*state.cull, (state.front == BundleFront::Cw) != turned, views[i]);
     }
     return any ? out : std::vector<CasterRaster>();
@@ -200,6 +198,7 @@ LightView view_of_map(const BundleWorld& world, const BundleMap& map) {
     LightView view = view_of_matrix(clip, map.depth.convention);
     if (is_ours) take_exact_parts(map, view);
     view.clamps_near = map.raster.depth_clamp.value_or(false);
+    view.caster_shift = {map.raster.shift_m.value_or(0), map.raster.grazing_shift_m.value_or(0)};
     return view;
 }
 
@@ -455,8 +454,10 @@ std::shared_ptr<const ImportedMaps> placed_maps(const std::shared_ptr<const Impo
             continue;
         }
         const bool clamps = view.clamps_near;
+        const CasterShift shift = view.caster_shift;
         view = view_of_matrix(view.clip_from_relative(glm::dvec3(0)) * glm::inverse(placement), view.curve.convention);
         view.clamps_near = clamps;
+        view.caster_shift = {scale * shift.all_m, scale * shift.grazing_m};
     }
     ViewChooser& chooser = out->views->chooser;
     chooser.from_ws = glm::dvec3(placement * glm::dvec4(chooser.from_ws, 1));

@@ -16,6 +16,7 @@ void add_view(Key& key, const LightView& view) {
     for (int column = 0; column < 4; ++column) key.add(view.projection[column]);
     key.add(view.curve.perspective).add(view.curve.near).add(view.curve.far);
     key.add(view.curve.convention.reversed).add(view.curve.convention.zero_to_one).add(view.clamps_near);
+    key.add(view.caster_shift.all_m).add(view.caster_shift.grazing_m);
     const DepthWarp warp = view.curve.warp.value_or(DepthWarp{});
     key.add(warp.middle_m).add(warp.near_m).add(warp.far_m).add(warp.rise);
 }
@@ -32,12 +33,7 @@ void add_raster(Key& key, const std::vector<CasterRaster>& raster, std::size_t m
     if (raster.size() != maps)
         throw Error(fmt::format("{} imported maps have {} raster states; each map needs one", maps, raster.size()));
     for (const CasterRaster& r : raster)
-        key.add(r.offset_factor)
-            .add(r.offset_units)
-            .add(r.offset_clamp)
-            .add(r.cull ? int(*r.cull) : -1)
-            .add(r.shift_m)
-            .add(r.grazing_shift_m);
+        key.add(r.offset_factor).add(r.offset_units).add(r.offset_clamp).add(r.cull ? int(*r.cull) : -1);
 }
 
 }  // namespace

@@ -28,11 +28,6 @@ struct CasterRaster {
     double offset_clamp = 0;                     ///< as glPolygonOffsetClampEXT() takes it; 0: no clamp
     /// Faces left out, by the winding of glTF as seen from the light; nullopt: caster.cull. See culled_faces().
     std::optional<Cull> cull;
-    /// Metres by which casters are moved along the view's axis, away from the light: all vertices, and those at a
-    /// grazing angle times 1 − |n·l|, with the vertex's normal and the axis.
-    double shift_m = 0, grazing_shift_m = 0;
-    /// Returns true when the shader moves casters.
-    bool moves_casters() const { return shift_m != 0 || grazing_shift_m != 0; }
     bool operator==(const CasterRaster&) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/frame/driver.h"
 #include "renderer/frame/requested_maps.h"
@@ -165,6 +166,20 @@ void FrameState::set_faces_left_out(GLuint program, const Batch& batch) const {
     glUniform1i(glGetUniformLocation(program, "faces_left_out"), left_out);
 }
 
+void FrameState::set_caster_shifts(GLuint program) const {
+    const GLint at = glGetUniformLocation(program, "caster_shift");
+    if (at < 0) return;
+    std::vector<glm::vec4> shifts(std::size_t(SI_MAX_VIEWS));
+    for (std::size_t i = 0; i < gl.fitted.size(); ++i)
+        for (std::size_t v = 0; v < gl.fitted[i].views.size(); ++v) {
+            const LightView& view = gl.fitted[i].views[v];
+            const CasterShift& shift = view.caster_shift;
+            shifts.at(std::size_t(first_view[i]) + v) =
+                glm::vec4(glm::vec3(shift.grazing_m * view.axes[2]), float(shift.all_m + shift.grazing_m));
+        }
+    glUniform4fv(at, GLsizei(shifts.size()), glm::value_ptr(shifts[0]));
+}
+
 void FrameState::draw_batch(const Batch& batch, PassInfo& info) const {
     gl.scene->draw_batch(batch);
     ++info.draws;
@@ -187,8 +202,10 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
         if (batch.blend) continue;
         if (!previous || previous->masked != batch.masked || !previous->texture != !batch.texture ||
             !previous->normal_texture != !batch.normal_texture || previous->tangents != batch.tangents ||
-            previous->ground != batch.ground)
+            previous->ground != batch.ground) {
             glUseProgram(used = batch_program("passes/scene.vert.glsl", fragment, extra, batch, false));
+            set_caster_shifts(used);
+        }
         set_faces_left_out(used, batch);
         if (corners)
             glUniform3i(glGetUniformLocation(used, "triangle_source"), GLint(batch.first_index), batch.base_vertex,

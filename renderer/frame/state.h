@@ -199,6 +199,8 @@ struct FrameState {
                          const Batch& batch, bool alpha_only) const;
     /// Tells a program in use which faces of a batch are not drawn into shadow maps.
     void set_faces_left_out(GLuint program, const Batch& batch) const;
+    /// Tells a program in use how an engine has moved the casters of each view, if it asks.
+    void set_caster_shifts(GLuint program) const;
     /// Draws one batch. Call SceneGpu::bind_vertices() before.
     /// @param[out] info draw and triangle counts
     void draw_batch(const Batch& batch, PassInfo& info) const;

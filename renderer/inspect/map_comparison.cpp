@@ -452,9 +452,9 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
             map.drawn = renderer.read_shadow_map(renderer.render(scene, drawn_there, request), light, int(v));
         const FloatImage& of_all = left_out.empty() ? map.drawn : whole[v];
         MapCompareOptions applied = options;
-        if (v < given->raster.size() && given->raster[v].moves_casters()) {
+        if (const CasterShift& shift = given->views->views[v].caster_shift; shift.moves()) {
             applied.limits = kMovedCasterLimits;
-            applied.room_m = std::abs(given->raster[v].grazing_shift_m);
+            applied.room_m = std::abs(shift.grazing_m);
         }
         const std::vector<bool> masked = options.leaves_out_masked
                                              ? masked_texels(renderer, scene, drawn_there, request, light, int(v))

@@ -25,11 +25,6 @@ Cull cull_of(const FrameState& f, const CasterRaster* raster, const Batch& batch
     return cull_in_force(batch.cull, raster && raster->cull ? *raster->cull : f.settings.caster.cull);
 }
 
-/// Returns true when the engine's shader moves the casters of a map.
-bool moves_casters(const CasterRaster* raster) {
-    return raster && raster->moves_casters();
-}
-
 /// Returns true when polygon offset changes the depths of a map.
 bool offsets_polygons(const FrameState& f, const CasterRaster* raster) {
     if (!raster) return offsets_polygons(f.settings);
@@ -135,10 +130,10 @@ public:
             made_ = {};
         previous_ = batch;
         GLuint& id = made_[bare];
-        const CasterRaster* const raster = view_.choice.raster;
+        const CasterShift& shift = view_.shift;
         if (id == 0) {
             std::vector<gl::Define> defines = {{"DROPS_STRAYS", drops_ && !bare ? "1" : "0"}};
-            if (moves_casters(raster)) defines.push_back({"MOVES_CASTERS", "1"});
+            if (shift.moves()) defines.push_back({"MOVES_CASTERS", "1"});
             id = f_.batch_program("passes/depth.vert.glsl", "passes/depth.frag.glsl", defines, batch, true);
         }
         if (id != current_) {
@@ -149,11 +144,10 @@ public:
             if (holds_distances(f_.settings.map.format))
                 glUniform4f(glGetUniformLocation(id, "curve"), float(curve.near), float(curve.far), curve.perspective,
                             curve.convention.reversed);
-            if (moves_casters(raster)) {
+            if (shift.moves()) {
                 const glm::vec3 away(view_.away_ws);
                 glUniform3fv(glGetUniformLocation(id, "away_ws"), 1, glm::value_ptr(away));
-                glUniform2f(glGetUniformLocation(id, "shift_m"), float(raster->shift_m),
-                            float(raster->grazing_shift_m));
+                glUniform2f(glGetUniformLocation(id, "shift_m"), float(shift.all_m), float(shift.grazing_m));
             }
         }
         const GLuint mask = view_.unfiltered ? batch.finest_texture : batch.texture;
@@ -184,7 +178,7 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.size.shortest()),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f, view.choice.raster)),
-          moves_(moves_casters(view.choice.raster)),
+          moves_(view.shift.moves()),
           skips_(!moves_ && !seen && !f.request.forced.contains(Optimisation::CasterCulling)),
           bares_(!moves_ && programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective &&
                  !view.curve.warp && !f.request.forced.contains(Optimisation::CasterFragments)),
@@ -438,7 +432,8 @@ SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unf
                      f.map_size,
                      choice,
                      is_mirrored(view),
-                     -view.axes[2]};
+                     -view.axes[2],
+                     view.caster_shift};
     if (choice.needed && choice.needed->is_whole()) whole.choice.needed = nullptr;
     return draw_casters(f, whole, {}, info);
 }

@@ -30,7 +30,8 @@ struct CasterView {
     MapSize size{1};           ///< texels of the map
     CasterChoice choice;
     bool mirrored = false;  ///< triangles have the opposite winding: see is_mirrored()
-    glm::dvec3 away_ws{0};  ///< unit, along the view's axis away from the light, for casters that are moved
+    glm::dvec3 away_ws{0};  ///< unit, along the view's axis away from the light, for `shift`
+    CasterShift shift;      ///< of all casters
 };
 
 /// Range of a mesh's indices, counted from the mesh's first.

@@ -1,6 +1,8 @@
 // The view and projection of one shadow map.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 
 #include "renderer/projection/depth_curve.h"
@@ -19,6 +21,17 @@ struct CrossSection {
     glm::dvec2 lo{0}, hi{0};
 };
 
+/// Way of casters along a view's axis, away from the light, before they are drawn: the bias of some engines, by the
+/// shader that draws casters.
+struct CasterShift {
+    double all_m = 0;      ///< metres at any angle
+    double grazing_m = 0;  ///< metres times 1 - |n . axis|, with the vertex's normal
+    bool moves() const { return all_m != 0 || grazing_m != 0; }
+    /// Returns the metres at an angle between normal and axis.
+    double metres(double cosine) const { return all_m + grazing_m * (1 - std::min(std::abs(cosine), 1.0)); }
+    bool operator==(const CasterShift&) const = default;
+};
+
 /// View and projection of one shadow map: a directional or spot map, a cube face, a cascade or a clip level. The matrix
 /// decides what the map covers; set_half_extents() makes a centred one, view_of_matrix() takes any.
 struct LightView {
@@ -29,6 +42,7 @@ struct LightView {
     glm::dmat4 projection{1.0};
     DepthCurve curve;          ///< depth range
     bool clamps_near = false;  ///< casters before the near plane are drawn on it (pancaking)
+    CasterShift caster_shift;  ///< of an engine's maps
     /// Sets the projection to one that is centred on the axis, by `curve`.
     /// @param half half of the width and height: metres, or in perspective tangents of half the angles
     void set_half_extents(const glm::dvec2& half);

@@ -30,8 +30,20 @@ float offset_quantum(Receiver r) {
 #endif
 }
 
+/// CasterShift by layer: an engine has moved its casters away from the light by w - |dot(normal, xyz)| metres.
+uniform vec4 caster_shift[SI_MAX_VIEWS];
+
+/// Returns the depth by which an engine's shader has moved the receiver's plane away from the light in the map.
+float caster_shift_depth(Receiver r) {
+    vec4 shift = caster_shift[r.layer];
+    float metres = shift.w - abs(dot(r.surface.geometric, shift.xyz));
+    if (metres == 0.0) return 0.0;
+    return -depth_change_towards_light(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), r.z, r.depth_per_m, r.z, -metres);
+}
+
 /// Returns the equivalent depth bias: distance from the receiver's plane to the compared depth, towards the light.
 float equivalent_depth_bias(Receiver r, vec2 gradient) {
     float plane = r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy);
-    return away_from_light(plane - r.reference) + raster_offset(abs(gradient) / MAP_SIZE, offset_quantum(r));
+    return away_from_light(plane - r.reference) + raster_offset(abs(gradient) / MAP_SIZE, offset_quantum(r)) +
+           caster_shift_depth(r);
 }

@@ -272,26 +272,26 @@ TEST_F(DrawnByGivenViews, CastersThatAreMovedLieWhereTheyAreMovedTo) {
         const ImportedViews views = *read_back(scene, s, true, 128)->views;
         const LightView& view = views.views[0];
         const glm::dvec3 away = -view.axes[2];
-        const auto drawn = [&](const Scene& casters, CasterRaster raster) {
+        const auto drawn = [&](const Scene& casters, CasterShift shift) {
+            ImportedViews moving = views;
+            moving.views[0].caster_shift = shift;
             FrameRequest r = request;
             r.outputs.shadow_map = true;
-            r.imported = {drawn_maps(views, 128, {raster})};
+            r.imported = {drawn_maps(moving, 128)};
             return renderer.read_shadow_map(renderer.render(casters, s, r), 0, 0);
         };
         // All casters moved by one length: equal to a scene whose objects lie there.
         Scene moved = scene;
         moved.placement[3] += glm::dvec4(kShift * away, 0);
         refresh(moved);
-        const FloatImage by_shader = drawn(scene, {.cull = {}, .shift_m = kShift}),
-                         by_hand = drawn(moved, {.cull = {}});
+        const FloatImage by_shader = drawn(scene, {kShift}), by_hand = drawn(moved, {});
         std::size_t differ = 0;
         for (std::size_t i = 0; i < by_hand.data.size(); ++i)
             differ += std::abs(by_shader.data[i] - by_hand.data[i]) > 1e-5f;
         EXPECT_LE(differ, by_hand.data.size() / 1000);
         if (type == LightType::Spot) continue;
         // Parallel rays: each surface recedes by the closed form of its normal.
-        const FloatImage rest = drawn(scene, {.cull = {}}),
-                         slanted = drawn(scene, {.cull = {}, .shift_m = kShift, .grazing_shift_m = kGrazing});
+        const FloatImage rest = drawn(scene, {}), slanted = drawn(scene, {kShift, kGrazing});
         std::size_t covered = 0, floor = 0, other = 0;
         for (std::size_t i = 0; i < rest.data.size(); ++i) {
             if (rest.data[i] == float(view.curve.convention.far_depth())) continue;
@@ -307,6 +307,51 @@ TEST_F(DrawnByGivenViews, CastersThatAreMovedLieWhereTheyAreMovedTo) {
         EXPECT_GT(other, covered / 100);
         // A top that recedes may end before a side, in a strip along the edge.
         EXPECT_GE(floor + other, covered * 9 / 10) << "of " << covered;
+    }
+}
+
+// What moves casters away from the light is bias. Probe and overlay count it by the triangle's normal.
+TEST_F(DrawnByGivenViews, MovedCastersCountAsBias) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    constexpr CasterShift kShift{.all_m = 0.04, .grazing_m = 0.3};
+    for (const auto& [type, reversed] : {std::pair{LightType::Directional, "false"},
+                                         {LightType::Directional, "true"},
+                                         {LightType::Spot, "false"},
+                                         {LightType::Spot, "true"}}) {
+        SCOPED_TRACE(testing::Message() << int(type) << " reversed " << reversed);
+        const Settings s = settings_with(lit_by_kernel(type, LightFit::Scene, "pcf3"),
+                                         {{"map.reversed_z", reversed}, {"bias.kind", "constant"}});
+        ImportedViews views = *read_back(scene, s, true, 128)->views;
+        const glm::dvec3 axis = views.views[0].axes[2];
+        FrameRequest rest = request, moved = request;
+        rest.imported = {drawn_maps(views, 128)};
+        views.views[0].caster_shift = kShift;
+        moved.imported = {drawn_maps(views, 128)};
+        const FloatImage slack_at_rest = overlay_values(scene, s, "bias-slack", rest),
+                         slack_moved = overlay_values(scene, s, "bias-slack", moved);
+        int compared = 0, grazing = 0;
+        for (int y = 3; y < request.height; y += 7)
+            for (int x = 3; x < request.width; x += 7) {
+                const Probe at_rest = renderer.probe(scene, s, rest, x, y), p = renderer.probe(scene, s, moved, x, y);
+                const std::size_t i = 4 * (std::size_t(y) * std::size_t(request.width) + std::size_t(x));
+                // No number where the surface does not face the light, or lies outside the map.
+                if (!p.hit || !std::isfinite(slack_moved.data[i])) continue;
+                const BiasBreakdown &a = p.lights[0].account, &before = at_rest.lights[0].account;
+                const double cosine = std::abs(glm::dot(p.lights[0].point.geometric, axis));
+                const double along_m = kShift.all_m + kShift.grazing_m * (1 - cosine);
+                ASSERT_EQ(before.raster, 0);
+                const double away = a.curve.convention.reversed ? -1 : 1;
+                EXPECT_NEAR(away * a.raster,
+                            a.curve.depth(a.receiver.own_m + along_m) - a.curve.depth(a.receiver.own_m), 1e-12);
+                EXPECT_DOUBLE_EQ(a.least.total(), before.least.total()) << "the need is that of the plane";
+                const double gained =
+                    a.amount(a.equivalent_depth()).texels - before.amount(before.equivalent_depth()).texels;
+                EXPECT_NEAR(slack_moved.data[i] - slack_at_rest.data[i], gained, 1e-3 * (1 + gained));
+                ++compared;
+                grazing += cosine < 0.9;
+            }
+        EXPECT_GT(compared, 30);
+        EXPECT_GT(grazing, 3);
     }
 }
 

@@ -196,9 +196,8 @@ TEST_F(OwnMapTest, CastersThatTheEngineMovesAreMoved) {
     write_bundle_files(frame_bundle(renderer, engine.scene, engine.settings, {.width = kWidth, .height = kHeight}),
                        second);
     const Session read = open(second.string());
-    const auto raster = given_maps(read.settings.map.bundle)->lights[0]->raster.at(0);
-    EXPECT_EQ(raster.shift_m, 0.25);
-    EXPECT_EQ(raster.grazing_shift_m, 0.125);
+    EXPECT_EQ(given_maps(read.settings.map.bundle)->lights[0]->views->views.at(0).caster_shift,
+              (CasterShift{.all_m = 0.25, .grazing_m = 0.125}));
     EXPECT_EQ(why_not(read), "");
     const FixTable table = searched(read, {"map.resolution=256"});
     EXPECT_TRUE(table.rows.at(0).on_own_map) << table.rows[0].candidate.untried;

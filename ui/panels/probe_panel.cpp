@@ -93,8 +93,10 @@ void bias_terms(const BiasBreakdown& a) {
         "normal offset", a.amount(a.normal),
         "Equivalent depth bias of bias.normal: offset / cos(angle of light), as the look-up moves along the plane");
     if (a.raster != 0)
-        amount_row("while drawing", a.amount(a.raster),
-                   "Depth that bias.raster_* add to this plane in the map: the least that a driver may make of them");
+        amount_row(
+            "while drawing", a.amount(a.raster),
+            "Depth that bias.raster_* add to this plane in the map: the least that a driver may make of them. In maps "
+            "of an engine also the way by which its shader moves casters");
     amount_row("equivalent bias in all", a.amount(a.equivalent_depth()),
                "Against acne: it has to be as much as is needed");
     amount_row("needed", a.amount(a.least.total()),
