@@ -92,21 +92,32 @@ stage() {
   times+=("$(minutes $((SECONDS - start)))  $name")
 }
 
-# tests BUILD LABEL: runs the tests of a label, and keeps how long they took and how many of them were skipped.
+# tests BUILD LABEL...: runs the tests of labels at once, and keeps how long those of each took on one core, which failed,
+# and how many were skipped.
 tests() {
-  local passed=0 seconds what again=()
+  local build=$root/build/$1 passed=0 seconds what label again=() labels
+  for label in "${@:2}"; do
+    if ! ctest --test-dir "$build" -N -L "^$label\$" -LE long --no-tests=error >/dev/null; then
+      say "no test has the label $label"
+      passed=1
+    fi
+  done
+  labels=$(IFS='|' && echo "${*:2}")
   # The leak sanitizer itself may crash where threads end; what it finds, it finds again.
   if [ "$1" = asan ]; then again=(--repeat until-pass:2); fi
-  ctest --test-dir "$root/build/$1" -L "^$2\$" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
+  ctest --test-dir "$build" -L "^($labels)\$" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
     tee "$log" || passed=1
   while read -r seconds what; do
     times+=("$(minutes "$seconds")      on one core: $what")
   done < <(sed -nE 's/^([a-z]+) += +([0-9]+)[.0-9]* sec\*proc +(\(.*\))/\2 \1 \3/p' "$log")
+  while read -r what; do
+    failed+=("$what")
+  done < <(sed -nE 's/^[[:space:]]+[0-9]+ - (.* \((Failed|Timeout|Not Run|SEGFAULT|Subprocess.*|.*Exception.*)\)).*/\1/p' "$log")
   # Lines that tests leave which lack something from outside the repository: a name, "lacks", and what.
   while read -r _ _ what; do
     lacking+=("$what")
-  done < <(cat "$root/build/$1"/test-output/lacking-*.txt 2>/dev/null)
-  rm -f "$root/build/$1"/test-output/lacking-*.txt
+  done < <(cat "$build"/test-output/lacking-*.txt 2>/dev/null)
+  rm -f "$build"/test-output/lacking-*.txt
   return $passed
 }
 
@@ -170,7 +181,24 @@ lacks() {
   ! command -v "$command" >/dev/null
 }
 
+# Tests of these labels run at once, since between two stages a core would wait for the last test of the first. The programs
+# of the stage recipe write to the same folders as the tests, so it runs by itself.
+run_labels() {
+  if [ ${#labels_at_once[@]} -eq 0 ]; then return; fi
+  once release
+  stage "${labels_at_once[*]}" tests release "${labels_at_once[@]}"
+  labels_at_once=()
+}
+
+labels_at_once=()
 for name in "${chosen[@]}"; do
+  case $name in
+  unit | gl | glsl | hard | invariant | cli | ui)
+    labels_at_once+=("$name")
+    continue
+    ;;
+  esac
+  run_labels
   if lacks "$name"; then
     skipped+=("$name")
     say "== $name is skipped: a package is missing"
@@ -178,6 +206,7 @@ for name in "${chosen[@]}"; do
   fi
   run_stage "$name"
 done
+run_labels
 
 say "== Times"
 printf '%s\n' "${times[@]}" >&2
