@@ -42,29 +42,5 @@ TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
               wrong_pixel_count(all) - first["cured_px"].get<long long>() + first["broken_px"].get<long long>());
 }
 
-TEST(FixesInJson, CureTheProbedPixel) {
-    for (int x = 60; x < 260; x += 7) {
-        const Words pixel = "--pixel " + std::to_string(x) + ",120";
-        const Json probe = run("probe", pixel);
-        ASSERT_TRUE(probe["hit"].is_boolean());
-        if (!probe["hit"].get<bool>()) continue;
-        const std::string artefact = probe["lights"][0]["dossier"]["artefact"];
-        ASSERT_TRUE(probe["cures"].is_array());
-        if (artefact == "none") {
-            EXPECT_TRUE(probe["cures"].empty()) << "nothing is wrong";
-            continue;
-        }
-        ASSERT_FALSE(probe["cures"].empty());
-        EXPECT_TRUE(probe["cures"][0]["pixel_right"].get<bool>());
-        EXPECT_TRUE(probe["cures"][0]["fix"].get<bool>());
-        EXPECT_EQ(probe["lights"][0]["dossier"]["remedy"]["settings"], probe["cures"][0]["settings"]);
-        EXPECT_TRUE(probe["cures"][0]["ms"].is_object());
-        const Json cured = run("probe", pixel + set_words(probe["cures"][0]["settings"]));
-        EXPECT_EQ(cured["lights"][0]["dossier"]["artefact"], "none");
-        return;
-    }
-    ADD_FAILURE() << "no pixel with acne was met";
-}
-
 }  // namespace
 }  // namespace si

@@ -225,7 +225,9 @@ TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     const Words command =
         "probe boxes --pixel 160,130 --size 320x180 --set bias.kind=constant --set bias.normal=0 --set bias.constant=0 "
         "--set filter.kernel=pcf5";
-    const Json light = program_json(command)["lights"][0];
+    const Json probe = program_json(command);
+    EXPECT_EQ(probe["hit"], true);
+    const Json& light = probe["lights"][0];
     const Json& d = light["dossier"];
     EXPECT_EQ(d["truth"]["state"], "counted");
     EXPECT_EQ(d["truth"]["lit"], true);
@@ -246,11 +248,19 @@ TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     }
     EXPECT_NEAR(lit, light["visibility"].get<double>(), 1e-3);
     EXPECT_GT(own, 0);
-    // The reported fix cures the pixel.
+    // The reported fix is the first row of the searched ones, and it cures the pixel.
     ASSERT_TRUE(d["remedy"].is_object());
-    const Json cured = program_json(command + set_words(d["remedy"]["settings"]))["lights"][0];
+    ASSERT_TRUE(probe["cures"].is_array() && !probe["cures"].empty());
+    const Json& first = probe["cures"][0];
+    EXPECT_EQ(first["settings"], d["remedy"]["settings"]);
+    EXPECT_TRUE(first["pixel_right"].get<bool>());
+    EXPECT_TRUE(first["fix"].get<bool>());
+    EXPECT_TRUE(first["ms"].is_object());
+    const Json after = program_json(command + set_words(first["settings"]));
+    const Json& cured = after["lights"][0];
     EXPECT_NEAR(cured["visibility"].get<double>(), 1, 0.25);
     EXPECT_EQ(cured["dossier"]["artefact"], "none");
+    EXPECT_EQ(after["cures"], Json::array()) << "nothing is wrong";
     EXPECT_FALSE(program_json(command + "--no-truth")["lights"][0].contains("dossier"));
     EXPECT_EQ(test::lacking(run_program(command).out,
                             {"verdict: ", "fix: ", "\n    needed ", "\n    have ", "S self-shadowed", "bias window ["}),
