@@ -53,7 +53,6 @@ struct Case {
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> out = {
-        {"stage", "stage --set map.resolution=512", {"90,80", "120,95"}},
         {"boxes by bias",
          "boxes --set map.resolution=256 --set bias.kind=slope --set bias.constant=0.5 --set "
          "bias.slope=1 --set bias.raster_slope=1 --set map.format=d16",
@@ -66,10 +65,6 @@ const std::vector<Case>& cases() {
          {"60,70"}},
         {"point", "boxes --set map.resolution=256 --set light.type=point --set light.distance=9", {"90,80"}},
         {"cascades", "stage --set map.resolution=256 --set light.cascades=3 --set light.fit=view", {"60,70"}},
-        {"cascades by map",
-         "stage --set map.resolution=256 --set light.cascades=3 --set light.fit=view --set light.cascade_choice=map",
-         {"90,80"}},
-        {"LiSPSM", "stage --set map.resolution=256 --set light.fit=lispsm", {"90,80"}},
         {"two lights",
          "boxes --set map.resolution=256 --set light.count=2 --set light.1.azimuth=60 --set "
          "light.1.cast=false",
