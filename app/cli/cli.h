@@ -3,8 +3,8 @@
 
 namespace si {
 
-/// Parses the command line and runs the command. Returns the exit code: 0 done, 1 failed (one line on stderr), 2 wrong
-/// usage.
+/// Parses the command line and runs the command. Returns the exit code (ExitCode). All but 0 print one line on
+/// stderr.
 int run_cli(int argc, const char* const* argv);
 
 }  // namespace si

@@ -15,8 +15,8 @@
 #include "app/report/health_report.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
+#include "app/report/shown_engine_bias.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/bundle/given_maps.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/reference/artefact_picture.h"
 
@@ -104,9 +104,7 @@ void run_measure(const MeasureOptions& options) {
         health = search_numbers(renderer, session.scene, session.settings,
                                 {.width = options.size.width, .height = options.size.height});
     const auto light = std::size_t(std::clamp(session.settings.view.light, 0, kMaxLights - 1));
-    const bool imported =
-        light < classified.lights.size() && classified.lights[light].provider == MapProvider::Imported;
-    const EngineBias bias = imported ? engine_bias_of_light(session.settings, int(light)) : EngineBias::Own;
+    const EngineBias bias = shown_engine_bias(session.settings, classified.lights);
     const std::vector<LostCaster> lost = light < classified.lights.size()
                                              ? lost_casters(session.scene, session.settings, classified.lights[light])
                                              : std::vector<LostCaster>();

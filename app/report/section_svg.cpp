@@ -5,25 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/base/printable.h"
+#include "app/report/xml_text.h"
 
 namespace si {
 namespace {
-
-std::string escaped(const std::string& text) {
-    static constexpr std::pair<std::string_view, std::string_view> kEscapes[] = {{"&", "&amp;"},
-                                                                                 {"<", "&lt;"},
-                                                                                 {">", "&gt;"},
-                                                                                 {"\"", "&quot;"},
-                                                                                 {"\xef\xbf\xbe", "\\ufffe"},
-                                                                                 {"\xef\xbf\xbf", "\\uffff"}};
-    // Control characters, which XML cannot hold, become visible escapes first.
-    std::string out = printable(text, text.size() * 8 + 16);
-    for (const auto& [raw, escape] : kEscapes)
-        for (std::size_t at = 0; (at = out.find(raw, at)) != out.npos; at += escape.size())
-            out.replace(at, raw.size(), escape);
-    return out;
-}
 
 /// Formats a coordinate in hundredths of a pixel, so that rounding of sums does not show.
 std::string number(double v) {
@@ -76,7 +61,7 @@ std::string mark(const Mark& m) {
                                m.anchor == Mark::Anchor::Start
                                    ? ""
                                    : fmt::format(" text-anchor=\"{}\"", kAnchors[std::size_t(m.anchor)]),
-                               m.strong ? " font-weight=\"bold\"" : "", escaped(m.text));
+                               m.strong ? " font-weight=\"bold\"" : "", xml_text(m.text));
         }
     }
     return {};
@@ -100,7 +85,7 @@ std::string section_svg(const SectionDrawing& d, const std::string& title) {
         "{1}\" "
         "font-family=\"Helvetica, Arial, sans-serif\" font-size=\"15\">\n<title>{2}</title>\n"
         "<style>{3}\n@media (prefers-color-scheme:dark){{{4}}}</style>\n",
-        number(std::ceil(d.width)), number(std::ceil(d.height)), escaped(title), colours(false), colours(true));
+        number(std::ceil(d.width)), number(std::ceil(d.height)), xml_text(title), colours(false), colours(true));
     for (const Mark& m : d.marks) out += mark(m);
     return out + "</svg>\n";
 }

@@ -1,0 +1,26 @@
+// Exit codes of the program, and the exception for a limit that a picture exceeds.
+#pragma once
+
+#include <stdexcept>
+
+namespace si {
+
+/// Exit codes of the program (docs/cli.md). A signal gives 128 and its number.
+enum class ExitCode {
+    Done = 0,
+    Failed = 1,         ///< a file, a value in a file, or the driver stood in the way
+    WrongUsage = 2,     ///< the command line is wrong
+    LimitExceeded = 3,  ///< `check` compared everything, and a limit is exceeded
+};
+
+/// Returns the number of an exit code, as a process returns it.
+constexpr int exit_status(ExitCode code) {
+    return static_cast<int>(code);
+}
+
+/// Exception for a picture that exceeds a limit of `check`. The program exits with code 3.
+struct LimitExceeded : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace si

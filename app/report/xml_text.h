@@ -1,0 +1,12 @@
+// Text in XML files.
+#pragma once
+
+#include <string>
+
+namespace si {
+
+/// Escapes a text for a value or an element of XML. Control characters and broken UTF-8, which XML cannot hold, become
+/// visible escapes.
+std::string xml_text(const std::string& text);
+
+}  // namespace si
