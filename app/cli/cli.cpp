@@ -7,11 +7,14 @@
 #include <new>
 #include <tuple>
 
+#include "app/base/exit_code.h"
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/cli/command.h"
+#include "app/commands/check.h"
 #include "app/context/window_context.h"
 #include "app/editor/editor.h"
+#include "app/report/check.h"
 #include "app/report/map_import.h"
 #include "app/session/workspace.h"
 #include "renderer/base/did_you_mean.h"
@@ -97,6 +100,39 @@ void add_measure(CLI::App& app, Run& run) {
                      "Try fixes for wrong pixels and measure each: pixels cured and broken, time and bytes");
     c.add_size({}, kMeasuredPixelBytes);
     c.add_json("All numbers as JSON");
+}
+
+void add_check(CLI::App& app, Run& run) {
+    auto& c = add_command(
+        app, run, "check",
+        "Measure a scene, a bundle or a RenderDoc capture (.rdc) as `measure` does, and compare the errors with "
+        "limits. Exit code 0: all are kept, 3: one is exceeded, 1: it could not be checked (docs/ci.md)",
+        run_check);
+    CheckOptions& o = c.options;
+    c.add_session();
+    c.add_value("--max-acne", o.max_acne, "PIXELS",
+                "Most pixels whose cause is acne (artefacts.acne of `measure --json`): 20, or 0.1% of the compared "
+                "pixels");
+    c.add_value("--max-wrong", o.max_wrong, "PIXELS",
+                "Most wrong pixels, whatever the cause (false_shadow and false_light of `measure --json`): 20, or 0.1% "
+                "of the compared pixels");
+    c.add_value("--max-error", o.max_error, "E", "Largest error (--error), 0 to 1")->check(number_between(0, 1));
+    c.add_value("--error", o.error, "NAME",
+                fmt::format("Error that --max-error and --baseline limit, named as in `measure --json`: {} (default: "
+                            "the first; 1 minus the value if more is better, else its amount)",
+                            fmt::join(checked_errors(), ", ")));
+    c.add_value("--baseline", o.baseline, "FILE",
+                "Compare acne, wrong pixels and error with those in this file, which --write-baseline wrote at the "
+                "same size and with the same driver");
+    c.add_file_to_write("--write-baseline", o.write_baseline, "FILE",
+                        "Write the numbers as a baseline, .json, if no limit is exceeded");
+    c.add_value("--tolerance", o.tolerance, "PIXELS",
+                "Pixels by which the baseline may be exceeded: 20, or 0.1% of the compared pixels, and the error by "
+                "the same share. Also allows another driver and another meaning of errors");
+    c.add_file_to_write("--junit", o.junit, "FILE", "Write a JUnit report with a test case for each limit, .xml");
+    c.add_area("Compare with an area light (light.size). Without it the reference is hard, whatever the preset says");
+    c.add_size({640, 360}, kMeasuredPixelBytes);
+    c.add_json("Findings and all errors as JSON");
 }
 
 void add_compare_pictures(CLI::App& app, Run& run) {
@@ -373,10 +409,10 @@ void run_default(const EditOptions& options) {
     run_overview({.output = kOverviewFolder});
 }
 
-int fail(int code, const std::string& message) {
+int fail(ExitCode code, const std::string& message) {
     std::fflush(stdout);
     print_to_stderr(fmt::format("shadow-inspector: {}\n", one_line(message)));
-    return code;
+    return exit_status(code);
 }
 
 /// Returns the parser's error message, with the nearest name for an unknown command or option.
@@ -439,7 +475,7 @@ int run_cli(int argc, const char* const* argv) {
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
     for (const auto add :
-         {add_render, add_reference, add_measure, add_compare_pictures, add_compare_maps, add_import_map,
+         {add_render, add_reference, add_measure, add_check, add_compare_pictures, add_compare_maps, add_import_map,
           add_import_capture, add_probe, add_list, add_measure_commands, add_presets, add_others})
         add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
@@ -447,20 +483,23 @@ int run_cli(int argc, const char* const* argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e);
-        return fail(2, usage_message(app, e, argc, argv));
+        return fail(ExitCode::WrongUsage, usage_message(app, e, argc, argv));
     }
     if (const std::string name = given_empty(app); !name.empty())
-        return fail(2, fmt::format("{} is given as an empty word; leave it out or name something", name));
+        return fail(ExitCode::WrongUsage,
+                    fmt::format("{} is given as an empty word; leave it out or name something", name));
     try {
         run();
         finish_stdout();
-        return 0;
+        return exit_status(ExitCode::Done);
+    } catch (const LimitExceeded& e) {
+        return fail(ExitCode::LimitExceeded, e.what());
     } catch (const UsageError& e) {
-        return fail(2, e.what());
+        return fail(ExitCode::WrongUsage, e.what());
     } catch (const std::bad_alloc&) {
-        return fail(1, "out of memory; try a smaller picture or map.resolution");
+        return fail(ExitCode::Failed, "out of memory; try a smaller picture or map.resolution");
     } catch (const std::exception& e) {
-        return fail(1, e.what());
+        return fail(ExitCode::Failed, e.what());
     }
 }
 
