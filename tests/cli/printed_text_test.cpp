@@ -18,6 +18,7 @@ TEST(PrintedText, IsEncodedOnceForEveryCommand) {
         "probe boxes --pixel 100,150 --size 320x180 --set bias.kind=constant --set bias.normal=0 --set bias.constant=0",
         "measure boxes --area --size 96x64 --no-time",
         "measure boxes --json --size 96x64 --no-time",
+        "check boxes --max-wrong 0 --size 96x64 --junit /dev/stdout",
         "plan boxes --size 96x64 --measure --rounds 3 --waste",
         "plan boxes --size 96x64 --json",
         "truth boxes -o t.png --size 64x64 --report /dev/stdout",
@@ -35,7 +36,8 @@ TEST(PrintedText, IsEncodedOnceForEveryCommand) {
         "render boxes -o x.png --size 64x64 --set map.resolution=1",
     };
     for (const std::string& kind : list_kinds()) commands.push_back("list " + kind);
-    for (const std::string& command : Words("render truth measure sweep merge tune plan probe list preset edit scene"))
+    for (const std::string& command :
+         Words("render truth measure check sweep merge tune plan probe list preset edit scene"))
         commands.push_back(command + " --help");
     std::size_t printed = 0;
     for (const std::string& command : commands) {
