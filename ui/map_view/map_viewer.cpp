@@ -36,11 +36,11 @@ bool of_camera(const Settings& s) {
 
 void save_menu(EditorState& state, EditorRequests& requests) {
     menu_button("Save", "save map",
-                "Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
-                "linear), .png the picture as shown",
+                "Write the depth image: .pfm and .exr hold the stored values as floats (metres when the view\n"
+                "is linear), .png the picture as shown",
                 ImGui::GetFontSize() * 24);
     if (!ImGui::BeginPopup("save map")) return;
-    if (path_input("##file", "file.pfm or file.png", state.map.save_path, "Write"))
+    if (path_input("##file", "file.pfm, .exr or .png", state.map.save_path, "Write"))
         requests.save_map = state.map.save_path;
     ImGui::EndPopup();
 }
