@@ -11,6 +11,7 @@
 #include "app/capture/capture_bundle.h"
 #include "app/editor/requests.h"
 #include "renderer/base/error.h"
+#include "ui/widgets/free_name.h"
 
 namespace si {
 namespace {
@@ -26,11 +27,7 @@ fs::path proposed_bundle(const fs::path& file) {
     const auto writable =
         std::ranges::find_if(folders, [](const fs::path& folder) { return ::access(folder.c_str(), W_OK) == 0; });
     const fs::path folder = writable != folders.end() ? *writable : folders.back();
-    const std::string stem = whole.stem().string();
-    fs::path out = folder / (stem + ".bundle");
-    for (int i = 2; fs::exists(fs::symlink_status(out, error)); ++i)
-        out = folder / fmt::format("{}-{}.bundle", stem, i);
-    return out;
+    return free_bundle_path(folder, whole.stem().string());
 }
 
 /// Returns the file of a light that probably belongs to an image of a map: NAME.json beside it, else light.json.

@@ -18,6 +18,8 @@
 #include "tests/support/process.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/state/scene_choices.h"
+#include "ui/widgets/free_name.h"
 
 namespace si::test {
 namespace {
@@ -393,6 +395,29 @@ EditorRequests confirmed_import(UiHarness& ui) {
     ImGui::GetIO().KeysDown[enter] = false;
     const EditorRequests released = ui.frame();
     return pressed.export_bundle ? pressed : released;
+}
+
+TEST(ImportDialogs, TwoClicksSaveTheFrameUnderAFreeName) {
+    const fs::path folder = fs::weakly_canonical(fresh_test_folder());
+    UiHarness ui(1280, 720);
+    ui.state.scene_name = "boxes";
+    ui.state.files.preset_path = (folder / "x.json").string();
+    const auto saved = [&]() -> std::optional<std::string> {
+        ui.frames(3);
+        ui.click(ui.find("editor/top", "", "File"));
+        ui.frames(2);
+        const auto item = ui.find("##Popup", "Save map, matrices and picture", "");
+        EXPECT_TRUE(item);
+        if (!item) return {};
+        ui.move(*item);
+        ui.frames(2);
+        return ui.click_here().export_bundle;
+    };
+    const std::string label = scene_label("boxes");
+    EXPECT_EQ(saved(), (folder / (label + ".bundle")).string());
+    fs::create_directory(folder / (label + ".bundle"));
+    EXPECT_EQ(saved(), (folder / (label + "-2.bundle")).string());
+    EXPECT_EQ(free_bundle_path(folder, "../a\\b:c"), folder / "..-a-b-c.bundle") << "it lies in the folder";
 }
 
 TEST(ImportDialogs, ExportChoosesANameAndAsks) {

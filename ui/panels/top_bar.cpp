@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "ui/state/playback.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/free_name.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -52,6 +54,11 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     plain_tooltip("The program's defaults with what the scene suggests over them; undo gives all back");
     item("Copy command line", Command::CopyCommandLine);
     plain_tooltip("The command that renders this picture without a window");
+    if (ImGui::MenuItem("Save map, matrices and picture"))
+        requests.export_bundle = free_bundle_path(std::filesystem::path(state.files.preset_path).parent_path(),
+                                                  scene_label(state.scene_name))
+                                     .string();
+    plain_tooltip("This frame as a bundle in the preset's folder, under a free name that the log prints");
     if (ImGui::MenuItem("Export bundle…"))
         open_file_dialog(state.files.dialog, FileDialog::Job::ExportBundle, state.files.preset_path,
                          scene_label(state.scene_name));

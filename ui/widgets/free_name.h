@@ -1,0 +1,13 @@
+// Free names for bundles.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace si {
+
+/// Returns a path in `folder` that nothing has: STEM.bundle, else STEM-2.bundle and so on. Slashes, backslashes and
+/// colons of the stem become hyphens, so that the bundle lies in the folder.
+std::filesystem::path free_bundle_path(const std::filesystem::path& folder, std::string stem);
+
+}  // namespace si
