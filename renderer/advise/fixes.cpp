@@ -314,10 +314,10 @@ std::vector<Candidate> fix_candidates(const Settings& base, const FixFacts& f, F
         length == FixList::Whole ? automatic.size() : std::min<std::size_t>(automatic.size(), 1));
     const auto with_biases = [&](const std::string& name, auto&& change) {
         idea(name, change);
-        for (const auto& [label, bias] : combined)
-            idea(fmt::format("{}, least bias, {}", name, label), [&](Settings& s) {
+        for (const auto& own : combined)
+            idea(fmt::format("{}, least bias, {}", name, own.first), [&](Settings& s) {
                 change(s);
-                s.bias = bias;
+                s.bias = own.second;
             });
     };
     const auto strengths = [&](std::span<const double> list) {

@@ -177,7 +177,7 @@ std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings
         out.push_back({&row, *least});
     }
     // Rows that compute the needed bias by themselves come first: they take few trials.
-    std::ranges::stable_partition(out, [](const BiasStart& s) { return s.row->gives_needed_bias; });
+    std::stable_partition(out.begin(), out.end(), [](const BiasStart& s) { return s.row->gives_needed_bias; });
     return out;
 }
 

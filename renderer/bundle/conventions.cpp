@@ -471,10 +471,11 @@ private:
         const auto is_other = [&](const ConventionFit& fit) {
             return best.convention.axes == own_ && !(fit.convention.axes == own_) && !is_better(fit);
         };
-        const auto rest = std::ranges::stable_partition(
-            all.fits, [&](const ConventionFit& fit) { return fits_equally(fit) && !is_other(fit); });
-        all.equal = std::size_t(rest.begin() - all.fits.begin());
-        all.other_axes = std::size_t(std::count_if(rest.begin(), rest.end(), fits_equally));
+        const auto rest = std::stable_partition(all.fits.begin(), all.fits.end(), [&](const ConventionFit& fit) {
+            return fits_equally(fit) && !is_other(fit);
+        });
+        all.equal = std::size_t(rest - all.fits.begin());
+        all.other_axes = std::size_t(std::count_if(rest, all.fits.end(), fits_equally));
     }
 
     const BundleLight& light_;

@@ -482,7 +482,7 @@ std::vector<ComparedMap> compare_imported_maps(Renderer& renderer, const Scene& 
         map.lacking = lacking_casters(map.imported, of_all, map.view, left_out.empty() ? map.numbers : with_all,
                                       *casters, traits, factor, workers);
         for (LackingCaster& caster : map.lacking) caster.drawn = !left_out.contains(caster.path);
-        std::ranges::stable_partition(map.lacking, &LackingCaster::drawn);
+        std::stable_partition(map.lacking.begin(), map.lacking.end(), [](const LackingCaster& c) { return c.drawn; });
         out.push_back(std::move(map));
     }
     return out;
