@@ -204,6 +204,9 @@ void sb_map_stored(shadow_bundle* sb, int map, sb_stored stored, double paramete
 void sb_map_clear(shadow_bundle* sb, int map, double value);
 /// States the polygon offset while casters were drawn. An engine without one states 0, 0, 0.
 void sb_map_offset(shadow_bundle* sb, int map, double factor, double units, double clamp);
+/// States how far the casters' shader moved them along the map's axis, away from the light.
+/// @param shift_m metres at any angle @param grazing_shift_m metres times 1 - |n . axis|, with the vertex's normal
+void sb_map_caster_shift(shadow_bundle* sb, int map, double shift_m, double grazing_shift_m);
 /// States which faces of casters were not drawn.
 void sb_map_cull(shadow_bundle* sb, int map, sb_cull cull, sb_front front);
 /// States whether casters before the near plane were drawn onto it.
@@ -294,8 +297,8 @@ typedef struct {
     sb_stored stored;
     double stored_parameter;
     sb_number clear;
-    int has_offset;
-    double offset[3];
+    int has_offset, has_shift;
+    double offset[3], shift_m[2];
     sb_option cull, front, depth_clamp;
     int has_interval, has_drawn;
     double interval[2];
@@ -1449,6 +1452,17 @@ void sb_map_offset(shadow_bundle* sb, int map, double factor, double units, doub
     state->has_offset = 1;
 }
 
+void sb_map_caster_shift(shadow_bundle* sb, int map, double shift_m, double grazing_shift_m) {
+    sb_map_state* const state = sb_map_at(sb, "sb_map_caster_shift", map);
+    double shift[2];
+    if (state == NULL) return;
+    shift[0] = shift_m;
+    shift[1] = grazing_shift_m;
+    if (!sb_all_finite(sb, "sb_map_caster_shift", shift, 2)) return;
+    memcpy(state->shift_m, shift, sizeof shift);
+    state->has_shift = 1;
+}
+
 void sb_map_cull(shadow_bundle* sb, int map, sb_cull cull, sb_front front) {
     sb_map_state* const state = sb_map_at(sb, "sb_map_cull", map);
     if (state == NULL || !sb_valid(sb, "sb_map_cull: cull", (int)cull, SB_COUNT(sb_cull_names))) return;
@@ -1631,13 +1645,17 @@ static void sb_write_map(shadow_bundle* sb, sb_buffer* out, const sb_map_state* 
     if (map->stored == SB_STORED_EXPONENTIAL) sb_key_number(sb, out, "exponent", map->stored_parameter);
     if (map->clear.known) sb_key_number(sb, out, "clear", map->clear.value);
     sb_text(sb, out, "}");
-    if (map->has_offset || map->cull.known || map->depth_clamp.known) {
+    if (map->has_offset || map->has_shift || map->cull.known || map->depth_clamp.known) {
         sb_key(sb, out, "raster");
         sb_text(sb, out, "{");
         if (map->has_offset) {
             sb_key_number(sb, out, "offset_factor", map->offset[0]);
             sb_key_number(sb, out, "offset_units", map->offset[1]);
             sb_key_number(sb, out, "offset_clamp", map->offset[2]);
+        }
+        if (map->has_shift) {
+            sb_key_number(sb, out, "shift_m", map->shift_m[0]);
+            sb_key_number(sb, out, "grazing_shift_m", map->shift_m[1]);
         }
         sb_key_option(sb, out, "cull", map->cull, sb_cull_names);
         sb_key_option(sb, out, "front", map->front, sb_front_names);

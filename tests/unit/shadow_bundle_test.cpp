@@ -119,6 +119,7 @@ TEST(ShadowBundle, AllThatIsStatedIsWritten) {
         sb_map_format(w.sb, map, SB_D16);
         sb_map_clear(w.sb, map, 1);
         sb_map_offset(w.sb, map, 2, 4, 0.125);
+        sb_map_caster_shift(w.sb, map, 0.13, 0.1);
         sb_map_cull(w.sb, map, SB_CULL_FRONT, SB_FRONT_CW);
         sb_map_depth_clamp(w.sb, map, 1);
     }
@@ -140,6 +141,8 @@ TEST(ShadowBundle, AllThatIsStatedIsWritten) {
              {{"offset_factor", 2},
               {"offset_units", 4},
               {"offset_clamp", 0.125},
+              {"shift_m", 0.13},
+              {"grazing_shift_m", 0.1},
               {"cull", "front"},
               {"front", "cw"},
               {"depth_clamp", true}}},
