@@ -359,6 +359,44 @@ class Capture:
             result.append((("instance", number), data[start + first:start + last]))
         return result
 
+    def storage_buffer(self, place):
+        """Returns the storage buffer at a place of the current event and its first byte, or 0, 0."""
+        try:
+            if self.vulkan:
+                sets = self.control.GetVulkanPipelineState().graphics.descriptorSets
+                bound = sets[place.bindset].bindings[place.bind].binds[0]
+                return bound.resourceResourceId, bound.byteOffset
+            bound = self.control.GetGLPipelineState().shaderStorageBuffers[place.bind]
+            return bound.resourceId, bound.byteOffset
+        except IndexError:
+            return 0, 0
+
+    def storage_constants(self, pipe, action, count):
+        """Returns, for each instance, (key, bytes) of its elements of arrays in the vertex shader's storage buffers."""
+        result = [[] for _ in range(count)]
+        stage = rd.ShaderStage.Vertex
+        reflection = pipe.GetShaderReflection(stage)
+        if reflection is None or count == 0:
+            return result
+        mapping = pipe.GetBindpointMapping(stage).readWriteResources
+        for resource in reflection.readWriteResources:
+            place = mapping[resource.bindPoint]
+            if resource.isTexture or not place.used:
+                continue
+            buffer, offset = self.storage_buffer(place)
+            if not int(buffer):
+                continue
+            for member in resource.variableType.members:
+                stride = member.type.arrayByteStride
+                if member.type.elements < 2 or not 48 <= stride <= MAX_CONSTANT_BYTES:
+                    continue
+                start = offset + member.byteOffset + action.instanceOffset * stride
+                data = self.bytes_of(buffer, start, count * stride)
+                for i in range(min(count, len(data) // stride)):
+                    key = ("storage", place.bindset, place.bind, member.byteOffset)
+                    result[i].append((key, data[i * stride:(i + 1) * stride]))
+        return result
+
     def _flatten(self, key, variable, result):
         if len(variable.members):
             for member in variable.members:
@@ -418,7 +456,8 @@ class Capture:
         reflection = pipe.GetShaderReflection(vertex)
         result.vertex_shader = int(reflection.resourceId) if reflection else 0
         result.constants = self.constants(pipe, vertex)
-        result.instance_constants = [self.instance_constants(pipe, buffers, action, i)
+        stored = self.storage_constants(pipe, action, len(result.clips))
+        result.instance_constants = [self.instance_constants(pipe, buffers, action, i) + stored[i]
                                      for i in range(len(result.clips))]
         reflection = pipe.GetShaderReflection(pixel)
         if reflection:
