@@ -390,11 +390,32 @@ class Capture:
                 stride = member.type.arrayByteStride
                 if member.type.elements < 2 or not 48 <= stride <= MAX_CONSTANT_BYTES:
                     continue
-                start = offset + member.byteOffset + action.instanceOffset * stride
-                data = self.bytes_of(buffer, start, count * stride)
+                start = offset + member.byteOffset
+                key = ("storage", place.bindset, place.bind, member.byteOffset)
+                data = self.bytes_of(buffer, start + action.instanceOffset * stride, count * stride)
                 for i in range(min(count, len(data) // stride)):
-                    key = ("storage", place.bindset, place.bind, member.byteOffset)
                     result[i].append((key, data[i * stride:(i + 1) * stride]))
+                for name, number in self.pushed_numbers(pipe, stage, reflection):
+                    data = self.bytes_of(buffer, start + number * stride, stride)
+                    if len(data) == stride:
+                        for constants in result:
+                            constants.append((key + (name,), data))
+        return result
+
+    def pushed_numbers(self, pipe, stage, reflection):
+        """Returns (name, value) of whole numbers outside of buffers, by which draws may choose elements of arrays."""
+        result = []
+        for slot, block in enumerate(reflection.constantBlocks):
+            if block.bufferBacked or not self.vulkan:
+                continue
+            values = self.control.GetCBufferVariableContents(
+                pipe.GetGraphicsPipelineObject(), reflection.resourceId, stage, pipe.GetShaderEntryPoint(stage), slot,
+                rd.ResourceId.Null(), 0, 0)
+            for block_value in values:
+                for value in block_value.members if len(block_value.members) else [block_value]:
+                    if value.type in (rd.VarType.UInt, rd.VarType.SInt) and value.rows * value.columns == 1 and \
+                            value.value.u32v[0] < 1 << 24:
+                        result.append((value.name, value.value.u32v[0]))
         return result
 
     def _flatten(self, key, variable, result):
