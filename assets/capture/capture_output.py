@@ -58,11 +58,10 @@ def import_maps(capture, chosen, options, say):
     scene = frame.SceneWriter()
     folder = options.output
     os.makedirs(folder, exist_ok=True)
-    images = {}
     masks = {}
     for number, (candidate, part) in enumerate(chosen):
         say(progress=0.7 + 0.2 * number / len(chosen), label="comparing map %d of %d" % (number + 1, len(chosen)))
-        maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks, camera)
+        maps_of(capture, candidate, part, number, folder, maps, gates, scene, notes, masks, camera)
     bare = not maps and all(part is None for _, part in chosen)
     if bare:
         maps = [bare_map(capture, candidate, folder, notes) for candidate, _ in chosen]
@@ -71,7 +70,8 @@ def import_maps(capture, chosen, options, say):
         raise CaptureError("holds shadow maps, but none of their light matrices could be found")
     sizes = {}
     for entry in maps:
-        sizes.setdefault(tuple(entry["map"]["region"][2:]), []).append(entry)
+        image = entry["map"]["image"]
+        sizes.setdefault((image["width"], image["height"]), []).append(entry)
     if len(sizes) > 1:
         size = max(sizes, key=lambda s: len(sizes[s]))
         left = sum(len(v) for k, v in sizes.items() if k != size)
@@ -129,7 +129,7 @@ def clean(value):
     return value
 
 
-def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene, notes, masks, camera):
+def maps_of(capture, candidate, part, number, folder, maps, gates, scene, notes, masks, camera):
     info = capture.textures[candidate.texture]
     name = info.format.Name()
     if part is None:
@@ -169,15 +169,13 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     if not numbers["passed"]:
         notes.append("%s: the casters drawn again differ from the map more than they should." % label)
     x, y, w, h = frame.viewport_part(part, image)
-    # Other parts of an atlas hold the depths of an earlier frame until their own pass has run.
-    key = (candidate.texture, part.slice, x, y, w, h)
-    if key not in images:
-        images[key] = image_of(candidate.texture, part.slice, info, image, (x, y, w, h), part.state.flipped, folder)
+    # Each pass has an image of its own. Other parts of an atlas still hold an earlier frame now, and a later pass may
+    # draw over this part.
+    own_image = image_of("map_%d.raw" % number, info, image, (x, y, w, h), part.state.flipped, folder)
     drawn = []
     for draw in part.draws:
         drawn += scene.add(part, draw, True)
     stored = {k: v for k, v in part.stored.items() if k in ("stored", "exponent", "range_m")}
-    own_image, region = images[key], [0, 0, w, h]
     if colour:
         if info.format.compCount >= 2 and stored["stored"] == "linear":
             stored["stored"] = "moments"
@@ -195,7 +193,7 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
             stored = {"stored": "depth"}
     first = part.draws[0].state
     entry = {
-        "image": own_image, "region": region, "clip_from_world": bundle.columns(part.matrix),
+        "image": own_image, "clip_from_world": bundle.columns(part.matrix),
         "depth": {"range": "-1..1" if part.state.negative_one else "0..1", "reversed": reversed_,
                   "format": depth_format(name), **stored},
         "raster": {"offset_factor": first.factor, "offset_units": first.units, "offset_clamp": first.clamp,
@@ -206,15 +204,13 @@ def maps_of(capture, candidate, part, number, folder, images, maps, gates, scene
     }
     maps.append({"map": entry, "kind": fit.light_of(part.matrix, reversed_, part.state.negative_one),
                  "texture": candidate.texture, "slice": part.slice, "candidate": candidate, "matrix": part.matrix,
-                 "viewport": part.viewport, "region": (x, y, w, h), "negative_one": part.state.negative_one, "part": part,
-                 "is_empty": numbers["captured_texels"] == 0})
+                 "viewport": part.viewport, "region": (x, y, w, h), "negative_one": part.state.negative_one,
+                 "part": part, "is_empty": numbers["captured_texels"] == 0})
 
 
-def image_of(texture, slice_, info, image, region, flipped, folder):
+def image_of(file, info, image, region, flipped, folder):
     """Writes the texels of a region of one slice. Returns the image of a map in the bundle."""
     x, y, w, h = region
-    whole = (w, h) == (info.width, info.height)
-    file = "map_%d_%d%s.raw" % (texture, slice_, "" if whole else "_at_%d_%d" % (x, y))
     image = image[y:y + h, x:x + w]
     values, name = image[:, :, 0], info.format.Name()
     if name.startswith("D16"):
@@ -256,7 +252,8 @@ def add_missing_faces(capture, maps, folder, notes):
             part = image[y:y + h, x:x + w, 0]
             is_empty = bool((part == part.flat[0]).all())
             flipped = first["map"]["image"]["first_row"] == "top"
-            entry = dict(first["map"], image=image_of(texture, slice_, info, image, first["region"], flipped, folder),
+            entry = dict(first["map"], image=image_of("map_%d_%d.raw" % (texture, slice_), info, image, first["region"],
+                                                       flipped, folder),
                          clip_from_world=bundle.columns(matrix), extras={"matrix": "from the other faces"})
             if is_empty:
                 entry["drawn"] = []
@@ -304,7 +301,7 @@ def bare_map(capture, candidate, folder, notes):
     notes.append("Texture %d: its light's matrix is a stand-in: a square of 2 m from above." % candidate.texture)
     entry = {"image": {"file": file, "first_row": "bottom", "width": info.width, "height": info.height, "format": "f32",
                        "channels": image.shape[2], "channel": 0},
-             "region": [0, 0, info.width, info.height], "clip_from_world": bundle.columns(matrix),
+             "clip_from_world": bundle.columns(matrix),
              "depth": {"range": "0..1", "reversed": False, "format": depth_format(info.format.Name()), **stored},
              "extras": {"state": "texels, no caster pass"}}
     return {"map": entry, "kind": ("directional", np.array([0, -1.0, 0])), "texture": candidate.texture, "slice": 0,
