@@ -1173,7 +1173,7 @@ class SceneWriter:
     def add(self, part, draw, caster):
         """Adds all instances of a draw. Returns the names of its nodes."""
         names = []
-        sign = None
+        sign = normals = None
         for i in range(len(draw.clips)):
             world = draw.worlds[i] if i < len(draw.worlds) else None
             positions = world_positions(part, draw, i)
@@ -1184,9 +1184,9 @@ class SceneWriter:
             name = self.find(key, centre, extent, 2e-2 if draw.posed else 2e-3)
             if name is None:
                 if sign is None:
-                    sign = front_sign(part, draw)
+                    sign, normals = front_sign(part, draw), vertex_normals(draw)
                 name = "draw %d" % draw.event if len(draw.clips) == 1 else "draw %d instance %d" % (draw.event, i)
-                self.write(name, draw, world, positions, sign)
+                self.write(name, draw, world, positions, sign, normals)
                 self.names.setdefault(key, []).append((centre, extent, name))
             names.append(name)
         return names
@@ -1198,7 +1198,7 @@ class SceneWriter:
                 return name
         return None
 
-    def write(self, name, draw, world, positions, sign):
+    def write(self, name, draw, world, positions, sign, normals):
         double = draw.state.cull == "none"
         mask = getattr(draw, "mask", None)
         uv = None
@@ -1218,9 +1218,8 @@ class SceneWriter:
             flat = np.arange(len(positions)).reshape(-1, 3)
             if sign < 0:
                 flat = flat[:, [0, 2, 1]]
-            normals = smooth_normals(positions) * sign if draw.posed else None
             mesh = self.scene.mesh((name,), positions, flat, material, uv[draw.indices] if uv is not None else None,
-                                   normals)
+                                   smooth_normals(positions) * sign if draw.posed else None)
             self.scene.node(name, mesh, np.eye(4))
             return
         # glTF turns the front of a mirrored node; engines do not.
@@ -1228,7 +1227,7 @@ class SceneWriter:
         if turn:
             triangles = triangles[:, [0, 2, 1]]
         mesh = self.scene.mesh((draw.geometry, bool(turn), mask.uv if mask else None), draw.values[:, :3], triangles,
-                               material, uv, vertex_normals(draw))
+                               material, uv, normals)
         self.scene.node(name, mesh, world)
 
 

@@ -379,6 +379,7 @@ class Capture:
         if reflection is None or count == 0:
             return result
         mapping = pipe.GetBindpointMapping(stage).readWriteResources
+        pushed = self.pushed_numbers(pipe, stage, reflection) if len(reflection.readWriteResources) else []
         for resource in reflection.readWriteResources:
             place = mapping[resource.bindPoint]
             if resource.isTexture or not place.used:
@@ -395,7 +396,7 @@ class Capture:
                 data = self.bytes_of(buffer, start + action.instanceOffset * stride, count * stride)
                 for i in range(min(count, len(data) // stride)):
                     result[i].append((key, data[i * stride:(i + 1) * stride]))
-                for name, number in self.pushed_numbers(pipe, stage, reflection):
+                for name, number in pushed:
                     data = self.bytes_of(buffer, start + number * stride, stride)
                     if len(data) == stride:
                         for constants in result:
