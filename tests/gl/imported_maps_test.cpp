@@ -310,7 +310,7 @@ TEST_F(DrawnByGivenViews, CastersThatAreMovedLieWhereTheyAreMovedTo) {
     }
 }
 
-// What moves casters away from the light is bias. Probe and overlay count it by the triangle's normal.
+// Casters that an engine moves away from the light have a bias. Probe and overlay count it by the triangle's normal.
 TEST_F(DrawnByGivenViews, MovedCastersCountAsBias) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr CasterShift kShift{.all_m = 0.04, .grazing_m = 0.3};

@@ -203,7 +203,7 @@ TEST_F(OwnMapTest, CastersThatTheEngineMovesAreMoved) {
     EXPECT_TRUE(table.rows.at(0).on_own_map) << table.rows[0].candidate.untried;
 }
 
-// What masked casters cover counts in no gate, as masks are rarely those of the engine to the texel.
+// Texels that masked casters cover count in no gate, as masks are rarely those of the engine to the texel.
 TEST_F(OwnMapTest, MaskedCastersAreLeftOutOfTheGate) {
     const auto why_not = [&](const std::string& alpha) {
         Session session = open("boxes", {"map.resolution=96"});
