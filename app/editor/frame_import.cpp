@@ -86,7 +86,7 @@ void FrameImport::open(const fs::path& path, FrameFileKind kind) {
         step_ = ImportStep::Warning;
 }
 
-void FrameImport::start(ImportStep step, const char* doing, Work::Work work) {
+void FrameImport::start_step(ImportStep step, const char* doing, Work::Work work) {
     step_ = step;
     problem_.clear();
     began_ = std::chrono::steady_clock::now();
@@ -95,7 +95,7 @@ void FrameImport::start(ImportStep step, const char* doing, Work::Work work) {
 
 void FrameImport::start_reading() {
     if (kind_ == FrameFileKind::Capture)
-        return start(ImportStep::Reading, "opening", [file = file_](const Workers& workers, const auto& report) {
+        return start_step(ImportStep::Reading, "opening", [file = file_](const Workers& workers, const auto& report) {
             Made made;
             made.choices = capture_choices(list_capture(file, capture_progress(workers, report)));
             if (made.choices.empty())
@@ -104,15 +104,15 @@ void FrameImport::start_reading() {
             return made;
         });
     const std::string scene = state_.import_dialog.over_scene && scenes_.scene() ? state_.scene_name : std::string();
-    start(ImportStep::Reading, "comparing the conventions",
-          [file = file_, light = fs::path(state_.import_dialog.light), scene,
-           choices = file_choices(state_.settings.scene)](const Workers& workers, const auto&) {
-              Made made;
-              made.map = std::make_shared<const MapImport>(read_map_import(file, light, scene, {}, choices));
-              if (workers.stop.stop_requested()) throw Cancelled();
-              made.choices = reading_choices(*made.map);
-              return made;
-          });
+    start_step(ImportStep::Reading, "comparing the conventions",
+               [file = file_, light = fs::path(state_.import_dialog.light), scene,
+                choices = file_choices(state_.settings.scene)](const Workers& workers, const auto&) {
+                   Made made;
+                   made.map = std::make_shared<const MapImport>(read_map_import(file, light, scene, {}, choices));
+                   if (workers.stop.stop_requested()) throw Cancelled();
+                   made.choices = reading_choices(*made.map);
+                   return made;
+               });
 }
 
 void FrameImport::start_writing() {
@@ -122,18 +122,19 @@ void FrameImport::start_writing() {
     std::vector<int> picks = state_.import_dialog.picks;
     std::ranges::sort(picks);
     if (kind_ == FrameFileKind::MapImage)
-        return start(ImportStep::Writing, "writing",
-                     [map = map_, pick = picks.empty() ? 0 : picks.front(), output](const Workers&, const auto&) {
-                         Made made;
-                         for (const std::string& line : write_map_import(*map, std::size_t(pick) - 1, output))
-                             made.lines.push_back({LogKind::Info, line});
-                         return made;
-                     });
-    start(ImportStep::Writing, "opening", [file = file_, picks, output](const Workers& workers, const auto& report) {
-        Made made;
-        made.lines = capture_lines(write_capture_bundle(file, picks, output, capture_progress(workers, report)));
-        return made;
-    });
+        return start_step(ImportStep::Writing, "writing",
+                          [map = map_, pick = picks.empty() ? 0 : picks.front(), output](const Workers&, const auto&) {
+                              Made made;
+                              for (const std::string& line : write_map_import(*map, std::size_t(pick) - 1, output))
+                                  made.lines.push_back({LogKind::Info, line});
+                              return made;
+                          });
+    start_step(
+        ImportStep::Writing, "opening", [file = file_, picks, output](const Workers& workers, const auto& report) {
+            Made made;
+            made.lines = capture_lines(write_capture_bundle(file, picks, output, capture_progress(workers, report)));
+            return made;
+        });
 }
 
 bool FrameImport::fulfil(const ImportRequests& requests) {

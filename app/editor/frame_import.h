@@ -59,7 +59,8 @@ private:
     void start_reading();
     /// Starts to write the chosen maps, or the chosen reading. @throws Error
     void start_writing();
-    void start(ImportStep step, const char* doing, Work::Work work);
+    /// Runs the work of a step on a thread of its own. @param doing text beside the progress bar
+    void start_step(ImportStep step, const char* doing, Work::Work work);
     /// Shows the choices that reading has found.
     void show_choices(Made made);
     /// Ends the import.

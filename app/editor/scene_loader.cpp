@@ -162,7 +162,7 @@ void SceneLoader::show_reloaded(Scene loaded, const Arrival& arrival) {
     posed_ = kept.scene;
     given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
     follow_objects();
-    watch_.watch(scene_.files);
+    watch_.watch_files(scene_.files);
     std::set<std::string> selected = selected_objects(state_);
     std::erase_if(selected, [&](const std::string& path) {
         return std::ranges::find(scene_.nodes, path, &Node::path) == scene_.nodes.end();
@@ -215,7 +215,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     set_file_choices(given_.scene, file_);
     given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
     follow_objects();
-    watch_.watch(scene_.files);
+    watch_.watch_files(scene_.files);
     has_scene_ = true;
     failure_ = nullptr;
     problem_.clear();

@@ -8,7 +8,7 @@ bool differs_now(const StampedFile& file) {
     return file_stamp(file.path) != file.stamp;
 }
 
-void SceneWatch::watch(std::vector<StampedFile> files) {
+void SceneWatch::watch_files(std::vector<StampedFile> files) {
     read_ = std::move(files);
     seen_.clear();
     changed_ = false;

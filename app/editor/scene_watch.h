@@ -14,8 +14,9 @@ class SceneWatch {
 public:
     static constexpr double kSeconds = 1;  ///< shortest time between two looks
 
-    /// Watches other files. @param files with the stamps that they had when they were read; empty: watches nothing
-    void watch(std::vector<StampedFile> files);
+    /// Watches these files in place of those before.
+    /// @param files with the stamps that they had when they were read; empty: watches nothing
+    void watch_files(std::vector<StampedFile> files);
     /// Looks at the files, if that is due. Returns true if changed() is another one than before.
     /// @param now_s time of a steady clock, seconds
     bool update(double now_s);

@@ -27,7 +27,8 @@ struct PixelLimit {
 /// Parses a limit on pixels, "20" or "0.1%". @param option name of the option, for the message @throws UsageError
 PixelLimit parse_pixel_limit(const std::string& text, std::string_view option);
 
-/// Returns the largest whole number of pixels that keeps a limit.
+/// Returns the largest number of pixels that a limit allows. @param compared pixels of the picture that are compared,
+/// of which a limit in percent is a share
 std::size_t allowed_pixels(const PixelLimit& limit, std::size_t compared);
 
 /// Limits of one run of `check`. Numbers are those of `measure`.

@@ -37,7 +37,7 @@ std::string saved_time_text(const Spread* ms, std::size_t together) {
 Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
     return json_list(effects, [&](const Effect& effect) {
         Json row = {{"name", effect.name}, {"state", effect_state_key(effect.state)}, {"reason", effect.reason}};
-        const Spread* saved_ms = saved ? saved->find(effect) : nullptr;
+        const Spread* saved_ms = saved ? saved->saved_ms(effect) : nullptr;
         put_saved(row, saved_ms);
         row["saved_together"] = saved_ms ? Json(sharing_optimisation_count(effects, effect)) : Json();
         row["saving"] = effect.optimisation ? Json(row_of(*effect.optimisation).key) : Json();
@@ -54,7 +54,7 @@ Json optimisations_json(const SavedTimes* saved) {
     for (std::size_t i = 0; i < kOptimisations; ++i) {
         const OptimisationRow& saving = optimisation_rows()[i];
         Json row = {{"key", saving.key}, {"label", saving.label}, {"help", saving.help}};
-        put_saved(row, saved ? saved->find(Optimisation(i)) : nullptr);
+        put_saved(row, saved ? saved->saved_ms(Optimisation(i)) : nullptr);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -84,7 +84,7 @@ void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
     for (const Effect& effect : effects) {
         wide = std::max(wide, effect.name.size() + (effect.part ? 2 : 0));
         saved_texts.push_back(
-            saved_time_text(saved ? saved->find(effect) : nullptr, sharing_optimisation_count(effects, effect)));
+            saved_time_text(saved ? saved->saved_ms(effect) : nullptr, sharing_optimisation_count(effects, effect)));
         saved_wide = std::max(saved_wide, saved_texts.back().size());
     }
     fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", "state", "ms", "saved ms", saved_wide, "effect", wide, "why");

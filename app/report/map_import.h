@@ -54,6 +54,7 @@ MapImport read_map_import(const std::filesystem::path& image, const std::filesys
                           const std::string& scene, const KnownConvention& stated = {}, const FileChoices& file = {});
 
 /// Returns the options of the command `import-map` that choose a reading.
+/// @param has_pair true where the light has view and projection, so that the order of their product is an option too
 std::string convention_options(const Convention& convention, bool has_pair);
 /// Returns axes, hand and unit in a few words: "z up, x mirrored, 0.01".
 std::string axes_words(const LightAxes& axes);

@@ -149,7 +149,7 @@ BiasScore::BiasScore(const MeasuredError& m, const Settings& settings, const Ras
     }
 }
 
-double BiasScore::operator()(const MeasuredError& m) const {
+double BiasScore::compute_score(const MeasuredError& m) const {
     const Reference& reference = *m.traced.reference;
     double sum = 0;
     for (std::size_t i = 0; i < near_edge_.size(); ++i) {
@@ -278,7 +278,7 @@ FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, st
     const MeasuredError first = *meter.measure(base, base.view.light).frame;
     const BiasScore score(first, base, driver);
     const auto trial = [&](const MeasuredError& m, const Settings& s) {
-        return BiasTrial{m.metrics, bias_needs(m, s, driver), score(m)};
+        return BiasTrial{m.metrics, bias_needs(m, s, driver), score.compute_score(m)};
     };
     const BiasMeter measure = [&](const BiasSettings& bias) {
         Settings s = base;

@@ -34,15 +34,15 @@ struct BiasTrial {
     bool has_no_acne() const { return double(acne()) <= kMaxAcneShare * double(error.counted); }
 };
 
-/// Score of a bias: the sum of |V - R| over counted pixels where it exceeds three standard errors of the reference and
-/// no edge of the reference's shadow lies within the reach of the kernel, plus 1 for each wrong pixel. V: visibility in
-/// the picture, R: in the reference.
+/// Score of a bias, less is better: the sum of |V - R| over counted pixels where it exceeds three standard errors of
+/// the reference and no edge of the reference's shadow lies within the reach of the kernel, plus 1 for each wrong
+/// pixel. V: visibility in the picture, R: in the reference.
 class BiasScore {
 public:
     /// Finds the pixels near edges. @param measured, settings a frame with the scored kernel, map and reference
     BiasScore(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
-    /// Returns the score of a frame with the same reference.
-    double operator()(const MeasuredError& measured) const;
+    /// Returns the score of a frame. @param measured frame with the reference of the constructor's frame
+    double compute_score(const MeasuredError& measured) const;
 
 private:
     std::vector<bool> near_edge_;

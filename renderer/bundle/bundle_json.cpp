@@ -178,7 +178,7 @@ T read_value(const JsonPlace& place, const bundle::ChoiceOf<T>& kind, const Json
                nearest.empty() ? "give one of these" : fmt::format("did you mean {}?", nearest));
 }
 
-std::array<BiasUnit, 3> read_value(const JsonPlace& place, const bundle::Units&, const Json& v) {
+std::array<BiasUnit, 3> read_value(const JsonPlace& place, const bundle::BiasUnits&, const Json& v) {
     const std::string text = read_value(place, bundle::Text{}, v);
     std::array<BiasUnit, 3> out;
     std::string_view rest = text;
@@ -460,7 +460,7 @@ std::string value_json(const bundle::ChoiceOf<T>& kind, const T& v) {
         if (value == v) return json_text(key);
     throw Error(fmt::format("a bundle cannot hold this choice; use one of {}", quoted_keys(kind.keys)));
 }
-std::string value_json(const bundle::Units&, const std::array<BiasUnit, 3>& v) {
+std::string value_json(const bundle::BiasUnits&, const std::array<BiasUnit, 3>& v) {
     std::vector<std::string_view> out;
     for (const BiasUnit unit : v)
         for (const auto& [key, value] : bundle::kUnitKeys)

@@ -70,7 +70,7 @@ struct Dictionary {
     using Type = std::map<std::string, std::string>;
 };
 /// Three units in one text, separated by commas.
-struct Units {
+struct BiasUnits {
     using Type = std::array<BiasUnit, 3>;
 };
 /// Value of a closed set.
@@ -216,7 +216,7 @@ void members(Io& io, BundleBias& b) {
     io.optional("constant", Number{}, b.constant);
     io.optional("slope", Number{}, b.slope);
     io.optional("normal", Number{}, b.normal);
-    io.value("units", Units{}, b.units, fallback.units);
+    io.value("units", BiasUnits{}, b.units, fallback.units);
 }
 
 template <typename Io>

@@ -61,7 +61,7 @@ Schema kind_schema(const bundle::Texts& kind) {
 Schema kind_schema(const bundle::Dictionary&) {
     return {{"type", "object"}, {"additionalProperties", {{"type", {"string", "number", "boolean"}}}}};
 }
-Schema kind_schema(const bundle::Units&) {
+Schema kind_schema(const bundle::BiasUnits&) {
     const std::string unit = "(depth|texels|metres)";
     return {{"type", "string"}, {"pattern", "^" + unit + " *, *" + unit + " *, *" + unit + "$"}};
 }

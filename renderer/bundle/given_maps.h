@@ -59,7 +59,8 @@ bool settings_state_bias(const Bundle& bundle);
 std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light,
                                         const std::vector<LightView>& views, const MapSize& size);
 
-/// Returns the knowledge of the bias of the maps that map.bundle gives to a light. @throws Error as read_given_maps()
+/// Returns which bias a light's look-ups have: that of the settings, one that its bundle states, or an unknown one of
+/// the engine that drew its maps. @throws Error as read_given_maps()
 /// @param light index of light.*
 EngineBias engine_bias_of_light(const Settings& settings, int light);
 

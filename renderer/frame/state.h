@@ -207,7 +207,7 @@ struct FrameState {
     /// Binds the textures that a batch's fragments sample.
     void bind_textures(const Batch& batch) const;
     /// Binds a framebuffer of the picture's size and sets depth test, clip control and blending for drawing from the
-    /// camera. CameraPass does this for the picture's own passes.
+    /// camera. CameraDrawing does this for the picture's own passes.
     void begin_camera_pass(GLuint framebuffer) const;
     /// Binds a framebuffer and sets the state for computing every pixel by one triangle. Follow with draw_fullscreen().
     /// @param width, height pixels

@@ -22,14 +22,14 @@ Spread spread_of_differences(std::vector<double> values) {
 
 }  // namespace
 
-const Spread* SavedTimes::find(Optimisation optimisation) const {
+const Spread* SavedTimes::saved_ms(Optimisation optimisation) const {
     for (const SavedTime& time : optimisations)
         if (time.optimisation == optimisation) return &time.ms;
     return nullptr;
 }
 
-const Spread* SavedTimes::find(const Effect& effect) const {
-    if (effect.optimisation) return find(*effect.optimisation);
+const Spread* SavedTimes::saved_ms(const Effect& effect) const {
+    if (effect.optimisation) return saved_ms(*effect.optimisation);
     if (effect.state != EffectState::Cached || effect.part) return nullptr;
     for (const PassTime& pass : frame.passes)
         if (pass.name == effect.pass) return &pass.gpu_ms;

@@ -1,7 +1,7 @@
 // Time that optimisations save, in milliseconds: frames with and without each optimisation, drawn alternately.
 //
 //     SavedTimes saved = measure_saved_times(renderer, scene, settings, request, {Optimisation::DeadPasses});
-//     saved.find(Optimisation::DeadPasses)->median        // ms, with the interval median_low ... median_high
+//     saved.saved_ms(Optimisation::DeadPasses)->median        // ms, with the interval median_low ... median_high
 #pragma once
 
 #include <functional>
@@ -31,10 +31,10 @@ struct SavedTimes {
     int rounds = 0;         ///< pairs of frames per optimisation
 
     /// Returns the time that an optimisation saves, in milliseconds; null: not measured.
-    const Spread* find(Optimisation optimisation) const;
+    const Spread* saved_ms(Optimisation optimisation) const;
     /// Returns the time in milliseconds that an effect saves by being skipped or cached. For a skipped effect it is the
     /// time that its optimisation saves in all effects together; for a cached one, the time of its pass. Null: unknown.
-    const Spread* find(const Effect& effect) const;
+    const Spread* saved_ms(const Effect& effect) const;
 };
 
 /// Times optimisations by frames with and without each one, drawn alternately by a callback.

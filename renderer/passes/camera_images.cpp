@@ -12,7 +12,7 @@
 #include <chrono>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/settings/biases.h"
 
 namespace si {
@@ -33,7 +33,7 @@ gl::Target& camera_depth(FrameState& f) {
 
 }  // namespace
 
-CameraPass::CameraPass(FrameState& f, std::string_view label, GLenum format, std::span<gl::Target> images)
+CameraDrawing::CameraDrawing(FrameState& f, std::string_view label, GLenum format, std::span<gl::Target> images)
     : f_(f), images_(GLint(images.size())) {
     for (gl::Target& image : images) image.ensure(label, format, f.request.width, f.request.height);
     const gl::Target& depth = camera_depth(f);
@@ -42,12 +42,12 @@ CameraPass::CameraPass(FrameState& f, std::string_view label, GLenum format, std
     begin();
 }
 
-CameraPass::CameraPass(FrameState& f, std::string_view label, const gl::Target& image, int layer)
+CameraDrawing::CameraDrawing(FrameState& f, std::string_view label, const gl::Target& image, int layer)
     : f_(f), framebuffer_(gl::make_framebuffer(label, &image, &camera_depth(f), layer)) {
     begin();
 }
 
-void CameraPass::begin() {
+void CameraDrawing::begin() {
     f_.begin_camera_pass(framebuffer_.id());
     gl::Target& depth = f_.gl.camera_depth;
     if (const std::uint64_t key = f_.surfaces_key().value(); depth.key != key) {
@@ -57,12 +57,12 @@ void CameraPass::begin() {
     }
 }
 
-CameraPass& CameraPass::clear(const glm::vec4& value) {
+CameraDrawing& CameraDrawing::clear(const glm::vec4& value) {
     for (GLint i = 0; i < images_; ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &value.x);
     return *this;
 }
 
-CameraPass& CameraPass::clear(const glm::uvec4& value) {
+CameraDrawing& CameraDrawing::clear(const glm::uvec4& value) {
     for (GLint i = 0; i < images_; ++i) glClearNamedFramebufferuiv(framebuffer_.id(), GL_COLOR, i, &value.x);
     return *this;
 }
@@ -74,7 +74,7 @@ std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info) {
             .makes = Result::VisibleDepths};
     const gl::DebugGroup group(info.name);
     const auto start = std::chrono::steady_clock::now();
-    const CameraPass pass(f);  // read below by its bound framebuffer
+    const CameraDrawing pass(f);  // read below by its bound framebuffer
     pass.draw("passes/camera_depth.frag.glsl", {}, info);
     std::vector<float> depths(std::size_t(f.request.width) * std::size_t(f.request.height));
     gl::prepare_read_back();
@@ -103,7 +103,7 @@ void CameraDepthPass::declare(FrameState& f) {
                      .writes = {Result::CameraDepth},
                      .key = f.surfaces_key().value(),
                      .cached = &depth.key,
-                     .run = [&f](PassInfo& info) { CameraPass(f).draw("passes/camera_depth.frag.glsl", {}, info); },
+                     .run = [&f](PassInfo& info) { CameraDrawing(f).draw("passes/camera_depth.frag.glsl", {}, info); },
                      .idle_reason = "no pass reads it: each pass from the camera tests depth itself"});
 }
 
@@ -111,7 +111,7 @@ void SurfaceIdsPass::declare(FrameState& f) {
     f.plan.place_result(Result::SurfaceIds, {&ids_});
     // The object's number is passed along with the surface flags.
     const auto run = [this, &f](PassInfo& info) {
-        CameraPass(f, "surface ids", GL_RG32UI, ids_)
+        CameraDrawing(f, "surface ids", GL_RG32UI, ids_)
             .clear(glm::uvec4(0))
             .draw("passes/surface_ids.frag.glsl", {{"SURFACE_FLAGS", "1"}}, info);
     };
@@ -132,7 +132,7 @@ void VisibleSurfacesPass::declare(FrameState& f) {
     const std::size_t count = bias_of(f.settings).by_derivatives ? 5 : own_normal ? 3 : 2;
     const auto run = [this, &f, count](PassInfo& info) {
         for (gl::Target& unused : std::span(images_).subspan(count)) unused = {};
-        CameraPass(f, "visible surfaces", GL_RGBA32F, std::span(images_).first(count))
+        CameraDrawing(f, "visible surfaces", GL_RGBA32F, std::span(images_).first(count))
             .clear(glm::vec4(0))  // empty pixels receive no shadow
             .draw("passes/seen_surfaces.frag.glsl", {}, info);
     };
@@ -155,7 +155,7 @@ void MapCoordinatesPass::declare(FrameState& f) {
     pass.key = f.shown_light_key().value();
     pass.cached = &coordinates_.key;
     pass.run = [this, &f](PassInfo& info) {
-        CameraPass(f, "map coordinates", GL_RGBA32F, coordinates_)
+        CameraDrawing(f, "map coordinates", GL_RGBA32F, coordinates_)
             .clear(glm::vec4(0))
             .draw("passes/map_coordinates.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
     };

@@ -16,7 +16,7 @@ namespace si {
 std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info);
 
 /// Draws the depth of visible surfaces (Resources::camera_depth) for passes that read it. Does nothing where another
-/// pass from the camera (CameraPass) has already drawn the depth.
+/// pass from the camera (CameraDrawing) has already drawn the depth.
 class CameraDepthPass : public FramePass {
 public:
     void declare(FrameState& f) override;

@@ -50,8 +50,8 @@ enum class InstanceParts { Nothing, Whole, Parts };
 /// @param[out] parts index ranges to draw for InstanceParts::Parts
 using InstancePartsQuery = std::function<InstanceParts(std::size_t instance, std::vector<IndexRange>& parts)>;
 
-/// Returns true when an object may cast shadows under the settings. Alpha masks and culling are not considered; blended
-/// objects cast only with caster.blend.
+/// Returns true when an object may cast shadows: it is no ground disc, its own settings let it cast, and it is not
+/// blended, unless caster.blend lets blended objects cast. Alpha masks and culling are not considered.
 bool can_cast(const Scene& scene, const Settings& settings, const Object& object);
 /// Returns true when a batch is drawn into shadow maps. Blended materials can cast by their alpha mask alone.
 bool is_drawn_into_maps(const FrameState& f, const Batch& batch);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/passes/caster_findings.h"
 #include "renderer/passes/casters.h"
 #include "renderer/projection/projection.h"
@@ -235,8 +235,8 @@ int most_pages(const FrameState& f) {
 void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     const auto& batches = f.gl.scene->batches();
     if (std::none_of(batches.begin(), batches.end(), [](const Batch& b) { return b.blend; })) return;
-    CameraPass(f).draw("passes/camera_depth.frag.glsl", {}, info);
-    const CameraPass pass(f, "nothing", GL_R8, t.nothing);
+    CameraDrawing(f).draw("passes/camera_depth.frag.glsl", {}, info);
+    const CameraDrawing pass(f, "nothing", GL_R8, t.nothing);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
     for (const Batch& b : batches) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "renderer/frame/value_range.h"
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/passes/moments.h"
 #include "renderer/passes/reference.h"
 
@@ -89,7 +89,7 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
     pass.key = f.shown_light_key().add(pane.overlay).add(f.separate_visibility).value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
-        CameraPass draw(f, "overlay values", GL_RGBA32F, t.values);
+        CameraDrawing draw(f, "overlay values", GL_RGBA32F, t.values);
         draw.clear(glm::vec4(0));
         const DrawState state(pane.row()->draw, f.camera.curve.convention.reversed);
         draw.draw("passes/overlay.frag.glsl", overlay_defines(f, *pane.row()), info);

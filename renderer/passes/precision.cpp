@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "renderer/frame/read_images.h"
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/reference/precision.h"
 
 namespace si {
@@ -43,7 +43,7 @@ void PrecisionPass::declare(FrameState& f) {
 }
 
 void PrecisionPass::run(FrameState& f, PassInfo& info) {
-    CameraPass(f, "look-ups", GL_RGBA32F, uvd_)
+    CameraDrawing(f, "look-ups", GL_RGBA32F, uvd_)
         .clear(glm::vec4(0))
         .draw("passes/look_ups.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
     const DrawnLookUps drawn{read_ids(image_of(f.result(Result::SurfaceIds))), read_floats(image_of(uvd_), 4)};

@@ -11,7 +11,7 @@
 
 #include "renderer/base/index_of.h"
 #include "renderer/frame/causes.h"
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/passes/moments.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
@@ -183,7 +183,7 @@ Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     pass.reads.push_back(Result::UnfilteredMap);
     if (f.reference.met) pass.reads.push_back(Result::Reference);
     pass.run = [&f, &t](PassInfo& info) {
-        CameraPass pass_into(f, "evidence", GL_RGBA32F, t.evidence);
+        CameraDrawing pass_into(f, "evidence", GL_RGBA32F, t.evidence);
         pass_into.clear(glm::vec4(0));
         draw_evidence(f, f.settings.view.light, f.reference.met, info);
     };

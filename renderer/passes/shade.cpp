@@ -7,7 +7,7 @@
 
 #include "renderer/frame/blocks.h"
 #include "renderer/optimisations/scene_findings.h"
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/passes/moments.h"
 #include "renderer/passes/reference.h"
 #include "renderer/passes/visibility.h"
@@ -94,7 +94,7 @@ void shade(const FrameState& f, bool separate, const glm::vec2* shift_ndc, PassI
 }
 
 void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
-    CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // binds the framebuffer
+    CameraDrawing pass(f, "shaded picture", GL_RGBA8, target);  // binds the framebuffer
     pass.clear(kBackground);
     shade(f, separate, nullptr, info);
 }

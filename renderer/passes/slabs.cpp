@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "renderer/gl/driver_failure.h"
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/passes/pages.h"
 #include "renderer/passes/texel_slabs.h"
 #include "renderer/settings/map_storage.h"
@@ -111,7 +111,7 @@ Pass TexelSlabs::make_pass(FrameState& f, const FrameState::ShownPane& pane) {
             s.instances_key = slabs_key;
         }
         const int w = f.request.width, h = f.request.height;
-        const CameraPass pass_over(f, "picture with stored-depth quads", GL_RGBA8, picture);
+        const CameraDrawing pass_over(f, "picture with stored-depth quads", GL_RGBA8, picture);
         glCopyImageSubData(f.result(under).texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, picture.texture.id(), GL_TEXTURE_2D,
                            0, 0, 0, 0, w, h, 1);
         draw_slabs(f, s, info);

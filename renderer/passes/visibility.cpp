@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "renderer/passes/camera_pass.h"
+#include "renderer/passes/camera_drawing.h"
 #include "renderer/passes/light_map.h"
 #include "renderer/passes/moments.h"
 #include "renderer/passes/shadow_volumes.h"
@@ -118,7 +118,7 @@ void VisibilityPass::run(FrameState& f, PassInfo& info) {
             if (!defines.empty()) light_maps_.bind_buffers(f);
             defines.push_back({"LIGHT_INDEX", std::to_string(light)});
             defines.push_back({"SOURCE_FILE", std::string(file)});
-            CameraPass(f, "visibility", t.visibility, light)
+            CameraDrawing(f, "visibility", t.visibility, light)
                 .clear(glm::vec4(lit))
                 .draw("passes/visibility.frag.glsl", defines, info);
         } else if (const ReferencePicture* reference = traced_picture(f, std::size_t(light))) {

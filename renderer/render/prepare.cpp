@@ -174,7 +174,7 @@ void note_shown_view(FrameState& f) {
 
 /// Builds camera and lights at the requested resolution, then halves it until all maps fit into memory.
 /// @param limit resolution limit after the driver ran out of memory; null: none
-void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
+void fit_within_memory(FrameState& f, const RendererImpl::ReducedResolution* limit) {
     int& n = f.settings.map.resolution;
     MapSize wanted = draws_pages(f.settings) ? MapSize(n) : f.request.map_size.value_or(MapSize(n));
     bool given = false, sized = false;
@@ -606,8 +606,8 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     take_bundle_maps(f);
     adapt_to_imported_maps(f);
     clamp_moment_settings(f);
-    if (map_limit && map_limit->requested != settings.map.resolution) map_limit.reset();
-    fit_within_memory(f, map_limit ? &*map_limit : nullptr);
+    if (reduced_resolution && reduced_resolution->requested != settings.map.resolution) reduced_resolution.reset();
+    fit_within_memory(f, reduced_resolution ? &*reduced_resolution : nullptr);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
         f.notes.push_back(

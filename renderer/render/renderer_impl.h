@@ -29,11 +29,11 @@ struct RendererImpl {
 
     /// Reduced map resolution after the driver ran out of memory. Applies while map.resolution keeps the value it had
     /// then.
-    struct MapLimit {
+    struct ReducedResolution {
         int requested = 0, max = 0;  ///< map.resolution of the settings; largest resolution tried
         std::string why;
     };
-    std::optional<MapLimit> map_limit;
+    std::optional<ReducedResolution> reduced_resolution;
 
     /// Maps of map.bundle, moved with the scene.
     struct PlacedBundle {

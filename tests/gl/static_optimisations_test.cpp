@@ -367,7 +367,7 @@ TEST_F(StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove) {
         const std::vector<Optimisation> named = optimisations_of(effects);
         EXPECT_TRUE(std::ranges::count(named, Optimisation::StaticCasterCache) == 1);
         const SavedTimes times = measure_saved_times(again, scene, s, asked(), named, 5);
-        const Spread* ms = times.find(*reported);
+        const Spread* ms = times.saved_ms(*reported);
         return std::pair(*reported, ms ? std::optional(*ms) : std::nullopt);
     };
     Settings s = small_maps(moving, kinds()[0]);

@@ -270,7 +270,7 @@ TEST(EditorEffects, SavingsAreMeasuredInTheBackgroundAndAForcedFrameIsRedrawn) {
     editor.settle();
     ASSERT_TRUE(editor.facts().saved);
     EXPECT_TRUE(editor.facts().saved_times_current);
-    const Spread* ms = editor.facts().saved->find(Optimisation::DeadPasses);
+    const Spread* ms = editor.facts().saved->saved_ms(Optimisation::DeadPasses);
     ASSERT_TRUE(ms) << "an effect names this saving";
     EXPECT_EQ(ms->samples, kSavedTimeRounds);
     EXPECT_LE(ms->median_low, ms->median_high);

@@ -214,8 +214,8 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
         sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(index_of(Column::Saved)))
-        saved_cell(facts.saved ? facts.saved->find(effect) : nullptr, sharing_optimisation_count(facts.effects, effect),
-                   facts.saved_times_current);
+        saved_cell(facts.saved ? facts.saved->saved_ms(effect) : nullptr,
+                   sharing_optimisation_count(facts.effects, effect), facts.saved_times_current);
     if (effect.optimisation && ImGui::TableSetColumnIndex(index_of(Column::Force)))
         force_box(panel.forced, *effect.optimisation, "##force");
 }

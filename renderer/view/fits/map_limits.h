@@ -13,7 +13,7 @@ namespace si {
 /// @param resolution texels a side of the map
 MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& views, MapFormat format, int resolution);
 
-/// Returns one sentence for each limit that applies, with a fix.
+/// Returns warnings to the user, one sentence for each limit that applies, with a fix.
 /// @param light index of the light, for the text
 std::vector<std::string> map_limit_notes(const MapLimits& limits, int light);
 
