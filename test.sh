@@ -3,6 +3,7 @@
 #   (none)         format, build in Release, and all that draws or computes without a window, on the driver at hand
 #   --all          besides: windows, engines of others, full products, zink (a second driver), the sanitizers
 #   --only STAGE   one stage, with the build that it needs; may be repeated
+#   --also STAGE   the default stages and one more; may be repeated
 #   -h, --help     this text
 # A stage whose packages are missing and cannot be installed is skipped and counted; with SI_REQUIRE_ALL=1 that fails.
 # What takes longer still: ctest --test-dir build/release -L long
@@ -24,9 +25,11 @@ default_stages=(
   "recipe:the recipe for a filter kernel, followed by its page"
 )
 more_stages=(
+  "slow:tests that take longer than eight seconds each"
+  "frames:frames of other programs that RenderDoc captured"
   "window:the editor in windows of its own"
   "engines:bundles that engines of others write: three.js from npm, in a headless browser"
-  "products:full products of what tests take in part, and the slowest tests"
+  "products:full products of what tests take in part, and tests that take minutes"
   "zink:drawing tests on zink over lavapipe"
   "asan:the build under AddressSanitizer and UndefinedBehaviorSanitizer; unit tests, each preset drawn"
 )
@@ -45,7 +48,7 @@ list_stages() {
   done
 }
 
-chosen=()
+chosen=() also=()
 while [ $# -gt 0 ]; do
   case $1 in
   -h | --help)
@@ -56,12 +59,12 @@ while [ $# -gt 0 ]; do
     ;;
   --all) mapfile -t chosen < <(names "${default_stages[@]}" "${more_stages[@]}") ;;
   --memory) chosen+=(memory) ;;
-  --only)
+  --only | --also)
     if ! names "${default_stages[@]}" "${more_stages[@]}" "${other_stages[@]}" | grep -qx -- "${2:-}"; then
       { echo "${2:-} is no stage; there are"; list_stages; } >&2
       exit 2
     fi
-    chosen+=("$2")
+    if [ "$1" = --only ]; then chosen+=("$2"); else also+=("$2"); fi
     shift
     ;;
   *)
@@ -72,6 +75,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 if [ ${#chosen[@]} -eq 0 ]; then mapfile -t chosen < <(names "${default_stages[@]}"); fi
+chosen+=("${also[@]}")
 
 require_packages "${build_packages[@]}" "${test_packages[@]}"
 # Installing may fail without a network; what then lacks is found below.
@@ -193,7 +197,7 @@ run_labels() {
 labels_at_once=()
 for name in "${chosen[@]}"; do
   case $name in
-  unit | gl | glsl | hard | invariant | cli | ui)
+  unit | gl | glsl | hard | invariant | cli | ui | slow | frames)
     labels_at_once+=("$name")
     continue
     ;;

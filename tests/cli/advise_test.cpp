@@ -7,6 +7,7 @@
 #include "tests/support/error_text.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -18,6 +19,7 @@ Json measured(const Words& arguments) {
     return program_json("measure" + arguments + "--size 160x90 --no-time");
 }
 
+SI_TEST_IS(Slow, AdviseCommand, PrintsOnlyAdviceThatHoldsAndAppliesOne);
 TEST(AdviseCommand, PrintsOnlyAdviceThatHoldsAndAppliesOne) {
     const Words scene = "boxes --set map.samples=4 --set filter.kernel=pcf7";
     const Json json = program_json("advise" + scene + "--size 160x90 --cost forced");
@@ -65,6 +67,7 @@ TEST(AdviseCommand, ReportsAnUnreachableBoundAndWritesNothing) {
     EXPECT_FALSE(fs::exists(preset));
 }
 
+SI_TEST_IS(Slow, CostLabel, NamesTheTimedFrames);
 TEST(CostLabel, NamesTheTimedFrames) {
     const auto measure = [](const std::string& cost) {
         const Json json = program_json("measure boxes --size 64x36 --set map.resolution=256 --cost " + cost);

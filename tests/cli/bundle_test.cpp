@@ -10,6 +10,7 @@
 
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -77,6 +78,7 @@ const std::vector<Case>& cases() {
     return out;
 }
 
+SI_TEST_IS(Slow, BundleCommand, ExportedFramesMeasureAndProbeEqual);
 TEST(BundleCommand, ExportedFramesMeasureAndProbeEqual) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
@@ -164,6 +166,7 @@ void remove_bias(const fs::path& bundle) {
     std::ofstream(bundle / "frame.json") << frame.dump();
 }
 
+SI_TEST_IS(Slow, BundleCommand, ABiasThatIsEnteredCounts);
 TEST(BundleCommand, ABiasThatIsEnteredCounts) {
     const Words bias =
         "--set bias.kind=slope --set bias.unit=texels --set bias.constant=0.2 --set bias.slope=0.5 --set bias.normal=0";
@@ -235,6 +238,7 @@ TEST(BundleCommand, ASweepBeginsAtTheSettingsOfTheBundle) {
     EXPECT_NE(own[0], own[1]);
 }
 
+SI_TEST_IS(Slow, BundleCommand, FixesThatNeedAnotherMapAreTriedOnAnOwnOne);
 TEST(BundleCommand, FixesThatNeedAnotherMapAreTriedOnAnOwnOne) {
     const fs::path folder = exported("boxes --set map.resolution=48");
     const Words size = "--size 96x54";

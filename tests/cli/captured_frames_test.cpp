@@ -16,6 +16,7 @@
 
 #include "tests/support/missing_reason.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 #ifndef SI_CAPTURE_PROGRAMS
 #define SI_CAPTURE_PROGRAMS ""
@@ -216,6 +217,8 @@ std::optional<glm::dmat4> captured_world(const std::vector<glm::dmat4>& nodes, c
 
 class CapturedFrame : public testing::TestWithParam<CapturedCase> {};
 
+SI_TESTS_ARE(Frame, CapturedFrame);
+
 TEST_P(CapturedFrame, HasTheKnownMapsMatricesAndStates) {
     const CapturedCase& c = GetParam();
     if (const std::string package = captured_lacks(c.over_zink); !package.empty())
@@ -321,6 +324,8 @@ const OwnFrame kOwnFrames[] = {
 
 class CapturedOwnFrame : public testing::TestWithParam<OwnFrame> {};
 
+SI_TESTS_ARE(Frame, CapturedOwnFrame);
+
 TEST_P(CapturedOwnFrame, EqualsItsExportedBundle) {
     if (const std::string package = captured_lacks(false); !package.empty())
         GTEST_SKIP() << test::kMissingReason << package;
@@ -372,6 +377,8 @@ TEST_P(CapturedOwnFrame, EqualsItsExportedBundle) {
 
 INSTANTIATE_TEST_SUITE_P(All, CapturedOwnFrame, testing::ValuesIn(kOwnFrames),
                          [](const auto& each) { return std::string(each.param.name); });
+
+SI_TESTS_ARE(Frame, CapturedVerdicts);
 
 /// Verdicts on the imported frame, with the bias that its look-up has, are those on the exported one.
 TEST(CapturedVerdicts, EqualThoseOfTheExportedFrame) {

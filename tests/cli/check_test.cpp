@@ -11,6 +11,7 @@
 #include "tests/support/missing_reason.h"
 #include "tests/support/process.h"
 #include "tests/support/strict_xml.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -32,6 +33,7 @@ void write_check_text(const fs::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
 
+SI_TEST_IS(Slow, Check, LimitsAreOnTheNumbersOfMeasure);
 TEST(Check, LimitsAreOnTheNumbersOfMeasure) {
     const fs::path folder = fresh_test_folder();
     const Json measured = program_json(Words("measure --json --no-time") + kCheckedAcne, folder)["error"];
@@ -224,6 +226,7 @@ TEST(Check, OpensABundleAsTheProgramExportedIt) {
     EXPECT_NE(json["engine_bias"], nullptr);
 }
 
+SI_TEST_IS(Frame, Check, ACaptureBecomesABundleThatDoesNotStay);
 TEST(Check, ACaptureBecomesABundleThatDoesNotStay) {
     const fs::path file = fs::path(SI_SOURCE_DIR) / "../shared/captures/filament_csm_gl.rdc";
     if (!fs::exists(file)) GTEST_SKIP() << test::kMissingReason << "../shared/captures";

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -28,6 +29,7 @@ std::filesystem::path exported_boxes(const Words& settings) {
     return folder;
 }
 
+SI_TEST_IS(Slow, CompareMaps, AnExportedFrameIsDrawnAgainWithoutADifference);
 TEST(CompareMaps, AnExportedFrameIsDrawnAgainWithoutADifference) {
     for (const char* settings :
          {"--set map.resolution=128 --set map.format=d16",

@@ -9,6 +9,7 @@
 
 #include "app/session/presets.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -34,6 +35,7 @@ std::vector<float> floats(const fs::path& file) {
     return out;
 }
 
+SI_TEST_IS(Slow, Drivers, PresetsLookAlikeOnTwoDrivers);
 TEST(Drivers, PresetsLookAlikeOnTwoDrivers) {
     const fs::path folder = fresh_test_folder();
     const std::string one = draw_presets("env -u MESA_LOADER_DRIVER_OVERRIDE", folder / "one");

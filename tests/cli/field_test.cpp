@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -47,6 +48,7 @@ TEST(FieldReports, FacesThatAreNotInTheMapNeedNoBias) {
         }
 }
 
+SI_TEST_IS(Slow, FieldReports, ACulledCardIsNamedAndItsFixBreaksNothing);
 TEST(FieldReports, ACulledCardIsNamedAndItsFixBreaksNothing) {
     const Json card =
         probe(field("card"),

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -25,6 +26,7 @@ long long wrong_pixel_count(const Json& measured) {
     return n;
 }
 
+SI_TEST_IS(Slow, FixesInJson, AreNullUnlessRequestedAndReachTheirFigures);
 TEST(FixesInJson, AreNullUnlessRequestedAndReachTheirFigures) {
     EXPECT_TRUE(run("measure", "--no-time")["cures"].is_null());
     const Json all = run("measure", "--no-time --cures");

@@ -13,6 +13,7 @@
 
 #include "tests/support/missing_reason.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -79,6 +80,8 @@ const CaptureCase kCases[] = {
 };
 
 class ImportCapture : public testing::TestWithParam<CaptureCase> {};
+
+SI_TESTS_ARE(Frame, ImportCapture);
 
 TEST_P(ImportCapture, RebuildsEachSliceWithinTheGate) {
     const CaptureCase& c = GetParam();
@@ -177,6 +180,8 @@ const CaptureCase kLargeCases[] = {
 
 INSTANTIATE_TEST_SUITE_P(Large, ImportCapture, testing::ValuesIn(kLargeCases),
                          [](const auto& each) { return std::string(each.param.name); });
+
+SI_TESTS_ARE(Frame, ImportCaptureList);
 
 TEST(ImportCaptureList, NamesMapsAndKindsOfLight) {
     const fs::path file = captures() / "filament_csm_gl.rdc";

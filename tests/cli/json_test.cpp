@@ -13,6 +13,7 @@
 #include "renderer/settings/param.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -221,6 +222,7 @@ TEST(Probe, PrintsTheDepthTestInFull) {
               "");
 }
 
+SI_TEST_IS(Slow, Probe, DiagnosesThePixelAndNamesItsFix);
 TEST(Probe, DiagnosesThePixelAndNamesItsFix) {
     const Words command =
         "probe boxes --pixel 160,130 --size 320x180 --set bias.kind=constant --set bias.normal=0 --set bias.constant=0 "

@@ -9,6 +9,7 @@
 #include "renderer/gl/driver_failure.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -71,6 +72,7 @@ TEST(CheckNumeric, NamesThePlaceAndFailsForEveryPicture) {
     EXPECT_TRUE(finding["value"].is_null());
 }
 
+SI_TEST_IS(Slow, CheckNumeric, NamesTheFirstFaultyCaseOfMany);
 TEST(CheckNumeric, NamesTheFirstFaultyCaseOfMany) {
     const auto folder = fresh_test_folder();
     const std::string place = "NaN in 1 texel of the shadow map of light 0",

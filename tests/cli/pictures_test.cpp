@@ -11,6 +11,7 @@
 #include "tests/support/golden.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -64,6 +65,7 @@ Floats read_pfm(const std::string& bytes) {
 
 const Words kSmall = "boxes --size 96x64 --set map.resolution=256";
 
+SI_TEST_IS(Slow, Pictures, EveryViewHasTheRequestedSize);
 TEST_F(Pictures, EveryViewHasTheRequestedSize) {
     const Json views = program_json("list views");
     ASSERT_GE(views.size(), 10u);

@@ -4,10 +4,12 @@
 #include "app/commands/commands.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
 
+SI_TEST_IS(Slow, PrintedText, IsEncodedOnceForEveryCommand);
 TEST(PrintedText, IsEncodedOnceForEveryCommand) {
     const auto folder = fresh_test_folder();
     std::vector<std::string> commands = {

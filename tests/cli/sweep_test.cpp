@@ -19,6 +19,7 @@
 #include "tests/support/number_at.h"
 #include "tests/support/process.h"
 #include "tests/support/text.h"
+#include "tests/support/traits.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -215,6 +216,7 @@ TEST(SweepCommand, ErrorsOfAnotherDefinitionAreNeitherContinuedNorMerged) {
     EXPECT_EQ(results_of(folder / "merged")["finished"], 4);
 }
 
+SI_TEST_IS(Slow, SweepCommand, InterruptedSweepContinues);
 TEST(SweepCommand, InterruptedSweepContinues) {
     const fs::path folder = fresh_test_folder();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {

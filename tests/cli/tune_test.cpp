@@ -71,6 +71,7 @@ TEST(TuneCommand, AsksForNoAcneAndForAGap) {
         }
 }
 
+SI_TEST_IS(Slow, TuneCommand, UsesTheReferenceOptionsOfMeasure);
 TEST(TuneCommand, UsesTheReferenceOptionsOfMeasure) {
     const fs::path folder = fresh_test_folder();
     const auto tuned = [&](const Words& sets) {

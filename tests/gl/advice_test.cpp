@@ -90,6 +90,7 @@ TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
     expect_predicted_effects(scene, s, all);
 }
 
+SI_TEST_IS(Slow, AdviceTest, ALightWithoutVisibleShadowNeedsNoMap);
 TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     // The camera and the light are straight above the scene, 115 m from the origin.
@@ -152,7 +153,7 @@ TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
 }
 
 /// Errors are real and the clock counts bytes. The result lies within a tenth of the optimum over all combinations.
-SI_TEST_IS(Slow, AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum);
+SI_TEST_IS(Minutes, AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum);
 TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
     const std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf3", "pcf5"}},
                                          {"map.resolution", {"", "256", "512", "1024"}},

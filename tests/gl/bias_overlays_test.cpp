@@ -69,6 +69,7 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
 
 SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
 SI_TEST_IS(Product, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
+SI_TEST_IS(Slow, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
 TEST_F(BiasOverlays, LeastBiasAndSlackEqualTheFormulas) {
     const Scene scene = hills();
     for (const auto& [light, format, bias, size] :

@@ -14,6 +14,7 @@
 #include "renderer/reference/ray_scenes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -80,6 +81,7 @@ const std::vector<BiasSets>& bias_cases() {
     return out;
 }
 
+SI_TEST_IS(Slow, BundleBiasTest, OnceEnteredAllIsThatOfTheFrame);
 TEST_F(BundleBiasTest, OnceEnteredAllIsThatOfTheFrame) {
     std::size_t wrong = 0, right = 0, asked_first = 0;
     for (const BiasSets& sets : bias_cases()) {

@@ -16,6 +16,7 @@
 #include "renderer/measure/measure.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -100,6 +101,7 @@ const std::vector<FrameCase>& frame_cases() {
     return out;
 }
 
+SI_TEST_IS(Slow, BundleFramesTest, ExportedFramesReadBackEqual);
 TEST_F(BundleFramesTest, ExportedFramesReadBackEqual) {
     for (const FrameCase& c : frame_cases()) {
         SCOPED_TRACE(c.name);
@@ -132,9 +134,10 @@ TEST_F(BundleFramesTest, PlansDifferInThePassesOfMapsAlone) {
     EXPECT_TRUE(imported.contains("shadow map 0 (directional)"));
     EXPECT_TRUE(imported.contains("shadow map 1 (directional)"));
     for (const Effect& effect : a)
-        if (std::ranges::find(b, effect.name, &Effect::name) == b.end())
+        if (std::ranges::find(b, effect.name, &Effect::name) == b.end()) {
             EXPECT_NE(effect.name.find("maps of light"), std::string::npos)
-                << effect.name << ": given maps draw no caster";
+        }
+    << effect.name << ": given maps draw no caster";
 }
 
 TEST_F(BundleFramesTest, TheSettingChoosesMapsAndRemovesThem) {

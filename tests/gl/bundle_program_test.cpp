@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(All, BundleProgram,
                                          Case{"SpotLight", "--light spot --depth d32f", 1},
                                          Case{"ReversedSpotLight", "--light spot --depth d16 --reversed --cull front",
                                               1}),
-                         [](const testing::TestParamInfo<Case>& info) { return std::string(info.param.name); });
+                         [](const testing::TestParamInfo<Case>& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace si

@@ -109,6 +109,7 @@ protected:
     std::string last_;
 };
 
+SI_TEST_IS(Slow, CausesTest, LightBleedingIsTheCauseUnderKernelsByMoments);
 TEST_F(CausesTest, LightBleedingIsTheCauseUnderKernelsByMoments) {
     std::size_t bleeding = 0;
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
@@ -127,6 +128,7 @@ TEST_F(CausesTest, LightBleedingIsTheCauseUnderKernelsByMoments) {
 
 SI_TEST_IS(Repeated, CausesTest, CpuAndGpuAgree);
 SI_TEST_IS(Product, CausesTest, CpuAndGpuAgree);
+SI_TEST_IS(Slow, CausesTest, CpuAndGpuAgree);
 TEST_F(CausesTest, CpuAndGpuAgree) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : test::portion<const char*>({"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}, 3)) {

@@ -55,6 +55,7 @@ protected:
 SI_TESTS_ARE(Repeated, FitsTest);
 SI_TEST_IS(DriverIndependent, FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections);
 SI_TEST_IS(Product, FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections);
+SI_TEST_IS(Slow, FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections);
 TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections) {
     struct Sun {
         const char *azimuth, *elevation;
@@ -85,6 +86,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirectio
 }
 
 SI_TEST_IS(DriverIndependent, FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras);
+SI_TEST_IS(Slow, FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras);
 // Cameras stand anywhere, also within the scene: none of their pixels outside the map is in shadow.
 TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
     std::mt19937 random(17);
@@ -129,6 +131,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
     RecordProperty("cases", std::to_string(closed) + " " + std::to_string(open));
 }
 
+SI_TEST_IS(Slow, FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion);
 TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     for (const char* wrap : {"border", "clamp", "repeat", "range"})

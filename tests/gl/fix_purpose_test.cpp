@@ -132,7 +132,7 @@ protected:
 };
 
 SI_TESTS_ARE(DriverIndependent, FixPurposeTest);
-SI_TEST_IS(Slow, FixPurposeTest, APixelThatSomeChangePutsRightGetsAFixThatHolds);
+SI_TEST_IS(Minutes, FixPurposeTest, APixelThatSomeChangePutsRightGetsAFixThatHolds);
 TEST_F(FixPurposeTest, APixelThatSomeChangePutsRightGetsAFixThatHolds) {
     const unsigned seed = test::environment_number("SI_FIX_SEED", 1);
     const auto first = std::size_t(test::environment_number("SI_FIX_FIRST", 0));

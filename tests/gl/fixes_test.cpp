@@ -295,6 +295,7 @@ TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     EXPECT_EQ(left, table.wrong - four->cured + four->broken);
 }
 
+SI_TEST_IS(Slow, FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels);
 TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = settings_with(test::texel_settings("hard", 256, 3), {"camera.distance=4", "light.fit=scene"});

@@ -117,6 +117,7 @@ TEST_F(FrameReadability, AlternatingProbesAnswerForTheirOwnFrame) {
 
 SI_TEST_IS(Repeated, FrameReadability, AProbeKeepsTheShownFrame);
 SI_TEST_IS(Product, FrameReadability, AProbeKeepsTheShownFrame);
+SI_TEST_IS(Slow, FrameReadability, AProbeKeepsTheShownFrame);
 // Otherwise a window that shows both frames would draw forever.
 TEST_F(FrameReadability, AProbeKeepsTheShownFrame) {
     const std::vector<Sets> all = {

@@ -165,6 +165,7 @@ TEST_F(ProgramsTest, PairsOfChoicesCompile) {
 SI_TEST_IS(DriverIndependent, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
 SI_TEST_IS(Repeated, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
 SI_TEST_IS(Product, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
+SI_TEST_IS(Slow, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
 TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     const Scene scene = load_scene("stage");
     ReferenceCache references;
@@ -402,6 +403,7 @@ TEST_F(FrameTest, TheFitIgnoresObjectsThatNoLongerCast) {
 }
 
 SI_TEST_IS(Repeated, FrameTest, ProbeAgreesWithTheVisibilityPicture);
+SI_TEST_IS(Slow, FrameTest, ProbeAgreesWithTheVisibilityPicture);
 TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
     const Scene scene = load_scene("stage");
     for (const char* light : {"directional", "spot", "point"}) {

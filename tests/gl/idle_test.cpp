@@ -107,6 +107,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, IdleTest);
 SI_TESTS_ARE(Repeated, IdleTest);
+SI_TEST_IS(Slow, IdleTest, IdleSettingsChangeNoPixel);
 TEST_F(IdleTest, IdleSettingsChangeNoPixel) {
     const Scene scene = load_scene("boxes");
     std::size_t compared = 0;

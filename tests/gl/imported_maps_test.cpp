@@ -10,6 +10,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -86,6 +87,7 @@ Settings lit_by_kernel(LightType type, LightFit fit, const char* kernel) {
     return s;
 }
 
+SI_TEST_IS(Slow, ImportedMapsTest, GivenMapsEqualDrawnOnes);
 TEST_F(ImportedMapsTest, GivenMapsEqualDrawnOnes) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
@@ -106,6 +108,7 @@ TEST_F(ImportedMapsTest, GivenMapsEqualDrawnOnes) {
         }
 }
 
+SI_TEST_IS(Slow, ImportedMapsTest, GivenMapsOfEachFormatEqualDrawnOnes);
 TEST_F(ImportedMapsTest, GivenMapsOfEachFormatEqualDrawnOnes) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* format : {"d16", "d24", "d32f", "colour"})

@@ -4,6 +4,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -21,6 +22,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Slow, MapSizes, EveryLightDrawsTheShadowsOfASquareMap);
 // Each side of a map that is not square is at least as fine as that of the square map of its shorter side. So its
 // shadows are at least as close to those of a fine map.
 TEST_F(MapSizes, EveryLightDrawsTheShadowsOfASquareMap) {

@@ -398,6 +398,7 @@ TEST(Moments, FromSummedAreasEqualThoseOfABlur) {
         }
 }
 
+SI_TEST_IS(Slow, Moments, LeaveNoAcneOnALitPlane);
 // Unshadowed planes stay lit: under vertical and grazing lights of each type, far from the origin.
 TEST(Moments, LeaveNoAcneOnALitPlane) {
     struct Place {

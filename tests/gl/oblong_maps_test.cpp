@@ -7,6 +7,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -48,6 +49,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Slow, OblongMapsTest, AStripShadesAsItsSquareMap);
 TEST_F(OblongMapsTest, AStripShadesAsItsSquareMap) {
     const Scene scene = test::floor_and_box(4, {1.5, 1, 2}, 0.4);
     for (const LightType type : {LightType::Directional, LightType::Spot})

@@ -78,6 +78,7 @@ const std::vector<Sets>& cases() {
 SI_TESTS_ARE(DriverIndependent, OptimisationsTest);
 SI_TESTS_ARE(Repeated, OptimisationsTest);
 SI_TEST_IS(Slow, OptimisationsTest, ForcedOrNotDrawTheSameBytesOfRealModels);
+SI_TEST_IS(Slow, OptimisationsTest, ForcedOrNotDrawTheSameBytesInBuiltInScenes);
 TEST_F(OptimisationsTest, ForcedOrNotDrawTheSameBytesInBuiltInScenes) {
     std::size_t next = 1;
     for (const BuiltinScene& row : builtin_scenes()) {

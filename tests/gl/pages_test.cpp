@@ -33,6 +33,7 @@ protected:
 };
 
 SI_TEST_IS(Repeated, PagesTest, PagesHoldTheTexelsOfTheWholeMap);
+SI_TEST_IS(Slow, PagesTest, PagesHoldTheTexelsOfTheWholeMap);
 // Pages are drawn with the map's own matrix, moved by whole texels. Differences come only from rounding a corner to
 // 1/256 of a texel.
 TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {

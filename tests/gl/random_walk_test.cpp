@@ -196,6 +196,7 @@ TEST_F(RandomWalkTest, MapsReplacedByAnotherLightAreDrawnAgain) {
 }
 
 SI_TEST_IS(Product, RandomWalkTest, CachedFramesEqualColdOnesAfterAnySteps);
+SI_TEST_IS(Slow, RandomWalkTest, CachedFramesEqualColdOnesAfterAnySteps);
 /// SI_LONG_WALK sets the number of seeds, of 1000 steps each.
 TEST_F(RandomWalkTest, CachedFramesEqualColdOnesAfterAnySteps) {
     const char* seeds = std::getenv("SI_LONG_WALK");

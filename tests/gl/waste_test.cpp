@@ -56,6 +56,7 @@ TEST_F(WasteTest, VisibleLightsAreNeededAndInvisibleOnesAreNot) {
     }
 }
 
+SI_TEST_IS(Slow, WasteTest, UnreadMapsChangeNothing);
 TEST_F(WasteTest, UnreadMapsChangeNothing) {
     for (const Sets& sets : {Sets{"light.type=point"}, Sets{"light.cascades=4"}}) {
         const Waste waste = waste_of(load_scene("stage"), sets);

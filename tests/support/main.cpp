@@ -1,5 +1,5 @@
 // Runs the tests of a folder. SI_LEAVE_OUT names traits, separated by commas, whose tests are left out, by default
-// "long". SI_ONLY names the traits whose tests alone run.
+// "long", and in a list of tests what the quick run leaves out. SI_ONLY names the traits whose tests alone run.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -34,6 +34,8 @@ constexpr struct {
                {"repeated", Trait::Repeated},
                {"product", Trait::Product},
                {"slow", Trait::Slow},
+               {"minutes", Trait::Minutes},
+               {"frame", Trait::Frame},
                {"long", Trait::Long}};
 
 /// Returns googletest's patterns for a suite by itself and as an instance of a parameter.
@@ -115,7 +117,8 @@ int main(int argc, char** argv) {
             return 1;
         }
     std::string filter = testing::GTEST_FLAG(filter), only, without;
-    if (!std::getenv("SI_ONLY")) setenv("SI_LEAVE_OUT", "long", 0);
+    const bool lists = testing::GTEST_FLAG(list_tests);
+    if (!std::getenv("SI_ONLY")) setenv("SI_LEAVE_OUT", lists ? "long,minutes,slow,frame" : "long", 0);
     // The driver keeps compiled shaders here, also for commands and windows, because compiling takes half of the time.
     setenv("MESA_SHADER_CACHE_DIR", SI_TEST_OUTPUT_DIR "/shader-cache", 0);
     if (!add_patterns("SI_ONLY", only) || !add_patterns("SI_LEAVE_OUT", without)) return 1;

@@ -8,8 +8,10 @@ enum class Trait {
     DriverIndependent,  ///< same result on every driver: left out of the run on a second driver
     Repeated,           ///< repetition of one computation or drawing: left out under the sanitizers
     Product,            ///< loop over combinations() or portion(): once more over everything with SI_FULL_PRODUCTS=1
-    Slow,               ///< duration above ten seconds, without a part that would do: left out of the quick run
-    Long,               ///< duration of minutes: run by hand
+    Slow,               ///< duration above eight seconds: left out of the quick run, runs in the stage slow
+    Minutes,            ///< duration of minutes: runs in the stage products
+    Frame,              ///< import of frames that RenderDoc captured: runs in the stage frames
+    Long,               ///< duration of many minutes: run by hand
 };
 
 /// Registration of a trait for the tests of a suite. The macros below define static objects of this type. The main

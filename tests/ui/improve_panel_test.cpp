@@ -5,6 +5,7 @@
 
 #include "app/base/output.h"
 #include "renderer/advise/autopilot.h"
+#include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
@@ -113,6 +114,7 @@ TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     EXPECT_FALSE(ui.find("found", "", "Apply"));
 }
 
+SI_TEST_IS(Slow, EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing);
 TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     TestEditor editor(editor_options("boxes", {"map.resolution=256"}));
     EditorModel& model = editor.model();
