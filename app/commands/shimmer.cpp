@@ -59,7 +59,7 @@ void run_shimmer(const ShimmerCommandOptions& options) {
     } else {
         fmt::print("{}, {} steps of {:g} texels, {} places on surfaces\n", motion.label, options.shimmer.steps,
                    options.shimmer.step_texels, measured.front().shimmer.places);
-        fmt::print("  {:<26} {:>13} {:>11} {:>10} {:>22}\n", "", "flips a step", "at most", "flipping",
+        fmt::print("  {:<26} {:>13} {:>11} {:>10} {:>22}\n", "", "flips per step", "at most", "flipping",
                    "visibility changes by");
         for (const Measured& m : measured)
             fmt::print("  {:<26} {:>13.2f} {:>11} {:>10} {:>22.3g}\n", m.variant.label, m.shimmer.flips_a_step,

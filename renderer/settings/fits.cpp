@@ -34,7 +34,7 @@ constexpr FitRow kFits[] = {
      .paper = "Valient, Stable Rendering of Cascaded Shadow Maps, ShaderX 6, 2008",
      .reads_camera = true},
     {.key = "lispsm",
-     .label = "light space perspective",
+     .label = "LiSPSM",
      .help = "For directional lights: the view frustum, with small texels near the camera and large ones far away. The "
              "warp is weaker the closer light and view are to parallel, and none if they are parallel or the camera is "
              "orthographic. Each cascade is warped by itself. Depths are fitted: light.near and light.far have no "

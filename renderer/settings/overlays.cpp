@@ -66,7 +66,7 @@ constexpr Overlay kOverlays[] = {
      .group = OverlayGroup::Wrong,
      .scalar = false},
     {.key = "page-level",
-     .label = "Page level",
+     .label = "Virtual level",
      .help = "With map.virtual, the clip level that each fragment is looked up in, by colour from the finest on, with "
              "its pages as a checkerboard.",
      .group = OverlayGroup::Resolution,
@@ -136,7 +136,7 @@ constexpr Overlay kOverlays[] = {
      .min = 0,
      .max = 8},
     {.key = "bias-slack",
-     .label = "Bias slack",
+     .label = "Bias headroom",
      .unit = "texels",
      .help = "Equivalent depth bias of bias and normal offset minus the needed bias. Below zero (blue) there is acne, "
              "and far above it shadows detach needlessly.",
@@ -171,7 +171,7 @@ constexpr Overlay kOverlays[] = {
      .max = 16,
      .reads_precision = true},
     {.key = "contact-gap",
-     .label = "Contact gap",
+     .label = "Gap at contact",
      .unit = "m",
      .help = "Width of the lit strip that bias and normal offset leave on this surface beside a caster that touches "
              "it: their equivalent depth bias along the light's ray, times the sine of the angle from the normal.",
@@ -198,7 +198,7 @@ constexpr Overlay kOverlays[] = {
      .min = 0,
      .max = 4},
     {.key = "sampling-bands",
-     .label = "Sampling bands",
+     .label = "Undersampling bands",
      .unit = "log2 of texels per pixel",
      .help = "Texels per pixel along the sparsest direction, in whole powers of two: blue is under-sampled (texels "
              "show), orange over-sampled (the map is finer than the picture everywhere).",

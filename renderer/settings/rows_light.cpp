@@ -35,16 +35,16 @@ constexpr Choice kNearFar[] = {
 };
 
 constexpr Choice kDepthBounds[] = {
-    {"boxes", "receivers' boxes",
+    {"boxes", "bounding boxes",
      "Depths of the receivers' boxes in the view frustum, known before anything is drawn."},
-    {"sdsm", "measured depths",
+    {"sdsm", "depth buffer (SDSM)",
      "The smallest and largest depth in the camera's depth buffer, which is drawn and read back first: sample "
      "distribution shadow maps (Lauritzen, Salvi, Lefohn, I3D 2011)."},
 };
 
 constexpr Choice kCascadeChoices[] = {
     {"interval", "by depth", "By the camera depth of the point."},
-    {"map", "first that contains it",
+    {"map", "by map",
      "The finest map that contains the point, often finer than the map of its interval. The blend band is then at the "
      "map's rim."},
 };
@@ -244,7 +244,7 @@ constexpr auto kLight = with_scope(
          .also = "shadow distance, max distance, shadow camera, stable cascades, stabilized, shadow frustum, stable "
                  "fit, close fit, shadow projection, dynamic shadow distance, directional shadow max distance, "
                  "maxShadowDistance, perspective shadow maps"},
-        {SI_LIGHT_FIELD(snap), .label = "Whole texels",
+        {SI_LIGHT_FIELD(snap), .label = "Snap to texels",
          SI_IDLE(of(s, i).fit != LightFit::Stabilised || has_type(s, i, LightType::Point),
                  "without effect: only the fit stabilised moves by whole texels, and a point light's faces do not"),
          .help = "Moves the stabilised map by whole texels, so that shadow edges stay unchanged while the camera "
@@ -284,7 +284,7 @@ constexpr auto kLight = with_scope(
                  "depth, at map.resolution. 1 is the single map of light.fit.",
          .also = "cascade count, CSM, PSSM, shadow splits, num dynamic shadow cascades, shadowCascades, directional "
                  "shadow mode, cascaded shadow maps"},
-        {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", SI_CHOICES(kDepthBounds), .idle = depth_bounds_idle,
+        {SI_LIGHT_FIELD(depth_bounds), .label = "Depth range from", SI_CHOICES(kDepthBounds), .idle = depth_bounds_idle,
          .help = "The camera depths that cascades and fits to the view frustum cover."},
         {SI_LIGHT_FIELD(split), .label = "Split", .choices = choices_of<splits>, .idle = between_cascades_idle,
          .help = "The division of the camera's depth among cascades.",
@@ -326,7 +326,7 @@ constexpr auto kLight = with_scope(
                  "read there. 0 changes from one to the next at once.",
          .also = "cascade border, transition fraction, blend splits, cascade fade, directional shadow blend splits, "
                  "cascade transition"},
-        {SI_LIGHT_FIELD(cascade_choice), .label = "Cascade chosen", SI_CHOICES(kCascadeChoices),
+        {SI_LIGHT_FIELD(cascade_choice), .label = "Cascade selection", SI_CHOICES(kCascadeChoices),
          .idle = between_cascades_idle, .help = "The cascade in which a point is looked up."},
     }),
     Scope::Light);

@@ -428,14 +428,14 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .help = "Rotates the disk of taps by an angle for each pixel: noise in place of the steps of few taps. Off: the "
              "same taps everywhere.",
      .also = "jitter, dither, random rotation, noise, interleaved gradient noise", .shader = true},
-    {SI_FIELD(filter.disk), .label = "Disk", .cost = Cost::Program, SI_CHOICES(kDisks),
+    {SI_FIELD(filter.disk), .label = "Sample pattern", .cost = Cost::Program, SI_CHOICES(kDisks),
      .help = "The places of the disk that are searched and compared.", .shader = true},
     {SI_FIELD(filter.blocker_taps), .label = "Blocker taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
      .help = "Number of texels that are searched for casters between surface and light. The casters' mean distance "
              "gives the penumbra's width. Without a caster the surface is lit.",
      .also = "blocker search samples, blocker samples", .shader = true},
-    {SI_FIELD(filter.max_radius), .label = "Largest radius", .unit = "texels", .min = 1, .max = 64, .logarithmic = true,
+    {SI_FIELD(filter.max_radius), .label = "Max radius", .unit = "texels", .min = 1, .max = 64, .logarithmic = true,
      SI_IDLE(!filter_of(s).reads_light_size && s.filter.radius_unit == RadiusUnit::Texels,
              "without effect: filter.radius itself is in texels"),
      .help = "Maximum reach of the kernel to each side: search, penumbra, or a radius in metres. Wider penumbrae "

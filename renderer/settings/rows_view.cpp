@@ -127,7 +127,7 @@ constexpr auto kCamera = std::to_array<Param>({
 static_assert(kCamera.size() == member_count<CameraSettings>(), "a member of CameraSettings has no row");
 
 constexpr Choice kPlacedAlong[] = {
-    {"aslant", "aslant", "Along (2, 1, 5), so that no step lies on a grid."},
+    {"aslant", "diagonal", "Along (2, 1, 5), so that no step lies on a grid."},
     {"x", "x", "Along the world's x axis."},
     {"y", "y", "Upwards."},
     {"z", "z", "Along the world's z axis."},
@@ -171,11 +171,11 @@ constexpr auto kScene = std::to_array<Param>({
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help = "The time of the animation that is shown. After its last key the scene stands still.",
      .animation_only = true},
-    {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
+    {SI_FIELD(scene.distance), .label = "Offset from origin", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
      .help =
          "Distance by which the scene is moved from its place in the file, with its cameras and lights. Far from the "
          "world's origin single precision has few digits left for a shadow's edge (map.origin). 0 moves nothing."},
-    {SI_FIELD(scene.direction), .label = "Moved along", SI_CHOICES(kPlacedAlong),
+    {SI_FIELD(scene.direction), .label = "Offset along", SI_CHOICES(kPlacedAlong),
      SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"),
      .help = "The direction in which the scene is moved."},
     {SI_FIELD(scene.scale), .label = "Scaled by", .min = 1e-3, .max = 1e6, .logarithmic = true,

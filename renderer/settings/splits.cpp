@@ -23,7 +23,7 @@ constexpr SplitRow kSplits[] = {
              "each, and near intervals are very short. Even under an orthographic camera.",
      .paper = "Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004"},
     {.key = "practical",
-     .label = "between both",
+     .label = "practical (PSSM)",
      .help = "The mean of the even and of the logarithmic division, weighted by light.split_lambda.",
      .paper = "Zhang, Sun, Xu, Lun, Parallel-Split Shadow Maps for Large-scale Virtual Environments, VRCIA 2006",
      .settings = kLambda},

@@ -65,7 +65,7 @@ std::string count_text(std::size_t count) {
 void draw_memory(const MemoryReport& memory) {
     const ProcessMemory& p = memory.process;
     const std::string head =
-        fmt::format("Memory: {} resident, {} at most; {} held by name, {} kept by the heap for what comes###memory",
+        fmt::format("Memory: {} resident, {} at most; {} held by name, {} free in the heap###memory",
                     bytes_text(p.resident), bytes_text(p.peak), bytes_text(memory.held()), bytes_text(p.heap_free));
     if (!ImGui::CollapsingHeader(head.c_str())) return;
     if (!begin_table("holders", ImGuiTableFlags_SizingFixedFit, {{"Holder"}, {"Now"}, {"At most"}, {"Of"}})) return;

@@ -60,10 +60,10 @@ void draw_advice_controls(ImprovePanel& panel, bool ready, const ImproveFacts& f
         "Nothing is changed.");
     ImGui::EndDisabled();
     ImGui::Spacing();
-    limit_field("Error at most", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.",
+    limit_field("Mean error ≤", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.",
                 panel.bound_error, panel.max_error, 1e-6, "%.5f");
     limit_field(
-        "Time at most, ms",
+        "Time ≤, ms",
         "Of a frame, in ms of the clock that the tab Effects names: without a bound on the error the most accurate "
         "effects that keep it.",
         panel.bound_ms, panel.max_ms, 1e-3, "%.3g");

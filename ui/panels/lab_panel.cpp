@@ -96,7 +96,7 @@ std::string choice_label(std::string_view key, int value) {
 void pipelines_part(const Settings& settings, bool ready, const FrameResult* result, const LabFacts& facts,
                     LabRequests& requests) {
     strong_text("Single precision against double");
-    if (measure_button("Compare ways",
+    if (measure_button("Compare precision",
                        "Draws the picture by each way of computing places in the map, in the background, and compares "
                        "each pixel's with double precision.",
                        facts.comparing_pipelines, ready, requests.cancel_pipelines))

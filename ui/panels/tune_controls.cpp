@@ -20,10 +20,10 @@ namespace {
 void limits_popup(TunePanel& panel, TuneRequests& requests) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
-    limit_field("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
+    limit_field("Mean error ≤", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
                 panel.bound_error, panel.max_error, 1e-6, "%.5f");
     limit_field(
-        "Time at most, ms",
+        "Time ≤, ms",
         "Of a frame of this picture's size, by the clock that the tab Effects names. Without a bound on the error "
         "the most accurate that is this fast is chosen.",
         panel.bound_ms, panel.max_ms, 1e-3, "%.3g");

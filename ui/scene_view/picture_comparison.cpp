@@ -180,7 +180,7 @@ void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::ve
         case ComparisonView::Difference:
             if (!facts.difference.texture) break;
             list.AddImage(texture_id(facts.difference.texture), p, q, {0, 1}, {1, 0});
-            label({p.x, top}, size.x, fmt::format("2 |A - B|, {}   mean |A - B| {:.5f}", other, facts.mae), false);
+            label({p.x, top}, size.x, fmt::format("Difference ×2, {}   mean |A - B| {:.5f}", other, facts.mae), false);
             break;
         case ComparisonView::Alone:
             list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
