@@ -133,11 +133,10 @@ TEST_F(BundleFramesTest, PlansDifferInThePassesOfMapsAlone) {
     }
     EXPECT_TRUE(imported.contains("shadow map 0 (directional)"));
     EXPECT_TRUE(imported.contains("shadow map 1 (directional)"));
-    for (const Effect& effect : a)
-        if (std::ranges::find(b, effect.name, &Effect::name) == b.end()) {
-            EXPECT_NE(effect.name.find("maps of light"), std::string::npos)
-        }
-    << effect.name << ": given maps draw no caster";
+    for (const Effect& effect : a) {
+        if (std::ranges::find(b, effect.name, &Effect::name) != b.end()) continue;
+        EXPECT_NE(effect.name.find("maps of light"), std::string::npos) << effect.name << ": given maps draw no caster";
+    }
 }
 
 TEST_F(BundleFramesTest, TheSettingChoosesMapsAndRemovesThem) {
