@@ -73,7 +73,9 @@ BundleLookup lookup_of(const Settings& s) {
         out.bias.slope = reads_setting(bias, "bias.slope") ? s.bias.slope : 0;
     }
     out.bias.normal = s.bias.normal;
-    out.bias.units = {s.bias.unit, s.bias.unit, BiasUnit::Texels};
+    out.bias.units = {s.bias.unit, s.bias.unit,
+                      s.bias.normal_unit == OffsetUnit::Texels ? BiasUnit::Texels : BiasUnit::Metres};
+    out.bias.normal_by = s.bias.normal_by;
     out.kernel = std::string(filter_of(s).key);
     const bool equal = s.map.compare == Compare::LessEqual;
     out.compare = s.map.reversed_z ? (equal ? BundleCompare::GreaterEqual : BundleCompare::Greater)

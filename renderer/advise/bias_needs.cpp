@@ -26,14 +26,17 @@ double worst(const std::vector<Need>& needs, auto&& amount) {
     return most;
 }
 
-/// Makes bias settings of one row without any amount. Rows that act beside bias.kind get the constant kind.
-BiasSettings without_amounts(const Bias& row) {
+/// Makes bias settings of one row without any amount. Rows that act beside bias.kind get the constant kind. Unit and
+/// dependence on the angle of a normal offset stay as given: an engine has no other.
+BiasSettings without_amounts(const Bias& row, const BiasSettings& given) {
     Settings s;
     set_setting(s, "bias.kind", row.stage == BiasStage::Compare ? row.key : "constant");
     s.bias.unit = BiasUnit::Texels;
     s.bias.constant = s.bias.slope = s.bias.normal = 0;
     s.bias.raster_slope = s.bias.raster_units = s.bias.raster_clamp = 0;
     s.bias.normal_source = NormalSource::Geometric;
+    s.bias.normal_unit = given.normal_unit;
+    s.bias.normal_by = given.normal_by;
     return s.bias;
 }
 
@@ -77,6 +80,7 @@ std::vector<Need> cleared(std::vector<Need> needs) {
 BiasSettings rounded_up(BiasSettings b) {
     b.constant = round_up_3_digits(b.constant * 1.001);
     b.slope = round_up_3_digits(b.slope * 1.001);
+    b.normal = round_up_3_digits(b.normal * 1.001);
     return scale_bias(b, 1);  // clamps to the limits of the settings
 }
 
@@ -101,6 +105,47 @@ std::vector<const Receiver*> sampled_receivers(const MeasuredError& measured) {
     const std::size_t stride = all.size() / kSample + 1;
     for (std::size_t i = 0; i < all.size(); i += stride) sample.push_back(all[i]);
     return sample;
+}
+
+/// Returns true for a normal offset that covers less than the slope of nearly lit planes, at any amount.
+bool leaves_flat_planes(const Bias& row, const BiasSettings& bias) {
+    return row.stage == BiasStage::LookUp &&
+           (bias.normal_by == OffsetBy::OneMinusCosine || bias.normal_by == OffsetBy::Sideways);
+}
+
+/// Bias that one pixel needs, and the equivalent depth bias of a unit of two settings.
+struct PairNeed {
+    double need = 0, by_normal = 0, by_constant = 0;
+};
+
+/// Finds the pair of normal offset and constant with the least mean equivalent depth bias among pairs without acne.
+BiasSettings cheapest_offset(const std::vector<PairNeed>& needs, const BiasSettings& none) {
+    std::vector<double> values;
+    for (const PairNeed& n : needs) values.push_back(n.need > 0 ? n.need / n.by_constant : 0);
+    const double largest = lower_quantile(std::move(values), kCleared, 0);
+    const double most = find_setting("bias.normal")->param->max;
+    BiasSettings best = none;
+    best.constant = largest;
+    double least_cost = kNever;
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+        BiasSettings pair = none;
+        pair.constant = largest * std::pow(1e-3, double(i) / kSteps);
+        values.clear();
+        for (const PairNeed& n : needs) {
+            const double left = n.need - pair.constant * n.by_constant;
+            values.push_back(!(left > 0) ? 0 : n.by_normal > 0 ? left / n.by_normal : kNever);
+        }
+        pair.normal = lower_quantile(std::move(values), kCleared, 0);
+        if (!(pair.normal <= most)) continue;
+        double cost = 0;
+        for (const PairNeed& n : needs) cost += pair.constant + pair.normal * n.by_normal / n.by_constant;
+        if (cost < least_cost) {
+            least_cost = cost;
+            best = pair;
+        }
+    }
+    return best;
 }
 
 /// Lists the settings that set the amount of a row's bias. The first ones cover the part that grows with the slope.
@@ -175,7 +220,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         const BiasBreakdown a = measured_bias_breakdown(measured, settings, *r, driver);
         if (a.plane.edge_on()) continue;
         gaps.push_back(a.contact_gap_m());
-        shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
+        shifts.push_back(a.offset_shift_m());
     }
     out.gap_median_m = lower_quantile(gaps, 0.5, 0);
     out.gap_p95_m = lower_quantile(std::move(gaps), 0.95, 0);
@@ -187,7 +232,7 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
                                               const RasterTraits& driver) {
     if (!measured.lights[std::size_t(measured.light)].casts) return std::nullopt;
     Settings least = settings;
-    least.bias = without_amounts(row);
+    least.bias = without_amounts(row, settings.bias);
     // The row computes the needed bias itself, up to a clamp for almost edge-on surfaces.
     if (row.gives_needed_bias) return least.bias;
     const std::vector<const Receiver*> receivers = sampled_receivers(measured);
@@ -222,6 +267,11 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
             max_effect[k] = std::max(max_effect[k], at.effect.back());
         }
         pixels.push_back(std::move(at));
+    }
+    if (leaves_flat_planes(row, settings.bias)) {
+        std::vector<PairNeed> needs;
+        for (const At& at : pixels) needs.push_back({at.need, at.effect[0], at.effect[1]});
+        return rounded_up(cheapest_offset(needs, least.bias));
     }
     const auto last = std::ranges::find_if(max_effect.rbegin(), max_effect.rend(), [](double w) { return w > 0; });
     const bool needed = std::ranges::any_of(pixels, [](const At& at) { return at.need > 0; });

@@ -307,7 +307,9 @@ std::string bias_text(const BiasSettings& b) {
     const char* const unit = b.unit == BiasUnit::Texels ? " texels" : b.unit == BiasUnit::Metres ? " m" : "";
     if (reads_setting(row, "bias.constant")) add("bias.constant", b.constant, unit);
     if (reads_setting(row, "bias.slope")) add("bias.slope", b.slope, unit);
-    add("bias.normal", b.normal, " texels");
+    add("bias.normal", b.normal, b.normal_unit == OffsetUnit::Texels ? " texels" : " m");
+    if (b.normal != 0 && b.normal_by != OffsetBy::Length)
+        text += fmt::format(" ({})", value_text(*find_setting("bias.normal_by")->param, int(b.normal_by)));
     add("bias.raster_slope", b.raster_slope, "");
     add("bias.raster_units", b.raster_units, "");
     return text.empty() ? "no bias" : text;

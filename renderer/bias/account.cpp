@@ -41,7 +41,13 @@ double greatest_depth(const LightView& view, const SurfacePoint& p, double own) 
 }  // namespace
 
 double BiasBreakdown::contact_gap_m() const {
-    return contact_gap(amount(equivalent_depth()).metres, theta_rad);
+    return contact_gap(amount(equivalent_depth()).metres, theta_rad) + moved_aside_m;
+}
+
+double BiasBreakdown::offset_shift_m() const {
+    constexpr double kLeastCosine = 1e-3;
+    const double across_m = glm::length(glm::cross(receiver.normal_offset_ws, receiver.to_light));
+    return across_m / std::max(std::cos(theta_rad), kLeastCosine);
 }
 
 double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
@@ -111,6 +117,8 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
     if (bias.normal != 0)
         a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.depth_at(glm::dvec2(r.tap)) - r.tap.z);
+    if (bias.normal != 0 && bias.normal_by == OffsetBy::Sideways)
+        a.moved_aside_m = r.normal_offset_m * std::clamp(r.n_dot_l, 0.0, 1.0);
     a.raster = offsets_polygons(settings) ? bias_of_stage(BiasStage::Raster).amount(bias, b) : 0;
     if (view.caster_shift.moves()) {
         const double shift_m = view.caster_shift.metres(glm::dot(p.geometric, view.axes[2]));

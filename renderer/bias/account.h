@@ -46,7 +46,9 @@ struct BiasBreakdown {
     double constant = 0;      ///< 0 where the slope bias is larger
     double slope = 0;         ///< 0 where the constant bias is larger
     double bias_of_kind = 0;  ///< offset that bias.kind adds with constant and slope 0 (Bias::gives_needed_bias)
-    /// Normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on to the light.
+    /// Normal offset h by its distance from the plane, as the look-up moves along the plane: h times 1 / cos(theta) for
+    /// bias.normal_by length, tan(theta) for sine, (1 - cos(theta)) / cos(theta) for one-minus-cosine, and
+    /// sin(theta) tan(theta) for sideways. Infinite for a plane edge-on to the light.
     double normal = 0;
     /// bias.raster_* on this plane, as the driver applies them (PolygonOffset), and LightView::caster_shift.
     double raster = 0;
@@ -70,9 +72,14 @@ struct BiasBreakdown {
         const double along_axis = curve.metres_towards_light(receiver.own_m, depth);
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};
     }
+    double moved_aside_m = 0;  ///< way of shadows over the surface by a sideways offset, beside contact_gap()
     /// Returns the width in metres of the lit strip next to a caster that touches the receiver (peter-panning): the
-    /// bias along the ray times sin(theta), which is h tan(theta) for a normal offset.
+    /// bias along the ray times sin(theta), which is h tan(theta) for a normal offset. A sideways offset of h moves
+    /// shadows by h tan(theta) as well.
     double contact_gap_m() const;
+    /// Returns the way in metres by which the normal offset moves edges of shadows over the surface: its part across
+    /// the light's ray over cos(theta).
+    double offset_shift_m() const;
 };
 
 /// Computes the bias that the settings give a surface point under a light's shadow map, and the least that it needs.

@@ -35,9 +35,11 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.curve = view.ray_depth_curve(position_ws);
     r.own_m = r.curve.distance(r.uvd.z);
     r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
-    r.normal_offset_m = bias_of_stage(BiasStage::LookUp).amount(bias, {.curve = r.curve, .texel_m = r.texel_m});
-    const glm::dvec4 moved =
-        view.clip_from_relative(position_ws + bias_normal * r.normal_offset_m) * glm::dvec4(0, 0, 0, 1);
+    r.normal_offset_ws = normal_offset(bias, bias_normal, r.to_light, r.texel_m);
+    r.normal_offset_m =
+        bias_of_stage(BiasStage::LookUp)
+            .amount(bias, {.curve = r.curve, .texel_m = r.texel_m, .n_dot_l = glm::dot(bias_normal, r.to_light)});
+    const glm::dvec4 moved = view.clip_from_relative(position_ws + r.normal_offset_ws) * glm::dvec4(0, 0, 0, 1);
     r.tap = to_unit(glm::dvec3(moved) / moved.w);
     r.tap_m = std::max(view.curve.perspective ? moved.w : 1.0, 1e-3 * view.curve.near);
     r.compared = r.tap.z;

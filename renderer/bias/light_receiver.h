@@ -38,17 +38,18 @@ struct LightReceiver {
     double blend = 0;            ///< weight of `other_view`; all other members belong to `view`
     glm::dvec4 clip{0};
     glm::dvec3 ndc{0};
-    glm::dvec3 uvd{0};        ///< map coordinates and depth in [0,1], before any bias
-    glm::dvec3 to_light{0};   ///< unit
-    double n_dot_l = 0;       ///< cosine between the geometric normal and the light
-    double texel_m = 0;       ///< size of a texel at the point in metres, along its longest direction
-    DepthCurve curve;         ///< depths along the light's ray through the point
-    double own_m = 0;         ///< metres from the light along the view's axis
-    double axis_per_ray = 1;  ///< cosine between the ray to the light and the view's axis, at least 1e-6
-    double bias_depth = 0;    ///< bias by bias.kind, depth-buffer units; above 0 shifts towards the light
-    double bias_m = 0;        ///< `bias_depth` in metres along the view's axis
-    double normal_offset_m = 0;
-    glm::dvec3 tap{0};    ///< uvd after the normal offset, before the depth bias
+    glm::dvec3 uvd{0};               ///< map coordinates and depth in [0,1], before any bias
+    glm::dvec3 to_light{0};          ///< unit
+    double n_dot_l = 0;              ///< cosine between the geometric normal and the light
+    double texel_m = 0;              ///< size of a texel at the point in metres, along its longest direction
+    DepthCurve curve;                ///< depths along the light's ray through the point
+    double own_m = 0;                ///< metres from the light along the view's axis
+    double axis_per_ray = 1;         ///< cosine between the ray to the light and the view's axis, at least 1e-6
+    double bias_depth = 0;           ///< bias by bias.kind, depth-buffer units; above 0 shifts towards the light
+    double bias_m = 0;               ///< `bias_depth` in metres along the view's axis
+    glm::dvec3 normal_offset_ws{0};  ///< shift of the look-up's point by the normal offset, metres
+    double normal_offset_m = 0;      ///< its length
+    glm::dvec3 tap{0};               ///< uvd after the normal offset, before the depth bias
     double tap_m = 1;     ///< metres from the light along the view's axis at `tap`; above 0 for a perspective light
     double compared = 0;  ///< depth that is compared with the map at `tap`
     MapPlace place = MapPlace::Inside;

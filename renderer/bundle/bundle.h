@@ -135,6 +135,7 @@ struct BundleMap {
 struct BundleBias {
     std::optional<double> constant, slope, normal;
     std::array<BiasUnit, 3> units = {BiasUnit::Depth, BiasUnit::Depth, BiasUnit::Metres};  ///< in the order above
+    OffsetBy normal_by = OffsetBy::Length;  ///< dependence of `normal` on the light's angle
     bool operator==(const BundleBias&) const = default;
 };
 

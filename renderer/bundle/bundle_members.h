@@ -118,6 +118,9 @@ inline constexpr std::array kCullKeys = {pair(Key("none"), Cull::None), pair(Key
 inline constexpr std::array kFrontKeys = {pair(Key("ccw"), BundleFront::Ccw), pair(Key("cw"), BundleFront::Cw)};
 inline constexpr std::array kUnitKeys = {pair(Key("depth"), BiasUnit::Depth), pair(Key("texels"), BiasUnit::Texels),
                                          pair(Key("metres"), BiasUnit::Metres)};
+inline constexpr std::array kNormalByKeys = {pair(Key("length"), OffsetBy::Length), pair(Key("sine"), OffsetBy::Sine),
+                                             pair(Key("one-minus-cosine"), OffsetBy::OneMinusCosine),
+                                             pair(Key("sideways"), OffsetBy::Sideways)};
 inline constexpr std::array kCompareKeys = {
     pair(Key("less"), BundleCompare::Less), pair(Key("less-equal"), BundleCompare::LessEqual),
     pair(Key("greater"), BundleCompare::Greater), pair(Key("greater-equal"), BundleCompare::GreaterEqual)};
@@ -217,6 +220,7 @@ void members(Io& io, BundleBias& b) {
     io.optional("slope", Number{}, b.slope);
     io.optional("normal", Number{}, b.normal);
     io.value("units", BiasUnits{}, b.units, fallback.units);
+    io.value("normal_by", ChoiceOf{kNormalByKeys}, b.normal_by, fallback.normal_by);
 }
 
 template <typename Io>

@@ -8,7 +8,8 @@ namespace si {
 
 bool is_same_look_up_bias(const BiasSettings& a, const BiasSettings& b) {
     return a.kind == b.kind && a.unit == b.unit && a.constant == b.constant && a.slope == b.slope &&
-           a.plane_clamp == b.plane_clamp && a.normal == b.normal && a.normal_source == b.normal_source;
+           a.plane_clamp == b.plane_clamp && a.normal == b.normal && a.normal_source == b.normal_source &&
+           (a.normal == 0 || (a.normal_unit == b.normal_unit && a.normal_by == b.normal_by));
 }
 
 EngineBias engine_bias(const ImportedMaps* maps, const Settings& settings) {

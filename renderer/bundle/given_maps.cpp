@@ -277,13 +277,13 @@ ViewChooser chooser_of(const Bundle& bundle, const BundleLight& light, const std
     return out;
 }
 
-std::optional<double> normal_offset_texels(double amount, BiasUnit unit, const std::vector<LightView>& views,
-                                           const MapSize& size) {
-    if (unit == BiasUnit::Texels) return amount;
-    if (amount == 0) return 0;
-    const LightView& view = views.front();
-    if (unit == BiasUnit::Depth || view.curve.perspective || view.warped() || views.size() > 1) return std::nullopt;
-    return amount / view.texel_size(1, size);
+std::vector<std::pair<std::string_view, std::string>> normal_offset_settings(const BundleBias& bias) {
+    if (!bias.normal) return {};
+    if (*bias.normal == 0) return {{"bias.normal", "0"}};
+    if (bias.units[2] == BiasUnit::Depth) return {};
+    return {{"bias.normal_unit", bias.units[2] == BiasUnit::Texels ? "texels" : "metres"},
+            {"bias.normal_by", value_text(*find_setting("bias.normal_by")->param, int(bias.normal_by))},
+            {"bias.normal", fmt::format("{}", *bias.normal)}};
 }
 
 bool settings_state_bias(const Bundle& bundle) {
@@ -291,20 +291,19 @@ bool settings_state_bias(const Bundle& bundle) {
                                [&](std::string_view key) { return bundle.settings.contains(std::string(key)); });
 }
 
-std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light,
-                                        const std::vector<LightView>& views, const MapSize& size) {
+std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light) {
     Settings settings;
     try {
         if (!settings_state_bias(bundle)) {
             const BundleBias& bias = light.lookup.bias;
             if (!bias.constant || !bias.slope || !bias.normal || bias.units[0] != bias.units[1]) return std::nullopt;
-            const std::optional<double> normal = normal_offset_texels(*bias.normal, bias.units[2], views, size);
-            if (!normal) return std::nullopt;
+            const auto normal = normal_offset_settings(bias);
+            if (normal.empty()) return std::nullopt;
             set_setting(settings, "bias.kind", "slope");
             settings.bias.unit = bias.units[0];
             set_setting(settings, "bias.constant", fmt::format("{}", *bias.constant));
             set_setting(settings, "bias.slope", fmt::format("{}", *bias.slope));
-            set_setting(settings, "bias.normal", fmt::format("{}", *normal));
+            for (const auto& [key, value] : normal) set_setting(settings, key, value);
         }
         for (const auto& [key, value] : bundle.settings)
             if (key.starts_with("bias.") && !key.starts_with("bias.raster_")) set_setting(settings, key, value);
@@ -399,7 +398,7 @@ GivenMaps read_given_maps(BundleFiles& files) {
             throw Error(fmt::format("{}: camera: {}", file, error.what()));
         }
         std::vector<CasterRaster> raster = raster_of(light, views.views, turned);
-        const std::optional<BiasSettings> bias = stated_bias(out.bundle, light, views.views, *size);
+        const std::optional<BiasSettings> bias = stated_bias(out.bundle, light);
         ImportedMaps maps = *imported_maps(std::move(images), std::move(views), std::move(raster), bias.has_value());
         maps.bias = bias;
         for (const BundleMap& map : light.maps) maps.drawn.push_back(map.drawn);

@@ -46,18 +46,16 @@ struct GivenMaps {
     std::vector<std::string> notes;                           ///< faults that do not hinder reading, one sentence each
 };
 
-/// Returns a normal offset in texels; nothing where its unit has no fixed length in texels. @param views views of the
-/// light's maps @param size texels of a map
-std::optional<double> normal_offset_texels(double amount, BiasUnit unit, const std::vector<LightView>& views,
-                                           const MapSize& size);
+/// Returns a setting of bias.* and its value for each part of a look-up's normal offset; nothing where the offset is
+/// unknown or counts in depth, which is no length.
+std::vector<std::pair<std::string_view, std::string>> normal_offset_settings(const BundleBias& bias);
 
 /// Returns true when the settings that a bundle holds state the bias of every look-up, as those of this program do.
 bool settings_state_bias(const Bundle& bundle);
 
 /// Returns bias.* of a light's look-up, without polygon offset, where the bundle states all of it in amounts that these
 /// settings can hold; else nothing.
-std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light,
-                                        const std::vector<LightView>& views, const MapSize& size);
+std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light);
 
 /// Returns which bias a light's look-ups have: that of the settings, one that its bundle states, or an unknown one of
 /// the engine that drew its maps. @throws Error as read_given_maps()

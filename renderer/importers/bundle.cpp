@@ -181,8 +181,7 @@ void suggest_double_sided(const Bundle& b, const Scene& scene, Suggestions& to) 
 }
 
 /// @param in_settings the settings of the bundle state the bias
-void suggest_bias(const BundleBias& bias, const std::string& place, const ImportedMaps& maps, bool in_settings,
-                  Suggestions& to) {
+void suggest_bias(const BundleBias& bias, const std::string& place, bool in_settings, Suggestions& to) {
     constexpr std::string_view kUnits[] = {"depth", "texels", "metres"};
     const auto unit_key = [&](BiasUnit unit) {
         return std::string(kUnits[unit == BiasUnit::Depth ? 0 : unit == BiasUnit::Texels ? 1 : 2]);
@@ -198,11 +197,10 @@ void suggest_bias(const BundleBias& bias, const std::string& place, const Import
             to.add("bias.slope", *bias.slope);
     }
     if (bias.normal) {
-        if (const auto texels = normal_offset_texels(*bias.normal, bias.units[2], maps.views->views, maps.size()))
-            to.add("bias.normal", *texels);
-        else
-            to.warn(
-                fmt::format("{}.bias: the normal offset is no fixed number of texels; set bias.normal by hand", place));
+        const auto settings = normal_offset_settings(bias);
+        for (const auto& [key, value] : settings) to.add(std::string(key), value);
+        if (settings.empty())
+            to.warn(fmt::format("{}.bias: a normal offset in depth is no length; set bias.normal by hand", place));
     }
     std::vector<std::string_view> unknown;
     if (!bias.constant) unknown.push_back("constant");
@@ -215,7 +213,7 @@ void suggest_bias(const BundleBias& bias, const std::string& place, const Import
                         place, fmt::join(unknown, ", "), unknown.size() == 1 ? "is" : "are"));
 }
 
-void suggest_lookup(const Bundle& b, const GivenMaps& maps, Suggestions& to) {
+void suggest_lookup(const Bundle& b, Suggestions& to) {
     const auto first =
         std::size_t(std::ranges::find_if(b.lights, [](const BundleLight& light) { return !light.maps.empty(); }) -
                     b.lights.begin());
@@ -241,7 +239,7 @@ void suggest_lookup(const Bundle& b, const GivenMaps& maps, Suggestions& to) {
         to.add("map.wrap", *l.wrap == BundleWrap::Border  ? "border"
                            : *l.wrap == BundleWrap::Clamp ? "clamp"
                                                           : "repeat");
-    suggest_bias(l.bias, place, *maps.lights[first], settings_state_bias(b), to);
+    suggest_bias(l.bias, place, settings_state_bias(b), to);
 }
 
 /// Lets nodes that no map holds cast no shadow, where all maps list what was drawn.

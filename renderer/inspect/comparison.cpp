@@ -153,7 +153,7 @@ Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight&
     p.own = r.uvd.z;
     p.own_linear = linear(r.own_m);
     p.bias_texels = r.bias_m / r.texel_m;
-    p.offset_position_ws = p.point.position_ws + p.point.bias_normal * r.normal_offset_m;
+    p.offset_position_ws = p.point.position_ws + r.normal_offset_ws;
     p.compared = as_compared(settings, r.compared);
     const glm::dvec2 centre = glm::dvec2(r.tap) * size.texels();
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));

@@ -435,7 +435,8 @@ private:
         return key == "bias.normal" ? s.bias.normal : key == "bias.slope" ? s.bias.slope : s.bias.constant;
     }
     std::string unit_of(std::string_view key) const {
-        if (key == "bias.normal" || settings_.bias.unit == BiasUnit::Texels) return "texels";
+        if (key == "bias.normal") return settings_.bias.normal_unit == OffsetUnit::Texels ? "texels" : "m";
+        if (settings_.bias.unit == BiasUnit::Texels) return "texels";
         return settings_.bias.unit == BiasUnit::Metres ? "m" : "of depth";
     }
 

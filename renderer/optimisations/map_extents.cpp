@@ -57,7 +57,8 @@ NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps
     const Settings& s = f.settings;
     const LookupArea area{.resolution = f.map_size.shortest(),
                           .reach_texels = kernel_reach_in_light(s, fitted, f.map_size).read + s.map.blur_texels,
-                          .normal_texels = s.bias.normal,
+                          .normal_texels = s.bias.normal_texels(),
+                          .normal_m = s.bias.normal_metres(),
                           .wrap = s.map.wrap,
                           .whole_maps = filter_of(s).moments.summed || keeps_mips(s),
                           .reads_border_texels = filter_of(s).samples() == Samples::Moments,
@@ -67,6 +68,7 @@ NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps
     CameraMapReads::LightReads& of_light = known.lights[light];
     Key key;
     key.add(known.key).add(maps).add(f.gl.fit_key).add(area.resolution).add(area.reach_texels).add(area.normal_texels);
+    key.add(area.normal_m);
     key.add(area.wrap).add(area.whole_maps).add(area.reads_border_texels).add(area.only_lit_points);
     if (of_light.key != key.value()) of_light = {key.value(), needed_maps(fitted, seen, area)};
     return of_light.needed;

@@ -50,6 +50,7 @@ Key lights_as_placed_key(const FrameState& f) {
             for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
                 add_value(key, f.settings, {&p, i, {}});
     const BiasSettings& b = f.settings.bias;
+    key.add(b.normal_metres());
     for (int i = 0; i < f.settings.light_count; ++i)
         if (f.settings.lights[std::size_t(i)].near_far == NearFar::Pancaking)
             key.add(b.unit).add(b.constant).add(b.slope).add(lookup_reach_texels(f.settings));

@@ -44,8 +44,23 @@ double adaptive_bias(const BiasSettings&, const BiasInput& b) {
     return b.least_common;
 }
 
-double normal_offset(const BiasSettings& bias, const BiasInput& b) {
-    return bias.normal * b.texel_m;
+/// Returns the normal offset before bias.normal_by, metres.
+double whole_offset(const BiasSettings& bias, double texel_m) {
+    return bias.normal_unit == OffsetUnit::Texels ? bias.normal * texel_m : bias.normal;
+}
+
+double offset_length(const BiasSettings& bias, const BiasInput& b) {
+    const double whole = whole_offset(bias, b.texel_m);
+    switch (bias.normal_by) {
+        case OffsetBy::Length:
+            break;
+        case OffsetBy::Sine:
+        case OffsetBy::Sideways:
+            return whole * std::sqrt(std::max(1 - b.n_dot_l * b.n_dot_l, 0.0));
+        case OffsetBy::OneMinusCosine:
+            return whole * (1 - std::clamp(b.n_dot_l, 0.0, 1.0));
+    }
+    return whole;
 }
 
 double raster_offset(const BiasSettings& bias, const BiasInput& b) {
@@ -58,12 +73,16 @@ double raster_offset(const BiasSettings& bias, const BiasInput& b) {
 constexpr std::string_view kConstantSettings[] = {"bias.constant", "bias.unit"};
 constexpr std::string_view kSlopeSettings[] = {"bias.constant", "bias.unit", "bias.slope"};
 constexpr std::string_view kPlaneSettings[] = {"bias.constant", "bias.unit", "bias.plane_clamp"};
-constexpr std::string_view kNormalSettings[] = {"bias.normal"};
+constexpr std::string_view kNormalSettings[] = {"bias.normal", "bias.normal_unit", "bias.normal_by"};
 constexpr std::string_view kRasterSettings[] = {"bias.raster_slope", "bias.raster_units", "bias.raster_clamp"};
 
 // A normal offset of three texels prevents acne on a plane at any angle under the default kernel:
 // h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias/theory.h). The constant covers quantisation.
-constexpr StartingValue kStartsOfNumbers[] = {{"bias.unit", "texels"}, {"bias.constant", "0.1"}, {"bias.normal", "3"}};
+constexpr StartingValue kStartsOfNumbers[] = {{"bias.unit", "texels"},
+                                              {"bias.constant", "0.1"},
+                                              {"bias.normal", "3"},
+                                              {"bias.normal_unit", "texels"},
+                                              {"bias.normal_by", "length"}};
 // Rows that compute the needed bias themselves need no number beside it.
 constexpr StartingValue kStartsOfNeededBias[] = {{"bias.constant", "0"}, {"bias.normal", "0"}};
 
@@ -137,12 +156,13 @@ constexpr Bias kBiases[] = {
      .amount = adaptive_bias},
     {.key = "normal-offset",
      .label = "Normal offset",
-     .help = "bias.normal: shifts the point of the look-up along its normal. It is added to bias.kind.",
+     .help = "bias.normal: shifts the point of the look-up along its normal, by bias.normal_by. It is added to "
+             "bias.kind.",
      .paper = "Holbert: Saying Goodbye to Shadow Acne, GDC 2011",
      .file = "biases/normal_offset.glsl",
      .stage = BiasStage::LookUp,
      .settings = kNormalSettings,
-     .amount = normal_offset},
+     .amount = offset_length},
     {.key = "raster",
      .label = "Polygon offset",
      .help = "bias.raster_*: stored depths recede while the map is drawn, by the slope of the triangle and by steps of "
@@ -165,6 +185,22 @@ bool lists(const Bias& row, std::string_view key) {
 }
 
 }  // namespace
+
+glm::dvec3 normal_offset(const BiasSettings& bias, const glm::dvec3& normal, const glm::dvec3& to_light,
+                         double texel_m) {
+    const double whole = whole_offset(bias, texel_m), along = glm::dot(normal, to_light);
+    switch (bias.normal_by) {
+        case OffsetBy::Length:
+            break;
+        case OffsetBy::Sine:
+            return normal * (whole * glm::length(glm::cross(normal, to_light)));
+        case OffsetBy::OneMinusCosine:
+            return normal * (whole * (1 - std::clamp(along, 0.0, 1.0)));
+        case OffsetBy::Sideways:
+            return (normal - along * to_light) * whole;
+    }
+    return normal * whole;
+}
 
 double slope_amount(const BiasSettings& bias, double n_dot_l) {
     return std::max(bias.slope * (1 - std::clamp(n_dot_l, 0.0, 1.0)), bias.constant);

@@ -42,7 +42,7 @@ struct StartingValue {
 ///   Compare  float depth_bias(BiasInput b): shift of the compared depth towards the light, depth-buffer units, >= 0.
 ///            With `per_texel` also vec2 reference_slope(BiasInput b): change of the compared depth per map width.
 ///            With `remainder` also float remainder_per_texel(BiasInput b).
-///   LookUp   vec3 normal_offset(vec3 normal, float texel_m): shift of the look-up's point, metres.
+///   LookUp   vec3 normal_offset(vec3 normal, vec3 to_light, float texel_m): shift of the look-up's point, metres.
 ///   Raster   float raster_offset(vec2 per_texel, float quantum): offset of stored depths away from the light,
 ///            depth-buffer units.
 struct Bias {
@@ -73,6 +73,11 @@ const Bias& bias_of(const Settings& settings);
 const Bias& bias_of_stage(BiasStage stage);
 /// Returns true when the bias row reads the setting `key`: the row lists the key, or no row does.
 bool reads_setting(const Bias& row, std::string_view key);
+
+/// Returns the shift of the look-up's point by bias.normal, metres.
+/// @param normal unit, the one that bias.normal_source selects @param to_light unit
+glm::dvec3 normal_offset(const BiasSettings& bias, const glm::dvec3& normal, const glm::dvec3& to_light,
+                         double texel_m);
 
 /// Returns the slope-scaled bias max(bias.slope (1 - n.l), bias.constant), in bias.unit.
 /// @param n_dot_l cosine between normal and light

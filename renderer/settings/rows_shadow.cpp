@@ -274,6 +274,21 @@ constexpr Choice kUnits[] = {
      "World size of one map texel at the fragment; grows and shrinks with resolution and distance."},
     {"metres", "metres", "World units along the light's axis."},
 };
+constexpr Choice kOffsetUnits[] = {
+    {"texels", "texels", "World size of one map texel at the fragment: the offset grows with it."},
+    {"metres", "metres", "World units: the same length at any resolution and distance."},
+};
+constexpr Choice kOffsetBys[] = {
+    {"length", "whole length",
+     "The whole offset along the normal at any angle: three.js, Bevy, O3DE, PlayCanvas, Unity HDRP."},
+    {"sine", "times the sine",
+     "The offset times the sine of the angle between normal and light: Filament at receivers, Babylon at casters."},
+    {"one-minus-cosine", "times 1 - N·L",
+     "The offset times 1 - N·L, with N·L the cosine between normal and light: OGRE-Next at receivers, Unity URP at "
+     "casters."},
+    {"sideways", "across the light",
+     "The offset without its part along the light's ray, so that the depth of parallel light stays: Godot 4."},
+};
 constexpr Choice kNormals[] = {
     {"geometric", "geometric", "The triangle's own plane normal: the surface that the map stores."},
     {"shading", "shading",
@@ -326,6 +341,8 @@ constexpr auto kCaster = std::to_array<Param>({
 });
 static_assert(kCaster.size() == member_count<CasterSettings>(), "a member of CasterSettings has no row");
 
+constexpr const char* kNoNormalOffset = "without effect: bias.normal is 0";
+
 bool slope_acts(const Settings& s) {
     return reads_setting(bias_of(s), "bias.slope") && s.bias.slope > s.bias.constant;
 }
@@ -357,12 +374,21 @@ constexpr auto kBias = only_of_maps(std::to_array<Param>({
              "along the light's axis; 0 is no limit. In grazing light a plane is steep without bound, and beyond the "
              "limit it may show acne.",
      .shader = true},
-    {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .slider_max = 20,
-     .help = "Shifts the point of the look-up along its normal by this many texels (normal-offset shadows). Cures acne "
-             "at any angle of light; too much lets light in at inner edges.",
+    {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "bias.normal_unit", .min = 0, .max = 100,
+     .slider_max = 20,
+     .help = "Shifts the point of the look-up along its normal (normal-offset shadows). Cures acne at any angle of "
+             "light; too much lets light in at inner edges. bias.normal_by says what the angle does to it.",
      .also = "normal bias, normalBias, shadowNormalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, "
              "normal offset bias",
      .shader = true},
+    {SI_FIELD(bias.normal_unit), .label = "Offset unit", .cost = Cost::Program, SI_CHOICES(kOffsetUnits),
+     SI_IDLE(s.bias.normal == 0, kNoNormalOffset), .help = "The unit of bias.normal.",
+     .also = "normal bias unit, world space normal bias", .shader = true},
+    {SI_FIELD(bias.normal_by), .label = "Offset by angle", .cost = Cost::Program, SI_CHOICES(kOffsetBys),
+     SI_IDLE(s.bias.normal == 0, kNoNormalOffset),
+     .help = "The dependence of the normal offset on the angle between the light and the normal that "
+             "bias.normal_source chooses. Engines differ in it.",
+     .also = "normal bias scale, sine, slope-scaled normal offset", .shader = true},
     {SI_FIELD(bias.normal_source), .label = "Normal", .cost = Cost::Program, SI_CHOICES(kNormals),
      SI_IDLE(!slope_acts(s) && s.bias.normal == 0, "without effect: neither slope nor normal offset acts"),
      .help = "The normal that slope bias and normal offset use.", .also = "shadow terminator, smooth normals",

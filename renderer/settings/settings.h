@@ -52,6 +52,10 @@ enum class Cull { None, Back, Front };
 enum class ObjectCull { Inherit, None, Back, Front };
 /// Unit of bias.constant and bias.slope (bias.unit).
 enum class BiasUnit { Depth, Texels, Metres };
+/// Unit of the normal offset (bias.normal_unit).
+enum class OffsetUnit { Texels, Metres };
+/// Dependence of the normal offset on the angle between normal and light (bias.normal_by).
+enum class OffsetBy { Length, Sine, OneMinusCosine, Sideways };
 /// Normal used by slope bias and normal offset (bias.normal_source).
 enum class NormalSource { Geometric, Shading, Mapped };
 /// Way in which a kernel reads the map (filter.method).
@@ -193,11 +197,17 @@ struct BiasSettings {
     double slope = 0.0;
     double plane_clamp = 100;
     double normal = 0;
+    OffsetUnit normal_unit = OffsetUnit::Texels;
+    OffsetBy normal_by = OffsetBy::Length;
     NormalSource normal_source = NormalSource::Geometric;
     double raster_slope = 0;
     double raster_units = 0;
     double raster_clamp = 0;
     bool operator==(const BiasSettings&) const = default;
+    /// Returns `normal` where it counts in texels; else 0.
+    double normal_texels() const { return normal_unit == OffsetUnit::Texels ? normal : 0; }
+    /// Returns `normal` where it counts in metres; else 0.
+    double normal_metres() const { return normal_unit == OffsetUnit::Metres ? normal : 0; }
 };
 
 /// Settings of the filter kernel: filter.*.

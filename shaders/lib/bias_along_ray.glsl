@@ -10,8 +10,11 @@ float axis_per_ray(Receiver r) {
     return max(dot(r.to_light, axis) * inversesqrt(max(dot(axis, axis), 1e-37)), 1e-6);
 }
 
+/// Returns the normal offset along the geometric normal, metres.
+vec3 geometric_offset(Receiver r) { return normal_offset(r.surface.geometric, r.to_light, r.texel_m); }
+
 /// Returns the shift along the light ray in metres: depth bias for the geometric normal, plus the normal offset's part.
 float bias_along_ray_m(Receiver r) {
     float along_axis_m = metres_towards_light(r, depth_bias(bias_input(r, r.geometric_n_dot_l, r.z)));
-    return along_axis_m / axis_per_ray(r) + bias_normal * r.texel_m * r.geometric_n_dot_l;
+    return along_axis_m / axis_per_ray(r) + dot(geometric_offset(r), r.to_light);
 }

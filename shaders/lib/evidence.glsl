@@ -121,9 +121,9 @@ Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     e.far = 2.0 * max(e.own, whole) + reach_depth;
     e.texel_m = r.texel_m;
     float cosine = clamp(r.geometric_n_dot_l, 1e-6, 1.0), sine = sqrt(max(1.0 - cosine * cosine, 0.0));
-    float offset_m = bias_normal * r.texel_m;
-    e.strip_bias_m = max(bias_along_ray_m(r) - offset_m * r.geometric_n_dot_l, 0.0) * sine;
-    e.strip_offset_m = offset_m * sine / cosine;
+    vec3 offset = geometric_offset(r);
+    e.strip_bias_m = max(bias_along_ray_m(r) - dot(offset, r.to_light), 0.0) * sine;
+    e.strip_offset_m = length(cross(offset, r.to_light)) / cosine;
     e.gap_drawn = depth_of_gap(r, reference.y);
     e.gap_all = depth_of_gap(r, more.x);
     e.run_m = more.w, e.edge_m = more.z;

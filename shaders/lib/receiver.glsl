@@ -207,7 +207,7 @@ Receiver receiver_in(Surface s, int index, int layer) {
     vec4 o = h;
     float offset_z = r.z;
 #if BIAS_NORMAL_OFFSET
-    o += view.uvd_from_relative * vec4(normal_offset(bias_normal_ws, r.texel_m), 0.0);
+    o += view.uvd_from_relative * vec4(normal_offset(bias_normal_ws, r.to_light, r.texel_m), 0.0);
     if (!divides) o.w = 1.0;
     offset_z = perspective ? max(o.w, NEAREST_SHARE * near) : 1.0;
 #endif

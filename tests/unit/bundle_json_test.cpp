@@ -88,7 +88,7 @@ Bundle full_bundle() {
     light.choice = ViewChoice::Interval;
     light.closed = true;
     light.maps = {map, map};
-    light.lookup = {{1.0, 0.5, 0.02, {BiasUnit::Texels, BiasUnit::Metres, BiasUnit::Depth}},
+    light.lookup = {{1.0, 0.5, 0.02, {BiasUnit::Texels, BiasUnit::Metres, BiasUnit::Depth}, OffsetBy::Sideways},
                     "pcf5",
                     BundleCompare::GreaterEqual,
                     BundleFilter::Linear,
@@ -155,6 +155,7 @@ TEST(BundleJson, ErrorsNamePlaceAndFix) {
         {"/lights/0/choice", "face", {"lights[0].choice:", "six maps"}},
         {"/lights/0/lookup/bias/units", "depth, texels", {"bias.units:", "three units"}},
         {"/lights/0/lookup/bias/units", "depth, texel, metres", {"bias.units:", "did you mean texels?"}},
+        {"/lights/0/lookup/bias/normal_by", "sines", {"bias.normal_by:", "did you mean sine?"}},
         {"/world/metres_per_unit", 0, {"world.metres_per_unit: 0 is out of range", "above 0"}},
         {"/world/metres_per_unit", "1", {"metres_per_unit: \"1\" is no number"}},
         {"/camera", 5, {"camera: 5 is no object"}},

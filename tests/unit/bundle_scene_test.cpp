@@ -130,7 +130,8 @@ TEST_F(BundleSceneTest, LightsAndLookUpBecomeSettings) {
     EXPECT_EQ(s.filter.size, 5);
     EXPECT_EQ(s.bias.unit, BiasUnit::Texels);
     EXPECT_EQ(s.bias.constant, 0.25);
-    EXPECT_NEAR(s.bias.normal, 0.05 / 10, 1e-12) << "the map's longer texels are ten metres high";
+    EXPECT_EQ(s.bias.normal, 0.05);
+    EXPECT_EQ(s.bias.normal_unit, OffsetUnit::Metres);
     EXPECT_EQ(s.bias.raster_slope, 1.5);
     EXPECT_EQ(s.caster.cull, Cull::Front);
     EXPECT_TRUE(warns(scene, "slope is unknown, and not 0"));

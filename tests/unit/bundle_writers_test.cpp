@@ -39,6 +39,7 @@ TEST(BundleWriters, TheReaderFindsAllThatTheHeaderWrites) {
     sb_light_direction(sb, sun, 1, -2, 3);
     sb_light_choice(sb, sun, SB_CHOICE_INTERVAL);
     sb_lookup_bias(sb, sun, SB_BIAS_NORMAL, 0.5, SB_UNIT_TEXELS);
+    sb_lookup_normal_by(sb, sun, SB_NORMAL_BY_ONE_MINUS_COSINE);
     sb_lookup_kernel(sb, sun, "pcf3");
     sb_lookup_compare(sb, sun, SB_GREATER_EQUAL);
     sb_lookup_sampler(sb, sun, SB_LINEAR, SB_BORDER);
@@ -92,6 +93,7 @@ TEST(BundleWriters, TheReaderFindsAllThatTheHeaderWrites) {
     EXPECT_FALSE(light.lookup.bias.constant);
     EXPECT_EQ(light.lookup.bias.normal, 0.5);
     EXPECT_EQ(light.lookup.bias.units[2], BiasUnit::Texels);
+    EXPECT_EQ(light.lookup.bias.normal_by, OffsetBy::OneMinusCosine);
     EXPECT_EQ(light.lookup.compare, BundleCompare::GreaterEqual);
     EXPECT_EQ(light.lookup.wrap, BundleWrap::Border);
     EXPECT_EQ(text_of(files, light.lookup.shader), "text");

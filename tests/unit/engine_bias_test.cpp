@@ -33,8 +33,8 @@ Bundle biased_bundle() {
     return out;
 }
 
-std::optional<BiasSettings> stated(const Bundle& bundle, std::vector<LightView> views = {engine_bias_view()}) {
-    return stated_bias(bundle, bundle.lights[0], views, MapSize(64));
+std::optional<BiasSettings> stated(const Bundle& bundle) {
+    return stated_bias(bundle, bundle.lights[0]);
 }
 
 TEST(EngineBias, IsWhatTheFileStatesWhatIsEnteredOrUnknown) {
@@ -93,9 +93,9 @@ TEST(EngineBias, HasNamesAndRemarks) {
 TEST(EngineBias, AFileStatesItOnlyWhole) {
     const auto whole = stated(biased_bundle());
     ASSERT_TRUE(whole);
-    const Settings s = settings_with(
-        Settings{}, {"bias.kind=slope", "bias.unit=depth", "bias.constant=0.0005", "bias.slope=0.25", "bias.normal=1"});
-    EXPECT_EQ(*whole, s.bias) << "a texel is 0.125 m wide";
+    const Settings s = settings_with(Settings{}, {"bias.kind=slope", "bias.unit=depth", "bias.constant=0.0005",
+                                                  "bias.slope=0.25", "bias.normal=0.125", "bias.normal_unit=metres"});
+    EXPECT_EQ(*whole, s.bias);
 
     for (std::optional<double> BundleBias::*amount : {&BundleBias::constant, &BundleBias::slope, &BundleBias::normal}) {
         Bundle part = biased_bundle();
@@ -111,11 +111,11 @@ TEST(EngineBias, AFileStatesItOnlyWhole) {
     Bundle negative = biased_bundle();
     negative.lights[0].lookup.bias.constant = -0.0005;
     EXPECT_FALSE(stated(negative));
-    EXPECT_FALSE(stated(biased_bundle(), {engine_bias_view(), engine_bias_view()}))
-        << "cascades have texels of many lengths";
-    Bundle none = biased_bundle();
-    none.lights[0].lookup.bias.normal = 0;
-    EXPECT_TRUE(stated(none, {engine_bias_view(), engine_bias_view()})) << "0 has no unit";
+    Bundle depth = biased_bundle();
+    depth.lights[0].lookup.bias.units[2] = BiasUnit::Depth;
+    EXPECT_FALSE(stated(depth)) << "a depth is no length";
+    depth.lights[0].lookup.bias.normal = 0;
+    EXPECT_TRUE(stated(depth)) << "0 has no unit";
 }
 
 TEST(EngineBias, SettingsOfThisProgramStateIt) {

@@ -138,7 +138,8 @@ void draw_bias(Settings& settings, EngineBias bias) {
     if (bias == EngineBias::Own) return;
     labelled_widget(settings, "map.bundle_bias", em * 11);
     if (bias == EngineBias::Entered)
-        for (const char* key : {"bias.kind", "bias.unit", "bias.constant", "bias.slope", "bias.normal"})
+        for (const char* key : {"bias.kind", "bias.unit", "bias.constant", "bias.slope", "bias.normal",
+                                "bias.normal_unit", "bias.normal_by"})
             labelled_widget(settings, key, em * 8);
     if (bias == EngineBias::Unknown)
         coloured_wrapped(

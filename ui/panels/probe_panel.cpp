@@ -91,7 +91,8 @@ void bias_terms(const BiasBreakdown& a) {
         amount_row("of itself", a.amount(a.bias_of_kind), "Bias that bias.kind itself adds, at any numbers");
     amount_row(
         "normal offset", a.amount(a.normal),
-        "Equivalent depth bias of bias.normal: offset / cos(angle of light), as the look-up moves along the plane");
+        "Equivalent depth bias of bias.normal, as the look-up moves along the plane: the whole offset over the cosine "
+        "of the light's angle, or as bias.normal_by says");
     if (a.raster != 0)
         amount_row(
             "while drawing", a.amount(a.raster),

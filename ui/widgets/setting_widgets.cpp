@@ -160,7 +160,7 @@ std::string number_format(const SettingRef& ref, double value, const std::string
         return std::isfinite(taken) ? "auto " + escaped(digits_text(taken)) + unit : std::string("auto");
     }
     const std::string shown = value == 1 ? one_of(unit) : unit;
-    if (p.unit == "bias.unit" && !of_texels) return (is_tiny(value) ? "%.6f" : "%.6g") + shown;
+    if (p.unit.starts_with("bias.") && !of_texels) return (is_tiny(value) ? "%.6f" : "%.6g") + shown;
     if (p.slider_max > 0) return (std::abs(value) >= 999.5 ? "%.0f" : "%.3g") + shown;
     const bool dragged = p.max - p.min > kWide;
     if (dragged && std::abs(value) >= 9999.5) return "%.0f" + shown;

@@ -60,6 +60,11 @@ public:
           uvd_from_relative_(uvd_from_clip(view_.curve.convention) * view_.clip_from_relative(light.map_origin)) {
         const double wide = view_.curve.perspective ? 1 + view_.half_extent() : 1;
         room_ = (area.reach_texels + std::abs(area.normal_texels) * wide + kLookupPadTexels) / area.resolution;
+        if (area.normal_m == 0) return;
+        // Near a perspective light a metre is any number of texels.
+        is_room_known_ = !view_.curve.perspective;
+        const CrossSection sides = view_.cross_section();
+        room_ += std::abs(area.normal_m) / std::min(sides.hi.x - sides.lo.x, sides.hi.y - sides.lo.y);
     }
 
     MapCells region;
@@ -86,12 +91,13 @@ private:
     const LookupArea& area_;
     glm::dmat4 uvd_from_relative_;
     double room_;
+    bool is_room_known_ = true;
 
     void add_all() { region = MapCells::whole(); }
 
     /// @param is_face look-ups outside the map's sides belong to another view
     void add_rect(Bounds2 rect, bool is_face) {
-        if (!is_face && area_.wrap == MapWrap::Repeat) return add_all();
+        if (!is_room_known_ || (!is_face && area_.wrap == MapWrap::Repeat)) return add_all();
         rect.lo -= room_;
         rect.hi += room_;
         const bool beyond = !is_face && (area_.wrap == MapWrap::Clamp || area_.reads_border_texels);

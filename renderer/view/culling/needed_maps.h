@@ -57,7 +57,8 @@ VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int 
 struct LookupArea {
     int resolution = 1;       ///< texels along the map's shorter side
     double reach_texels = 0;  ///< largest distance in texels between look-up and texels read, without the normal offset
-    double normal_texels = 0;  ///< normal offset in texels, as bias.normal
+    double normal_texels = 0;  ///< normal offset where it counts in texels
+    double normal_m = 0;       ///< normal offset where it counts in metres
     MapWrap wrap = MapWrap::Border;
     bool whole_maps = false;  ///< a value read depends on the whole map, as with mip levels or summed-area tables
     bool reads_border_texels = false;  ///< look-ups outside the map read its border texels, even with weight 0

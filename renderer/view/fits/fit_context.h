@@ -39,6 +39,7 @@ struct FitContext {
     const Camera* camera;             ///< null for fits without a camera
     double margin_texels;             ///< fit_margin_texels()
     std::optional<DepthSpan> seen_m;  ///< camera depths of all visible surfaces, where they were measured
+    double normal_m = 0;              ///< normal offset where it counts in metres; all_settings has it in texels
 };
 
 /// Adds a message to the notes of a light, unless the light has it already.

@@ -211,14 +211,15 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
         if (!holds_across(warped, points, on_ground)) seen.insert(seen.end(), on_ground.begin(), on_ground.end());
         warped = warped_view(view, c, camera, seen, on_ground, margin);
     }
-    // The normal offset is a multiple of the longest side of a texel, so the margin in texels does not cover it. A
-    // wider map has longer texels.
+    // The normal offset is a length, or a multiple of the longest side of a texel, so the margin in texels does not
+    // cover it. A wider map has longer texels.
     const double normal = std::abs(finite_or(c.all_settings.bias.normal, 0));
     std::vector<glm::dvec3> held;
     for (int i = 0; i < 3 && normal > 0; ++i) {
         held = seen;
         for (const glm::dvec3& p : seen) {
-            const double offset = normal * warped.texel_size_at(p, c.resolution).longest;
+            const double offset =
+                c.normal_m != 0 ? std::abs(c.normal_m) : normal * warped.texel_size_at(p, c.resolution).longest;
             for (int axis = 0; axis < 2; ++axis)
                 for (const double by : {-offset, offset}) held.push_back(p + by * warped.axes[axis]);
         }

@@ -115,6 +115,26 @@ void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& came
     light.map_origin = page_origin(c.shape);
 }
 
+/// Fits the maps of a light to its context.
+void fit_views(FittedLight& light, const FitContext& c, int light_index, int picture_lines) {
+    if (light.six_faces)
+        fit_faces(light, c);
+    else if (c.camera && has_clip_levels(c.all_settings, light_index))
+        fit_clip_levels(light, c, *c.camera, picture_lines);
+    else if (c.camera && uses_camera_slices(c.settings))
+        fit_cascades(light, c, *c.camera);
+    else
+        fit_one_view(light, c);
+}
+
+/// Returns a length in the smallest texels of a light's maps, at most kMaxOffsetTexels.
+double in_texels(const std::vector<LightView>& views, double length_m, int resolution) {
+    double texels = 0;
+    for (const LightView& view : views)
+        texels = std::max(texels, length_m / view.texel_size_range(resolution).shortest);
+    return std::min(texels, kMaxOffsetTexels);
+}
+
 }  // namespace
 
 bool adds_no_light(const FittedLight& light, const Settings& settings) {
@@ -135,7 +155,7 @@ bool is_always_lit(const FittedLight& light, const Settings& settings) {
 
 double fit_margin_texels(const Settings& settings, int resolution) {
     const Reach reach = reach_of(settings);
-    const double offset = std::clamp(finite_or(settings.bias.normal, 0), kMinOffsetTexels, kMaxOffsetTexels);
+    const double offset = std::clamp(finite_or(settings.bias.normal_texels(), 0), kMinOffsetTexels, kMaxOffsetTexels);
     const double texels = std::ceil(std::max(reach.edge, reach.read) + settings.map.blur_texels + offset) + 2;
     const double step = std::max(resolution / kMarginSteps, 1.0);
     return step * std::ceil(texels / step);
@@ -151,25 +171,31 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         FittedLight& light = lights.emplace_back();
         static_cast<PlacedLight&>(light) = placed.lights[i];
         const SceneShape& shape = *placed.shapes[i];
-        const FitContext context{scene,
-                                 shape,
-                                 s,
-                                 settings,
-                                 {true, settings.map.reversed_z},
-                                 resolution,
-                                 face_margin_texels(settings),
-                                 light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity(),
-                                 camera,
-                                 fit_margin_texels(settings, resolution),
-                                 fit_reads_measured_depths(settings, int(i)) ? seen_m : std::nullopt};
-        if (light.six_faces)
-            fit_faces(light, context);
-        else if (camera && has_clip_levels(settings, int(i)))
-            fit_clip_levels(light, context, *camera, picture_lines);
-        else if (camera && uses_camera_slices(s))
-            fit_cascades(light, context, *camera);
-        else
-            fit_one_view(light, context);
+        const auto context_of = [&](const Settings& all, double normal_m) {
+            return FitContext{scene,
+                              shape,
+                              s,
+                              all,
+                              {true, settings.map.reversed_z},
+                              resolution,
+                              face_margin_texels(all),
+                              light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity(),
+                              camera,
+                              fit_margin_texels(all, resolution),
+                              fit_reads_measured_depths(settings, int(i)) ? seen_m : std::nullopt,
+                              normal_m};
+        };
+        // A normal offset in metres is a number of texels once the maps are known: they are fitted twice.
+        std::optional<Settings> of_texels;
+        if (const double normal_m = finite_or(settings.bias.normal_metres(), 0); normal_m > 0) {
+            FittedLight first = light;
+            fit_views(first, context_of(settings, 0), int(i), picture_lines);
+            of_texels = settings;
+            of_texels->bias.normal_unit = OffsetUnit::Texels;
+            of_texels->bias.normal = in_texels(first.views, normal_m, resolution);
+        }
+        const FitContext context = context_of(of_texels ? *of_texels : settings, settings.bias.normal_metres());
+        fit_views(light, context, int(i), picture_lines);
         if (light.range_m > 0 && !reaches_anything(light, shape))
             add_note(light,
                      fmt::format("light.range: nothing lies within {} of light {}", metres_text(light.range_m), i));

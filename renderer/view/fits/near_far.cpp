@@ -39,7 +39,7 @@ double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_
 }
 
 double lookup_reach_texels(const Settings& s) {
-    return reach_of(s).read + std::max(s.bias.normal, 0.0) + s.map.blur_texels + 1;
+    return reach_of(s).read + std::max(s.bias.normal_texels(), 0.0) + s.map.blur_texels + 1;
 }
 
 double ground_kernel_depth_m(const LightView& view, const FitContext& c, double texel_m) {
