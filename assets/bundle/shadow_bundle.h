@@ -89,6 +89,14 @@ typedef enum { SB_FRONT_CCW, SB_FRONT_CW } sb_front;
 /// Term of the look-up's bias, and its unit.
 typedef enum { SB_BIAS_CONSTANT, SB_BIAS_SLOPE, SB_BIAS_NORMAL } sb_bias_term;
 typedef enum { SB_UNIT_DEPTH, SB_UNIT_TEXELS, SB_UNIT_METRES } sb_unit;
+/// Dependence of the normal offset on the angle between normal and light: the whole offset along the normal, times the
+/// sine of the angle, times 1 minus its cosine, or without the part along the light's ray.
+typedef enum {
+    SB_NORMAL_BY_LENGTH,
+    SB_NORMAL_BY_SINE,
+    SB_NORMAL_BY_ONE_MINUS_COSINE,
+    SB_NORMAL_BY_SIDEWAYS
+} sb_normal_by;
 /// Comparison of own depth with the stored one, for lit.
 typedef enum { SB_LESS, SB_LESS_EQUAL, SB_GREATER, SB_GREATER_EQUAL } sb_compare;
 /// Sampler that reads the map.
@@ -179,6 +187,8 @@ void sb_light_choice(shadow_bundle* sb, int light, sb_choice choice);
 
 /// States a term of the bias of a light's look-up, and its unit. An engine without a term states 0.
 void sb_lookup_bias(shadow_bundle* sb, int light, sb_bias_term term, double amount, sb_unit unit);
+/// States what the angle does to the normal offset. Without a call it is SB_NORMAL_BY_LENGTH.
+void sb_lookup_normal_by(shadow_bundle* sb, int light, sb_normal_by by);
 /// States the kernel of the inspector that is nearest to the engine's, such as "hard" or "pcf3": see docs/settings.md.
 void sb_lookup_kernel(shadow_bundle* sb, int light, const char* kernel);
 /// States which comparison of own depth with the stored one is lit.
@@ -276,6 +286,7 @@ typedef struct {
     int map_count;
     sb_number bias[3];
     int bias_units[3];
+    int normal_by;
     char* kernel;
     sb_option compare, filter, wrap;
     int has_shader;
@@ -347,6 +358,7 @@ static const char* const sb_cull_names[] = {"none", "back", "front"};
 static const char* const sb_front_names[] = {"ccw", "cw"};
 static const char* const sb_bias_names[] = {"constant", "slope", "normal"};
 static const char* const sb_unit_names[] = {"depth", "texels", "metres"};
+static const char* const sb_normal_by_names[] = {"length", "sine", "one-minus-cosine", "sideways"};
 static const char* const sb_compare_names[] = {"less", "less-equal", "greater", "greater-equal"};
 static const char* const sb_filter_names[] = {"nearest", "linear"};
 static const char* const sb_wrap_names[] = {"border", "clamp", "repeat"};
@@ -1233,6 +1245,12 @@ void sb_lookup_bias(shadow_bundle* sb, int light, sb_bias_term term, double amou
     state->bias_units[term] = (int)unit;
 }
 
+void sb_lookup_normal_by(shadow_bundle* sb, int light, sb_normal_by by) {
+    sb_light_state* const state = sb_light_at(sb, "sb_lookup_normal_by", light);
+    if (state == NULL || !sb_valid(sb, "sb_lookup_normal_by", (int)by, SB_COUNT(sb_normal_by_names))) return;
+    state->normal_by = (int)by;
+}
+
 void sb_lookup_kernel(shadow_bundle* sb, int light, const char* kernel) {
     sb_light_state* const state = sb_light_at(sb, "sb_lookup_kernel", light);
     if (state == NULL || kernel == NULL) return;
@@ -1691,6 +1709,8 @@ static void sb_write_bias(shadow_bundle* sb, sb_buffer* out, const sb_light_stat
                    sb_unit_names[light->bias_units[1]],
                    sb_unit_names[light->bias[2].known ? light->bias_units[2] : (int)SB_UNIT_METRES]);
     sb_key_text(sb, out, "units", units);
+    if (light->bias[2].known && light->normal_by != 0)
+        sb_key_text(sb, out, "normal_by", sb_normal_by_names[light->normal_by]);
     sb_text(sb, out, "}");
 }
 

@@ -201,7 +201,7 @@ def filament(look_up, group, info):
         amount = float(bias.ravel()[1])
         moved = [metres_towards_light(entry, matrices[place]) for entry, place in zip(group, places)]
         constant = moved[0] if None not in moved and np.ptp(moved) <= 1e-3 * (1e-3 + abs(moved[0])) else None
-        result["bias"] = {"slope": 0, "normal": amount, "units": "metres, metres, metres"}
+        result["bias"] = {"slope": 0, "normal": amount, "units": "metres, metres, metres", "normal_by": "sine"}
         if constant is not None:
             result["bias"]["constant"] = constant
     elif len(group) == 1:
@@ -214,13 +214,10 @@ def filament(look_up, group, info):
         if place is None:
             return result
         result["bias"] = {"slope": 0, "normal": float(members[used[3]][place].ravel()[3]),
-                          "units": "metres, metres, metres"}
+                          "units": "metres, metres, metres", "normal_by": "sine"}
         constant = metres_towards_light(group[0], members[used[1]][place])
         if constant is not None:
             result["bias"]["constant"] = constant
-    if result.get("bias", {}).get("normal"):
-        result["notes"].append("Filament moves a point by %.4g m times the sine of the light's angle along its normal; "
-                               "this program moves it by the whole length at any angle." % result["bias"]["normal"])
     splits, _ = look_up.member("FrameUniforms", "cascadeSplits")
     if splits is None or len(group) < 2 or sorted(p for p in places if p is not None) != list(range(len(group))):
         return result
@@ -249,9 +246,24 @@ def own_program(look_up, group, info):
         result["bias"].update(constant=values["bias_constant"], slope=0)
     elif "returnunit_depth(b,max(bias_slope*(1.0-clamp(b.n_dot_l,0.0,1.0)),bias_constant));" in text:
         result["bias"].update(constant=values["bias_constant"], slope=values["bias_slope"])
-    if "returnnormal*(bias_normal*texel_m);" in text:
-        result["bias"]["normal"] = values["bias_normal"]
+    offset_unit, by = own_offset(look_up, text)
+    if by is not None:
+        result["bias"].update(normal=values["bias_normal"], units="%s, %s, %s" % (unit, unit, offset_unit))
+        if by != "length":
+            result["bias"]["normal_by"] = by
     return result
+
+
+def own_offset(look_up, text):
+    """Returns unit and dependence on the angle of this program's normal offset; None for one that is unknown."""
+    if "returnnormal*(bias_normal*texel_m);" in text:
+        return "texels", "length"  # versions without these settings
+    defines = look_up.defines
+    names = ("length", "sine", "one-minus-cosine", "sideways")
+    ways = {defines.get("bias_normal_by_" + name.replace("-", "_")): name for name in names}
+    units = {defines.get("bias_normal_unit_" + name): name for name in ("texels", "metres")}
+    ways.pop(None, None), units.pop(None, None)
+    return units.get(defines.get("bias_normal_unit"), "texels"), ways.get(defines.get("bias_normal_by"))
 
 
 def setting_of(look_up, name):

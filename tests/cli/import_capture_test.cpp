@@ -47,6 +47,7 @@ struct CaptureCase {
     std::vector<double> ends = {};       ///< camera depths at which the cascades of the first light end; empty: unknown
     std::optional<int> most_extra = {};  ///< of an independent trial, which missed none
     std::vector<double> constant = {}, normal = {};  ///< bias of the look-up of each light, metres; empty: unknown
+    const char* normal_by = "length";                ///< what the light's angle does to the normal offset
     bool compared = true;  ///< maps pass the gate of compare-maps; moments and exponentials do not
 };
 
@@ -60,7 +61,8 @@ const CaptureCase kCases[] = {
      .slices = {{30, 30, 3, 1, 69571}, {30, 30, 3, 1, 85088}, {30, 30, 3, 1, 51661}, {16, 16, 3, 1, 265845}},
      .ends = {10.7793, 21.4586, 80},
      .constant = {0.001, 0.001},
-     .normal = {0.0293, 0}},
+     .normal = {0.0293, 0},
+     .normal_by = "sine"},
     {"filament_csm_zink",
      {{30, 30, 3, 1, 65083}, {30, 30, 3, 1, 82715}, {30, 30, 3, 1, 51661}, {16, 16, 3, 1, 268580}}},
     {.name = "filament_vsm_gl",
@@ -144,6 +146,7 @@ TEST_P(ImportCapture, RebuildsEachSliceWithinTheGate) {
         }
         if (i < c.normal.size()) {
             EXPECT_NEAR(bias["normal"].get<double>(), c.normal[i], 1e-4);
+            EXPECT_EQ(bias.value("normal_by", "length"), c.normal_by);
         }
     }
     if (c.compared) {
