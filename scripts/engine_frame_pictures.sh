@@ -18,11 +18,11 @@ draw() {
   shift
   "$build/shadow-inspector" "$@" -o "$folder/$picture" 2>/dev/null
 }
-draw 1-frame.png render sun.bundle --size 512x288 --set bias.normal=0.79
+draw 1-frame.png render sun.bundle --size 512x288
 draw 2-map.png render sun.bundle --view shadow-map --set view.map=linear --set view.face=1
 draw 4-without-normal.png render sun.bundle --size 512x288 --set view.overlay=bias-slack --set bias.normal=0
-draw 4-with-normal.png render sun.bundle --size 512x288 --set view.overlay=bias-slack --set bias.normal=0.79
-draw 5-causes.png render sun.bundle --size 512x288 --set view.overlay=artefacts --set bias.normal=0.79
+draw 4-with-normal.png render sun.bundle --size 512x288 --set view.overlay=bias-slack
+draw 5-causes.png render sun.bundle --size 512x288 --set view.overlay=artefacts
 [ "$editor" = --without-editor ] ||
   "$build/shadow-inspector" edit sun.bundle --headless --screenshot "$folder/3-editor.png" --size 1120x640 \
-    --probe 461,100 --tab probe --set bias.normal=0.79
+    --probe 461,100 --tab probe
