@@ -20,6 +20,8 @@ struct MapFacts {
     double angle_deg = 45;     ///< reference angle between the geometric normal and the direction to the light
     double view_m = 10;        ///< distance from the camera, for parameters that scale with it
     double view_fov_deg = 90;  ///< horizontal field of view of the camera, for the same
+    MapFormat format = MapFormat::D32F;
+    bool reversed_z = false;
 
     /// Returns the texel size, metres.
     double texel_m() const { return width_m / texels; }
@@ -39,8 +41,10 @@ inline constexpr std::string_view kExactnessKeys[] = {"exact", "equal-at-angle",
 
 /// Choice of an engine's parameter with named values.
 struct EngineChoice {
-    std::string_view key;       ///< the engine's name: "PCFShadowMap"
-    std::string_view settings;  ///< our assignments, separated by spaces: "filter.kernel=vogel filter.taps=5"
+    std::string_view key;  ///< the engine's name: "PCFShadowMap"
+    /// Our assignments, separated by spaces: "filter.kernel=vogel filter.taps=5". Behind "|" follow values for which
+    /// the choice is the nearest.
+    std::string_view settings;
 };
 
 /// Parameter of an engine, under the engine's own name and in its unit.
@@ -68,7 +72,7 @@ struct ForcedSetting {
 /// Setting or choice of ours that the engine lacks.
 struct LackingSetting {
     std::string_view key;    ///< setting
-    std::string_view value;  ///< choice; empty: every value but the default
+    std::string_view value;  ///< choice; empty: every value but 0 or the first choice
     std::string_view reason;
 };
 
@@ -88,6 +92,8 @@ struct WrittenParameter {
     double value = 0;  ///< in the engine's unit; for choices the index
     Exactness exactness = Exactness::Exact;
     std::string note;
+    /// Number that carries over this part of the bias alone, without regard to hidden bias; else equal to `value`.
+    double literal = 0;
     double metres = 0, texels = 0;  ///< equivalent depth bias at the reference angle; 0 for parameters of no bias
 };
 
@@ -112,8 +118,8 @@ struct WrittenValues {
     EngineValues values() const;
 };
 
-struct BiasNumbers;   // bias_numbers.h
-struct EngineOutput;  // bias_numbers.h
+struct BiasNumbers;  // bias_numbers.h
+class EngineOutput;  // bias_numbers.h
 
 /// Row of the table of engines. A new engine is one file and one row.
 struct EngineProfile {
@@ -127,11 +133,11 @@ struct EngineProfile {
     /// The cascades of a light share its map: each has half the width if there are several.
     bool cascades_share_map = false;
     /// Returns the bias that the engine adds by itself, as equivalent depth bias in texels at the reference angle.
-    double (*hidden_texels)(const EngineValues&, const MapFacts&) = nullptr;
+    double (*hidden_texels)(const EngineProfile&, const EngineValues&, const MapFacts&) = nullptr;
     /// Converts the engine's bias parameters into settings.
-    std::vector<ReadSetting> (*read_bias)(const EngineValues&, const MapFacts&) = nullptr;
-    /// Converts a bias into the engine's parameters.
-    void (*write_bias)(const BiasNumbers&, const MapFacts&, EngineOutput&) = nullptr;
+    BiasNumbers (*read_bias)(const EngineProfile&, const EngineValues&, const MapFacts&) = nullptr;
+    /// Converts a bias into the engine's parameters. The values are those of the other parameters.
+    void (*write_bias)(const BiasNumbers&, const EngineValues&, const MapFacts&, EngineOutput&) = nullptr;
 };
 
 /// Returns all engine profiles.
@@ -153,7 +159,18 @@ std::string engine_value_text(const EngineParameter& parameter, double value);
 /// @throws Error for facts or values that are not finite or out of range
 std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
                                             const MapFacts& facts);
-/// Converts our settings into parameters of the engine. @throws Error as read_engine_values()
-WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts);
+/// Converts our settings into parameters of the engine. The bias is converted so that the equivalent depth bias at the
+/// reference angle is equal, hidden bias included, and never below 0.
+/// @param kept values of engine parameters that no setting of ours gives, such as a project's console variables
+/// @throws Error as read_engine_values()
+WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
+                                  const EngineValues& kept = {});
+
+/// Sets in place all that the engine cannot turn off. @returns a line for each setting that had another value
+std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Settings& settings);
+/// Returns the reason why the profile fixes the setting with a key, and at which value; null if it does not.
+const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_view key);
+/// Returns the row of the choice that the engine lacks, for the value that a setting has; null if it has it.
+const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key);
 
 }  // namespace si

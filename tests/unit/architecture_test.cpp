@@ -44,11 +44,11 @@ TEST(Architecture, DependenciesPointOneWay) {
 }
 
 /// Folders of renderer/ from low to high.
-constexpr std::array<std::string_view, 26> kFolders = {
-    "base",          "foreign",      "projection", "gl",           "software",    "settings",      "scene",
-    "gltf",          "bundle",       "importers",  "scenes",       "view/lights", "bias",          "view/bounds",
-    "view/cascades", "view/culling", "view/fits",  "view/cameras", "frame",       "optimisations", "reference",
-    "passes",        "render",       "inspect",    "measure",      "advise"};
+constexpr std::array<std::string_view, 27> kFolders = {
+    "base",        "foreign",       "projection",   "gl",        "software",     "settings",    "profiles",
+    "scene",       "gltf",          "bundle",       "importers", "scenes",       "view/lights", "bias",
+    "view/bounds", "view/cascades", "view/culling", "view/fits", "view/cameras", "frame",       "optimisations",
+    "reference",   "passes",        "render",       "inspect",   "measure",      "advise"};
 
 /// Include of one file of renderer/ by another, both as paths below renderer/.
 struct Include {

@@ -1,0 +1,350 @@
+#include "renderer/profiles/engine_profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "renderer/base/did_you_mean.h"
+#include "renderer/base/error.h"
+#include "renderer/base/lower_case.h"
+#include "renderer/profiles/bias_numbers.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/idle_reason.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+/// Returns the assignments of a choice, "KEY=VALUE" separated by spaces, as pairs.
+std::vector<std::pair<std::string, std::string>> assignments_of(std::string_view text) {
+    std::vector<std::pair<std::string, std::string>> out;
+    while (!text.empty()) {
+        const auto end = std::min(text.find(' '), text.size());
+        const std::string_view one = text.substr(0, end);
+        const auto equals = one.find('=');
+        out.emplace_back(one.substr(0, equals), one.substr(equals + 1));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return out;
+}
+
+/// Returns the first of the alternatives of a choice, which "|" separates.
+std::string_view first_alternative(std::string_view choice) {
+    return choice.substr(0, choice.find('|'));
+}
+
+/// Returns true when settings have all values of one alternative of a choice.
+bool has_values(const Settings& settings, std::string_view choice) {
+    const auto wanted = assignments_of(choice);
+    return !wanted.empty() && std::ranges::all_of(wanted, [&](const auto& pair) {
+        const auto ref = find_setting(pair.first);
+        return ref && get_value(settings, *ref) == parse_value(*ref, pair.second);
+    });
+}
+
+/// Returns the index of the choice with the settings' values, and EqualAtAngle where only a later alternative of a
+/// choice has them; -1 without.
+std::pair<int, Exactness> choice_for(const Settings& settings, const EngineParameter& parameter) {
+    for (const bool is_first : {true, false})
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i) {
+            std::string_view rest = parameter.choices[i].settings;
+            const std::string_view first = first_alternative(rest);
+            if (is_first && has_values(settings, first)) return {int(i), Exactness::Exact};
+            if (is_first) continue;
+            while (rest.find('|') != rest.npos) {
+                rest.remove_prefix(rest.find('|') + 1);
+                if (has_values(settings, first_alternative(rest))) return {int(i), Exactness::EqualAtAngle};
+            }
+        }
+    return {-1, Exactness::Missing};
+}
+
+/// Returns the text of a number that set_setting() reads back without loss.
+std::string number_text(double value) {
+    return fmt::format("{}", value);
+}
+
+/// Checks that values name parameters of the profile and are finite numbers in range. @throws Error
+void require_sound(const EngineProfile& profile, const EngineValues& values) {
+    for (const auto& [key, value] : values) {
+        const EngineParameter& parameter = engine_parameter(profile, key);
+        if (!std::isfinite(value) || value < parameter.min || value > parameter.max)
+            throw Error(fmt::format("{} {}: {} is not a number from {:g} to {:g}", profile.name, key, value,
+                                    parameter.min, parameter.max));
+    }
+}
+
+/// Adds the settings of parameters that are a setting of ours in another unit, or a choice.
+void read_direct(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts,
+                 std::vector<ReadSetting>& out) {
+    for (const auto& [key, value] : values) {
+        const EngineParameter& parameter = engine_parameter(profile, key);
+        if (!parameter.choices.empty()) {
+            const EngineChoice& choice = parameter.choices[std::size_t(value)];
+            for (const auto& [setting, text] : assignments_of(first_alternative(choice.settings)))
+                out.push_back({setting, text, Exactness::Exact, {}});
+        } else if (parameter.scale != 0 && !parameter.is_bias) {
+            double number = value * parameter.scale;
+            if (parameter.setting == "map.resolution" && profile.cascades_share_map && facts.cascades > 1) number /= 2;
+            const auto ref = find_setting(parameter.setting);
+            const double fitting = std::clamp(number, ref->param->min, ref->param->max);
+            const bool is_whole = std::holds_alternative<int>(get_value(Settings{}, *ref));
+            const bool is_switch = std::holds_alternative<bool>(get_value(Settings{}, *ref));
+            ReadSetting setting{std::string(parameter.setting),
+                                is_switch  ? (fitting != 0 ? "true" : "false")
+                                : is_whole ? fmt::format("{}", int(std::lround(fitting)))
+                                           : number_text(fitting),
+                                Exactness::Exact,
+                                {}};
+            if (fitting != number) setting.note = fmt::format("{:g} is outside of the range of this setting", number);
+            out.push_back(std::move(setting));
+        }
+    }
+}
+
+/// Adds the bias settings of a bias in the terms that engines share.
+void read_numbers(const BiasNumbers& bias, const MapFacts& facts, std::vector<ReadSetting>& out) {
+    // A new unit and rule of bias.normal change these lines alone.
+    const double per_texel = offset_equivalent(OffsetBy::Length, facts.angle_deg);
+    const double normal = bias.normal_texels * offset_equivalent(bias.normal_by, facts.angle_deg) / per_texel;
+    const Exactness normal_exactness =
+        bias.normal_by == OffsetBy::Length || normal == 0 ? Exactness::Exact : Exactness::EqualAtAngle;
+    out.push_back({"bias.kind", "constant", Exactness::Exact, {}});
+    static constexpr std::string_view kUnits[] = {"depth", "texels", "metres"};
+    out.push_back({"bias.unit", std::string(kUnits[std::size_t(bias.constant_unit)]), Exactness::Exact, {}});
+    const double metres = bias.constant_texels * facts.texel_m();
+    const double constant = bias.constant_unit == BiasUnit::Texels   ? bias.constant_texels
+                            : bias.constant_unit == BiasUnit::Metres ? metres
+                                                                     : metres / facts.depth_m;
+    const auto put = [&](std::string_view key, double value, Exactness exactness, std::string note) {
+        const auto ref = find_setting(key);
+        const double fitting = std::clamp(value, ref->param->min, ref->param->max);
+        if (fitting != value) {
+            note = fmt::format("{:.6g} is outside of the range of this setting, {:g} to {:g}", value, ref->param->min,
+                               ref->param->max);
+            exactness = Exactness::EqualAtAngle;
+        }
+        out.push_back({std::string(key), number_text(fitting), exactness, std::move(note)});
+    };
+    put("bias.constant", constant, bias.constant, bias.constant_note);
+    put("bias.slope", 0, Exactness::Exact, {});
+    put("bias.normal", normal, normal_exactness, bias.normal_note);
+    put("bias.raster_slope", bias.raster_slope, Exactness::Exact, {});
+    put("bias.raster_units", bias.raster_units, Exactness::Exact, {});
+    put("bias.raster_clamp", bias.raster_clamp, Exactness::Exact, {});
+}
+
+/// Returns true for a setting without effect, and for the light's size under a kernel that does not read it.
+bool is_without_effect(const Settings& settings, const SettingRef& ref) {
+    if (ref.param->key == "light.size" && !filter_of(settings).reads_light_size) return true;
+    return !idle_reason(settings, ref).empty();
+}
+
+/// Writes the parameters that are a setting of ours in another unit, or a choice.
+void write_direct(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
+                  const EngineValues& kept, WrittenValues& out) {
+    for (const EngineParameter& parameter : profile.parameters) {
+        if (parameter.is_bias) continue;
+        if (kept.contains(parameter.key)) {
+            out.parameters.push_back({&parameter, kept.find(parameter.key)->second, Exactness::Exact, "kept"});
+        } else if (!parameter.choices.empty()) {
+            if (const auto [index, exactness] = choice_for(settings, parameter); index >= 0) {
+                out.parameters.push_back({&parameter, double(index), exactness,
+                                          exactness == Exactness::Exact ? "" : "the nearest that the engine has"});
+                continue;
+            }
+            const auto ref = find_setting(parameter.setting);
+            if (!ref) continue;
+            out.parameters.push_back(
+                {&parameter, parameter.standard, Exactness::Missing, "left at the engine's default"});
+            out.missing.push_back({std::string(parameter.setting), value_text(*ref->param, get_value(settings, *ref)),
+                                   fmt::format("{} has no such choice", parameter.key)});
+        } else if (parameter.scale != 0) {
+            const auto ref = find_setting(parameter.setting);
+            const bool is_extent = parameter.setting == "light.extent";
+            if (!is_extent && is_without_effect(settings, *ref)) continue;
+            double value = (is_extent ? facts.width_m / 2 : numeric_value(get_value(settings, *ref))) / parameter.scale;
+            if (parameter.setting == "map.resolution" && profile.cascades_share_map && facts.cascades > 1) value *= 2;
+            EngineOutput(profile, out, facts).put(parameter.key, value, Exactness::Exact, 0, value);
+        }
+    }
+}
+
+}  // namespace
+
+const WrittenParameter* WrittenValues::find(std::string_view key) const {
+    const auto found = std::ranges::find_if(parameters, [&](const auto& p) { return p.parameter->key == key; });
+    return found == parameters.end() ? nullptr : &*found;
+}
+
+EngineValues WrittenValues::values() const {
+    EngineValues out;
+    for (const WrittenParameter& p : parameters)
+        if (p.exactness != Exactness::Missing) out[std::string(p.parameter->key)] = p.value;
+    return out;
+}
+
+void require_sound(const MapFacts& facts) {
+    const auto require = [](std::string_view name, double value, double min, double max) {
+        if (!(value >= min && value <= max))
+            throw Error(fmt::format("{} {}: it must be a number from {:g} to {:g}", name, value, min, max));
+    };
+    constexpr double kMinLength = 1e-6, kMaxLength = 1e9, kMaxAngle = 89.9, kMaxFov = 179;
+    require("width of the map", facts.width_m, kMinLength, kMaxLength);
+    require("texels of the map", facts.texels, 3, 1 << 20);
+    require("depth range of the map", facts.depth_m, kMinLength, kMaxLength);
+    require("number of cascades", facts.cascades, 1, kMaxCascades);
+    require("reference angle", facts.angle_deg, 0, kMaxAngle);
+    require("distance from the camera", facts.view_m, kMinLength, kMaxLength);
+    require("field of view", facts.view_fov_deg, 1, kMaxFov);
+}
+
+std::span<const EngineProfile> engine_profiles() {
+    static const std::array rows{three_profile(),    babylon_profile(),   playcanvas_profile(), godot_profile(),
+                                 urp_profile(),      urp_slope_profile(), hdrp_profile(),       unreal_profile(),
+                                 filament_profile(), bevy_profile(),      o3de_profile(),       opengl_profile(),
+                                 vulkan_profile(),   d3d12_profile(),     webgpu_profile(),     godot3_profile(),
+                                 ogre_profile(),     filament19_profile()};
+    return rows;
+}
+
+const EngineProfile& engine_profile(std::string_view name) {
+    for (const EngineProfile& profile : engine_profiles())
+        if (profile.name == name) return profile;
+    std::vector<std::string> names;
+    for (const EngineProfile& profile : engine_profiles()) names.emplace_back(profile.name);
+    throw UsageError(fmt::format("profile \"{}\": it is one of {}{}", name, fmt::join(names, ", "),
+                                 did_you_mean(nearest_name(lower_ascii(name), names))));
+}
+
+const EngineParameter& engine_parameter(const EngineProfile& profile, std::string_view key) {
+    const std::string wanted = lower_ascii(key);
+    for (const EngineParameter& parameter : profile.parameters)
+        if (lower_ascii(parameter.key) == wanted) return parameter;
+    std::vector<std::string> keys;
+    for (const EngineParameter& parameter : profile.parameters) keys.emplace_back(parameter.key);
+    throw UsageError(fmt::format("engine.{}: {} has the parameters {}{}", key, profile.name, fmt::join(keys, ", "),
+                                 did_you_mean(nearest_name(std::string(key), keys))));
+}
+
+double engine_value(const EngineProfile& profile, const EngineValues& values, std::string_view key) {
+    const EngineParameter& parameter = engine_parameter(profile, key);
+    const auto found = values.find(parameter.key);
+    return found == values.end() ? parameter.standard : found->second;
+}
+
+double parse_engine_value(const EngineProfile& profile, const EngineParameter& parameter, std::string_view text) {
+    const auto fault = [&](const std::string& allowed, const std::string& hint = {}) {
+        return UsageError(fmt::format("engine.{}: \"{}\" is not a value of {} {}; {}{}", parameter.key, text,
+                                      profile.name, parameter.key, allowed, hint));
+    };
+    if (!parameter.choices.empty()) {
+        std::vector<std::string> keys;
+        for (const EngineChoice& choice : parameter.choices) {
+            if (lower_ascii(choice.key) == lower_ascii(text)) return double(keys.size());
+            keys.emplace_back(choice.key);
+        }
+        throw fault(fmt::format("it is one of {}", fmt::join(keys, ", ")),
+                    did_you_mean(nearest_name(std::string(text), keys)));
+    }
+    if (text == "true") return 1;
+    if (text == "false") return 0;
+    double value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size() && std::isfinite(value);
+    if (!is_number || value < parameter.min || value > parameter.max)
+        throw fault(fmt::format("it is a number from {:g} to {:g}", parameter.min, parameter.max));
+    return value;
+}
+
+std::string engine_value_text(const EngineParameter& parameter, double value) {
+    if (!parameter.choices.empty())
+        return std::string(
+            parameter.choices[std::size_t(std::clamp(value, 0.0, double(parameter.choices.size() - 1)))].key);
+    return fmt::format("{:.6g}", value);
+}
+
+std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
+                                            const MapFacts& facts) {
+    require_sound(facts);
+    require_sound(profile, values);
+    std::vector<ReadSetting> out;
+    read_direct(profile, values, facts, out);
+    if (profile.read_bias) read_numbers(profile.read_bias(profile, values, facts), facts, out);
+    return out;
+}
+
+WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
+                                  const EngineValues& kept) {
+    require_sound(facts);
+    require_sound(profile, kept);
+    WrittenValues out;
+    write_direct(profile, settings, facts, kept, out);
+    Settings own = settings;
+    if (profile.write_bias) {
+        // The forced settings are the engine's hidden bias, not a bias that is asked for.
+        for (const ForcedSetting& forced : profile.forced)
+            if (forced.key.starts_with("bias.raster"))
+                set_value(own, *find_setting(forced.key), default_value(*find_setting(forced.key)));
+        const BiasNumbers bias = bias_numbers(own, facts);
+        EngineValues values = out.values();
+        for (const auto& [key, value] : kept) values[key] = value;
+        out.wanted_texels = bias.total_texels(facts);
+        EngineOutput to(profile, out, facts);
+        profile.write_bias(bias, values, facts, to);
+        for (const WrittenParameter& p : out.parameters) {
+            out.given_texels += p.texels;
+            values[std::string(p.parameter->key)] = p.value;
+        }
+        out.hidden_texels = profile.hidden_texels ? profile.hidden_texels(profile, values, facts) : 0;
+        out.given_texels += out.hidden_texels;
+    }
+    for (WrittenParameter& p : out.parameters)
+        if (!p.parameter->is_bias) p.literal = p.value;
+    for (const LackingSetting& row : profile.lacking)
+        if (lacking_setting(profile, own, row.key) == &row &&
+            std::ranges::find(out.missing, row.key, &MissingSetting::key) == out.missing.end()) {
+            const auto ref = find_setting(row.key);
+            out.missing.push_back(
+                {std::string(row.key), value_text(*ref->param, get_value(own, *ref)), std::string(row.reason)});
+        }
+    return out;
+}
+
+std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Settings& settings) {
+    std::vector<std::string> notes;
+    for (const ForcedSetting& forced : profile.forced) {
+        const auto ref = find_setting(forced.key);
+        const Value before = get_value(settings, *ref);
+        const Value now = parse_value(*ref, forced.value);
+        if (before == now) continue;
+        if (before != default_value(*ref))
+            notes.push_back(fmt::format("{}: {} instead of {}, as {}: {}", forced.key, forced.value,
+                                        value_text(*ref->param, before), profile.title, forced.reason));
+        set_value(settings, *ref, now);
+    }
+    return notes;
+}
+
+const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_view key) {
+    const auto found = std::ranges::find(profile.forced, key, &ForcedSetting::key);
+    return found == profile.forced.end() ? nullptr : &*found;
+}
+
+const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key) {
+    const auto ref = find_setting(key);
+    if (!ref) return nullptr;
+    const std::string value = value_text(*ref->param, get_value(settings, *ref));
+    for (const LackingSetting& row : profile.lacking) {
+        if (row.key != key) continue;
+        const bool is_off = numeric_value(get_value(settings, *ref)) == 0;
+        if (row.value.empty() ? !is_off : row.value == value) return &row;
+    }
+    return nullptr;
+}
+
+}  // namespace si

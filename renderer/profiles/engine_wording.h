@@ -1,0 +1,30 @@
+// Texts that speak in an engine's parameters: changes of settings, and settings found by an engine's names.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/profiles/engine_profile.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+
+/// Engine in whose parameters texts speak, with the settings and the map that they are about.
+struct EngineWording {
+    const EngineProfile* profile = nullptr;  ///< null: none, and all texts are empty
+    MapFacts facts;
+    Settings settings;  ///< before any change
+
+    /// Returns the parameters of the bias that changes of settings, key and value, give another number.
+    std::vector<WrittenParameter> changed(const std::vector<std::pair<std::string, std::string>>& changes) const;
+    /// Formats the same: "in three.js: set normalBias to 0.0098". Empty where no parameter changes.
+    std::string text(const std::vector<std::pair<std::string, std::string>>& changes) const;
+};
+
+/// Returns true when a setting has the name of an engine's parameter. Case does not matter.
+bool engine_name_matches(const SettingRef& ref, std::string_view text);
+/// Returns one line for each parameter of an engine that a setting stands for: "three.js normalBias, m: Shift of ...".
+std::vector<std::string> engine_names_of(const SettingRef& ref);
+
+}  // namespace si
