@@ -58,6 +58,10 @@ void CommandParser::add_session(bool scene_required) {
     add_value("--set", options_->session.sets, "KEY=VALUE",
               "Set one setting; may be repeated, the last one wins. Another bias.kind brings its starting values")
         ->allow_extra_args(false);
+    add_value(
+        "--profile", options_->session.profile, "NAME",
+        "Draw as another engine does (`list profiles`): its hidden bias and defaults. --set engine.PARAMETER=VALUE "
+        "then sets the engine's own parameters (`list profile NAME`)");
     app_.add_flag_callback(
         "--no-cache", [] { light_maps().set_disk_folder({}); },
         "Neither read nor keep baked light maps ($XDG_CACHE_HOME/shadow-inspector, by default below ~/.cache)");

@@ -91,24 +91,32 @@ Json autopilot_json(const AutopilotResult& r, const AdviseOptions& o, const Metr
     return json;
 }
 
-void print_advice(const Trial& t) {
-    fmt::print("  {:>10} {:>+11.3g}  {}{}\n      {}\n", time_text(t.ms), t.added_error(), t.candidate.shown_name(),
-               t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.changes));
+/// Prints changes of settings as an engine's parameters, if some of its bias change.
+void print_engine_changes(const EngineWording& engine, const SettingChanges& changes) {
+    if (const std::string text = engine.text(changes); !text.empty()) fmt::print("      {}\n", text);
 }
 
-void print_report(const AdviceReport& r) {
+void print_advice(const Trial& t, const EngineWording& engine) {
+    fmt::print("  {:>10} {:>+11.3g}  {}{}\n      {}\n", time_text(t.ms), t.added_error(), t.candidate.shown_name(),
+               t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.changes));
+    print_engine_changes(engine, t.changes);
+}
+
+void print_report(const AdviceReport& r, const EngineWording& engine) {
     const CostRow& cost = cost_row(r.options.cost);
     fmt::print("now {} {:.5g}, {} {} a frame {}\n", r.options.error->key, r.before.error,
                digits_text(r.time.total_ms.median), time_unit(r.time.clock), cost.when);
-    for (const Finding& f : r.findings)
+    for (const Finding& f : r.findings) {
         fmt::print("{}: {}{}{}{}\n", severity_key(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
                    f.settings.empty() ? "" : "\n      " + set_options_text(f.settings));
+        print_engine_changes(engine, f.settings);
+    }
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
-    for (const Trial& t : r.holds) print_advice(t);
+    for (const Trial& t : r.holds) print_advice(t, engine);
     if (r.stopped) fmt::print("stopped before all changes were tried\n");
     if (!r.fails.empty()) fmt::print("tried, does not hold:\n");
-    for (const Trial& t : r.fails) print_advice(t);
+    for (const Trial& t : r.fails) print_advice(t, engine);
 }
 
 /// @param clock name of the clock of all times
@@ -132,7 +140,7 @@ public:
         if (o_.json)
             fmt::print("{}", json_text(report_json(r, o_)));
         else
-            print_report(r);
+            print_report(r, session_.engine);
         print_notes(session_.notes);
         numbers_.require_sound();
     }

@@ -11,6 +11,7 @@
 #include "app/session/setting_json.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/profiles/engine_wording.h"
 #include "renderer/reference/metrics.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/hard_cases.h"
@@ -140,6 +141,75 @@ Json preset_rows() {
     });
 }
 
+Json profile_rows() {
+    return json_list(engine_profiles(), [](const EngineProfile& p) {
+        const std::string help =
+            fmt::format("{}, {}{}", p.title, p.version,
+                        p.unverified.empty() ? "" : fmt::format(". Not verified: {}", p.unverified));
+        return row(p.name, p.title, help,
+                   {{"version", p.version}, {"unverified", p.unverified}, {"converts", p.read_bias != nullptr}});
+    });
+}
+
+/// Returns the parameter's equivalent under the facts of docs/profiles.md; an object without members where there is
+/// none.
+Json equivalent_json(const EngineProfile& profile, const EngineParameter& parameter) {
+    if (!parameter.is_bias || !profile.read_bias) return Json::object();
+    EngineValues values;
+    for (const EngineParameter& other : profile.parameters)
+        if (other.is_bias && &other != &parameter) values[std::string(other.key)] = std::max(0.0, other.min);
+    const double without = [&] {
+        EngineValues zero = values;
+        zero[std::string(parameter.key)] = std::max(0.0, parameter.min);
+        return engine_bias_texels(profile, zero, {});
+    }();
+    values[std::string(parameter.key)] = parameter.standard;
+    const double texels = engine_bias_texels(profile, values, {}) - without;
+    return {{"texels", texels}, {"metres", texels * MapFacts{}.texel_m()}};
+}
+
+Json parameter_rows(const EngineProfile& profile) {
+    return json_list(profile.parameters, [&](const EngineParameter& p) {
+        Json choices = Json::array();
+        for (const EngineChoice& c : p.choices) choices.push_back({{"key", c.key}, {"settings", c.settings}});
+        return Json{{"key", p.key},
+                    {"unit", p.unit},
+                    {"default", p.choices.empty() ? Json(p.standard) : Json(engine_value_text(p, p.standard))},
+                    {"min", p.min},
+                    {"max", p.max},
+                    {"choices", choices},
+                    {"help", p.meaning},
+                    {"source", p.source},
+                    {"setting", p.setting},
+                    {"bias", p.is_bias},
+                    {"default_equivalent", equivalent_json(profile, p)}};
+    });
+}
+
+/// Returns all that is known of one profile.
+Json profile_json(const EngineProfile& profile) {
+    const MapFacts facts;
+    return {{"name", profile.name},
+            {"title", profile.title},
+            {"version", profile.version},
+            {"unverified", profile.unverified},
+            {"converts", profile.read_bias != nullptr},
+            {"hidden_texels", profile.hidden_texels ? profile.hidden_texels(profile, {}, facts) : 0},
+            {"facts",
+             {{"width_m", facts.width_m},
+              {"texels", facts.texels},
+              {"depth_m", facts.depth_m},
+              {"angle_deg", facts.angle_deg}}},
+            {"parameters", parameter_rows(profile)},
+            {"forced", json_list(profile.forced,
+                                 [](const ForcedSetting& f) {
+                                     return Json{{"setting", f.key}, {"value", f.value}, {"reason", f.reason}};
+                                 })},
+            {"lacking", json_list(profile.lacking, [](const LackingSetting& l) {
+                 return Json{{"setting", l.key}, {"value", l.value}, {"reason", l.reason}};
+             })}};
+}
+
 Json hard_case_rows() {
     return json_list(hard_cases(), [](const HardCase& c) {
         return row(HardCaseView{&c, false}.name(), c.title, c.fault,
@@ -171,6 +241,43 @@ std::string plain(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+/// Prints all that is known of one profile.
+void print_profile(const Json& p) {
+    fmt::print("{}: {}, {}\n", p["name"].get<std::string>(), p["title"].get<std::string>(),
+               p["version"].get<std::string>());
+    if (p["unverified"] != "") fmt::print("not verified: {}\n", p["unverified"].get<std::string>());
+    if (!p["converts"].get<bool>()) fmt::print("no conversion is known: --profile refuses this engine\n");
+    const Json& facts = p["facts"];
+    fmt::print("equivalents are for a map of {:g} m and {} texels with a depth range of {:g} m, at {:g} degrees\n",
+               facts["width_m"].get<double>(), facts["texels"].get<int>(), facts["depth_m"].get<double>(),
+               facts["angle_deg"].get<double>());
+    if (const double hidden = p["hidden_texels"]; hidden != 0) fmt::print("hidden bias: {:.3g} texels\n", hidden);
+    fmt::print("parameters (--set engine.NAME=VALUE)\n");
+    for (const Json& r : p["parameters"]) {
+        const std::string unit = r["unit"], setting = r["setting"];
+        std::string range = fmt::format("{:g} to {:g}", r["min"].get<double>(), r["max"].get<double>());
+        if (!r["choices"].empty()) {
+            range.clear();
+            for (const Json& c : r["choices"]) range += (range.empty() ? "" : " ") + c["key"].get<std::string>();
+        }
+        const Json& same = r["default_equivalent"];
+        fmt::print("  {}  ({}{}{}; default {}{}{})\n      {}\n", r["key"].get<std::string>(), range,
+                   unit.empty() ? "" : " ", unit, plain(r["default"]),
+                   same.empty() ? ""
+                                : fmt::format(" = {:.3g} texels = {:.3g} m", same["texels"].get<double>(),
+                                              same["metres"].get<double>()),
+                   setting.empty() ? "" : "; as " + setting, r["help"].get<std::string>());
+    }
+    for (const Json& r : p["forced"])
+        fmt::print("cannot be turned off: {}={}, since {}\n", r["setting"].get<std::string>(),
+                   r["value"].get<std::string>(), r["reason"].get<std::string>());
+    for (const Json& r : p["lacking"]) {
+        const std::string value = r["value"];
+        fmt::print("is missing: {}{}{}: {}\n", r["setting"].get<std::string>(), value.empty() ? "" : "=", value,
+                   r["reason"].get<std::string>());
+    }
+}
+
 /// Prints presets under their topics, each with title, scene and description.
 void print_presets(const Json& list) {
     std::string topic;
@@ -194,6 +301,7 @@ void print_rows(const Json& list) {
                    r["help"].get<std::string>());
         for (const Json& c : r["choices"])
             fmt::print("      {:<14} {}\n", c["key"].get<std::string>(), c["help"].get<std::string>());
+        for (const Json& line : r.value("engines", Json::array())) fmt::print("    {}\n", line.get<std::string>());
     }
 }
 
@@ -203,9 +311,9 @@ struct ListKind {
 };
 
 constexpr ListKind kKinds[] = {
-    {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},         {"sources", source_rows},
-    {"fits", fit_rows},         {"views", view_rows},     {"overlays", overlay_rows},    {"metrics", metric_rows},
-    {"scenes", scene_rows},     {"presets", preset_rows}, {"hard-cases", hard_case_rows}};
+    {"settings", setting_rows}, {"filters", filter_rows}, {"biases", bias_rows},          {"sources", source_rows},
+    {"fits", fit_rows},         {"views", view_rows},     {"overlays", overlay_rows},     {"metrics", metric_rows},
+    {"scenes", scene_rows},     {"presets", preset_rows}, {"hard-cases", hard_case_rows}, {"profiles", profile_rows}};
 
 /// Returns a key, or its beginning, in the form of the table's rows, which stand for all lights and all objects.
 std::string row_key(const std::string& asked) {
@@ -225,11 +333,21 @@ std::string row_key(const std::string& asked) {
 std::vector<std::string> list_kinds() {
     std::vector<std::string> keys;
     for (const ListKind& k : kKinds) keys.emplace_back(k.key);
+    keys.emplace_back("profile");
     return keys;
 }
 
 void run_list(const ListOptions& options) {
     const std::string& kind = options.kind;
+    if (kind == "profile") {
+        if (options.prefix.empty()) throw UsageError("list profile: name one of `list profiles`");
+        const Json profile = profile_json(engine_profile(options.prefix));
+        if (options.json)
+            fmt::print("{}", json_text(profile));
+        else
+            print_profile(profile);
+        return;
+    }
     const auto known = std::ranges::find(kKinds, kind, &ListKind::key);
     if (known == std::end(kKinds))
         throw UsageError(fmt::format("list {}: it is one of {}{}", kind, fmt::join(list_kinds(), ", "),
@@ -241,9 +359,14 @@ void run_list(const ListOptions& options) {
         if (r["key"].get<std::string>().starts_with(prefix)) chosen.push_back(std::move(r));
     }
     if (chosen.empty() && kind == "settings") {
-        // Not a key but words to search for.
-        for (std::size_t i = 0; i < list.size(); ++i)
-            if (setting_matches(listed(params()[i]), options.prefix)) chosen.push_back(std::move(list[i]));
+        // Not a key but words to search for, or the name of an engine's parameter.
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const SettingRef ref = listed(params()[i]);
+            const bool is_engines = engine_name_matches(ref, options.prefix);
+            if (!is_engines && !setting_matches(ref, options.prefix)) continue;
+            if (is_engines) list[i]["engines"] = engine_names_of(ref, options.prefix);
+            chosen.push_back(std::move(list[i]));
+        }
     }
     if (chosen.empty() && !options.prefix.empty()) {
         const bool settings = kind == "settings";

@@ -128,7 +128,7 @@ void run_measure(const MeasureOptions& options) {
         }
         json["cost"] = cost_json(classified.cost);
         if (classified.pages) json["pages"] = pages_json(*classified.pages);
-        json["cures"] = fixes ? fixes_json(*fixes) : Json();
+        json["cures"] = fixes ? fixes_json(*fixes, session.engine) : Json();
         json["numeric_health"] = health ? health_json(*health) : Json();
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
@@ -137,7 +137,7 @@ void run_measure(const MeasureOptions& options) {
         if (bias != EngineBias::Own) fmt::print("the engine's bias: {}\n", engine_bias_text(bias));
         print_time_and_cost(time, classified.cost);
         if (classified.pages) fmt::print("{}\n", page_facts_text(*classified.pages));
-        if (fixes) print_fixes(*fixes, fixes->rows.size());
+        if (fixes) print_fixes(*fixes, fixes->rows.size(), session.engine);
         if (health && health->sound()) fmt::print("{}\n", health_text(*health));
     }
     print_notes(session.notes);

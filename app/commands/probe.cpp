@@ -208,7 +208,9 @@ void run_probe(const ProbeOptions& options) {
         find_fixes();
         nlohmann::ordered_json json = probe_json(shown, found, table ? table->fix() : nullptr);
         if (probe.hit && options.reference && section.empty())
-            json["cures"] = table ? fixes_json(*table) : nlohmann::ordered_json::array();
+            json["cures"] = table ? fixes_json(*table, session.engine) : nlohmann::ordered_json::array();
+        if (session.engine.profile && table && table->fix())
+            json["engine"] = engine_changes_json(session.engine, table->fix()->changes);
         fmt::print("{}", json_text(json));
     } else if (!probe.hit) {
         fmt::print("pixel {},{}: nothing there\n", x, y);
@@ -222,7 +224,7 @@ void run_probe(const ProbeOptions& options) {
         }
         std::fflush(stdout);  // the search for fixes takes seconds
         find_fixes();
-        if (table) print_fixes(*table, 8);
+        if (table) print_fixes(*table, 8, session.engine);
     }
     print_notes(session.notes);
     for (const Probe::PerLight& light : probe.lights)

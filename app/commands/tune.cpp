@@ -117,6 +117,37 @@ void print_tuned(const Tuned& tuned) {
                                   : "");
 }
 
+/// Returns the numbers of an engine's bias for settings.
+Json engine_numbers_json(const EngineWording& engine, const Settings& settings) {
+    const WrittenValues written = write_engine_values(*engine.profile, settings, engine.facts);
+    Json numbers = Json::object();
+    for (const WrittenParameter& p : written.parameters)
+        if (p.parameter->is_bias)
+            numbers[std::string(p.parameter->key)] = {{"value", p.value},
+                                                      {"unit", p.parameter->unit},
+                                                      {"exactness", kExactnessKeys[std::size_t(p.exactness)]},
+                                                      {"texels", p.texels},
+                                                      {"metres", p.metres},
+                                                      {"note", p.note}};
+    return {{"profile", engine.profile->name},        {"unverified", engine.profile->unverified},
+            {"width_m", engine.facts.width_m},        {"texels", engine.facts.texels},
+            {"depth_m", engine.facts.depth_m},        {"angle_deg", engine.facts.angle_deg},
+            {"hidden_texels", written.hidden_texels}, {"parameters", numbers}};
+}
+
+/// Prints the numbers of an engine's bias for settings.
+void print_engine_numbers(const EngineWording& engine, const Settings& settings) {
+    if (!engine.profile) return;
+    fmt::print("in {}, for a map of {:.4g} m, {} texels and {:.4g} m of depth, at {:g} degrees:\n",
+               engine.profile->title, engine.facts.width_m, engine.facts.texels, engine.facts.depth_m,
+               engine.facts.angle_deg);
+    for (const WrittenParameter& p : write_engine_values(*engine.profile, settings, engine.facts).parameters)
+        if (p.parameter->is_bias)
+            fmt::print("  {} = {:.6g} {} ({:.3g} texels, {:.3g} m{}{})\n", p.parameter->key, p.value, p.parameter->unit,
+                       p.texels, p.metres, p.exactness == Exactness::Exact ? "" : "; at this angle only",
+                       p.note.empty() ? "" : "; " + p.note);
+}
+
 }  // namespace
 
 std::vector<std::string_view> tuned_errors() {
@@ -135,13 +166,17 @@ const Metric& tuned_error(const std::string& key) {
 
 void run_tune(const TuneOptions& options) {
     require_output(options.output, "a preset", {".json"});
-    const TuneGoals goals{.max_error = options.max_error,
-                          .max_ms = options.max_ms,
-                          .error = &tuned_error(options.error),
-                          .cost = options.cost,
-                          .no_acne = options.no_acne,
-                          .max_gap_m = options.max_gap};
+    TuneGoals goals{.max_error = options.max_error,
+                    .max_ms = options.max_ms,
+                    .error = &tuned_error(options.error),
+                    .cost = options.cost,
+                    .no_acne = options.no_acne,
+                    .max_gap_m = options.max_gap};
     Session session = open_session(options.session);
+    const EngineWording& engine = session.engine;
+    if (engine.profile)
+        goals.limits = {[&](const Bias& row) { return has_bias_row(*engine.profile, row.key); },
+                        [&](const BiasSettings& bias) { return with_hidden_bias(*engine.profile, bias); }};
     const HeadlessContext context;
     Renderer renderer;
     ReferenceCache cache;
@@ -158,11 +193,13 @@ void run_tune(const TuneOptions& options) {
     const std::string clock = goals.any() ? renderer.driver().clock : std::string();
     if (options.json) {
         Json json = tuned_json(tuned, goals, session.settings, after, seconds);
+        if (engine.profile) json["engine"] = engine_numbers_json(engine, after);
         json["clock"] = clock.empty() ? Json() : Json(clock);
         fmt::print("{}", json_text(json));
     } else {
         print_tuned(tuned);
         fmt::print("{}\n", tuned.summary);
+        if (tuned.result) print_engine_numbers(engine, after);
         if (!clock.empty()) fmt::print("times by {}\n", clock);
     }
     // A picture without lit pixels needs no bias, so that there is nothing to find.

@@ -19,10 +19,24 @@ Json change_json(const CostChange& ms) {
     return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.is_significant()}};
 }
 
-Json fixes_json(const FixTable& table) {
+Json engine_changes_json(const EngineWording& engine, const std::vector<std::pair<std::string, std::string>>& changes) {
+    const std::vector<WrittenParameter> changed = engine.changed(changes);
+    if (changed.empty()) return {};
+    Json parameters = Json::object();
+    for (const WrittenParameter& p : changed)
+        parameters[std::string(p.parameter->key)] = {{"value", p.value},
+                                                     {"unit", p.parameter->unit},
+                                                     {"exactness", kExactnessKeys[std::size_t(p.exactness)]},
+                                                     {"texels", p.texels},
+                                                     {"metres", p.metres}};
+    return {{"profile", engine.profile->name}, {"text", engine.text(changes)}, {"parameters", parameters}};
+}
+
+Json fixes_json(const FixTable& table, const EngineWording& engine) {
     return json_list(table.rows, [&](const Trial& t) {
         Json row = {
             {"name", t.candidate.name}, {"settings", changes_json(t.changes)}, {"tried", t.is_drawn()}, {"fix", false}};
+        if (engine.profile) row["engine"] = engine_changes_json(engine, t.changes);
         if (!t.is_drawn()) {
             row["reason"] = t.candidate.untried;
             return row;
@@ -50,9 +64,12 @@ Json fixes_json(const FixTable& table) {
     });
 }
 
-void print_fixes(const FixTable& table, std::size_t rows) {
+void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& engine) {
     if (table.rows.empty()) return;
-    if (const Trial* fix = table.fix())
+    const auto print_engine = [&](const Trial& t) {
+        if (const std::string text = engine.text(t.changes); !text.empty()) fmt::print("      {}\n", text);
+    };
+    if (const Trial* fix = table.fix()) {
         fmt::print("fix: {}{}: {} px wrong instead of {}, mean error {:.4g} instead of {:.4g}\n      {}\n",
                    fix->candidate.shown_name(),
                    fix->pixel ? fmt::format(": visibility {:.2f}, {:.2f} is right", fix->pixel->visibility,
@@ -60,9 +77,11 @@ void print_fixes(const FixTable& table, std::size_t rows) {
                               : "",
                    wrong_pixels(fix->metrics), table.wrong, fix->after.error, fix->before.error,
                    set_options_text(fix->changes));
-    else
+        print_engine(*fix);
+    } else {
         fmt::print("no fix: none of {} changes that were tried {} and makes nothing worse\n", table.drawn(),
                    table.rows.front().pixel ? "makes this pixel right" : "lowers the error");
+    }
     if (table.stopped) fmt::print("stopped: {} of {} changes were tried\n", table.drawn(), table.candidates);
     if (std::ranges::any_of(table.rows, &Trial::helps) && rows > 0)
         fmt::print(
@@ -79,6 +98,7 @@ void print_fixes(const FixTable& table, std::size_t rows) {
         fmt::print("  {:>8} {:>8} {:>+10.3g} {:>10} {:>9}  {}{}\n      {}\n", t.cured, t.broken, t.added_error(),
                    time_text(t.ms), map_bytes_text(t.map_bytes()), t.candidate.shown_name(),
                    t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.changes));
+        print_engine(t);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/base/json_text.h"
 #include "renderer/advise/fixes.h"
+#include "renderer/profiles/engine_wording.h"
 
 namespace si {
 
@@ -13,10 +14,15 @@ nlohmann::ordered_json changes_json(const std::vector<std::pair<std::string, std
 /// Converts the change of a cost to JSON {difference, noise, told}.
 nlohmann::ordered_json change_json(const CostChange& ms);
 /// Converts a table of fixes to JSON: one object a row, in the table's order.
-nlohmann::ordered_json fixes_json(const FixTable& table);
+/// @param engine engine whose parameters each row names too, as "engine"
+nlohmann::ordered_json fixes_json(const FixTable& table, const EngineWording& engine = {});
+/// Converts changes of settings to JSON in an engine's parameters: {profile, text, parameters}; null without a profile
+/// or where no parameter of the bias changes.
+nlohmann::ordered_json engine_changes_json(const EngineWording& engine,
+                                           const std::vector<std::pair<std::string, std::string>>& changes);
 
 /// Prints a table of measured fixes to stdout. Fixes that were not tried are left out. @param rows the largest number
-/// of rows
-void print_fixes(const FixTable& table, std::size_t rows);
+/// of rows @param engine engine whose parameters are named too
+void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& engine = {});
 
 }  // namespace si

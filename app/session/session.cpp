@@ -169,6 +169,7 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
 SessionPlan plan_session(const SessionOptions& options) {
     SessionPlan plan;
     plan.sets = options.sets;
+    plan.engine = take_engine_sets(options.profile, plan.sets);
     Settings trial;  // checked before the preset is read, so that a wrong --set is reported first
     apply_sets(trial, plan.sets);
     plan.scene_name = options.scene;
@@ -218,6 +219,9 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
     check_objects(scene, out.settings, {}, left_out);
     check_camera(scene, out.settings.camera, left_out);
     out.notes = sanitise(out.settings);
+    const std::vector<std::string> engine_notes =
+        apply_engine(plan.engine, scene, plan.preset.has_value(), plan.sets, out.settings);
+    out.notes.insert(out.notes.end(), engine_notes.begin(), engine_notes.end());
     const auto by_hand = [](const Settings& settings) { return settings.camera.source == CameraSource::Manual; };
     if (another && by_hand(plan.preset->settings) && by_hand(out.settings))
         out.notes.push_back(
@@ -248,7 +252,13 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
     if (!remark.empty()) composed.notes.push_back(remark);
     for (const std::string& warning : scene.warnings)
         composed.notes.push_back(fmt::format("{}: {}", plan.scene_name, warning));
-    return {plan.scene_name, std::move(scene), std::move(composed.settings), std::move(composed.notes)};
+    EngineWording engine;
+    if (plan.engine.profile) {
+        engine = {plan.engine.profile, map_facts(scene, composed.settings), composed.settings};
+        engine.facts.angle_deg = plan.engine.angle_deg.value_or(MapFacts{}.angle_deg);
+    }
+    return {plan.scene_name, std::move(scene), std::move(composed.settings), std::move(composed.notes),
+            std::move(engine)};
 }
 
 void require_no_input(std::span<const fs::path> outputs, const Scene& scene, const std::string& preset) {

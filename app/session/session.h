@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "app/session/engine_session.h"
 #include "app/session/presets.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/profiles/engine_wording.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
@@ -22,6 +24,9 @@ struct SessionOptions {
     std::vector<std::string> sets;  ///< "KEY=VALUE", applied in order after everything else
     /// Files that the command writes. open_session() refuses one that it reads.
     std::vector<std::filesystem::path> outputs = {};
+    /// Engine profile whose limits and parameters apply (`list profiles`); empty: none. `sets` may then name parameters
+    /// of the engine: "engine.PARAMETER=VALUE".
+    std::string profile = {};
 };
 
 /// Loaded scene with its composed settings.
@@ -30,6 +35,7 @@ struct Session {
     Scene scene;
     Settings settings;
     std::vector<std::string> notes;  ///< remarks about the scene, one line each
+    EngineWording engine = {};       ///< engine whose parameters texts name; without a profile: none
 };
 
 /// Checked session options, before the scene is read.
@@ -38,7 +44,8 @@ struct SessionPlan {
     std::optional<Preset> preset;
     std::string preset_path;
     std::vector<std::string> sets;
-    Settings settings;  ///< the preset or the program's defaults, with `sets` applied
+    Settings settings;          ///< the preset or the program's defaults, with `sets` applied
+    EngineSession engine = {};  ///< profile, and values in the engine's parameters
 };
 
 /// Checks session options and reads the preset, but not the scene. @throws UsageError, Error (an unreadable preset)

@@ -267,7 +267,7 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
 }
 
 FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, std::optional<double> max_gap_m,
-                          const FoundBiasShown& shown) {
+                          const FoundBiasShown& shown, const BiasLimits& limits) {
     const SearchTools tools = whole.part();
     const Settings base = measured_settings(settings);
     const TrialMeter meter = renderer_trial_meter(tools, {.work = false});
@@ -280,13 +280,17 @@ FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, st
     const auto trial = [&](const MeasuredError& m, const Settings& s) {
         return BiasTrial{m.metrics, bias_needs(m, s, driver), score.compute_score(m)};
     };
+    const auto completed = [&](const BiasSettings& bias) { return limits.completed ? limits.completed(bias) : bias; };
     const BiasMeter measure = [&](const BiasSettings& bias) {
         Settings s = base;
-        s.bias = bias;
+        s.bias = completed(bias);
         return trial(*meter.measure(s, s.view.light).frame, s);
     };
-    return search_least_bias(trial(first, base), bias_starts(first, base, driver), measure, max_gap_m, tools.report,
-                             shown);
+    std::vector<BiasStart> starts = bias_starts(first, base, driver);
+    std::erase_if(starts, [&](const BiasStart& s) { return limits.has_row && !limits.has_row(*s.row); });
+    FoundBias found = search_least_bias(trial(first, base), starts, measure, max_gap_m, tools.report, shown);
+    for (TriedBias& tried : found.tried) tried.bias = completed(tried.bias);
+    return found;
 }
 
 std::string reason_without_bias(std::span<const FittedLight> lights, int light) {

@@ -114,10 +114,17 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
                             std::optional<double> max_gap_m = {}, const TrialReport& report = {},
                             const FoundBiasShown& shown = {});
 
+/// Limits of an engine on the bias that is searched for it.
+struct BiasLimits {
+    std::function<bool(const Bias&)> has_row;  ///< returns true for rows that the engine has; empty: all
+    /// Adds to a bias what the engine adds by itself; empty: nothing.
+    std::function<BiasSettings(const BiasSettings&)> completed;
+};
+
 /// Searches the least bias of the light view.light with a renderer.
 /// @throws Cancelled before the first result; Error when the light draws no map
 FoundBias find_least_bias(const SearchTools& tools, const Settings& settings, std::optional<double> max_gap_m = {},
-                          const FoundBiasShown& shown = {});
+                          const FoundBiasShown& shown = {}, const BiasLimits& limits = {});
 
 /// Returns the reason why the bias of a light cannot be searched, such as a light without a map; empty: it can.
 /// @param light index of light.*

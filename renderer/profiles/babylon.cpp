@@ -134,6 +134,7 @@ const EngineProfile& babylon_profile() {
                                    .unverified = "the factor 1.5 of cascades with PCF, which is read and not measured",
                                    .parameters = kBabylonParameters,
                                    .lacking = kBabylonLacking,
+                                   .bias_rows = kConstantAndNormal,
                                    .read_bias = read_babylon,
                                    .write_bias = write_babylon};
     return row;

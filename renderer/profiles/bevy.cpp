@@ -108,6 +108,7 @@ const EngineProfile& bevy_profile() {
                                    .parameters = kBevyParameters,
                                    .forced = kBevyForced,
                                    .lacking = kBevyLacking,
+                                   .bias_rows = kConstantAndNormal,
                                    .read_bias = read_bevy,
                                    .write_bias = write_bevy};
     return row;

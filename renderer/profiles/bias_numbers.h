@@ -81,6 +81,10 @@ private:
     const MapFacts& facts_;
 };
 
+// Rows of the bias table that engines have.
+inline constexpr std::string_view kConstantAndNormal[] = {"constant", "normal-offset"};
+inline constexpr std::string_view kRasterAndNormal[] = {"raster", "normal-offset"};
+
 // Rows of the table of engines, one function a file.
 const EngineProfile& three_profile();
 const EngineProfile& babylon_profile();

@@ -335,6 +335,18 @@ const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_vi
     return found == profile.forced.end() ? nullptr : &*found;
 }
 
+bool has_bias_row(const EngineProfile& profile, std::string_view key) {
+    return profile.bias_rows.empty() || std::ranges::find(profile.bias_rows, key) != profile.bias_rows.end();
+}
+
+BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias) {
+    Settings settings;
+    settings.bias = bias;
+    for (const ForcedSetting& forced : profile.forced)
+        if (forced.key.starts_with("bias.")) set_setting(settings, forced.key, forced.value);
+    return settings.bias;
+}
+
 const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key) {
     const auto ref = find_setting(key);
     if (!ref) return nullptr;

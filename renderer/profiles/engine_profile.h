@@ -130,6 +130,8 @@ struct EngineProfile {
     std::span<const EngineParameter> parameters = {};
     std::span<const ForcedSetting> forced = {};
     std::span<const LackingSetting> lacking = {};
+    /// Keys of the rows of the bias table that the engine has; empty: all, in an own shader.
+    std::span<const std::string_view> bias_rows = {};
     /// The cascades of a light share its map: each has half the width if there are several.
     bool cascades_share_map = false;
     /// Returns the bias that the engine adds by itself, as equivalent depth bias in texels at the reference angle.
@@ -170,6 +172,10 @@ WrittenValues write_engine_values(const EngineProfile& profile, const Settings& 
 std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Settings& settings);
 /// Returns the reason why the profile fixes the setting with a key, and at which value; null if it does not.
 const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_view key);
+/// Returns true when an engine has the bias with a key of the bias table.
+bool has_bias_row(const EngineProfile& profile, std::string_view key);
+/// Returns a bias with what the engine adds by itself.
+BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias);
 /// Returns the row of the choice that the engine lacks, for the value that a setting has; null if it has it.
 const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key);
 

@@ -24,7 +24,12 @@ struct EngineWording {
 
 /// Returns true when a setting has the name of an engine's parameter. Case does not matter.
 bool engine_name_matches(const SettingRef& ref, std::string_view text);
-/// Returns one line for each parameter of an engine that a setting stands for: "three.js normalBias, m: Shift of ...".
-std::vector<std::string> engine_names_of(const SettingRef& ref);
+/// Returns one line for each parameter of an engine that a setting stands for, with its conversion: "three.js
+/// normalBias (m): Shift of ... 1 m = 102 texels at W 20 m, N 2048".
+/// @param name only parameters with this name; empty: all
+std::vector<std::string> engine_names_of(const SettingRef& ref, std::string_view name = {});
+/// Returns the equivalent depth bias in texels of an engine's bias parameters at the reference angle, hidden bias
+/// included. @throws Error as read_engine_values(); also for a profile without conversions
+double engine_bias_texels(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts);
 
 }  // namespace si

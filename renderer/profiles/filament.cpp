@@ -110,6 +110,8 @@ constexpr ForcedSetting kFilamentForced[] = {
     {"map.reversed_z", "true", "Filament stores reversed depth"},
 };
 
+constexpr std::string_view kFilamentRows[] = {"constant", "normal-offset", "raster"};
+
 constexpr LackingSetting kFilamentLacking[] = {
     {"bias.slope", "", "Filament has no slope bias at the receiver"},
     {"light.cascades", "8", "Filament has up to 4 cascades"},
@@ -172,6 +174,7 @@ const EngineProfile& filament_profile() {
                                    .parameters = kFilamentParameters,
                                    .forced = kFilamentForced,
                                    .lacking = kFilamentLacking,
+                                   .bias_rows = kFilamentRows,
                                    .hidden_texels = hidden_filament,
                                    .read_bias = read_filament,
                                    .write_bias = write_filament};

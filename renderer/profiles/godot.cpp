@@ -199,6 +199,7 @@ const EngineProfile& godot_profile() {
         .parameters = kGodotParameters,
         .forced = kGodotForced,
         .lacking = kGodotLacking,
+        .bias_rows = kConstantAndNormal,
         .cascades_share_map = true,
         .read_bias = read_godot,
         .write_bias = write_godot};

@@ -77,6 +77,7 @@ const EngineProfile& hdrp_profile() {
                                    .parameters = kHdrpParameters,
                                    .forced = kHdrpForced,
                                    .lacking = kHdrpLacking,
+                                   .bias_rows = kRasterAndNormal,
                                    .hidden_texels = hidden_hdrp,
                                    .read_bias = read_hdrp,
                                    .write_bias = write_hdrp};

@@ -61,6 +61,8 @@ constexpr ForcedSetting kO3deForced[] = {
     {"bias.raster_units", "10", "O3DE draws its maps with depthBias 10"},
 };
 
+constexpr std::string_view kO3deRows[] = {"constant", "normal-offset", "receiver-plane-derivatives"};
+
 constexpr LackingSetting kO3deLacking[] = {
     {"bias.slope", "", "O3DE has no slope bias at the receiver"},
     {"light.cascades", "8", "O3DE has up to 4 cascades"},
@@ -102,6 +104,7 @@ const EngineProfile& o3de_profile() {
                                    .parameters = kO3deParameters,
                                    .forced = kO3deForced,
                                    .lacking = kO3deLacking,
+                                   .bias_rows = kO3deRows,
                                    .hidden_texels = hidden_o3de,
                                    .read_bias = read_o3de,
                                    .write_bias = write_o3de};

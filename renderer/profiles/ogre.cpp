@@ -27,6 +27,8 @@ constexpr EngineParameter kOgreParameters[] = {
      .is_bias = true},
 };
 
+constexpr std::string_view kOgreRows[] = {"raster"};
+
 BiasNumbers read_ogre(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts) {
     BiasNumbers out;
     out.raster_units = -engine_value(profile, values, "depth_bias.constant");
@@ -56,6 +58,7 @@ const EngineProfile& ogre_profile() {
         .version = "1.12",
         .unverified = "all of it: names and signs are from memory of the manual. A normal offset is one of your shader",
         .parameters = kOgreParameters,
+        .bias_rows = kOgreRows,
         .read_bias = read_ogre,
         .write_bias = write_ogre};
     return row;

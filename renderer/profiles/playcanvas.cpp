@@ -116,6 +116,7 @@ const EngineProfile& playcanvas_profile() {
                                    .parameters = kPlaycanvasParameters,
                                    .forced = kPlaycanvasForced,
                                    .lacking = kPlaycanvasLacking,
+                                   .bias_rows = kRasterAndNormal,
                                    .cascades_share_map = true,
                                    .hidden_texels = hidden_playcanvas,
                                    .read_bias = read_playcanvas,

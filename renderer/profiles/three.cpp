@@ -127,6 +127,7 @@ const EngineProfile& three_profile() {
                                    .parameters = kThreeParameters,
                                    .forced = kThreeForced,
                                    .lacking = kThreeLacking,
+                                   .bias_rows = kConstantAndNormal,
                                    .read_bias = read_three,
                                    .write_bias = write_three};
     return row;

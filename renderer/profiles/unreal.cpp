@@ -82,6 +82,8 @@ constexpr EngineParameter kUnrealParameters[] = {
      .scale = 1},
 };
 
+constexpr std::string_view kUnrealRows[] = {"constant", "raster"};
+
 constexpr LackingSetting kUnrealLacking[] = {
     {"bias.normal", "", "cascaded maps of Unreal have no normal offset; it is in ShadowBias"},
     {"bias.slope", "", "the slope is in ShadowSlopeBias"},
@@ -139,6 +141,7 @@ const EngineProfile& unreal_profile() {
         .unverified = "all of it: Epic's source is not public, and the formulas are those of third parties",
         .parameters = kUnrealParameters,
         .lacking = kUnrealLacking,
+        .bias_rows = kUnrealRows,
         .read_bias = read_unreal,
         .write_bias = write_unreal};
     return row;

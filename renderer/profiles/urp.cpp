@@ -156,6 +156,7 @@ const EngineProfile& urp_profile() {
                                    .parameters = kUrpParameters,
                                    .forced = kUrpForced,
                                    .lacking = kUrpLacking,
+                                   .bias_rows = kConstantAndNormal,
                                    .cascades_share_map = true,
                                    .hidden_texels = hidden_urp,
                                    .read_bias = read_urp,
@@ -170,6 +171,7 @@ const EngineProfile& urp_slope_profile() {
                                    .unverified = "the version of the package that brings this mode",
                                    .parameters = kUrpSlopeParameters,
                                    .lacking = kUrpLacking,
+                                   .bias_rows = kRasterAndNormal,
                                    .cascades_share_map = true,
                                    .read_bias = read_urp_slope,
                                    .write_bias = write_urp_slope};

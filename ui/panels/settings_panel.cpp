@@ -7,6 +7,7 @@
 
 #include "renderer/advise/least_bias.h"
 #include "renderer/base/words_match.h"
+#include "renderer/profiles/engine_wording.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/idle_reason.h"
 #include "ui/panels/lights_panel.h"
@@ -84,7 +85,9 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
         SettingRef ref{&p, p.scope == Scope::Light ? light : 0, {}};
         if (state.settings_panel.search.empty() && !unused_setting_reason(state.settings, ref).empty())
             continue;  // matched by its name alone
-        if (!setting_matches(ref, state.settings_panel.search)) continue;
+        if (!setting_matches(ref, state.settings_panel.search) &&
+            !engine_name_matches(ref, state.settings_panel.search))
+            continue;
         if (state.settings_panel.only_changed && !setting_changed(state.settings, ref)) continue;
         const bool folds =
             !all && std::ranges::find(kRare, p.key) != std::end(kRare) && !setting_changed(state.settings, ref);

@@ -1,0 +1,160 @@
+#include "app/session/engine_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "app/session/session.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
+
+namespace si {
+namespace {
+
+constexpr double kAspect = 16.0 / 9;
+constexpr std::string_view kAngleKey = "angle";
+
+double parse_angle(std::string_view text) {
+    double value = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    constexpr double kMaxAngle = 89;
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !(value >= 0 && value <= kMaxAngle))
+        throw UsageError(
+            fmt::format("engine.angle: \"{}\" is not a number of degrees from 0 to {:g}", text, kMaxAngle));
+    return value;
+}
+
+/// Returns true for parameters whose defaults apply to a session without preset: of bias, filter, casters and format.
+bool applies_by_default(const EngineParameter& parameter) {
+    const auto of = [&](std::string_view topic) { return parameter.setting.starts_with(topic); };
+    return parameter.is_bias || of("filter.") || of("caster.") || of("map.format");
+}
+
+bool is_of_bias(const ReadSetting& setting) {
+    return setting.key.starts_with("bias.");
+}
+
+/// Sets the settings that engine values give. @param bias sets those of the bias, else all others
+void set_read(const EngineSession& engine, const EngineValues& values, const MapFacts& facts, bool bias,
+              Settings& settings, std::vector<std::string>* notes) {
+    for (const ReadSetting& setting : read_engine_values(*engine.profile, values, facts)) {
+        if (is_of_bias(setting) != bias) continue;
+        set_setting(settings, setting.key, setting.value);
+        if (!notes) continue;
+        const std::string note = setting.note.empty() ? std::string() : ": " + setting.note;
+        if (setting.exactness == Exactness::EqualAtAngle)
+            notes->push_back(fmt::format("{}: equal to {} at {:g} degrees only{}", setting.key, engine.profile->title,
+                                         facts.angle_deg, note));
+        else if (!note.empty())
+            notes->push_back(setting.key + note);
+    }
+}
+
+}  // namespace
+
+EngineSession take_engine_sets(const std::string& profile, std::vector<std::string>& sets) {
+    EngineSession out;
+    if (!profile.empty()) {
+        out.profile = &engine_profile(profile);
+        if (!out.profile->read_bias)
+            throw UsageError(
+                fmt::format("--profile {}: no conversion is known. {}; `list profile {}` prints what is known", profile,
+                            out.profile->unverified, profile));
+    }
+    std::vector<std::string> rest;
+    for (std::string& assignment : sets) {
+        const auto equals = assignment.find('=');
+        if (!assignment.starts_with(kEnginePrefix) || equals == std::string::npos) {
+            const ForcedSetting* forced =
+                out.profile ? forced_setting(*out.profile, assignment.substr(0, equals)) : nullptr;
+            if (forced && equals != std::string::npos) {
+                const auto ref = find_setting(forced->key);
+                if (parse_value(*ref, assignment.substr(equals + 1)) != parse_value(*ref, forced->value))
+                    throw UsageError(fmt::format("--set {}: {} fixes it at {}, since {}; leave it out", assignment,
+                                                 out.profile->title, forced->value, forced->reason));
+            }
+            rest.push_back(std::move(assignment));
+            continue;
+        }
+        const std::string key = assignment.substr(kEnginePrefix.size(), equals - kEnginePrefix.size());
+        const std::string text = assignment.substr(equals + 1);
+        if (!out.profile)
+            throw UsageError(
+                fmt::format("--set {}: parameters of an engine need --profile NAME (`list profiles`)", assignment));
+        if (key == kAngleKey) {
+            out.angle_deg = parse_angle(text);
+            continue;
+        }
+        const EngineParameter& parameter = engine_parameter(*out.profile, key);
+        out.values[std::string(parameter.key)] = parse_engine_value(*out.profile, parameter, text);
+        out.gives_bias = out.gives_bias || parameter.is_bias;
+    }
+    sets = std::move(rest);
+    return out;
+}
+
+MapFacts map_facts(const Scene& scene, const Settings& settings) {
+    MapFacts facts;
+    facts.texels = std::max(settings.map.resolution, 3);
+    facts.format = settings.map.format;
+    facts.reversed_z = settings.map.reversed_z;
+    const int index = std::clamp(settings.view.light, 0, kMaxLights - 1);
+    facts.cascades = settings.lights[std::size_t(index)].cascades;
+    const Camera camera = make_camera(scene, settings, kAspect);
+    const std::vector<FittedLight> lights = fit_lights(scene, settings, &camera);
+    if (std::size_t(index) >= lights.size() || lights[std::size_t(index)].views.empty()) return facts;
+    const LightView& view = lights[std::size_t(index)].views.front();
+    facts.depth_m = view.curve.far - view.curve.near;
+    const double middle_m = (view.curve.far + view.curve.near) / 2;
+    facts.width_m = 2 * view.half_extent() * (view.curve.perspective ? middle_m : 1);
+    return facts;
+}
+
+std::vector<std::string> apply_engine(const EngineSession& engine, const Scene& scene, bool has_preset,
+                                      std::span<const std::string> sets, Settings& settings) {
+    std::vector<std::string> notes;
+    if (!engine.profile) return notes;
+    const EngineProfile& profile = *engine.profile;
+    const std::set<std::string> assigned = assigned_keys(sets);
+    const bool own_bias =
+        std::ranges::any_of(assigned, [](const std::string& key) { return key.starts_with("bias."); });
+    EngineValues values = engine.values;
+    if (!has_preset)
+        for (const EngineParameter& parameter : profile.parameters)
+            if (applies_by_default(parameter)) values.try_emplace(std::string(parameter.key), parameter.standard);
+    const bool reads_bias = engine.gives_bias || (!has_preset && !own_bias);
+    notes = apply_forced_settings(profile, settings);
+    MapFacts facts;
+    if (engine.angle_deg) facts.angle_deg = *engine.angle_deg;
+    const auto reset_own = [&] {
+        for (const std::string& assignment : sets) apply_set(settings, assignment);
+        apply_forced_settings(profile, settings);
+    };
+    set_read(engine, values, facts, false, settings, &notes);
+    reset_own();
+    if (reads_bias) {
+        // A normal offset widens the margin of a fit, and so the map: the second round has the width that is drawn.
+        constexpr int kRounds = 2;
+        for (int round = 0; round < kRounds; ++round) {
+            const double angle_deg = facts.angle_deg;
+            facts = map_facts(scene, settings);
+            facts.angle_deg = angle_deg;
+            set_read(engine, values, facts, true, settings, round + 1 == kRounds ? &notes : nullptr);
+            reset_own();
+        }
+    }
+    for (const LackingSetting& row : profile.lacking)
+        if (lacking_setting(profile, settings, row.key) == &row)
+            notes.push_back(fmt::format("{}: {} lacks it: {}", row.key, profile.title, row.reason));
+    if (!profile.unverified.empty())
+        notes.push_back(fmt::format("{}: not verified: {}", profile.title, profile.unverified));
+    for (std::string& repair : sanitise(settings)) notes.push_back(std::move(repair));
+    return notes;
+}
+
+}  // namespace si
