@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/engine_facts.h"
 #include "renderer/view/fits/light_fit.h"
 
 namespace si {
@@ -99,20 +100,10 @@ EngineSession take_engine_sets(const std::string& profile, std::vector<std::stri
 }
 
 MapFacts map_facts(const Scene& scene, const Settings& settings) {
-    MapFacts facts;
-    facts.texels = std::max(settings.map.resolution, 3);
-    facts.format = settings.map.format;
-    facts.reversed_z = settings.map.reversed_z;
-    const int index = std::clamp(settings.view.light, 0, kMaxLights - 1);
-    facts.cascades = settings.lights[std::size_t(index)].cascades;
+    const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
     const Camera camera = make_camera(scene, settings, kAspect);
     const std::vector<FittedLight> lights = fit_lights(scene, settings, &camera);
-    if (std::size_t(index) >= lights.size() || lights[std::size_t(index)].views.empty()) return facts;
-    const LightView& view = lights[std::size_t(index)].views.front();
-    facts.depth_m = view.curve.far - view.curve.near;
-    const double middle_m = (view.curve.far + view.curve.near) / 2;
-    facts.width_m = 2 * view.half_extent() * (view.curve.perspective ? middle_m : 1);
-    return facts;
+    return map_facts(index < lights.size() ? &lights[index] : nullptr, settings);
 }
 
 std::vector<std::string> apply_engine(const EngineSession& engine, const Scene& scene, bool has_preset,

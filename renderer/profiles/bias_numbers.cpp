@@ -44,6 +44,10 @@ double cos_angle(const MapFacts& facts) {
     return std::cos(radians_of(facts.angle_deg));
 }
 
+double raster_equivalent(double slope, double units, const MapFacts& facts) {
+    return slope * tan_angle(facts) + units * raster_unit_depth(facts.format) * facts.depth_m / facts.texel_m();
+}
+
 double quotient(double a, double b) {
     constexpr double kRounding = 1e-9;
     return std::abs(b) > kRounding ? a / b : 0;

@@ -50,6 +50,9 @@ double tan_angle(const MapFacts& facts);
 double sin_angle(const MapFacts& facts);
 double cos_angle(const MapFacts& facts);
 
+/// Returns the equivalent depth bias of a polygon offset at the reference angle, in texels.
+double raster_equivalent(double slope, double units, const MapFacts& facts);
+
 /// Returns a / b, or 0 where b is no more than rounding.
 double quotient(double a, double b);
 

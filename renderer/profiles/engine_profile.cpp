@@ -278,19 +278,17 @@ std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const 
     return out;
 }
 
-WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
+WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& given_facts,
                                   const EngineValues& kept) {
-    require_sound(facts);
+    require_sound(given_facts);
+    MapFacts facts = given_facts;
+    facts.format = settings.map.format;
+    facts.reversed_z = settings.map.reversed_z;
     require_sound(profile, kept);
     WrittenValues out;
     write_direct(profile, settings, facts, kept, out);
-    Settings own = settings;
     if (profile.write_bias) {
-        // The forced settings are the engine's hidden bias, not a bias that is asked for.
-        for (const ForcedSetting& forced : profile.forced)
-            if (forced.key.starts_with("bias.raster"))
-                set_value(own, *find_setting(forced.key), default_value(*find_setting(forced.key)));
-        const BiasNumbers bias = bias_numbers(own, facts);
+        const BiasNumbers bias = bias_numbers(settings, facts);
         EngineValues values = out.values();
         for (const auto& [key, value] : kept) values[key] = value;
         out.wanted_texels = bias.total_texels(facts);
@@ -306,11 +304,11 @@ WrittenValues write_engine_values(const EngineProfile& profile, const Settings& 
     for (WrittenParameter& p : out.parameters)
         if (!p.parameter->is_bias) p.literal = p.value;
     for (const LackingSetting& row : profile.lacking)
-        if (lacking_setting(profile, own, row.key) == &row &&
+        if (lacking_setting(profile, settings, row.key) == &row &&
             std::ranges::find(out.missing, row.key, &MissingSetting::key) == out.missing.end()) {
             const auto ref = find_setting(row.key);
             out.missing.push_back(
-                {std::string(row.key), value_text(*ref->param, get_value(own, *ref)), std::string(row.reason)});
+                {std::string(row.key), value_text(*ref->param, get_value(settings, *ref)), std::string(row.reason)});
         }
     return out;
 }

@@ -161,8 +161,9 @@ std::string engine_value_text(const EngineParameter& parameter, double value);
 /// @throws Error for facts or values that are not finite or out of range
 std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
                                             const MapFacts& facts);
-/// Converts our settings into parameters of the engine. The bias is converted so that the equivalent depth bias at the
-/// reference angle is equal, hidden bias included, and never below 0.
+/// Converts our settings into parameters of the engine. Settings that a profile has forced count as asked for. The bias
+/// is converted so that the equivalent depth bias at the reference angle is equal, hidden bias included, and never
+/// below 0.
 /// @param kept values of engine parameters that no setting of ours gives, such as a project's console variables
 /// @throws Error as read_engine_values()
 WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,

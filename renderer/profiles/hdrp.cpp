@@ -40,13 +40,13 @@ constexpr LackingSetting kHdrpLacking[] = {
 };
 
 double hidden_hdrp(const EngineProfile&, const EngineValues&, const MapFacts& facts) {
-    return kHdrpHiddenDepth * facts.depth_m / facts.texel_m();
+    return kHdrpHiddenDepth * facts.depth_m / facts.texel_m() + raster_equivalent(0, 1, facts);
 }
 
 BiasNumbers read_hdrp(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts) {
     BiasNumbers out;
     out.constant_unit = BiasUnit::Depth;
-    out.constant_texels = hidden_hdrp(profile, values, facts);
+    out.constant_texels = kHdrpHiddenDepth * facts.depth_m / facts.texel_m();
     out.constant_note = "hidden: 1/65536 of the depth range at the look-up";
     out.raster_slope = kHdrpSlope * engine_value(profile, values, "slopeBias");
     out.raster_units = 1;

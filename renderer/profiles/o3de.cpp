@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::string_view kO3deSource = "o3de/o3de 354a2acc: DirectionalLightShadowCalculator.azsli, Shadowmap.shader";
 constexpr double kO3deHiddenSlope = 4;
+constexpr double kO3deHiddenUnits = 10;
 
 constexpr EngineParameter kO3deParameters[] = {
     {.key = "ShadowBias",
@@ -69,7 +70,7 @@ constexpr LackingSetting kO3deLacking[] = {
 };
 
 double hidden_o3de(const EngineProfile&, const EngineValues&, const MapFacts& facts) {
-    return kO3deHiddenSlope * tan_angle(facts);
+    return raster_equivalent(kO3deHiddenSlope, kO3deHiddenUnits, facts);
 }
 
 BiasNumbers read_o3de(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts) {
@@ -78,15 +79,14 @@ BiasNumbers read_o3de(const EngineProfile& profile, const EngineValues& values, 
     out.constant_texels = engine_value(profile, values, "ShadowBias") / facts.texel_m();
     out.normal_texels = 2 * engine_value(profile, values, "NormalShadowBias") / facts.width_m;
     out.normal_note = "for this width of the map";
-    constexpr double kHiddenUnits = 10;
     out.raster_slope = kO3deHiddenSlope;
-    out.raster_units = kHiddenUnits;
+    out.raster_units = kO3deHiddenUnits;
     return out;
 }
 
-void write_o3de(const BiasNumbers& bias, const EngineValues&, const MapFacts& facts, EngineOutput& to) {
+void write_o3de(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
     const double per_texel = offset_equivalent(OffsetBy::Length, facts.angle_deg);
-    const double left = std::max(0.0, bias.total_texels(facts) - kO3deHiddenSlope * tan_angle(facts));
+    const double left = std::max(0.0, bias.total_texels(facts) - hidden_o3de(o3de_profile(), values, facts));
     const double normal = std::min(bias.normal_texels, left / per_texel);
     const double constant = left - normal * per_texel;
     to.put("ShadowBias", constant * facts.texel_m(), Exactness::EqualAtAngle, constant,

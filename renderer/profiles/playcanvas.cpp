@@ -99,7 +99,7 @@ BiasNumbers read_playcanvas(const EngineProfile& profile, const EngineValues& va
 void write_playcanvas(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
     const double wanted = bias.constant_texels + bias.raster_texels(facts);
     const double left = std::max(0.0, wanted - hidden_playcanvas(playcanvas_profile(), values, facts));
-    const double per_number = kPlaycanvasSlope * tan_angle(facts);
+    const double per_number = raster_equivalent(kPlaycanvasSlope, kPlaycanvasSlope, facts);
     to.put("shadowBias", quotient(left, per_number), Exactness::EqualAtAngle, left,
            quotient(bias.constant_texels, per_number), "a slope; " + std::string("a constant has no counterpart"));
     const double metres = bias.normal_texels * facts.texel_m();

@@ -107,7 +107,7 @@ double urp_radius(const EngineValues& values) {
 }
 
 double hidden_urp(const EngineProfile&, const EngineValues&, const MapFacts& facts) {
-    return kUrpHiddenSlope * tan_angle(facts);
+    return raster_equivalent(kUrpHiddenSlope, 1, facts);
 }
 
 BiasNumbers read_urp(const EngineProfile& profile, const EngineValues& values, const MapFacts&) {
@@ -123,7 +123,7 @@ BiasNumbers read_urp(const EngineProfile& profile, const EngineValues& values, c
 
 void write_urp(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
     const double radius = urp_radius(values);
-    const double left = std::max(0.0, bias.total_texels(facts) - kUrpHiddenSlope * tan_angle(facts));
+    const double left = std::max(0.0, bias.total_texels(facts) - hidden_urp(urp_profile(), values, facts));
     to.put("shadowDepthBias", left / radius, Exactness::EqualAtAngle, left, bias.constant_texels / radius,
            "what the hidden polygon offset leaves to give");
     to.put("shadowNormalBias", 0, Exactness::EqualAtAngle, 0,

@@ -1,0 +1,110 @@
+// Tests of --profile and of `list profiles` and `list profile NAME`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/process.h"
+
+namespace si {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Profiles, AreListed) {
+    const Json list = program_json("list profiles");
+    ASSERT_EQ(list.size(), 18u);
+    EXPECT_EQ(list[0]["key"], "three");
+    const Json three = program_json("list profile three");
+    const auto& parameters = three["parameters"];
+    const auto normal = std::ranges::find_if(parameters, [](const Json& p) { return p["key"] == "normalBias"; });
+    ASSERT_NE(normal, parameters.end());
+    EXPECT_EQ((*normal)["unit"], "m");
+    EXPECT_EQ((*normal)["setting"], "bias.normal");
+    const Json bevy = program_json("list profile bevy");
+    EXPECT_NEAR(bevy["parameters"][0]["default_equivalent"]["metres"].get<double>(), 0.02, 1e-9);
+    const ProcessResult text = run_program("list profile urp");
+    EXPECT_EQ(text.code, 0);
+    EXPECT_NE(text.out.find("shadowDepthBias"), std::string::npos);
+    EXPECT_NE(text.out.find("hidden bias: 2.5 texels"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("cannot be turned off: bias.raster_slope=2.5"), std::string::npos) << text.out;
+    const ProcessResult unverified = run_program("list profile godot3");
+    EXPECT_NE(unverified.out.find("not verified: all of it"), std::string::npos) << unverified.out;
+    expect_error("list profile godto", 2, "did you mean godot?");
+    expect_error("list profile", 2, "list profiles");
+}
+
+TEST(Profiles, AreFoundByEnginesNames) {
+    for (const auto& [name, key] : {std::pair("normalOffsetBias", "bias.normal"),
+                                    {"shadow_depth_bias", "bias.constant"},
+                                    {"polygonOffsetSlope", "bias.raster_slope"}}) {
+        const ProcessResult r = run_program(Words{"list", "settings", name});
+        EXPECT_EQ(r.code, 0) << r.err;
+        EXPECT_NE(r.out.find(key), std::string::npos) << name << "\n" << r.out;
+    }
+    const ProcessResult r = run_program("list settings shadow_depth_bias");
+    EXPECT_NE(r.out.find("Bevy shadow_depth_bias (m)"), std::string::npos) << r.out;
+    EXPECT_NE(r.out.find("0.02 = 2.05 texels = 0.02 m"), std::string::npos) << "the conversion\n" << r.out;
+}
+
+TEST(Profiles, DrawTheEnginesNumbers) {
+    const auto folder = fresh_test_folder();
+    const Words size = "--size 160x90";
+    const auto picture = [&](const Words& words, const char* name) {
+        const ProcessResult r = run_program("render boxes" + words + size + Words{"-o", name}, folder);
+        EXPECT_EQ(r.code, 0) << r.err;
+        return file_bytes(folder / name);
+    };
+    const std::string none = picture("--profile three", "none.png");
+    const std::string some = picture("--profile three --set engine.bias=-0.002", "some.png");
+    const std::string same = picture(
+        "--set map.format=d24 --set filter.kernel=vogel --set filter.taps=5 --set filter.radius=1 --set "
+        "caster.cull=back --set bias.kind=constant --set bias.unit=depth --set bias.constant=0.002 --set "
+        "bias.normal=0",
+        "same.png");
+    EXPECT_NE(none, some) << "without bias there is acne";
+    EXPECT_EQ(some, same) << "the engine's numbers are these settings";
+}
+
+TEST(Profiles, RefuseWhatIsWrongInOneLine) {
+    expect_error("render boxes --profile three --set engine.normalBais=1 -o a.png", 2, "did you mean normalBias?");
+    expect_error("render boxes --profile three --set engine.normalBias=nan -o a.png", 2, "number from 0 to 1000");
+    expect_error("render boxes --profile three --set engine.normalBias=1e30 -o a.png", 2, "number from 0 to 1000");
+    expect_error("render boxes --profile three --set engine.normalBias= -o a.png", 2, "number from 0 to 1000");
+    expect_error("render boxes --profile unity -o a.png", 2, "it is one of three, babylon");
+    expect_error("render boxes --set engine.bias=0 -o a.png", 2, "--profile");
+    expect_error("measure boxes --profile urp --set bias.raster_slope=0", 2, "SetGlobalDepthBias");
+    expect_error("measure boxes --profile godot3", 2, "no conversion is known");
+}
+
+TEST(Profiles, SpeakInTheEnginesParameters) {
+    const Json measured = program_json(
+        "measure boxes --profile three --set engine.bias=0 --set map.resolution=256 --size 160x90 --no-time --cures");
+    bool named = false;
+    for (const Json& row : measured["cures"])
+        if (row["settings"].contains("bias.normal") && row["engine"].is_object()) {
+            named = true;
+            EXPECT_EQ(row["engine"]["profile"], "three");
+            EXPECT_TRUE(row["engine"]["parameters"].contains("normalBias") ||
+                        row["engine"]["parameters"].contains("bias"))
+                << row.dump();
+            EXPECT_NE(row["engine"]["text"].get<std::string>().find("in three.js: set "), std::string::npos);
+        }
+    EXPECT_TRUE(named) << measured["cures"].dump();
+}
+
+TEST(Profiles, AreTunedInTheEnginesNumbers) {
+    const auto folder = fresh_test_folder();
+    const Json urp =
+        program_json("tune boxes --profile urp --set map.resolution=512 --size 160x90 -o least.json", folder);
+    ASSERT_TRUE(urp["found"].get<bool>());
+    for (const Json& row : urp["biases"]) {
+        EXPECT_TRUE(row["row"] == "constant" || row["row"] == "normal-offset") << row["row"];
+        EXPECT_EQ(row["bias"]["raster_slope"], 2.5) << "hidden bias stays in every trial";
+    }
+    EXPECT_EQ(urp["engine"]["profile"], "urp");
+    EXPECT_TRUE(urp["engine"]["parameters"].contains("shadowDepthBias"));
+}
+
+}  // namespace
+}  // namespace si
