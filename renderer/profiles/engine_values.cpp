@@ -1,3 +1,4 @@
+// Conversion of engine values, and the table of engines.
 #include "renderer/profiles/engine_profile.h"
 
 #include <fmt/format.h>
