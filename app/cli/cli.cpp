@@ -12,7 +12,9 @@
 #include "app/base/output.h"
 #include "app/cli/command.h"
 #include "app/commands/check.h"
+#include "app/commands/convert.h"
 #include "app/context/window_context.h"
+#include "app/convert/targets.h"
 #include "app/editor/editor.h"
 #include "app/report/check.h"
 #include "app/report/map_import.h"
@@ -133,6 +135,37 @@ void add_check(CLI::App& app, Run& run) {
     c.add_area("Compare with an area light (light.size). Without it the reference is hard, whatever the preset says");
     c.add_size({640, 360}, kMeasuredPixelBytes);
     c.add_json("Findings and all errors as JSON");
+}
+
+void add_convert(CLI::App& app, Run& run) {
+    std::vector<std::string_view> names;
+    for (const ConvertTarget& target : convert_targets()) names.push_back(target.name);
+    auto& c =
+        add_command(app, run, "convert",
+                    "Write the shadow settings of a preset as code of an engine, a graphics API, C++ or GLSL, with "
+                    "what each number depends on (docs/convert.md)",
+                    run_convert);
+    ConvertOptions& o = c.options;
+    c.app().add_option("PRESET", o.session.preset, "A preset file, or a built-in preset")->required();
+    c.add_value("--to", o.target, "NAME", fmt::format("What to write: {}", fmt::join(names, ", ")))->required();
+    c.add_output("FILE", "The file to write, whole or not at all (default: standard output)");
+    c.add_value(
+        "--scene", o.session.scene, "SCENE",
+        "Take the map's size and the tilt of surfaces from this scene, and measure there (default: the preset's "
+        "scene, if it names one)");
+    c.app().add_flag("!--no-scene", o.use_scene, "Read no scene: the map's size is that of the settings, or assumed");
+    c.add_value(
+         "--angle", o.angle_deg, "DEG",
+         "Angle between normal and light at which numbers shall agree that cannot at every angle (default: 95 % of "
+         "the lit pixels are tilted less; 45 without a scene)")
+        ->check(number_between(0, 89));
+    c.add_value("--set", o.session.sets, "KEY=VALUE", "Set one setting; may be repeated, the last one wins")
+        ->allow_extra_args(false);
+    c.add_area("Compare with an area light (light.size). Without it the reference is hard, whatever the preset says");
+    c.app().add_flag("!--no-time", o.time, "Take no times");
+    c.add_cost();
+    c.add_size({640, 360}, kMeasuredPixelBytes);
+    c.add_json("The same as JSON");
 }
 
 void add_compare_pictures(CLI::App& app, Run& run) {
@@ -475,8 +508,8 @@ int run_cli(int argc, const char* const* argv) {
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
     for (const auto add :
-         {add_render, add_reference, add_measure, add_check, add_compare_pictures, add_compare_maps, add_import_map,
-          add_import_capture, add_probe, add_list, add_measure_commands, add_presets, add_others})
+         {add_render, add_reference, add_measure, add_check, add_convert, add_compare_pictures, add_compare_maps,
+          add_import_map, add_import_capture, add_probe, add_list, add_measure_commands, add_presets, add_others})
         add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {

@@ -1,0 +1,23 @@
+// Options and function of the command `convert`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/commands/commands.h"
+
+namespace si {
+
+/// Options of the command `convert`. Without an output the text goes to standard output.
+struct ConvertOptions : CommandOptions {
+    std::string target;               ///< one of convert_targets()
+    std::optional<double> angle_deg;  ///< reference angle; nullopt: from the scene, else 45
+    bool use_scene = true;            ///< false: neither W and D nor error come from the preset's scene
+    bool time = true;                 ///< time frames
+};
+
+/// Runs the command `convert`: writes settings of a preset as code of an engine or a language.
+/// @throws UsageError, Error
+void run_convert(const ConvertOptions& options);
+
+}  // namespace si

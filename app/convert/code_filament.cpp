@@ -1,0 +1,36 @@
+// Code template of Filament.
+#include <fmt/format.h>
+
+#include "app/convert/targets.h"
+
+namespace si {
+
+namespace {
+
+std::string filament_options(const CodeInput& in) {
+    std::string out = "LightManager::ShadowOptions options;\n";
+    out += fmt::format("options.mapSize = {};\n", in.facts.texels);
+    for (const char* key : {"constantBias", "normalBias", "polygonOffsetConstant", "polygonOffsetSlope"})
+        out += in.line(fmt::format("options.{} = {{}};", key), key);
+    return out + fmt::format("options.shadowCascades = {};\n", in.facts.cascades);
+}
+
+}  // namespace
+
+std::string filament_code(const CodeInput& in) {
+    std::string out = filament_options(in);
+    for (const char* key : {"cascadeSplitPositions[0]", "cascadeSplitPositions[1]", "cascadeSplitPositions[2]"})
+        out += in.line(fmt::format("options.{} = {{}};", key), key);
+    const LightFit fit = in.light().fit;
+    out += fmt::format("options.stable = {};\noptions.lispsm = {};\n", fit == LightFit::Stabilised,
+                       fit == LightFit::Lispsm);
+    out += in.line("view->setShadowType(View::ShadowType::{});", "shadowType");
+    return out + "LightManager::Builder(LightManager::Type::SUN).castShadows(true).shadowOptions(options);\n";
+}
+
+std::string filament19_code(const CodeInput& in) {
+    return filament_options(in) +
+           "LightManager::Builder(LightManager::Type::SUN).castShadows(true).shadowOptions(options);\n";
+}
+
+}  // namespace si
