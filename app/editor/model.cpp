@@ -48,7 +48,8 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
       frames_(state, std::move(thread), session_),
       work_(state, options.state_folder),
       import_(state, persistence_, scenes_),
-      export_(state) {
+      export_(state),
+      conversion_(state) {
     SessionPlan plan = plan_session(options.session);
     scenes_.set_initial_settings(plan.settings);
     state.layout = persistence_.workspace().layout;
@@ -82,6 +83,7 @@ EditorFrame EditorModel::facts() const {
     work_.fill(f, scenes_.scene(), picture_size());
     presets_.fill(f);
     f.importing = import_.facts();
+    f.conversion = conversion_.facts();
     persistence_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
     f.desktop_dialogs = has_desktop_dialog;
@@ -214,6 +216,10 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     changed |= import_.fulfil(requests);
     request(requests.export_bundle.has_value(),
             [&] { export_.start(scenes_.require(), picture_size(), *requests.export_bundle, requests.replace); });
+    if (requests.save_conversion) {
+        conversion_.save(*requests.save_conversion, scenes_.scene(), requests.replace_conversion);
+        changed = true;
+    }
     request(requests.restore_lost, [&] { presets_.restore_lost(); });
     request(requests.discard_lost, [&] { persistence_.forget_lost(); });
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
@@ -236,6 +242,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(scenes_.scene_settings_changed() && !frames_.under_way(), [&] { scenes_.follow_scene_settings(); });
     changed |= presets_.compare();
     changed |= work_.update(scenes_.scene(), requests);
+    changed |= conversion_.update(facts());
     requests.at_rest &= smooths && !measuring();
     if (const Scene* scene = scenes_.scene())
         changed |= frames_.update(*scene, requests, presets_.comparison());

@@ -9,6 +9,7 @@
 #include "app/context/imgui_session.h"
 #include "app/editor/background_work.h"
 #include "app/editor/bundle_export.h"
+#include "app/editor/conversion_preview.h"
 #include "app/editor/editor.h"
 #include "app/editor/frame_import.h"
 #include "app/editor/frame_loader.h"
@@ -141,6 +142,7 @@ private:
     BackgroundWork work_;
     FrameImport import_;
     BundleExport export_;
+    ConversionPreview conversion_;
 };
 
 }  // namespace si

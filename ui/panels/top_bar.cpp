@@ -63,6 +63,8 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
         open_file_dialog(state.files.dialog, FileDialog::Job::ExportBundle, state.files.preset_path,
                          scene_label(state.scene_name));
     plain_tooltip("This frame with scene, camera, shadow maps and matrices, as an engine would write it");
+    if (ImGui::MenuItem("Convert…")) state.convert.asked = true;
+    plain_tooltip("The shadow settings as code of an engine, a graphics API, C++ or GLSL, to copy or save");
     if (ImGui::BeginMenu("Screenshot")) {
         item("of the scene", Command::SceneScreenshot);
         item("of the map", Command::MapScreenshot);

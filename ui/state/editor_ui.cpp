@@ -340,6 +340,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_file_dialog(state, frame, requests);
     draw_replace_dialog(state, requests);
     draw_import_dialog(state.import_dialog, frame.importing, state.scene_name, requests);
+    draw_convert_dialog(state.convert, frame.conversion, requests);
     ImGui::End();
 
     if (keys_wait) {

@@ -13,6 +13,7 @@
 #include "ui/map_view/map_panel.h"
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare_panel.h"
+#include "ui/panels/convert_dialog.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/frontier_panel.h"
@@ -111,6 +112,7 @@ struct EditorState : PictureState {
     ImprovePanel improve;
     LabPanel lab;
     ImportDialog import_dialog;
+    ConvertDialog convert;
 };
 
 /// Progress of a scene that is loading while the editor shows another one.
@@ -151,7 +153,8 @@ struct EditorFrame : ProbeFacts,
     bool driver_reset = false;  ///< the driver has lost the context; the program has to be started again
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
-    std::optional<ImportFacts> importing;  ///< frame of another engine that is being imported
+    std::optional<ImportFacts> importing;      ///< frame of another engine that is being imported
+    const ConvertFacts* conversion = nullptr;  ///< code for state.convert; null: its dialog is closed
     const SweepFacts* sweep = nullptr;
     std::optional<ReferenceFacts> reference;
     const LiveError* error = nullptr;  ///< errors of the shown frame; null: not known
@@ -174,6 +177,7 @@ struct EditorRequests : MapRequests,
                         LabRequests,
                         HealthRequests,
                         ImportRequests,
+                        ConvertRequests,
                         ImportedRequests {
     int scene_width = 0;               ///< wanted width of the scene picture, pixels; 0: it is not shown
     int scene_height = 0;              ///< wanted height

@@ -1,0 +1,90 @@
+#include "app/editor/conversion_preview.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/base/output.h"
+#include "app/convert/conversion.h"
+#include "app/session/session.h"
+#include "renderer/base/error.h"
+#include "renderer/base/printable.h"
+
+namespace si {
+namespace {
+
+constexpr double kAngleWithoutSceneDeg = 45;
+
+/// Returns the input of a conversion of the shown frame.
+ConversionInput shown_input(const EditorState& state, const EditorFrame& frame) {
+    ConversionInput in{.preset = printable(state.files.preset_path, std::string::npos),
+                       .title = printable(state.files.guide.title, std::string::npos),
+                       .scene = printable(state.scene_name, std::string::npos),
+                       .settings = state.settings};
+    in.lookup = lookup_facts(state.settings);
+    in.facts = facts_of_settings(state.settings, in.facts_source);
+    const auto index = std::size_t(state.settings.view.light);
+    if (frame.result && index < frame.result->lights.size() && frame.result->lights[index].casts) {
+        const FittedLight& light = frame.result->lights[index];
+        in.lookup = lookup_facts(state.settings, light, frame.result->map_size,
+                                 frame.driver ? frame.driver->subpixel_bits : in.lookup.subpixel_bits);
+        in.facts = facts_of_light(state.settings, light, frame.result->map_size, in.maps);
+        in.facts_source = "as the shown map is fitted";
+    }
+    in.facts.angle_deg = state.convert.angle_deg > 0 ? state.convert.angle_deg : kAngleWithoutSceneDeg;
+    in.angle_source = state.convert.angle_deg > 0 ? "chosen in the dialog" : "the default";
+    return in;
+}
+
+}  // namespace
+
+ConversionPreview::ConversionPreview(EditorState& state) : state_(state) {
+    for (const ConvertTarget& row : convert_targets()) labels_.push_back({row.name, row.title});
+}
+
+bool ConversionPreview::update(const EditorFrame& frame) {
+    if (!state_.convert.shown) {
+        const bool changed = shown_.has_value();
+        shown_.reset();
+        made_from_.reset();
+        return changed;
+    }
+    if (state_.convert.target.empty()) state_.convert.target = labels_.front().name;
+    const Input input{state_.settings, state_.convert.target, state_.convert.angle_deg, frame.result};
+    if (made_from_ == input) return false;
+    made_from_ = input;
+    shown_ = ConvertFacts{.targets = labels_};
+    try {
+        Conversion made = convert_settings(convert_target(state_.convert.target), shown_input(state_, frame));
+        shown_->text = std::move(made.text);
+        shown_->notes = std::move(made.notes);
+    } catch (const Error& e) {
+        shown_->problem = e.what();
+    }
+    return true;
+}
+
+void ConversionPreview::save(const std::string& path, const Scene* scene, bool replace) {
+    if (!shown_ || shown_->text.empty()) return;
+    shown_->problem.clear();
+    shown_->replaces = false;
+    try {
+        const std::vector<std::filesystem::path> outputs{path};
+        require_no_input(outputs, std::vector<std::filesystem::path>{state_.files.preset_path, state_.scene_name});
+        if (scene) require_no_input(outputs, *scene, state_.files.preset_path);
+        require_writable(path);
+        std::error_code error;
+        if (!replace && std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+            shown_->replaces = true;
+            shown_->problem =
+                fmt::format("{}: the file exists; press Replace, or choose another name", printable(path));
+            return;
+        }
+        write_regular_file(path, shown_->text);
+        state_.log.add(LogKind::Info, "Wrote " + path);
+    } catch (const Error& e) {
+        shown_->problem = e.what();
+    }
+}
+
+}  // namespace si
