@@ -13,8 +13,6 @@
 namespace si {
 namespace {
 
-constexpr double kAngleWithoutSceneDeg = 45;
-
 /// Returns the input of a conversion of the shown frame.
 ConversionInput shown_input(const EditorState& state, const EditorFrame& frame) {
     ConversionInput in{.preset = printable(state.files.preset_path, std::string::npos),
@@ -31,8 +29,8 @@ ConversionInput shown_input(const EditorState& state, const EditorFrame& frame) 
         in.facts = facts_of_light(state.settings, light, frame.result->map_size, in.maps);
         in.facts_source = "as the shown map is fitted";
     }
-    in.facts.angle_deg = state.convert.angle_deg > 0 ? state.convert.angle_deg : kAngleWithoutSceneDeg;
-    in.angle_source = state.convert.angle_deg > 0 ? "chosen in the dialog" : "the default";
+    in.facts.angle_deg = state.convert.angle_deg;
+    in.angle_source = "chosen in the dialog";
     return in;
 }
 

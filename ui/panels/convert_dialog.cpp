@@ -36,13 +36,9 @@ void draw_targets(ConvertDialog& dialog, std::span<const ConvertTargetLabel> tar
 void draw_angle(ConvertDialog& dialog, float width) {
     ImGui::SetNextItemWidth(width);
     auto angle = float(dialog.angle_deg);
-    if (ImGui::SliderFloat("##angle", &angle, 0, float(kLargestAngleDeg),
-                           angle > 0 ? "reference angle %.0f°" : "reference angle of the scene"))
+    if (ImGui::SliderFloat("##angle", &angle, 0, float(kLargestAngleDeg), "reference angle %.0f°"))
         dialog.angle_deg = std::clamp(double(angle), 0.0, kLargestAngleDeg);
-    plain_tooltip(
-        "Angle between normal and light at which numbers agree that cannot agree at every angle. 0 takes the angle "
-        "that "
-        "95 % of the lit pixels do not exceed");
+    plain_tooltip("Angle between normal and light at which numbers agree that cannot agree at every angle");
 }
 
 void draw_preview(const ConvertFacts& facts, float height) {

@@ -25,11 +25,11 @@ struct ConvertFacts {
 
 /// State of the dialog.
 struct ConvertDialog {
-    bool asked = false;    ///< opens in the next frame
-    bool shown = false;    ///< the dialog is open, and needs facts
-    std::string target;    ///< name of a target
-    std::string output;    ///< path of the file while it is being typed
-    double angle_deg = 0;  ///< reference angle; 0: of the scene
+    bool asked = false;     ///< opens in the next frame
+    bool shown = false;     ///< the dialog is open, and needs facts
+    std::string target;     ///< name of a target
+    std::string output;     ///< path of the file while it is being typed
+    double angle_deg = 45;  ///< reference angle between normal and light
 };
 
 /// Requests of the dialog to the application.

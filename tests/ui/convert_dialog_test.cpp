@@ -1,0 +1,117 @@
+// Tests of File, Convert: menu, preview, targets, saving and its refusals.
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/convert/targets.h"
+#include "tests/support/process.h"
+#include "tests/ui/test_editor.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(ConvertDialog, TheMenuOpensIt) {
+    UiHarness ui(1280, 720);
+    ui.frames(3);
+    ui.state.convert.asked = true;
+    ui.frames(2);
+    EXPECT_TRUE(ui.state.convert.shown);
+    EXPECT_TRUE(ui.prints("Convert to another engine"));
+    ui.key(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    ui.frames(2);
+    EXPECT_FALSE(ui.state.convert.shown);
+}
+
+/// Editor with the dialog open, in a folder of its own.
+class ConvertPreview : public testing::Test {
+protected:
+    ConvertPreview() : editor_(editor_options("boxes", {"bias.kind=constant", "bias.constant=1.5"})) {
+        editor_.state().files.preset_path = (folder_ / "p.json").string();
+        editor_.state().convert.asked = true;
+        settle();
+    }
+    void settle() {
+        editor_.frames(4);
+        editor_.settle();
+        editor_.frames(2);
+    }
+    const ConvertFacts& facts() {
+        static const ConvertFacts kNone;
+        const ConvertFacts* shown = editor_.facts().conversion;
+        EXPECT_TRUE(shown);
+        return shown ? *shown : kNone;
+    }
+    void choose(const std::string& target) {
+        editor_.state().convert.target = target;
+        settle();
+    }
+    void save(const std::string& path, bool replace = false) {
+        EditorRequests requests = editor_.requests();
+        requests.save_conversion = path;
+        requests.replace_conversion = replace;
+        editor_.model().fulfil(requests);
+    }
+
+    const fs::path folder_ = fresh_test_folder();
+    TestEditor editor_;
+};
+
+TEST_F(ConvertPreview, ShowsTheCodeOfEveryTarget) {
+    ASSERT_EQ(facts().targets.size(), convert_targets().size());
+    for (const ConvertTarget& target : convert_targets()) {
+        choose(std::string(target.name));
+        EXPECT_EQ(facts().problem, "") << target.name;
+        EXPECT_NE(facts().text.find(target.title), std::string::npos) << target.name;
+        EXPECT_NE(facts().text.find("as the shown map is fitted"), std::string::npos) << target.name;
+    }
+}
+
+TEST_F(ConvertPreview, FollowsSettingsAndAngle) {
+    choose("three");
+    const std::string before = facts().text;
+    editor_.state().settings.bias.constant = 3;
+    settle();
+    const std::string changed = facts().text;
+    EXPECT_NE(changed, before);
+    editor_.state().convert.angle_deg = 30;
+    settle();
+    EXPECT_NE(facts().text.find("reference angle 30 degrees"), std::string::npos);
+    set_setting(editor_.state().settings, "map.virtual", "true");
+    choose("glsl");
+    EXPECT_EQ(facts().text, "");
+    EXPECT_NE(facts().problem.find("set map.virtual to false"), std::string::npos) << facts().problem;
+}
+
+TEST_F(ConvertPreview, SavesWholeAndReplacesOnlyWhenTold) {
+    choose("godot");
+    const std::string file = (folder_ / "out.gd").string();
+    save(file);
+    EXPECT_EQ(file_bytes(file), facts().text);
+    EXPECT_EQ(editor_.last_line(), "Wrote " + file);
+    std::ofstream(file) << "mine";
+    save(file);
+    EXPECT_TRUE(facts().replaces);
+    EXPECT_NE(facts().problem.find("press Replace"), std::string::npos);
+    EXPECT_EQ(file_bytes(file), "mine");
+    save(file, true);
+    EXPECT_EQ(file_bytes(file), facts().text);
+    EXPECT_FALSE(facts().replaces);
+}
+
+TEST_F(ConvertPreview, RefusesWithAdvice) {
+    choose("three");
+    save((folder_ / "missing" / "a.js").string());
+    EXPECT_NE(facts().problem.find("make it first"), std::string::npos) << facts().problem;
+    std::ofstream(folder_ / "p.json") << "{}";
+    save((folder_ / "p.json").string(), true);
+    EXPECT_NE(facts().problem.find("name another file"), std::string::npos) << facts().problem;
+    EXPECT_EQ(file_bytes(folder_ / "p.json"), "{}");
+}
+
+}  // namespace
+}  // namespace si::test
