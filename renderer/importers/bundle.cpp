@@ -353,7 +353,7 @@ Scene load_bundle(const fs::path& path, const GltfOptions& options) {
         throw Error(fmt::format("{}: {}", file, error.what()));
     }
     suggest_cascades(b, to);
-    suggest_lookup(b, *maps, to);
+    suggest_lookup(b, to);
     suggest_casters_drawn(b, scene, to);
     suggest_double_sided(b, scene, to);
     for (const auto& [key, value] : b.settings) {

@@ -78,11 +78,8 @@ constexpr std::string_view kRasterSettings[] = {"bias.raster_slope", "bias.raste
 
 // A normal offset of three texels prevents acne on a plane at any angle under the default kernel:
 // h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias/theory.h). The constant covers quantisation.
-constexpr StartingValue kStartsOfNumbers[] = {{"bias.unit", "texels"},
-                                              {"bias.constant", "0.1"},
-                                              {"bias.normal", "3"},
-                                              {"bias.normal_unit", "texels"},
-                                              {"bias.normal_by", "length"}};
+constexpr StartingValue kStartsOfNumbers[] = {
+    {"bias.unit", "texels"}, {"bias.constant", "0.1"}, {"bias.normal", "3"}, {"bias.normal_unit", "texels"}};
 // Rows that compute the needed bias themselves need no number beside it.
 constexpr StartingValue kStartsOfNeededBias[] = {{"bias.constant", "0"}, {"bias.normal", "0"}};
 

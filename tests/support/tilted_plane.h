@@ -54,8 +54,10 @@ struct TiltedPlane {
         const glm::dmat3 turn = orthonormal_basis(normal);
         const glm::dmat4 place(glm::dvec4(turn[1], 0), glm::dvec4(turn[2], 0), glm::dvec4(turn[0], 0),
                                glm::dvec4(at, 1));
-        scene = grey_scene(
-            {{"plane", make_plane(10, 10), place}, {"sheet", make_plane(0.1f, 0.1f), place * moved(4.5, 2, 4.5)}});
+        scene = grey_scene({{"plane", make_plane(10, 10), place},
+                            // Sheets before and behind the plane give the light a depth range.
+                            {"above", make_plane(0.1f, 0.1f), place * moved(4.5, 2, 4.5)},
+                            {"below", make_plane(0.1f, 0.1f), place * moved(-4.5, -2, -4.5)}});
         settings = hard_settings();
         settings.bias = no_bias();
         set_all(settings, {"bias.kind=constant", "bias.unit=texels", "filter.kernel=hard", "map.format=d32f",

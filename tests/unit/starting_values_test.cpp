@@ -71,6 +71,9 @@ TEST(StartingValues, ComeWithAnotherKindOnACommandLine) {
     EXPECT_EQ(with_sets({}, {"bias.kind=slope", "bias.kind=adaptive"}), Settings()) << "the last one wins";
     const Settings depth = settings_with({}, {"bias.unit=depth", "bias.constant=0.005"});
     EXPECT_EQ(with_sets(depth, {"bias.kind=constant"}).bias.unit, BiasUnit::Texels) << "0.1 of depth would be much";
+    const Settings metres = settings_with({}, {"bias.normal=0.02", "bias.normal_unit=metres", "bias.normal_by=sine"});
+    EXPECT_EQ(with_sets(metres, {"bias.kind=constant"}).bias.normal_unit, OffsetUnit::Texels) << "3 m would be much";
+    EXPECT_EQ(with_sets(metres, {"bias.kind=constant"}).bias.normal_by, OffsetBy::Sine) << "it is no amount";
     const Settings own = settings_with(slope_settings(), {"bias.normal=1"});
     EXPECT_EQ(with_sets(own, {"bias.kind=slope"}), own) << "it is no other kind";
 }
