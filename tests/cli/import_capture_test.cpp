@@ -4,13 +4,18 @@
 #include <signal.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/gltf/image_decode.h"
 #include "tests/support/missing_reason.h"
 #include "tests/support/process.h"
 #include "tests/support/traits.h"
@@ -72,6 +77,8 @@ const CaptureCase kCases[] = {
                 {17, 17, 3, 1, 260100}},
      .depth = false,
      .ends = {10.7793, 21.4586, 80},
+     .normal = {0.0588, 0},
+     .normal_by = "sine",
      .compared = false},
     {"shadow_inspector_zink", {{28, 96, 2, 0, 802590}}, true, 0, true, false},
     {.name = "vtk_shadow_pass",
@@ -149,6 +156,11 @@ TEST_P(ImportCapture, RebuildsEachSliceWithinTheGate) {
             EXPECT_EQ(bias.value("normal_by", "length"), c.normal_by);
         }
     }
+    if (!c.constant.empty()) {
+        const Json probed =
+            program_json({"probe", "a.bundle", "--size", "640x360", "--pixel", "320,330", "--json"}, folder);
+        EXPECT_EQ(probed["lights"][0]["dossier"]["engine_bias"], "known");
+    }
     if (c.compared) {
         const ProcessResult compared =
             run_program({"compare-maps", "a.bundle", "--leave-out-masked", "--check"}, folder);
@@ -183,6 +195,111 @@ const CaptureCase kLargeCases[] = {
 
 INSTANTIATE_TEST_SUITE_P(Large, ImportCapture, testing::ValuesIn(kLargeCases),
                          [](const auto& each) { return std::string(each.param.name); });
+
+/// Reads a grey PFM picture, rows from the top. Its first row is the bottom one.
+std::vector<float> pfm_values(const fs::path& file, std::size_t width, std::size_t height) {
+    const std::string bytes = file_bytes(file);
+    std::vector<float> out(width * height);
+    if (bytes.size() < out.size() * sizeof(float)) return {};
+    const char* data = bytes.data() + bytes.size() - out.size() * sizeof(float);
+    for (std::size_t y = 0; y < height; ++y)
+        std::memcpy(&out[(height - 1 - y) * width], data + y * width * sizeof(float), width * sizeof(float));
+    return out;
+}
+
+SI_TESTS_ARE(Frame, ImportCapturePicture);
+
+// The engine's own picture decides: at edges of the sun's shadows on the ground, its light is nearest to the visibility
+// that this program derives from the engine's maps and the stated bias. Other offsets are farther.
+TEST(ImportCapturePicture, FilamentsSunAgreesBestWithTheStatedOffset) {
+    const fs::path file = captures() / "filament_csm_gl.rdc";
+    if (!fs::exists(file)) GTEST_SKIP() << test::kMissingReason << "../shared/captures";
+    if (!has_module()) GTEST_SKIP() << test::kMissingReason << "python3-renderdoc";
+    const fs::path folder = fresh_test_folder();
+    ASSERT_EQ(run_program({"import-capture", file.string(), "-o", "a.bundle"}, folder).code, 0);
+    const std::string png = file_bytes(folder / "a.bundle/picture.png");
+    const gltf::Image picture = gltf::decode_image({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+    constexpr int kWidth = 640, kHeight = 360;
+    ASSERT_EQ(picture.width, kWidth);
+    ASSERT_EQ(picture.height, kHeight);
+    const Json frame = Json::parse(file_bytes(folder / "a.bundle/frame.json"));
+    glm::dmat4 clip;
+    for (int i = 0; i < 16; ++i) clip[i / 4][i % 4] = frame["camera"]["clip_from_world"][i];
+    const glm::dmat4 rows = glm::transpose(clip);
+    const glm::dmat3 from_clip = glm::inverse(glm::transpose(glm::dmat3(rows[0], rows[1], rows[3])));
+    // Spot light and ground of the captured scene, counted from the camera.
+    const glm::dvec3 spot(-12, 1, -7), spot_axis = glm::normalize(glm::dvec3(0.4, -1, -0.5));
+    constexpr double kGround = -6, kSpotAngle = 0.61, kLastSplit = 21.4;
+
+    struct Point {
+        std::size_t pixel;
+        double light;  ///< linear
+    };
+    std::vector<Point> ground;
+    std::vector<double> lights;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const glm::dvec3 ray = from_clip * glm::dvec3(2 * (x + 0.5) / kWidth - 1, 1 - 2 * (y + 0.5) / kHeight, 1);
+            const double along = kGround / ray.y;
+            const glm::dvec3 p = ray * along;
+            if (!(along > 0 && along < kLastSplit)) continue;
+            if (glm::dot(glm::normalize(p - spot), spot_axis) > std::cos(kSpotAngle)) continue;
+            const std::size_t i = std::size_t(y * kWidth + x);
+            const int red = picture.rgba[4 * i], green = picture.rgba[4 * i + 1], blue = picture.rgba[4 * i + 2];
+            if (std::abs(red - green) >= 25 || green < blue || red < green - 2) continue;  // no grey: another object
+            ground.push_back({i, std::pow((red + green + blue) / 765.0, 2.2)});
+            lights.push_back(ground.back().light);
+        }
+    ASSERT_GT(ground.size(), 50'000u);
+    std::ranges::sort(lights);
+    const double lit = lights[lights.size() / 2];
+
+    const auto visibility = [&](const std::vector<std::string>& sets) {
+        Words words("render a.bundle -o v.pfm --size 640x360 --view visibility --set filter.kernel=hw2x2");
+        for (const std::string& set : sets) {
+            words.push_back("--set");
+            words.push_back(set);
+        }
+        EXPECT_EQ(run_program(words, folder).code, 0);
+        return pfm_values(folder / "v.pfm", kWidth, kHeight);
+    };
+    const std::vector<float> stated = visibility({});
+    ASSERT_FALSE(stated.empty());
+    std::vector<double> darks;
+    for (const Point& p : ground)
+        if (stated[p.pixel] == 0) darks.push_back(p.light);
+    ASSERT_GT(darks.size(), 300u);
+    std::ranges::sort(darks);
+    const double dark = darks[darks.size() / 2];
+    // Within two pixels of an edge.
+    std::vector<Point> edges;
+    for (const Point& p : ground) {
+        bool near = false;
+        for (int dy = -2; dy <= 2; ++dy)
+            for (int dx = -2; dx <= 2; ++dx) {
+                const long at = long(p.pixel) + dy * kWidth + dx;
+                if (at >= 0 && at < long(stated.size())) near |= stated[at] > 0 && stated[at] < 1;
+            }
+        if (near) edges.push_back(p);
+    }
+    const auto distance = [&](const std::vector<float>& drawn) {
+        double sum = 0;
+        for (const Point& p : edges) {
+            const double shown = std::clamp((p.light - dark) / (lit - dark), 0.0, 1.0);
+            sum += std::pow(shown - double(drawn[p.pixel]), 2);
+        }
+        return std::sqrt(sum / double(edges.size()));
+    };
+    const double best = distance(stated);
+    std::printf("%zu pixels at edges, as stated %.4f\n", edges.size(), best);
+    EXPECT_LT(best, 0.15);
+    for (const char* set : {"bias.normal=0", "bias.normal=0.0586", "bias.normal_by=length",
+                            "bias.normal_by=one-minus-cosine", "bias.normal_by=sideways"}) {
+        const double other = distance(visibility({set}));
+        std::printf("%s %.4f\n", set, other);
+        EXPECT_LT(best, 0.98 * other) << set;
+    }
+}
 
 SI_TESTS_ARE(Frame, ImportCaptureList);
 
