@@ -84,7 +84,7 @@ TEST_F(NormalOffsetTest, OverlaysAndProbeEqualTheClosedForm) {
         }
 }
 
-// With the least bias of the closed form, and a hundredth more, no pixel is dark. A tenth less leaves dark ones.
+// With the least bias of the closed form, and a fiftieth more, no pixel is dark. Less of it leaves dark ones.
 TEST_F(NormalOffsetTest, AcneBeginsWhereTheFormulaSays) {
     for (const test::OffsetForm& form : test::offset_forms())
         for (const OffsetCase& c : offset_cases()) {
@@ -110,7 +110,9 @@ TEST_F(NormalOffsetTest, AcneBeginsWhereTheFormulaSays) {
                 return std::ranges::count_if(lit.data, [](float v) { return v < 0.5f; });
             };
             EXPECT_EQ(dark_pixels(1.02 * most), 0) << most;
-            EXPECT_GT(dark_pixels(0.9 * most), 0) << most;
+            // Under a spot light only the farthest pixels need as much, and they may lie well within their texels.
+            const double less = c.type == LightType::Directional ? 0.9 : 0.7;
+            EXPECT_GT(dark_pixels(less * most), 0) << most;
         }
 }
 
