@@ -11,6 +11,7 @@
 #include "app/base/notes.h"
 #include "app/base/output.h"
 #include "app/cli/command.h"
+#include "app/cli/command_table.h"
 #include "app/commands/check.h"
 #include "app/commands/convert.h"
 #include "app/context/window_context.h"
@@ -350,7 +351,7 @@ EditOptions& add_edit(CLI::App& app, Run& run) {
         "The tab in front at the start: effects, probe, error, objects, compare, frontier, improve, lab, "
         "numbers or log");
     c.add_value("--theme", o.theme, "T", "dark or light (default: the theme chosen last)")
-        ->check(CLI::IsMember({"dark", "light"}));
+        ->check(one_of({"dark", "light"}));
     c.add_value("--sweep", o.sweep, "DIR", "Show the sweep in this folder in the tab frontier");
     c.add_numeric();
     c.add_value("--report", o.report, "F.json",
@@ -501,15 +502,15 @@ int run_cli(int argc, const char* const* argv) {
         "Shadow Inspector: a scene next to its live shadow map.\n"
         "Without a command: opens the editor, or, without a display, draws everything into out/.",
         "shadow-inspector");
-    app.set_version_flag("--version", std::string("shadow-inspector ") + SI_VERSION);
+    app.set_version_flag("--version", version_text, "Print the program's version and those of its files");
     app.require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
     Run run;
     const EditOptions& edit = add_edit(app, run);
     run = [&edit] { run_default(edit); };
-    for (const auto add :
-         {add_render, add_reference, add_measure, add_check, add_convert, add_compare_pictures, add_compare_maps,
-          add_import_map, add_import_capture, add_probe, add_list, add_measure_commands, add_presets, add_others})
+    for (const auto add : {add_render, add_reference, add_measure, add_check, add_convert, add_compare_pictures,
+                           add_compare_maps, add_import_map, add_import_capture, add_probe, add_list,
+                           add_measure_commands, add_presets, add_others, add_printed_tables})
         add(app, run);
     if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {

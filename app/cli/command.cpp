@@ -43,7 +43,7 @@ CLI::Validator one_of(const std::vector<std::string_view>& words) {
                 if (std::find(words.begin(), words.end(), text) != words.end()) return {};
                 return fmt::format("\"{}\" is none of {}", text, fmt::join(words, ", "));
             },
-            fmt::format("{}", fmt::join(words, ", "))};
+            fmt::format("{}", fmt::join(words, ", ")), kWordsValidator};
 }
 
 CLI::Option* CommandParser::add_scene() {

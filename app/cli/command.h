@@ -19,6 +19,8 @@ using Run = std::function<void()>;
 
 /// Makes a validator for an option that takes a finite number within [min, max]. CLI::Range accepts NaN and garbage.
 CLI::Validator number_between(double min, double max);
+/// Name of the validators that one_of() makes.
+inline constexpr const char* kWordsValidator = "words";
 /// Makes a validator for an option that takes one of `words`. The error message for another word lists them.
 CLI::Validator one_of(const std::vector<std::string_view>& words);
 
