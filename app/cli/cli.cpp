@@ -23,6 +23,7 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/bundle/bundle_files.h"
 #include "renderer/bundle/bundle_members.h"
 #include "renderer/importers/importers.h"
 #include "renderer/reference/light_map_cache.h"
@@ -333,7 +334,10 @@ void start_editor(const EditOptions& o) {
     e.check_numeric = o.check_numeric;
     if (!e.headless && !o.no_state) e.state_folder = state_folder();
     if (o.no_state) light_maps().set_disk_folder({});
-    if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
+    // A desktop passes any file that the program is registered for as SCENE.
+    if (e.session.preset.empty() && lower_extension(o.session.scene) == ".json" && !is_bundle_path(o.session.scene))
+        std::swap(e.session.preset, e.session.scene);
+    if (lower_extension(e.session.preset) == ".json") e.preset = e.session.preset;
     print_notes(run_editor(e));
 }
 

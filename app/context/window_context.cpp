@@ -57,6 +57,9 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    // A desktop finds the icon of a window by its class: StartupWMClass in packaging/shadow-inspector.desktop.
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "shadow-inspector");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "shadow-inspector");
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
         int x = 0, y = 0, w = 0, h = 0;
         glfwGetMonitorWorkarea(monitor, &x, &y, &w, &h);

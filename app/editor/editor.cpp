@@ -25,6 +25,7 @@
 #include "renderer/frame/read_images.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/gl/target.h"
+#include "renderer/importers/importers.h"
 
 namespace si {
 namespace {
@@ -137,7 +138,12 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     ImGuiSession imgui(options.scale > 0 ? float(options.scale) : window.content_scale());
     const WindowInput input(window);
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    EditorModel model(options, {}, {.context = window.sharing(), .wake = WindowContext::wake});
+    // A capture or an image of a map becomes a bundle first, as one that is dropped on the window.
+    const bool imports = find_frame_file(options.session.scene) != nullptr;
+    EditorOptions first = options;
+    if (imports) first.session.scene.clear();
+    EditorModel model(first, {}, {.context = window.sharing(), .wake = WindowContext::wake});
+    if (imports) model.open(options.session.scene);
     FilePortal portal(WindowContext::wake);
     model.has_desktop_dialog = true;
     std::string titled;
