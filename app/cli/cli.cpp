@@ -410,6 +410,10 @@ void add_others(CLI::App& app, Run& run) {
                               "Write scene, camera, lights, shadow maps and picture as a bundle: a folder that ends in "
                               ".bundle, or a .zip file (docs/bundle.md)");
     gltf->excludes(bundle);
+    out.add_value("--maps", out.options.maps, "FORMAT",
+                  "With --bundle: file format of the maps: pfm (default), or exr (losslessly compressed)")
+        ->check(one_of({"pfm", "exr"}))
+        ->needs(bundle);
     out.add_size();
 
     auto& overview = add_command(

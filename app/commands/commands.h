@@ -229,6 +229,7 @@ void run_import_capture(const ImportCaptureOptions& options);
 /// Options of the command `export`.
 struct ExportOptions : CommandOptions {
     std::string bundle;  ///< bundle to write in place of a glTF file: a .bundle folder or a .zip file; empty: none
+    std::string maps = "pfm";  ///< file format of the bundle's maps: pfm or exr
 };
 /// Runs the command `export`: writes the session's scene as a glTF file, or its frame as a bundle.
 void run_export(const ExportOptions& options);

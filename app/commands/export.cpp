@@ -20,7 +20,8 @@ void export_bundle(const ExportOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     write_bundle_files(frame_bundle(renderer, session.scene, session.settings,
-                                    {.width = options.size.width, .height = options.size.height}),
+                                    {.width = options.size.width, .height = options.size.height},
+                                    options.maps == "exr" ? MapFile::Exr : MapFile::Pfm),
                        options.bundle);
     print_notes(session.notes);
     print_notes(export_notes(written_scene(session.scene)));

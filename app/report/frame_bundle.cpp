@@ -14,6 +14,7 @@
 #include "renderer/base/printable.h"
 #include "renderer/bundle/bundle_json.h"
 #include "renderer/bundle/given_maps.h"
+#include "renderer/bundle/map_image_exr.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scene/ground.h"
 #include "renderer/settings/biases.h"
@@ -158,7 +159,8 @@ Scene written_scene(const Scene& shown) {
     return out;
 }
 
-BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request) {
+BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request,
+                            MapFile maps) {
     if (draws_pages(settings)) throw Error("map.virtual: a bundle holds whole maps; set map.virtual to false");
     request.outputs.colour = request.outputs.shadow_map = true;
     const FrameResult frame = renderer.render(shown, settings, request);
@@ -181,8 +183,9 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settin
                                          i < frame.imported.size() ? frame.imported[i].get() : nullptr));
         for (std::size_t v = 0; v < bundle.lights.back().maps.size(); ++v) {
             std::string& file = bundle.lights.back().maps[v].image.file;
-            file = fmt::format("maps/light{}-{}.pfm", i, v);
-            out[file] = pfm_bytes(renderer.read_shadow_map(frame, int(i), int(v)));
+            file = fmt::format("maps/light{}-{}.{}", i, v, maps == MapFile::Exr ? "exr" : "pfm");
+            const FloatImage map = renderer.read_shadow_map(frame, int(i), int(v));
+            out[file] = maps == MapFile::Exr ? exr_bytes(map) : pfm_bytes(map);
         }
     }
     if (out.empty())

@@ -140,6 +140,26 @@ TEST(BundleCommand, ZipFolderAndFrameJsonAreOneScene) {
         EXPECT_EQ(picture(name), own) << name;
 }
 
+TEST(BundleCommand, MapsInExrReadAsThoseInPfm) {
+    const std::string frame = "stage --set map.resolution=128 --set light.type=spot --set map.format=d16";
+    const fs::path folder = exported(frame);
+    for (const char* name : {"exr.bundle", "exr.zip"})
+        ASSERT_EQ(
+            run_program(Words("export " + frame + " --size 192x108 --maps exr --bundle ") + Words(name), folder).code,
+            0);
+    EXPECT_TRUE(fs::exists(folder / "exr.bundle/maps/light0-0.exr"));
+    EXPECT_FALSE(fs::exists(folder / "exr.bundle/maps/light0-0.pfm"));
+    const auto stored = [&](const std::string& scene) {
+        const ProcessResult r = run_program("render " + scene + " --view shadow-map --size 128x128 -o map.pfm", folder);
+        EXPECT_EQ(r.code, 0) << r.err;
+        return file_bytes(folder / "map.pfm");
+    };
+    const std::string own = stored(frame);
+    for (const char* name : {"out.bundle", "exr.bundle", "exr.zip"}) EXPECT_EQ(stored(name), own) << name;
+    expect_error("export boxes --maps exr -o a.glb", 2, "--bundle", folder);
+    expect_error("export boxes --maps tiff --bundle a.zip", 2, "pfm, exr", folder);
+}
+
 TEST(BundleCommand, TheSettingChoosesAndRemovesTheMaps) {
     const fs::path folder = exported("boxes --set map.resolution=128");
     fs::create_directories(folder / "presets");
