@@ -1,4 +1,4 @@
-// Copyright the Shadow Inspector authors; licence: see the project
+// Shadow Inspector. No licence has been chosen yet; all rights are the owner's until then.
 //
 // Writer of bundles: one frame of an engine, with its scene, camera, lights and shadow maps, for Shadow Inspector.
 // docs/bundle.md describes the format. The header needs C99 or C++11 and the C library alone.

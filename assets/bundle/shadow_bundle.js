@@ -1,4 +1,4 @@
-// Copyright the Shadow Inspector authors; licence: see the project
+// Shadow Inspector. No licence has been chosen yet; all rights are the owner's until then.
 //
 // Writer of bundles for three.js: one frame with its scene, camera, lights and shadow maps, as a zip file for Shadow
 // Inspector. docs/bundle.md describes the format. It needs WebGL 2, three.js r182 or newer, and no other file.

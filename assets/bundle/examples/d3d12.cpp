@@ -1,4 +1,4 @@
-// Copyright the Shadow Inspector authors; licence: see the project
+// Shadow Inspector. No licence has been chosen yet; all rights are the owner's until then.
 //
 // Example: a bundle from an engine on Direct3D 12. Excerpt to copy from; it is compiled by no test.
 //

@@ -1,4 +1,4 @@
-# Copyright the Shadow Inspector authors; licence: see the project
+# Shadow Inspector. No licence has been chosen yet; all rights are the owner's until then.
 #
 # Example: a bundle from Godot 4. Excerpt to copy from; it is run by no test.
 #

@@ -1,4 +1,4 @@
-// Copyright the Shadow Inspector authors; licence: see the project
+// Shadow Inspector. No licence has been chosen yet; all rights are the owner's until then.
 //
 // Draws a small scene with shadow maps of its own in OpenGL and writes the frame as a bundle.
 // It needs EGL and libepoxy, but no window:

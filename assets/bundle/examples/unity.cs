@@ -1,4 +1,4 @@
-// Copyright the Shadow Inspector authors; licence: see the project
+// Shadow Inspector. No licence has been chosen yet; all rights are the owner's until then.
 //
 // Example: the shadow map of a directional light of Unity (built-in pipeline, one cascade) as a bundle. Excerpt to copy
 // from; it is compiled by no test. It writes frame.json and a raw map by itself, and leaves the scene to a glTF
