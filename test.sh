@@ -29,6 +29,7 @@ more_stages=(
   "frames:frames of other programs that RenderDoc captured"
   "window:the editor in windows of its own"
   "engines:bundles that engines of others write: three.js from npm, in a headless browser"
+  "package:the Debian package, checked, installed in a clean root, run there and removed"
   "products:full products of what tests take in part, and tests that take minutes"
   "zink:drawing tests on zink over lavapipe"
   "asan:the build under AddressSanitizer and UndefinedBehaviorSanitizer; unit tests, each preset drawn"
@@ -165,6 +166,7 @@ run_stage() {
     local label
     for label in unit presets; do stage "asan: $label" tests asan "$label"; done
     ;;
+  package) once release && stage package "$root/scripts/test_package.sh" ;;
   panels) once panels && stage panels tests asan ui ;;
   memory) once memory && stage memory tests asan gl ;;
   strict) once strict ;;
@@ -180,6 +182,10 @@ lacks() {
   strict) command=clang++ ;;
   window) command=xdotool ;;
   engines) command=npm ;;
+  package)
+    "$root/scripts/test_package.sh" --lacks
+    return
+    ;;
   *) return 1 ;;
   esac
   ! command -v "$command" >/dev/null
