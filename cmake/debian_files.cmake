@@ -1,5 +1,5 @@
-# Run by CPack before it packs: what Debian wants in another form than `cmake --install` gives, the manual page compressed,
-# and the changelog in Debian's form.
+# Script that CPack runs before it packs. Debian wants other forms of some files than `cmake --install` gives: the manual
+# page compressed, and a changelog of its own.
 set(root ${CPACK_TEMPORARY_DIRECTORY}/usr/share)
 execute_process(COMMAND gzip -9nf ${root}/man/man1/shadow-inspector.1 COMMAND_ERROR_IS_FATAL ANY)
 

@@ -1,6 +1,5 @@
-# What is installed, and the Debian package that CPack makes of it. The program embeds all files that it reads itself.
-# Files in share/shadow-inspector are for people: writers of bundles, and presets to begin with.
-set(SI_APP_ID shadow-inspector)
+# Installation, and the Debian package that CPack makes of it. The program embeds all files that it reads itself. Files
+# in share/shadow-inspector are for people: writers of bundles, and presets to begin with.
 install(TARGETS shadow-inspector RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY assets/bundle assets/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/shadow-inspector/assets)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Makes the Debian package of build/release, checks its parts, installs it in a clean root, runs it there and removes it.
-#   --lacks   print what this test needs and the machine has not, and make nothing; exit code 0 if something lacks
+# Makes the Debian package of build/release, checks its parts, installs it in a clean root, runs it there and removes
+# it. Arguments:
+#   --lacks      print the needs of this test that the machine does not meet, and make nothing; exit code 0 if there are
+#   PICTURE.png  keep the picture that is drawn in the clean root
 # It needs root, and the mirror that apt of this machine uses.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,11 +19,16 @@ lacking() {
   elif ! unshare --mount --pid --fork true 2>/dev/null; then
     echo "rights to unshare mounts"
   fi
-  if [ -z "$(mirror)" ]; then echo "a mirror of Debian 12 among the sources of apt"; fi
+  if [ -z "$(mirror)" ]; then
+    echo "a mirror of Debian 12 among the sources of apt"
+  elif command -v wget >/dev/null && ! wget -q --timeout=20 --tries=2 --spider "$(mirror)dists/bookworm/Release"; then
+    echo "a mirror of Debian 12 that answers"
+  fi
 }
 
 # The first mirror of Debian 12 that apt of this machine reads.
 mirror() {
+  # shellcheck disable=SC2016  # apt-get replaces these names
   apt-get indextargets --format '$(CODENAME) $(COMPONENT) $(CREATED_BY) $(REPO_URI)' 2>/dev/null |
     awk '$1 == "bookworm" && $2 == "main" && $3 == "Packages" { print $4; exit }'
 }
@@ -29,7 +36,7 @@ mirror() {
 if [ "${1:-}" = --lacks ]; then
   missing=$(lacking)
   if [ -z "$missing" ]; then exit 1; fi
-  sed 's/^/package: lacks /' <<<"$missing" >&2
+  printf 'package: lacks %s\n' "${missing//$'\n'/, }" >&2
   exit
 fi
 
@@ -46,7 +53,10 @@ trap 'rm -rf --one-file-system "$work"' EXIT
 chmod 755 "$work"
 
 say "the package"
-cpack --config "$build/CPackConfig.cmake" -B "$work/package" >"$work/cpack.log" 2>&1 || { cat "$work/cpack.log"; exit 1; }
+if ! cpack --config "$build/CPackConfig.cmake" -B "$work/package" >"$work/cpack.log" 2>&1; then
+  cat "$work/cpack.log"
+  exit 1
+fi
 deb=$(echo "$work"/package/*.deb)
 dpkg-deb -f "$deb"
 version=$(dpkg-deb -f "$deb" Version)
@@ -83,8 +93,11 @@ if ! debootstrap --variant=minbase bookworm "$clean" "$(mirror)" >"$work/deboots
   fail "debootstrap"
   exit 1
 fi
-inside() { unshare --mount --pid --fork --mount-proc="$clean/proc" -- env -i HOME=/tmp/home PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-  LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} chroot "$clean" "$@"; }
+inside() {
+  unshare --mount --pid --fork --mount-proc="$clean/proc" -- env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+    HOME=/tmp/home XDG_CACHE_HOME=/tmp/home LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+    ${http_proxy:+http_proxy="$http_proxy"} chroot "$clean" "$@"
+}
 # The caches of desktops, which have entries of the package while it is installed.
 needs="$(dpkg-deb -f "$deb" Depends), shared-mime-info, desktop-file-utils, hicolor-icon-theme"
 cp -r /etc/apt/apt.conf.d/. "$clean/etc/apt/apt.conf.d/" 2>/dev/null || true
@@ -94,10 +107,14 @@ if ! { inside apt-get update -q && inside apt-get satisfy -y -q --no-install-rec
   exit 1
 fi
 # All files, but those of dpkg and apt themselves, and what programs that run leave in their own folders.
-files() { (cd "$clean" && find . -path ./proc -prune -o -path ./dev -prune -o -path ./sys -prune -o -path ./tmp -prune -o \
-  -path ./var/log -prune -o -path ./var/cache -prune -o -path ./var/lib/dpkg -prune -o -printf '%p %y %m %u %l\n' | sort); }
+files() {
+  local folder without=()
+  for folder in proc dev sys tmp var/log var/cache var/lib/dpkg; do without+=(-path "./$folder" -prune -o); done
+  (cd "$clean" && find . "${without[@]}" -printf '%p %y %m %u %l\n' | sort)
+}
 files >"$work/before"
 cp "$deb" "$clean/tmp/package.deb"
+mkdir -p "$clean/tmp/home"
 inside dpkg -i /tmp/package.deb >"$work/dpkg.log" 2>&1 || { cat "$work/dpkg.log"; fail "dpkg -i"; }
 files >"$work/installed"
 say "installed: $(comm -13 "$work/before" "$work/installed" | wc -l) files and folders"

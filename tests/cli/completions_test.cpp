@@ -24,6 +24,14 @@ std::string program_output(const Words& words) {
     return r.out;
 }
 
+/// Returns what --help prints for a command; each text is printed once a process.
+const std::string& help_of(const std::string& command) {
+    static std::map<std::string, std::string> texts;
+    const auto [at, fresh] = texts.try_emplace(command);
+    if (fresh) at->second = program_output(Words(command) + Words{"--help"});
+    return at->second;
+}
+
 /// Returns the options that a help text lists: lines that begin with "  -o,--output" or "  --size".
 Names help_options(const std::string& help) {
     static const std::regex line("^  (-[^ ]+)"), name("--?[A-Za-z][A-Za-z-]*");
@@ -53,10 +61,9 @@ std::vector<std::string> help_commands(const std::string& help) {
 /// Returns the command lines of all commands: "render", "preset check".
 std::vector<std::string> all_commands() {
     std::vector<std::string> out;
-    for (const std::string& command : help_commands(program_output({"--help"}))) {
+    for (const std::string& command : help_commands(help_of(""))) {
         out.push_back(command);
-        for (const std::string& below : help_commands(program_output({command, "--help"})))
-            out.push_back(command + " " + below);
+        for (const std::string& below : help_commands(help_of(command))) out.push_back(command + " " + below);
     }
     return out;
 }
@@ -104,7 +111,7 @@ TEST(Completions, OfBashAreTheOptionsOfHelp) {
     for (const std::string& command : commands) lines.push_back(command + " -");
     const std::vector<Names> offers = bash_offers(lines);
     for (std::size_t i = 0; i < commands.size(); ++i)
-        EXPECT_EQ(offers[i], help_options(program_output(Words(commands[i] + " --help")))) << commands[i];
+        EXPECT_EQ(offers[i], help_options(help_of(commands[i]))) << commands[i];
 }
 
 TEST(Completions, OfBashAreCommandsAndValues) {
@@ -112,7 +119,7 @@ TEST(Completions, OfBashAreCommandsAndValues) {
         bash_offers({"", "preset ", "rend", "completion ", "edit --theme ", "import-map a.pfm --up ", "list ",
                      "render stage --set bias.ki", "render stage --set bias.kind=", "render stage --set bias.kind=con",
                      "render sta", "measure stage --preset peter"});
-    const auto commands = help_commands(program_output({"--help"}));
+    const auto commands = help_commands(help_of(""));
     EXPECT_EQ(offers[0], Names(commands.begin(), commands.end()));
     EXPECT_EQ(offers[1], (Names{"check", "show", "save", "diff"}));
     EXPECT_EQ(offers[2], Names{"render"});
@@ -135,8 +142,7 @@ TEST(Completions, OfFishAreTheOptionsOfHelp) {
     script << "$SI completion fish | source\n";
     for (const std::string& command : commands)
         script << "echo '= " << command << "'\n"
-               << "complete -C 'shadow-inspector " << command << " -'\n"
-               << "complete -C 'shadow-inspector " << command << " --'\n";
+               << "complete -C 'shadow-inspector " << command << " -'\n";
     script.close();
     const ProcessResult r = run_shell("HOME=$PWD XDG_CONFIG_HOME=$PWD XDG_DATA_HOME=$PWD fish offers.fish", folder);
     std::map<std::string, Names> offers;
@@ -148,8 +154,7 @@ TEST(Completions, OfFishAreTheOptionsOfHelp) {
         else
             offers[command].insert(line.substr(0, line.find('\t')));
     }
-    for (const std::string& each : commands)
-        EXPECT_EQ(offers[each], help_options(program_output(Words(each + " --help")))) << each << r.err;
+    for (const std::string& each : commands) EXPECT_EQ(offers[each], help_options(help_of(each))) << each << r.err;
 }
 
 TEST(Completions, OfZshNameAllOptionsOfHelp) {
@@ -162,7 +167,7 @@ TEST(Completions, OfZshNameAllOptionsOfHelp) {
         Names names;
         for (std::sregex_iterator at(branch.begin(), branch.end(), option), end; at != end; ++at)
             names.insert((*at)[1]);
-        EXPECT_EQ(names, help_options(program_output(Words(command + " --help")))) << command;
+        EXPECT_EQ(names, help_options(help_of(command))) << command;
     }
     if (run_shell("command -v zsh").code != 0) GTEST_SKIP() << test::kMissingReason << "zsh";
     const ProcessResult r =
@@ -176,7 +181,7 @@ TEST(ManPage, HasAllOptionsOfHelp) {
         const std::size_t begin = page.find("\n.SS " + command + "\n");
         ASSERT_NE(begin, std::string::npos) << command;
         const std::string section = page.substr(begin, page.find("\n.S", begin + 1) - begin);
-        for (const std::string& option : help_options(program_output(Words(command + " --help"))))
+        for (const std::string& option : help_options(help_of(command)))
             EXPECT_NE(section.find("\\fB" + option + "\\fR"), std::string::npos) << command << " " << option;
     }
     if (run_shell("command -v man").code != 0) GTEST_SKIP() << test::kMissingReason << "man";
