@@ -182,10 +182,12 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settin
         bundle.lights.push_back(light_of(light, settings.lights[i], settings,
                                          i < frame.imported.size() ? frame.imported[i].get() : nullptr));
         for (std::size_t v = 0; v < bundle.lights.back().maps.size(); ++v) {
-            std::string& file = bundle.lights.back().maps[v].image.file;
-            file = fmt::format("maps/light{}-{}.{}", i, v, maps == MapFile::Exr ? "exr" : "pfm");
+            BundleImage& image = bundle.lights.back().maps[v].image;
             const FloatImage map = renderer.read_shadow_map(frame, int(i), int(v));
-            out[file] = maps == MapFile::Exr ? exr_bytes(map) : pfm_bytes(map);
+            const bool exr = maps == MapFile::Exr;
+            image.file = fmt::format("maps/light{}-{}.{}", i, v, exr ? "exr" : "pfm");
+            image.first_row = exr ? FirstRow::Top : FirstRow::Bottom;
+            out[image.file] = exr ? exr_bytes(map) : pfm_bytes(map);
         }
     }
     if (out.empty())
