@@ -282,7 +282,10 @@ void add_probe(CLI::App& app, Run& run) {
 void add_list(CLI::App& app, Run& run) {
     auto& c =
         add_command(app, run, "list", "List settings, presets, filters and other tables, with explanations", run_list);
-    c.app().add_option("WHAT", c.options.kind, fmt::format("{}", fmt::join(list_kinds(), ", ")))->required();
+    c.app()
+        .add_option("WHAT", c.options.kind,
+                    fmt::format("{}, or profile with the name of an engine as KEY", fmt::join(list_kinds(), ", ")))
+        ->required();
     c.app().add_option(
         "KEY", c.options.prefix,
         "Only keys that start with this, such as bias or bias.slope; of settings, where none does, those "

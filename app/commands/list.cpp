@@ -333,7 +333,6 @@ std::string row_key(const std::string& asked) {
 std::vector<std::string> list_kinds() {
     std::vector<std::string> keys;
     for (const ListKind& k : kKinds) keys.emplace_back(k.key);
-    keys.emplace_back("profile");
     return keys;
 }
 
