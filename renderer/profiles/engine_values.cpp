@@ -1,6 +1,4 @@
 // Conversion of engine values, and the table of engines.
-#include "renderer/profiles/engine_profile.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/profiles/bias_numbers.h"
+#include "renderer/profiles/engine_profile.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
@@ -65,7 +64,7 @@ std::pair<int, Exactness> choice_for(const Settings& settings, const EngineParam
 }
 
 /// Returns the text of a number that set_setting() reads back without loss.
-std::string number_text(double value) {
+std::string setting_number_text(double value) {
     return fmt::format("{}", value);
 }
 
@@ -98,7 +97,7 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
             ReadSetting setting{std::string(parameter.setting),
                                 is_switch  ? (fitting != 0 ? "true" : "false")
                                 : is_whole ? fmt::format("{}", int(std::lround(fitting)))
-                                           : number_text(fitting),
+                                           : setting_number_text(fitting),
                                 Exactness::Exact,
                                 {}};
             if (fitting != number) setting.note = fmt::format("{:g} is outside of the range of this setting", number);
@@ -108,7 +107,7 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
 }
 
 /// Adds the bias settings of a bias in the terms that engines share.
-void read_numbers(const BiasNumbers& bias, const MapFacts& facts, std::vector<ReadSetting>& out) {
+void read_shared_bias(const BiasNumbers& bias, const MapFacts& facts, std::vector<ReadSetting>& out) {
     // A new unit and rule of bias.normal change these lines alone.
     const double per_texel = offset_equivalent(OffsetBy::Length, facts.angle_deg);
     const double normal = bias.normal_texels * offset_equivalent(bias.normal_by, facts.angle_deg) / per_texel;
@@ -129,7 +128,7 @@ void read_numbers(const BiasNumbers& bias, const MapFacts& facts, std::vector<Re
                                ref->param->max);
             exactness = Exactness::EqualAtAngle;
         }
-        out.push_back({std::string(key), number_text(fitting), exactness, std::move(note)});
+        out.push_back({std::string(key), setting_number_text(fitting), exactness, std::move(note)});
     };
     put("bias.constant", constant, bias.constant, bias.constant_note);
     put("bias.slope", 0, Exactness::Exact, {});
@@ -275,7 +274,7 @@ std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const 
     require_sound(profile, values);
     std::vector<ReadSetting> out;
     read_direct(profile, values, facts, out);
-    if (profile.read_bias) read_numbers(profile.read_bias(profile, values, facts), facts, out);
+    if (profile.read_bias) read_shared_bias(profile.read_bias(profile, values, facts), facts, out);
     return out;
 }
 

@@ -124,9 +124,12 @@ BiasNumbers read_urp(const EngineProfile& profile, const EngineValues& values, c
 void write_urp(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
     const double radius = urp_radius(values);
     const double left = std::max(0.0, bias.total_texels(facts) - hidden_urp(urp_profile(), values, facts));
-    to.put("shadowDepthBias", left / radius, Exactness::EqualAtAngle, left, bias.constant_texels / radius,
-           "what the hidden polygon offset leaves to give");
-    to.put("shadowNormalBias", 0, Exactness::EqualAtAngle, 0,
+    // Settings as the profile draws them hold the hidden offset, and the constant stands beside it.
+    const bool is_drawn = bias.raster_slope == kUrpHiddenSlope && bias.raster_units == 1 && bias.normal_texels == 0;
+    to.put("shadowDepthBias", left / radius, is_drawn ? bias.constant : Exactness::EqualAtAngle, left,
+           bias.constant_texels / radius,
+           is_drawn ? bias.constant_note : "what the hidden polygon offset leaves to give");
+    to.put("shadowNormalBias", 0, bias.normal_texels == 0 ? Exactness::Exact : Exactness::EqualAtAngle, 0,
            quotient(bias.normal_texels, radius * (1 - cos_angle(facts))), "in shadowDepthBias");
 }
 

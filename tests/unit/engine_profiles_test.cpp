@@ -249,6 +249,16 @@ TEST(EngineProfiles, ReadEnginesOwnNumbers) {
                 0.00025 * 40 + 0.02 * tangent, 1e-9);
 }
 
+TEST(EngineProfiles, KeepAConstantBesideTheirHiddenBiasExact) {
+    Settings s = profile_settings(2.5, 0, "tent5");
+    EXPECT_EQ(write_engine_values(engine_profile("urp"), s, {}).find("shadowDepthBias")->exactness,
+              Exactness::EqualAtAngle);
+    apply_forced_settings(engine_profile("urp"), s);
+    const WrittenValues written = write_engine_values(engine_profile("urp"), s, {});
+    EXPECT_NEAR(written.find("shadowDepthBias")->value, 1, 1e-9);
+    EXPECT_EQ(written.find("shadowDepthBias")->exactness, Exactness::Exact);
+}
+
 TEST(EngineProfiles, TakeTheBiasOfAPlaneFromTheKernel) {
     Settings s;  // bias.kind adaptive
     set_setting(s, "filter.kernel", "pcf3");
