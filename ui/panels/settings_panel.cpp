@@ -10,6 +10,7 @@
 #include "renderer/profiles/engine_wording.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/idle_reason.h"
+#include "ui/panels/engine_panel.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
@@ -222,6 +223,12 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
         draw_group(state, frame, requests, group);
     }
     carry_settings(state.settings, placed, state.settings.scene);
+    if (state.settings_panel.search.empty() && !state.settings_panel.only_changed) {
+        ImGui::PushFont(theme::strong());
+        const bool open = ImGui::CollapsingHeader("Engine");
+        ImGui::PopFont();
+        if (open) draw_engine_panel(state, frame);
+    }
     if (!any)
         ImGui::TextDisabled(state.settings_panel.only_changed ? "Nothing is changed."
                                                               : "No setting matches. × clears the search.");

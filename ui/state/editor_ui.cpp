@@ -294,7 +294,8 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     state.shots.scene_rect = state.shots.map_rect = state.shots.drawing_rect = {};
     state.viewport.dragging = false;
     theme::set_light(state.layout.light_theme);
-    const SettingFacts setting_facts{frame.driver, frame.scene, frame.result, &state.files.dialog};
+    const SettingFacts setting_facts{frame.driver, frame.scene, frame.result, &state.files.dialog,
+                                     state.engine_panel.profile};
     use_setting_facts(&setting_facts);
     const struct FactsEnd {
         ~FactsEnd() { use_setting_facts(nullptr); }

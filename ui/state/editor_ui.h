@@ -15,6 +15,7 @@
 #include "ui/panels/compare_panel.h"
 #include "ui/panels/convert_dialog.h"
 #include "ui/panels/effects_panel.h"
+#include "ui/panels/engine_panel.h"
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
@@ -104,6 +105,7 @@ struct EditorState : PictureState {
     ScenePanel viewport;
     MapPanel map;
     SettingsPanel settings_panel;
+    EnginePanel engine_panel;
     LightsPanel lights;
     ObjectsPanel objects;
     ProbePanel probe_panel;

@@ -14,6 +14,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/profiles/engine_profile.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/splits.h"
@@ -259,6 +260,8 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
     const std::string unit = narrow ? std::string() : escaped(unit_suffix(shown_unit(settings, ref)));
     if (idle) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * ImGui::GetStyle().DisabledAlpha);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
+    const EngineProfile* const engine = facts_in_use().engine;
+    ImGui::BeginDisabled(engine && forced_setting(*engine, p.key));
     if (auto* b = std::get_if<bool>(&value))
         changed = ImGui::Checkbox("##value", b);
     else if (auto* i = std::get_if<int>(&value))
@@ -267,6 +270,7 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
         changed = p.file ? file_input(ref, *t, width) : text_input(ref, *t);
     else
         changed = real(ref, std::get<double>(value), unit, shown_unit(settings, ref));
+    ImGui::EndDisabled();
     if (idle) ImGui::PopStyleVar();
     if (changed) change(settings, ref, value);
     return setting_menu(settings, ref) || changed;
@@ -279,7 +283,12 @@ void use_setting_facts(const SettingFacts* facts) {
 }
 
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
-    const auto& [driver, scene, result, files] = facts_in_use();
+    const auto& [driver, scene, result, files, engine] = facts_in_use();
+    if (engine) {
+        if (const ForcedSetting* forced = forced_setting(*engine, ref.param->key)) return forced->reason;
+        for (const LackingSetting& lacking : engine->lacking)
+            if (lacking.key == ref.param->key && lacking.value.empty()) return lacking.reason;
+    }
     if (driver && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver->polygon_offset_clamp)
         return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
     const bool moves = !scene || (scene->rig && !scene->rig->animations.empty());

@@ -10,14 +10,16 @@
 
 namespace si {
 
+struct EngineProfile;
 struct FileDialog;
 
 /// Facts that decide whether a setting has an effect, and that give the numbers of automatic values.
 struct SettingFacts {
-    const DriverInfo* driver = nullptr;   ///< null: a driver that can do everything
-    const Scene* scene = nullptr;         ///< null: a scene with animations
-    const FrameResult* result = nullptr;  ///< frame whose light and camera give automatic values; null: not known
-    FileDialog* files = nullptr;          ///< dialog that chooses the file of a setting; null: paths are typed
+    const DriverInfo* driver = nullptr;     ///< null: a driver that can do everything
+    const Scene* scene = nullptr;           ///< null: a scene with animations
+    const FrameResult* result = nullptr;    ///< frame whose light and camera give automatic values; null: not known
+    FileDialog* files = nullptr;            ///< dialog that chooses the file of a setting; null: paths are typed
+    const EngineProfile* engine = nullptr;  ///< engine whose limits apply; null: none
 };
 /// Sets the facts of the current ImGui context's setting widgets; null: none are known. The pointer has to stay valid
 /// until the next call.

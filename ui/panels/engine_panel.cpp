@@ -1,0 +1,138 @@
+#include "ui/panels/engine_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/fits/engine_facts.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/text.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+/// Returns the facts of the shown light's map.
+MapFacts shown_facts(const EditorState& state, const EditorFrame& frame) {
+    const auto light = std::size_t(std::max(state.settings.view.light, 0));
+    const bool known = frame.result && light < frame.result->lights.size();
+    MapFacts facts = map_facts(known ? &frame.result->lights[light] : nullptr, state.settings);
+    facts.angle_deg = state.engine_panel.angle_deg;
+    return facts;
+}
+
+/// Takes the engine's numbers from the settings, unless these are the ones that the numbers gave.
+void follow_settings(EnginePanel& panel, const Settings& settings, const MapFacts& facts) {
+    const bool same = panel.applied.bias == settings.bias && panel.applied.filter == settings.filter &&
+                      panel.applied.map == settings.map && panel.applied.caster == settings.caster &&
+                      panel.applied.lights == settings.lights;
+    if (same && !panel.values.empty()) return;
+    panel.values = write_engine_values(*panel.profile, settings, facts).values();
+    panel.applied = settings;
+}
+
+/// Changes our settings by the engine's numbers. @param changed the parameter that the user has changed
+void apply_values(EnginePanel& panel, const EngineParameter& changed, const MapFacts& facts, Settings& settings) {
+    EngineValues values;
+    for (const auto& [key, value] : panel.values) {
+        const EngineParameter& parameter = engine_parameter(*panel.profile, key);
+        if (parameter.is_bias || &parameter == &changed || parameter.setting == "filter.kernel") values[key] = value;
+    }
+    const bool reads_bias = changed.is_bias || changed.setting == "filter.kernel" || changed.setting.empty();
+    for (const ReadSetting& setting : read_engine_values(*panel.profile, values, facts)) {
+        const bool is_bias = setting.key.starts_with("bias.");
+        const bool is_own = setting.key == changed.setting || !changed.choices.empty();
+        if (is_bias ? reads_bias : is_own) set_setting(settings, setting.key, setting.value);
+    }
+    apply_forced_settings(*panel.profile, settings);
+    panel.applied = settings;
+}
+
+void choose_engine(EnginePanel& panel, Settings& settings) {
+    ImGui::SetNextItemWidth(-1);
+    if (!begin_combo("##engine", panel.profile ? std::string(panel.profile->title) : "none")) {
+        plain_tooltip("Type the bias in another engine's parameters. Its hidden bias is then drawn too.");
+        return;
+    }
+    if (ImGui::Selectable("none", !panel.profile)) panel.profile = nullptr;
+    for (const EngineProfile& profile : engine_profiles()) {
+        if (!profile.read_bias) continue;
+        if (ImGui::Selectable(std::string(profile.title).c_str(), panel.profile == &profile)) {
+            panel.profile = &profile;
+            panel.values.clear();
+            apply_forced_settings(profile, settings);
+        }
+        if (!profile.unverified.empty()) plain_tooltip("Not verified: " + std::string(profile.unverified));
+    }
+    ImGui::EndCombo();
+}
+
+/// Draws the widget of one parameter. Returns true if its number has changed.
+bool parameter_widget(const EngineParameter& parameter, double& value) {
+    ImGui::SetNextItemWidth(-1);
+    const std::string id = "##" + std::string(parameter.key);
+    if (!parameter.choices.empty()) {
+        bool changed = false;
+        if (!begin_combo(id.c_str(), engine_value_text(parameter, value))) return false;
+        for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+            if (ImGui::Selectable(std::string(parameter.choices[i].key).c_str(), int(value) == int(i))) {
+                value = double(i);
+                changed = true;
+            }
+        ImGui::EndCombo();
+        return changed;
+    }
+    double typed = value;
+    // A half-typed number changes nothing.
+    if (!ImGui::InputDouble(id.c_str(), &typed, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue)) return false;
+    if (!(typed >= parameter.min && typed <= parameter.max)) return false;
+    value = typed;
+    return true;
+}
+
+void draw_parameters(EnginePanel& panel, const MapFacts& facts, Settings& settings) {
+    if (!ImGui::BeginTable("parameters", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings))
+        return;
+    for (const EngineParameter& parameter : panel.profile->parameters) {
+        if (!parameter.is_bias && parameter.setting.empty()) continue;
+        double value = engine_value(*panel.profile, panel.values, parameter.key);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(std::string(parameter.key).c_str());
+        wrapped_tooltip(fmt::format("{}{}{}. From {:g} to {:g}, default {}.", parameter.meaning,
+                                    parameter.unit.empty() ? "" : " Unit: ", parameter.unit, parameter.min,
+                                    parameter.max, engine_value_text(parameter, parameter.standard)));
+        ImGui::TableNextColumn();
+        if (!parameter_widget(parameter, value)) continue;
+        panel.values[std::string(parameter.key)] = value;
+        apply_values(panel, parameter, facts, settings);
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_engine_panel(EditorState& state, const EditorFrame& frame) {
+    EnginePanel& panel = state.engine_panel;
+    choose_engine(panel, state.settings);
+    if (!panel.profile) return;
+    try {
+        const MapFacts facts = shown_facts(state, frame);
+        follow_settings(panel, state.settings, facts);
+        draw_parameters(panel, facts, state.settings);
+        ImGui::TextDisabled("%s", fmt::format("W {:.4g} m, N {}, D {:.4g} m, {:g} degrees", facts.width_m, facts.texels,
+                                              facts.depth_m, facts.angle_deg)
+                                      .c_str());
+    } catch (const Error& e) {
+        coloured_wrapped(e.what(), theme::warning());
+    }
+    if (!panel.profile->unverified.empty())
+        coloured_wrapped("Not verified: " + std::string(panel.profile->unverified), theme::warning());
+}
+
+}  // namespace si
