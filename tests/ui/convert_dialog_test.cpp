@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 TEST(ConvertDialog, TheMenuOpensIt) {
     UiHarness ui(1280, 720);
     ui.frames(3);
-    ui.state.convert.asked = true;
+    ui.click(ui.find("editor/top", "", "File"));
+    ui.frames(2);
+    ui.click(ui.find("##Popup", "", "Convert…"));
     ui.frames(2);
     EXPECT_TRUE(ui.state.convert.shown);
     EXPECT_TRUE(ui.prints("Convert to another engine"));
