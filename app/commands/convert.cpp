@@ -23,6 +23,13 @@
 namespace si {
 namespace {
 
+/// Checks that the light to convert exists. @throws Error
+void require_light(const Settings& settings) {
+    if (settings.view.light < settings.light_count) return;
+    throw Error(fmt::format("view.light {}: the lights are 0 to {}; choose one of them", settings.view.light,
+                            settings.light_count - 1));
+}
+
 /// Takes maps, angle, error and time from a scene.
 void measure_scene(const ConvertOptions& options, const Session& session, ConversionInput& in,
                    std::vector<std::string>& notes) {
@@ -95,9 +102,11 @@ void run_convert(const ConvertOptions& options) {
     in.angle_source = "without a scene";
     if (options.use_scene && (!options.session.scene.empty() || !plan.preset->scene.empty())) {
         const Session session = open_session(opened);
+        require_light(session.settings);
         notes = session.notes;
         measure_scene(options, session, in, notes);
     }
+    require_light(in.settings);
     if (options.angle_deg) {
         in.facts.angle_deg = *options.angle_deg;
         in.angle_source = "by --angle";

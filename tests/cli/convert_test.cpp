@@ -69,6 +69,8 @@ TEST_F(ConvertCommand, RefusesWrongUses) {
     expect_error("convert none.json --to three", 1, "none.json", folder_);
     expect_error("convert p.json --to glsl --no-scene --set light.source=volumes-zfail", 1, "set light.source to map",
                  folder_);
+    expect_error("convert p.json --to glsl --no-scene --set view.light=9", 1, "the lights are 0 to 0", folder_);
+    expect_error("convert p.json --to three --set view.light=9", 1, "the lights are 0 to 0", folder_);
     expect_error("convert p.json --to three --angle 90 --no-scene", 2, "--angle", folder_);
     expect_error("convert p.json --to three --scene no-such-scene", 2, "no-such-scene", folder_);
 }
