@@ -189,10 +189,7 @@ std::string ending(const CaptureRequest& request, int status, const Progress& st
 
 void run_capture_helper(const CaptureRequest& request, const CaptureReports& reports, const CaptureLimits& limits) {
     require_capture(request.capture);
-    const fs::path pattern = fs::temp_directory_path() / "shadow-inspector-capture-XXXXXX";
-    const TemporaryFolder folder(pattern);
-    if (folder.path().empty())
-        throw Error(fmt::format("{}: cannot be made: {}; make room or set TMPDIR", pattern.string(), errno_text()));
+    const TemporaryFolder folder = make_temporary_folder("shadow-inspector-capture");
     for (const EmbeddedFile& file : embedded_files())
         if (file.path.starts_with(kProgramFolder))
             write_file(folder.path() / file.path.substr(kProgramFolder.size()), file.text);

@@ -99,21 +99,13 @@ Session open_bundle_of(const std::string& capture, const SessionOptions& bundle)
 }
 
 /// Opens the session of the options. A capture becomes a bundle in `folder` first.
-Session open_checked_session(const CheckOptions& options, std::unique_ptr<TemporaryFolder>& folder,
+Session open_checked_session(const CheckOptions& options, std::optional<TemporaryFolder>& folder,
                              const Workers& workers, const CheckProgress& report, std::vector<std::string>& notes) {
     SessionOptions session = options.session;
     // The reference is hard, whatever a preset says, unless --area or --set follows.
     session.sets.insert(session.sets.begin(), "truth.area=false");
     if (lower_extension(session.scene) == ".rdc") {
-        std::error_code error;
-        const fs::path place = fs::temp_directory_path(error);
-        if (error)
-            throw Error(fmt::format("the folder of temporary files cannot be used: {}; set TMPDIR to another folder",
-                                    error.message()));
-        folder = std::make_unique<TemporaryFolder>(place / "shadow-inspector-check-XXXXXX");
-        if (folder->path().empty())
-            throw Error(
-                fmt::format("{}: cannot be written: {}; set TMPDIR to another folder", place.string(), errno_text()));
+        folder.emplace(make_temporary_folder("shadow-inspector-check"));
         const fs::path bundle = folder->path() / "capture.bundle";
         const Json summary =
             write_capture_bundle(session.scene, {}, bundle, [&](double share, const std::string& label) {
@@ -140,7 +132,7 @@ CheckedFrame checked_frame(const CheckOptions& options, const CheckLimits& limit
     std::optional<CheckBaseline> baseline;
     if (!options.baseline.empty())
         baseline = parse_check_baseline(read_text_file(options.baseline), options.baseline, *limits.metric);
-    std::unique_ptr<TemporaryFolder> folder;  // outlives the session, whose maps may be read late
+    std::optional<TemporaryFolder> folder;  // outlives the session, whose maps may be read late
     const Session session = open_checked_session(options, folder, workers, report, out.notes);
     const HeadlessContext context;
     Renderer renderer;

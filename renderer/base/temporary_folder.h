@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace si {
 
@@ -12,6 +14,7 @@ public:
     /// @param pattern path that ends in XXXXXX, which a free name replaces
     explicit TemporaryFolder(const std::filesystem::path& pattern);
     ~TemporaryFolder();
+    TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
@@ -22,5 +25,9 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+/// Makes a folder in the system's folder of temporary files, or in TMPDIR. @param name first part of its name
+/// @throws Error
+TemporaryFolder make_temporary_folder(std::string_view name);
 
 }  // namespace si
