@@ -8,6 +8,7 @@
 
 #include "app/base/interrupt.h"
 #include "app/base/notes.h"
+#include "app/base/time_left.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/base/workers.h"
 
@@ -24,10 +25,11 @@ auto interruptible(const std::string& lost, const Work& work) {
     };
     try {
         ProgressLine line;
+        const TimeLeft left;
         const Workers workers{.stop = stop.get_token(), .progress = check};
         return work(workers, [&](double share, const std::string& what) {
             check();
-            line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
+            line.show(share, left.seconds(share), what);
         });
     } catch (const Cancelled&) {
         print_to_stderr(fmt::format("shadow-inspector: interrupted; {}\n", lost));

@@ -1,7 +1,6 @@
 // Background searches and measurements of the editor. Each has a copy of the scene, an OpenGL context and a renderer.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "app/base/job.h"
+#include "app/base/time_left.h"
 #include "app/context/headless_context.h"
 #include "renderer/advise/trial.h"
 #include "renderer/measure/axes.h"
@@ -62,11 +62,9 @@ public:
                 const HeadlessContext context;
                 Renderer renderer;
                 ReferenceCache cache;
-                using Clock = std::chrono::steady_clock;
-                const Clock::time_point began = Clock::now();
+                const TimeLeft left;
                 const auto report_step = [&](double share, const std::string& about) {
-                    const double spent_s = std::chrono::duration<double>(Clock::now() - began).count();
-                    report({about, share, share > 0 ? spent_s * (1 - share) / share : 0});
+                    report({about, share, left.seconds(share)});
                 };
                 const Show show = [&](T so_far) {
                     const std::lock_guard lock(partial->mutex);

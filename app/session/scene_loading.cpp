@@ -13,7 +13,7 @@ SceneLoading::SceneLoading(SceneReader read) : read_(std::move(read)) {
 
 void SceneLoading::start(const std::string& name_or_path, const FileChoices& file) {
     name_ = name_or_path;
-    began_ = std::chrono::steady_clock::now();
+    left_ = {};
     Job::start([read = read_, name = name_or_path, file](const Workers& workers, const auto& report) {
         GltfOptions options;
         options.file = file;
@@ -30,15 +30,7 @@ void SceneLoading::start(const std::string& name_or_path, const FileChoices& fil
 }
 
 double SceneLoading::seconds_left() const {
-    if (!Job::wanted()) return 0;
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began_;
-    return remaining_seconds(passed.count(), progress());
-}
-
-double remaining_seconds(double passed, double progress) {
-    constexpr double kMinSeconds = 1, kMinProgress = 0.05;
-    if (passed < kMinSeconds || progress < kMinProgress || progress >= 1) return 0;
-    return passed / progress * (1 - progress);
+    return Job::wanted() ? left_.seconds(progress()) : 0;
 }
 
 std::optional<SceneLoading::Outcome> SceneLoading::poll() {

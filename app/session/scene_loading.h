@@ -1,12 +1,12 @@
 // Loading of a scene on a background thread while the editor shows the present one.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
 
 #include "app/base/job.h"
+#include "app/base/time_left.h"
 #include "renderer/gltf/gltf.h"
 
 namespace si {
@@ -14,10 +14,6 @@ namespace si {
 /// Function that reads a scene by name or path, like load_scene(). Runs on another thread, reports progress through the
 /// options, and throws when the progress callback returns false.
 using SceneReader = std::function<Scene(const std::string&, const GltfOptions&)>;
-
-/// Estimates the seconds left of work that reached `progress` (0..1) in `passed` seconds; 0 while it is too early to
-/// say.
-double remaining_seconds(double passed, double progress);
 
 /// Background loading of one scene at a time.
 class SceneLoading : public Job<Scene> {
@@ -49,7 +45,7 @@ public:
 private:
     SceneReader read_;
     std::string name_;  ///< name or path given to the last start()
-    std::chrono::steady_clock::time_point began_;
+    TimeLeft left_;
 };
 
 }  // namespace si

@@ -49,6 +49,11 @@ void ProgressLine::show(const SweepProgress& progress, const SweepTiming& timing
     show(progress_text(progress, timing), progress.done == progress.total && (!progress.timing || !terminal_));
 }
 
+void ProgressLine::show(double share, double seconds_left, const std::string& step) {
+    const std::string left = seconds_left >= 1 ? fmt::format(", {} left", duration_text(seconds_left)) : "";
+    show(fmt::format("{:3.0f} %{}  {}", 100 * share, left, step), false);
+}
+
 void ProgressLine::show(std::string text, bool last) {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_ && !last) return;

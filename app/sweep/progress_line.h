@@ -20,6 +20,9 @@ public:
     ProgressLine& operator=(const ProgressLine&) = delete;
     /// Shows the progress of a sweep on the line.
     void show(const SweepProgress& progress, const SweepTiming& timing);
+    /// Shows the share of work that is done, 0..1, the estimated time left and the present step.
+    /// @param seconds_left 0: not known yet
+    void show(double share, double seconds_left, const std::string& step);
     /// Shows a text on the progress line, in place of the one before. @param last true: prints the text always; false:
     /// skips the text if the last print was very recent
     void show(std::string text, bool last);

@@ -1,0 +1,29 @@
+// Estimate of the time that long work still takes.
+#pragma once
+
+#include <chrono>
+
+namespace si {
+
+/// Estimates the seconds left of work that reached `progress` (0..1) in `passed` seconds; 0 while it is too early to
+/// say.
+inline double remaining_seconds(double passed, double progress) {
+    constexpr double kMinSeconds = 1, kMinProgress = 0.05;
+    if (passed < kMinSeconds || progress < kMinProgress || progress >= 1) return 0;
+    return passed / progress * (1 - progress);
+}
+
+/// Clock of long work, started by its constructor, that estimates the remaining time.
+class TimeLeft {
+public:
+    /// Returns remaining_seconds() of the work. @param share part of the work that is done, 0..1
+    double seconds(double share) const {
+        return remaining_seconds(std::chrono::duration<double>(Clock::now() - began_).count(), share);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point began_ = Clock::now();
+};
+
+}  // namespace si
