@@ -75,7 +75,8 @@ Json waste_json(const Waste& waste) {
             {"share", waste.share()},
             {"maps_ms", waste.maps_ms ? Json(*waste.maps_ms) : Json()},
             {"wasted_ms", waste.maps_ms ? Json(waste.wasted_ms()) : Json()},
-            {"share_of_time", of_time ? Json(*of_time) : Json()}};
+            {"share_of_time", of_time ? Json(*of_time) : Json()},
+            {"stopped", waste.stopped}};
 }
 
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
@@ -99,23 +100,11 @@ void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
 
 void print_waste(const Waste& waste) {
     fmt::print("\nleft out one at a time; work that changes no byte of the picture is waste:\n");
-    for (const WasteTrial& t : waste.tried) {
-        const bool undrawn = t.read >= 0 && t.triangles == 0 && !t.changes;
-        // For a pass that is not drawn, the taps are those that the kernel would read.
-        const std::string read =
-            t.read < 0 || undrawn ? "" : fmt::format(", {:.2f} % of its texels are read", 100 * t.read);
-        fmt::print("  {:<9} {:>10} triangles  {}{}\n",
-                   t.changes ? "needed"
-                   : undrawn ? "not drawn"
-                             : "waste",
-                   t.triangles, t.name, read);
-    }
+    for (const WasteTrial& t : waste.tried)
+        fmt::print("  {:<9} {:>10} triangles  {}\n", t.verdict(), t.triangles, t.text());
     if (waste.tried.empty()) fmt::print("  there is nothing to leave out\n");
-    fmt::print("{} of {} triangles drawn into maps are waste ({:.1f} %)\n", waste.wasted(), waste.triangles(),
-               100 * waste.share());
-    if (const std::optional<double> share = waste.share_of_time())
-        fmt::print("{:.2f} of {:.2f} ms that maps take are waste ({:.1f} %)\n", waste.wasted_ms(), *waste.maps_ms,
-                   100 * *share);
+    if (waste.stopped) fmt::print("stopped before all work was left out once\n");
+    fmt::print("{}", waste.summary());
 }
 
 }  // namespace si

@@ -76,33 +76,28 @@ std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> c
         if (shown) shown(tried);
     };
     std::map<int, MeasuredSettings> before;  // by light
-    try {
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            if (report) report(double(i) / double(candidates.size()), candidates[i].shown_name());
-            const int light = candidates[i].light;
-            const auto known = std::ranges::find_if(tried, [&](const Trial& t) {
-                return t.candidate.light == light && t.candidate.settings == candidates[i].settings;
-            });
-            if (known != tried.end()) {
-                if (known->why_not.empty()) continue;
-                Trial again = *known;
-                again.candidate = std::move(candidates[i]);
-                again.why_not = why_no_advice(again);
-                // The change may hold under this weaker claim.
-                if (again.why_not.empty()) *known = std::move(again);
-                rank();
-                continue;
-            }
-            if (!before.contains(light)) before[light] = meter.measure(settings, light);
-            Trial t = try_candidate(settings, before[light], std::move(candidates[i]), meter);
-            if (t.is_drawn()) t.ms = meter.time(settings, t.candidate.settings);
-            t.why_not = why_no_advice(t);
-            tried.push_back(std::move(t));
+    const bool ended = try_each(std::move(candidates), report, [&](Candidate& c) {
+        const auto known = std::ranges::find_if(
+            tried, [&](const Trial& t) { return t.candidate.light == c.light && t.candidate.settings == c.settings; });
+        if (known != tried.end()) {
+            if (known->why_not.empty()) return true;
+            Trial again = *known;
+            again.candidate = std::move(c);
+            again.why_not = why_no_advice(again);
+            // The change may hold under this weaker claim.
+            if (again.why_not.empty()) *known = std::move(again);
             rank();
+            return true;
         }
-    } catch (const Cancelled&) {
-        if (tried.empty()) throw;
-    }
+        if (!before.contains(c.light)) before[c.light] = meter.measure(settings, c.light);
+        Trial t = try_candidate(settings, before[c.light], std::move(c), meter);
+        if (t.is_drawn()) t.ms = meter.time(settings, t.candidate.settings);
+        t.why_not = why_no_advice(t);
+        tried.push_back(std::move(t));
+        rank();
+        return true;
+    });
+    if (!ended && tried.empty()) throw Cancelled();
     return tried;
 }
 

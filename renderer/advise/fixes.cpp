@@ -427,23 +427,18 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
                 std::size_t(options.pixel->x);
     }
     std::optional<OwnMap> own_map;
-    try {
-        for (std::size_t k = 0; k < list.size(); ++k) {
-            if (report && list[k].untried.empty())
-                report((double(k) + 1) / (double(list.size()) + 1), list[k].shown_name());
-            Trial t = try_candidate(base, before, list[k], meter, pixel);
-            if (own && t.candidate.untried == kNeedsAnotherMap) {
-                if (!own_map) own_map = own();
-                t = try_on_own_map(base, before, *own_map, std::move(list[k]), meter, pixel);
-            }
-            const OwnMap* const drawn_on = t.on_own_map ? &*own_map : nullptr;
-            search.add(std::move(t), error, drawn_on);
-            if (shown) shown(table);
-            if (k + 1 >= enough && table.fix()) break;
+    std::size_t tried = 0;
+    table.stopped = !try_each(std::move(list), report, [&](Candidate& c) {
+        Trial t = try_candidate(base, before, c, meter, pixel);
+        if (own && t.candidate.untried == kNeedsAnotherMap) {
+            if (!own_map) own_map = own();
+            t = try_on_own_map(base, before, *own_map, std::move(c), meter, pixel);
         }
-    } catch (const Cancelled&) {
-        table.stopped = true;
-    }
+        const OwnMap* const drawn_on = t.on_own_map ? &*own_map : nullptr;
+        search.add(std::move(t), error, drawn_on);
+        if (shown) shown(table);
+        return ++tried < enough || !table.fix();
+    });
     return table;
 }
 

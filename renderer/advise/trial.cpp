@@ -183,6 +183,11 @@ TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& op
         return CostChange{time.median, time.noise()};
     };
     meter.now_s = BurstClock::steady().now_s;
+    meter.draw = [=](const Candidate& c, FrameRequest own) {
+        if (tools.workers.stop.stop_requested()) throw Cancelled();
+        own.emptied = c.emptied;
+        return tools.renderer.render(c.scene ? *c.scene : tools.scene, c.settings, own);
+    };
     return meter;
 }
 

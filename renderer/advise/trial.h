@@ -1,5 +1,5 @@
-// Trials: candidate settings that are drawn, compared with the reference and timed. Fixes, advice, the autopilot and
-// the search for the least bias are rules that choose among trials.
+// Trials: candidate settings that are drawn, compared with the reference and timed. Fixes, advice, the autopilot, the
+// search for the least bias and the search for waste are rules that choose among trials.
 //
 //     TrialMeter meter = renderer_trial_meter({renderer, scene, 1280, 720, cache});
 //     const MeasuredSettings now = meter.measure(settings, settings.view.light);
@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,8 @@ struct MeasuredSettings {
 /// Returns the number of wrong pixels of all causes.
 std::size_t wrong_pixels(const ErrorMetrics& error);
 
+struct Candidate;
+
 /// Functions that measure settings: by the renderer (renderer_trial_meter()), or by a test's model.
 struct TrialMeter {
     /// Draws a frame and measures the error of one light.
@@ -71,7 +74,9 @@ struct TrialMeter {
     /// Times frames of two settings in alternating rounds. Returns the milliseconds per frame that the second adds.
     std::function<CostChange(const Settings& before, const Settings& with)> time;
     std::function<CostChange(const Settings&)> ms = nullptr;  ///< times frames of one setting
-    std::function<double()> now_s = nullptr;                  ///< present time in seconds, by any clock
+    /// Draws one frame of a candidate, without a reference. @throws Cancelled
+    std::function<FrameResult(const Candidate&, FrameRequest)> draw = nullptr;
+    std::function<double()> now_s = nullptr;  ///< present time in seconds, by any clock
 };
 
 /// Options of a trial meter: metric of the error, timed frames, reference.
@@ -111,7 +116,9 @@ struct Candidate {
     std::string label = {};      ///< name for people; empty: `name`
     std::string_view rule = {};  ///< AdviceRule::key; empty: a fix
     Claim claim = Claim::Right;
-    int light = 0;  ///< light for which the error is measured, index of light.*
+    int light = 0;                                 ///< light for which the error is measured, index of light.*
+    std::shared_ptr<const Scene> scene = nullptr;  ///< changed scene, read by TrialMeter::draw; null: the frame's own
+    std::optional<MapOfLight> emptied = {};        ///< map that TrialMeter::draw leaves empty
     /// Returns the name of the candidate for people.
     const std::string& shown_name() const { return label.empty() ? name : label; }
 };
@@ -155,6 +162,23 @@ struct Trial {
     /// Returns the number of cured minus broken pixels.
     long long gain() const { return (long long)cured - (long long)broken; }
 };
+
+/// Tries candidates in turn, and reports the name of each before. Returns false when the report or `attempt` throws
+/// Cancelled. @tparam C Candidate, or a type derived from it @param attempt receives a candidate to move from; returns
+/// false when no further one is needed
+template <class C>
+bool try_each(std::vector<C> list, const TrialReport& report,
+              const std::type_identity_t<std::function<bool(C&)>>& attempt) {
+    try {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (report && list[i].untried.empty()) report(double(i) / double(list.size()), list[i].shown_name());
+            if (!attempt(list[i])) break;
+        }
+        return true;
+    } catch (const Cancelled&) {
+        return false;
+    }
+}
 
 /// Largest error added by a change that counts as none: as a share of the error before the change, and absolute.
 inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;

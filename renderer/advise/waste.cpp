@@ -27,12 +27,8 @@ enum class ComparedBy {
 };
 
 /// Frame without one piece of work.
-struct WorkTrial {
-    WorkTrial(std::string name, const Settings& s) : settings(s) { about.name = std::move(name); }
-    WasteTrial about;
-    Settings settings;
-    std::optional<MapOfLight> map;
-    std::shared_ptr<const Scene> scene;  ///< changed scene; null: the frame's own
+struct WorkTrial : Candidate {
+    WorkTrial(std::string name, const Settings& s) : Candidate{.name = std::move(name), .settings = s} {}
     ComparedBy by = ComparedBy::Picture;
     bool is_drawn_into_maps = false;  ///< the work draws triangles into maps
     bool takes_map_time = false;      ///< the work takes time of the maps' passes
@@ -64,7 +60,7 @@ std::vector<WorkTrial> map_trials(const Settings& settings, const FrameResult& f
                 out.emplace_back(fmt::format("{} of light {}", view.empty() ? "map" : view, i), settings);
             trial.settings.view.light = int(i);
             trial.settings.view.face = int(v);
-            trial.map = MapOfLight{int(i), int(v)};
+            trial.emptied = MapOfLight{int(i), int(v)};
             trial.is_drawn_into_maps = trial.takes_map_time = true;
         }
     }
@@ -174,48 +170,49 @@ bool differ_on_same_surfaces(const Scene& scene, const ByteImage& a, const Surfa
 
 class WasteSearch {
 public:
-    WasteSearch(const SearchTools& tools, const Settings& settings, const FrameRequest& request)
-        : tools_(tools.part()), settings_(settings), measured_(measured_settings(settings)), request_(request) {
+    WasteSearch(const SearchTools& whole, const Settings& settings, const FrameRequest& request)
+        : tools_(whole.part()),
+          meter_(renderer_trial_meter(tools_)),
+          settings_(settings),
+          whole_{.name = "the whole frame", .settings = measured_settings(settings)},
+          request_(request) {
         request_.force = true;
         request_.timing = false;
         request_.outputs = {};
     }
 
-    Waste find(bool timed) {
-        std::vector<WorkTrial> trials = all_trials();
+    Waste find(bool timed, const std::function<void(const Waste&)>& shown) {
         Waste waste;
         std::vector<double> whole_ms;
-        for (WorkTrial& trial : trials) {
-            tools_.report(double(waste.tried.size()) / double(trials.size()), "left out one at a time");
-            try_it(trial);
-            some_map_needed_ |= trial.is_drawn_into_maps && trial.about.changes;  // maps are tried first
-            if (timed && is_timed(trial)) {
+        std::vector<WorkTrial> trials = all_trials();
+        const bool ended = try_each(std::move(trials), tools_.report, [&](const WorkTrial& trial) {
+            WasteTrial tried = try_it(trial);
+            some_map_needed_ |= trial.is_drawn_into_maps && tried.changes;  // maps are tried first
+            if (timed && is_timed(trial, tried)) {
                 const AlternatingTimes times = time_against_whole(trial);
-                trial.about.maps_ms = -times.more.value;
+                tried.maps_ms = -times.more.value;
                 whole_ms.push_back(times.before_ms);
             }
-            waste.tried.push_back(std::move(trial.about));
-        }
-        if (timed && whole_ms.empty()) whole_ms.push_back(time_against_whole({"", measured_}).before_ms);
-        if (timed) waste.maps_ms = spread_of(std::move(whole_ms)).median;
+            waste.tried.push_back(std::move(tried));
+            if (shown) shown(waste);
+            return true;
+        });
+        if (!ended && waste.tried.empty()) throw Cancelled();
+        waste.stopped = !ended;
+        if (timed && whole_ms.empty() && ended) whole_ms.push_back(time_against_whole(whole_).before_ms);
+        if (!whole_ms.empty()) waste.maps_ms = spread_of(std::move(whole_ms)).median;
         return waste;
     }
 
 private:
     const SearchTools tools_;
+    const TrialMeter meter_;
     const Settings& settings_;
-    const Settings measured_;
+    const Candidate whole_;  ///< nothing is left out, and no overlay is drawn
     FrameRequest request_;
     std::vector<ByteImage> picture_, shown_;  ///< panes of the whole frame, without and with overlays
     std::uint64_t triangles_ = 0;
     bool some_map_needed_ = false;
-
-    FrameResult draw(const WorkTrial& trial, FrameRequest request) const {
-        if (tools_.workers.stop.stop_requested()) throw Cancelled();
-        request.emptied = trial.map;
-        return tools_.renderer.render(trial.scene ? *trial.scene : tools_.scene, trial.settings, request);
-    }
-    FrameResult draw_whole(const FrameRequest& request) const { return draw({"", measured_}, request); }
 
     std::vector<ByteImage> pictures_of(const FrameResult& frame) const {
         std::vector<ByteImage> out;
@@ -224,70 +221,78 @@ private:
     }
 
     std::vector<WorkTrial> all_trials() {
-        const FrameResult whole = draw_whole(request_);
+        const FrameResult whole = meter_.draw(whole_, request_);
         picture_ = pictures_of(whole);
         triangles_ = map_triangles(whole);
-        std::vector<WorkTrial> trials = map_trials(measured_, whole);
+        std::vector<WorkTrial> trials = map_trials(whole_.settings, whole);
         const auto add = [&](std::vector<WorkTrial> more) { std::ranges::move(more, std::back_inserter(trials)); };
-        add(setting_trials(tools_.scene, measured_, whole));
-        add(scene_trials(tools_.scene, measured_, whole));
+        add(setting_trials(tools_.scene, whole_.settings, whole));
+        add(scene_trials(tools_.scene, whole_.settings, whole));
         const bool shows = settings_.view.slabs != Slabs::None ||
                            std::ranges::any_of(pane_overlays(settings_.view), [](int n) { return n > 0; });
         if (shows) {
-            const FrameResult shown = draw({"", settings_}, request_);
+            const FrameResult shown = meter_.draw({.name = "the shown frame", .settings = settings_}, request_);
             shown_ = pictures_of(shown);
             add(shown_trials(settings_, shown));
         }
         return trials;
     }
 
-    void try_it(WorkTrial& trial) const {
+    WasteTrial try_it(const WorkTrial& trial) const {
+        WasteTrial out{.name = trial.name};
         if (trial.by == ComparedBy::SameSurfaces) {
-            trial.about.changes = changes_same_surfaces(trial);
-            return;
+            out.changes = changes_same_surfaces(trial);
+            return out;
         }
-        const FrameResult frame = draw(trial, request_);
-        trial.about.changes = pictures_of(frame) != (trial.by == ComparedBy::Shown ? shown_ : picture_);
-        if (trial.is_drawn_into_maps) trial.about.triangles = triangles_ - std::min(map_triangles(frame), triangles_);
-        if (trial.map) trial.about.read = share_read(trial);
+        const FrameResult frame = meter_.draw(trial, request_);
+        out.changes = pictures_of(frame) != (trial.by == ComparedBy::Shown ? shown_ : picture_);
+        if (trial.is_drawn_into_maps) out.triangles = triangles_ - std::min(map_triangles(frame), triangles_);
+        if (trial.emptied) out.read = share_read(trial);
+        return out;
     }
 
     bool changes_same_surfaces(const WorkTrial& trial) const {
         FrameRequest request = request_;
         request.outputs.surface_ids = true;
-        const SurfaceIds ids = tools_.renderer.read_surface_ids(draw_whole(request).surface_ids);
-        const FrameResult without = draw(trial, request);
+        const SurfaceIds ids = tools_.renderer.read_surface_ids(meter_.draw(whole_, request).surface_ids);
+        const FrameResult without = meter_.draw(trial, request);
         return differ_on_same_surfaces(tools_.scene, picture_.front(), ids, tools_.renderer.read_colour(without.colour),
                                        tools_.renderer.read_surface_ids(without.surface_ids));
     }
 
-    double share_read(WorkTrial whole_map) const {
-        whole_map.map.reset();
+    double share_read(Candidate whole_map) const {
+        whole_map.emptied.reset();
         FrameRequest request = request_;
         request.outputs = {.colour = false, .texels_read = true};
-        const FrameResult frame = draw(whole_map, request);
+        const FrameResult frame = meter_.draw(whole_map, request);
         if (frame.texels_read.texture == 0) return 0;
         return exact_utilisation(tools_.renderer.read_float(frame.texels_read, 1));
     }
 
     /// Returns true when the time of a trial is measured. Needed work is not timed, nor are maps without triangles.
     /// Work on maps that are all waste is a part of the maps' time, which counts once.
-    bool is_timed(const WorkTrial& trial) const {
-        const bool counts = trial.is_drawn_into_maps ? trial.about.triangles > 0 : some_map_needed_;
-        return trial.takes_map_time && !trial.about.changes && counts;
+    bool is_timed(const WorkTrial& trial, const WasteTrial& tried) const {
+        const bool counts = trial.is_drawn_into_maps ? tried.triangles > 0 : some_map_needed_;
+        return trial.takes_map_time && !tried.changes && counts;
     }
 
     /// Times the maps of whole frames, and of frames without a trial's work.
-    AlternatingTimes time_against_whole(const WorkTrial& trial) const {
+    AlternatingTimes time_against_whole(const Candidate& trial) const {
         FrameRequest request = request_;
         request.timing = true;
         const auto maps_ms = [](const FrameResult& frame) { return drawn_ms(frame, PassCategory::Maps); };
-        return time_alternately([&] { return maps_ms(draw_whole(request)); },
-                                [&] { return maps_ms(draw(trial, request)); }, tools_.workers.stop);
+        return time_alternately([&] { return maps_ms(meter_.draw(whole_, request)); },
+                                [&] { return maps_ms(meter_.draw(trial, request)); }, tools_.workers.stop);
     }
 };
 
 }  // namespace
+
+std::string WasteTrial::text() const {
+    // For a pass that is not drawn, the taps are those that the kernel would read.
+    if (read < 0 || is_undrawn()) return name;
+    return fmt::format("{}, {:.2f} % of its texels are read", name, 100 * read);
+}
 
 std::uint64_t Waste::triangles() const {
     std::uint64_t n = 0;
@@ -312,8 +317,18 @@ std::optional<double> Waste::share_of_time() const {
     return std::min(wasted_ms() / *maps_ms, 1.0);
 }
 
-Waste find_waste(const SearchTools& tools, const Settings& settings, FrameRequest request) {
-    return WasteSearch(tools, settings, request).find(request.timing);
+std::string Waste::summary() const {
+    std::string text =
+        fmt::format("{} of {} triangles drawn into maps are waste ({:.1f} %)\n", wasted(), triangles(), 100 * share());
+    if (const std::optional<double> of_time = share_of_time())
+        text += fmt::format("{:.2f} of {:.2f} ms that maps take are waste ({:.1f} %)\n", wasted_ms(), *maps_ms,
+                            100 * *of_time);
+    return text;
+}
+
+Waste find_waste(const SearchTools& tools, const Settings& settings, FrameRequest request,
+                 const std::function<void(const Waste&)>& shown) {
+    return WasteSearch(tools, settings, request).find(request.timing, shown);
 }
 
 }  // namespace si

@@ -2,8 +2,10 @@
 // picture is waste.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/advise/trial.h"
@@ -17,12 +19,19 @@ struct WasteTrial {
     double read = -1;             ///< share of texels that visible pixels' kernels read; negative: not a map
     std::uint64_t triangles = 0;  ///< triangles drawn into maps
     double maps_ms = 0;           ///< time that maps save without wasted work, milliseconds; 0: not timed
+    /// Returns true for a map without triangles that nothing reads into the picture.
+    bool is_undrawn() const { return read >= 0 && triangles == 0 && !changes; }
+    /// Returns "needed", "not drawn" or "waste".
+    std::string_view verdict() const { return changes ? "needed" : is_undrawn() ? "not drawn" : "waste"; }
+    /// Returns the name, with the share of the texels that are read.
+    std::string text() const;
 };
 
 /// Wasted work of a frame: all trials, with sums over those that change nothing.
 struct Waste {
     std::vector<WasteTrial> tried;
     std::optional<double> maps_ms;  ///< time of all maps, milliseconds; none: not timed
+    bool stopped = false;           ///< stopped before all work was left out once
     /// Returns the number of triangles that the frame draws into maps.
     std::uint64_t triangles() const;
     /// Returns the number of triangles drawn into maps without changing the picture.
@@ -33,12 +42,16 @@ struct Waste {
     double share() const { return triangles() ? double(wasted()) / double(triangles()) : 0; }
     /// Returns the wasted share of the maps' time; none: not timed, or no time.
     std::optional<double> share_of_time() const;
+    /// Returns a line with the wasted share of triangles, and one with that of the time where it is known.
+    std::string summary() const;
 };
 
 /// Searches for wasted work in a frame: draws one frame without each map, cube face, cascade and effect and compares
 /// the pictures. Virtual maps are tested per light.
 /// @param request input of the frame; with `timing`, frames with and without wasted work are timed alternately
-/// @throws Error, Cancelled
-Waste find_waste(const SearchTools& tools, const Settings& settings, FrameRequest request);
+/// @param shown receives the trials so far, after each trial
+/// @throws Error; Cancelled before the first trial. Later the trials so far are returned
+Waste find_waste(const SearchTools& tools, const Settings& settings, FrameRequest request,
+                 const std::function<void(const Waste&)>& shown = {});
 
 }  // namespace si

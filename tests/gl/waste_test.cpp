@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 
 #include "renderer/scene/ground.h"
 #include "renderer/scenes/shapes.h"
@@ -220,6 +221,34 @@ TEST_F(WasteTest, WasteIsTimedOnRequest) {
     some.tried.pop_back();
     some.tried.push_back({.name = "more noise", .maps_ms = -9});
     EXPECT_EQ(some.share_of_time(), 0) << "never below nothing";
+}
+
+TEST_F(WasteTest, RowsAppearAsTheyAreMeasuredAndStayWhenItIsStopped) {
+    const Scene scene = load_scene("boxes");
+    const Settings settings = settings_for(scene, {"light.cascades=4"});
+    ReferenceCache cache;
+    const Waste whole = waste_of(scene, {"light.cascades=4"});
+    std::stop_source stop;
+    std::vector<std::size_t> rows;
+    std::vector<std::string> steps;
+    const SearchTools tools{
+        renderer, scene, 320, 180, cache, {.stop = stop.get_token()}, [&](double, const std::string& step) {
+            steps.push_back(step);
+        }};
+    const Waste some = find_waste(tools, settings, {.width = 320, .height = 180}, [&](const Waste& so_far) {
+        rows.push_back(so_far.tried.size());
+        if (rows.size() == 2) stop.request_stop();
+    });
+    EXPECT_FALSE(whole.stopped);
+    EXPECT_TRUE(some.stopped);
+    EXPECT_EQ(rows, (std::vector<std::size_t>{1, 2}));
+    ASSERT_EQ(some.tried.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(some.tried[i].name, whole.tried[i].name);
+        EXPECT_EQ(some.tried[i].triangles, whole.tried[i].triangles);
+        EXPECT_EQ(steps[i], whole.tried[i].name) << "the step that is reported";
+    }
+    EXPECT_THROW(find_waste(tools, settings, {.width = 320, .height = 180}), Cancelled) << "there is nothing to keep";
 }
 
 struct Sum {
