@@ -50,6 +50,13 @@ ShimmerFound search_shimmer(const SearchTools& t, const Settings& settings, cons
     return out;
 }
 
+Waste search_waste(const SearchTools& t, const Settings& settings, FrameRequest unforced,
+                   const std::function<void(Waste)>& show) {
+    unforced.forced = {};
+    unforced.timing = true;
+    return find_waste(t, settings, unforced, show);
+}
+
 SavedTimes search_saved_times(const SearchTools& t, const Settings& settings, FrameRequest unforced) {
     unforced.forced = {};  // a forced optimisation skips nothing that could be timed
     const FrameResult frame = t.renderer.render(t.scene, settings, unforced);
@@ -90,7 +97,7 @@ bool BackgroundWork::poll_found(auto& search) {
 bool BackgroundWork::poll(const Scene* scene) {
     bool ended = poll_tuning(scene);
     const auto poll_each = [&](auto&... searches) { ((ended |= poll_found(searches)), ...); };
-    poll_each(fixes_, pixel_fixes_, advice_, pipelines_, shimmer_, optimisation_times_);
+    poll_each(fixes_, pixel_fixes_, advice_, waste_, pipelines_, shimmer_, optimisation_times_);
     return ended;
 }
 
@@ -171,6 +178,11 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
         start(advice_, "the present settings", *requests.find_advice, search_advice);
     });
     if (requests.cancel_advice) advice_.cancel();
+    request(requests.find_waste, [&] {
+        waste_.forget();
+        start(waste_, "the whole frame", shown.request, search_waste);
+    });
+    if (requests.cancel_waste) waste_.cancel();
     request(requests.compare_pipelines, [&] {
         start(pipelines_, "four pipelines", std::monostate(),
               [](const SearchTools& t, const Settings& settings, std::monostate) {
@@ -227,8 +239,10 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
     f.measuring_optimisations = optimisation_times_.progress();
     f.saved = optimisation_times_.found_in(present.scene);
     const SearchSubject& timed = optimisation_times_.subject();
-    f.saved_times_current =
-        f.saved && timed.settings == present.settings && timed.width == size.x && timed.height == size.y;
+    f.saved_times_current = f.saved && timed.draws_like(present);
+    f.wasting = waste_.progress();
+    f.waste = waste_.found_in(present.scene);
+    f.waste_current = f.waste && waste_.subject().draws_like(present);
     f.advising = advice_.progress();
     if (const AdviceFound* found = advice_.found_in(present.scene)) {
         f.advice = std::get_if<AdviceReport>(found);

@@ -1,4 +1,5 @@
-// Measurements of one editor in the background: sweeps, the smallest bias, fixes, advice, optimisations, lab.
+// Measurements of one editor in the background: sweeps, the smallest bias, fixes, advice, waste,
+// optimisations, lab.
 #pragma once
 
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "renderer/advise/autopilot.h"
 #include "renderer/advise/fixes.h"
 #include "renderer/advise/tuning.h"
+#include "renderer/advise/waste.h"
 #include "renderer/measure/optimisation_times.h"
 #include "ui/state/editor_ui.h"
 
@@ -40,7 +42,8 @@ struct ShimmerFound {
 class BackgroundWork {
     /// Returns references to all background measurements, for calls to each of them.
     auto all() const {
-        return std::tie(sweep_, bias_search_, fixes_, pixel_fixes_, optimisation_times_, advice_, pipelines_, shimmer_);
+        return std::tie(sweep_, bias_search_, fixes_, pixel_fixes_, optimisation_times_, advice_, waste_, pipelines_,
+                        shimmer_);
     }
 
 public:
@@ -93,6 +96,7 @@ private:
     EditorSearch<FixesFound> pixel_fixes_{"The search for the pixel's fix was cancelled"};
     EditorSearch<SavedTimes> optimisation_times_{"The measurement of optimisations was cancelled"};
     EditorSearch<AdviceFound> advice_{"The search for advice was cancelled"};
+    EditorSearch<Waste> waste_{"The search for waste was cancelled"};
     EditorSearch<std::vector<PipelineError>> pipelines_{"The comparison of precision was cancelled"};
     EditorSearch<ShimmerFound> shimmer_{"The measurement of shimmer was cancelled"};
 };

@@ -30,6 +30,10 @@ struct SearchSubject {
         return scene == other.scene && width == other.width && height == other.height &&
                measured_settings(settings) == measured_settings(other.settings);
     }
+    /// Returns true if frames of both subjects are the same, overlays included.
+    bool draws_like(const SearchSubject& other) const {
+        return scene == other.scene && width == other.width && height == other.height && settings == other.settings;
+    }
 };
 
 /// Background search: one at a time, and the result of the last one with its subject. Results appear while it runs, and

@@ -35,8 +35,7 @@ constexpr Choice kNearFar[] = {
 };
 
 constexpr Choice kDepthBounds[] = {
-    {"boxes", "bounding boxes",
-     "Depths of the receivers' boxes in the view frustum, known before anything is drawn."},
+    {"boxes", "bounding boxes", "Depths of the receivers' boxes in the view frustum, known before anything is drawn."},
     {"sdsm", "depth buffer (SDSM)",
      "The smallest and largest depth in the camera's depth buffer, which is drawn and read back first: sample "
      "distribution shadow maps (Lauritzen, Salvi, Lefohn, I3D 2011)."},

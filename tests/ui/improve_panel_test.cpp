@@ -5,6 +5,7 @@
 
 #include "app/base/output.h"
 #include "renderer/advise/autopilot.h"
+#include "renderer/advise/waste.h"
 #include "tests/support/traits.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
@@ -112,6 +113,54 @@ TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     flight.summary = "it cannot be held";
     ui.frames(3);
     EXPECT_FALSE(ui.find("found", "", "Apply"));
+}
+
+TEST_F(ImprovePanelTest, RequestsTheSearchForWasteAndShowsItsRows) {
+    ui.state.layout.bottom_height = 45;
+    ui.frames(4);
+    ui.click(ui.find("controls", "", "Find waste"));
+    EXPECT_TRUE(ui.last_requests.find_waste);
+    Waste waste;
+    waste.tried = {{.name = "map of light 0", .changes = true, .read = 0.25, .triangles = 30},
+                   {.name = "map of light 1", .read = 0, .triangles = 10}};
+    ui.advice.wasting = SearchProgress{"sky", 0.4, 90};
+    ui.advice.waste = &waste;
+    ui.advice.waste_current = true;
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"40 %, 2 min left", "needed", "map of light 0, 25.00 % of its texels are read",
+                          "10 of 40 triangles drawn into maps are waste (25.0 %)"}),
+              "");
+    EXPECT_FALSE(ui.prints("of other settings"));
+    ui.click(ui.find("controls", "", "Cancel##waste"));
+    EXPECT_TRUE(ui.last_requests.cancel_waste);
+    ui.advice.wasting.reset();
+    ui.advice.waste_current = false;
+    waste.stopped = true;
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"of other settings: search again", "Stopped before all work was left out once."}), "");
+}
+
+TEST(EditorWasteTest, SearchesInTheBackgroundAndChangesNothing) {
+    TestEditor editor(editor_options("boxes", {"map.resolution=256"}));
+    EditorModel& model = editor.model();
+    model.state.window.open_tab = BottomTab::Improve;
+    editor.settle();
+    EditorRequests request = editor.requests();
+    request.find_waste = true;
+    const Settings settings = model.state.settings;
+    model.fulfil(request);
+    EXPECT_TRUE(model.facts().wasting);
+    editor.settle();
+    EXPECT_FALSE(model.facts().wasting);
+    ASSERT_TRUE(model.facts().waste);
+    EXPECT_TRUE(model.facts().waste_current);
+    EXPECT_TRUE(model.facts().waste->maps_ms);
+    EXPECT_EQ(model.facts().waste->tried.front().name, "map of light 0");
+    EXPECT_TRUE(model.facts().waste->tried.front().changes);
+    EXPECT_EQ(model.state.settings, settings);
+    model.state.settings.map.resolution = 512;
+    editor.settle();
+    EXPECT_FALSE(model.facts().waste_current);
 }
 
 SI_TEST_IS(Slow, EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "renderer/advise/autopilot.h"
+#include "renderer/advise/waste.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/fixes_table.h"
@@ -43,13 +44,20 @@ void apply_button(Settings& settings, Changes changes, bool current) {
                                                 : "Of other settings: run again."));
 }
 
+/// Draws the progress of a search under its button Cancel. Returns true at a press of the button.
+/// @param button label of the button, with an identity where two searches may run
+bool search_running(const SearchProgress& progress, const char* button) {
+    const bool cancelled = ImGui::Button(button);
+    wrapped_tooltip("Stops with what is there");
+    progress_bar(progress.progress, progress_text(progress));
+    wrapped_tooltip(progress.about);
+    ImGui::TextWrapped("%s", progress.about.c_str());
+    return cancelled;
+}
+
 void draw_advice_controls(ImprovePanel& panel, bool ready, const ImproveFacts& facts, ImproveRequests& requests) {
     if (facts.advising) {
-        if (ImGui::Button("Cancel")) requests.cancel_advice = true;
-        wrapped_tooltip("Stops with what is there");
-        progress_bar(facts.advising->progress, progress_text(*facts.advising));
-        wrapped_tooltip(facts.advising->about);
-        ImGui::TextWrapped("%s", facts.advising->about.c_str());
+        requests.cancel_advice |= search_running(*facts.advising, "Cancel");
         return;
     }
     choose_cost("Times", panel.cost);
@@ -70,6 +78,31 @@ void draw_advice_controls(ImprovePanel& panel, bool ready, const ImproveFacts& f
     if (button_if(ready && panel.any(), "Autopilot")) requests.find_advice = panel.request();
     wrapped_tooltip(
         "Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
+}
+
+void draw_waste_controls(bool ready, const ImproveFacts& facts, ImproveRequests& requests) {
+    if (facts.wasting) {
+        requests.cancel_waste |= search_running(*facts.wasting, "Cancel##waste");
+        return;
+    }
+    if (button_if(ready, "Find waste")) requests.find_waste = true;
+    wrapped_tooltip(
+        "Leaves out each map, face, cascade and effect in turn, in the background. Work whose absence changes no byte "
+        "of the picture is waste. Nothing is changed.");
+}
+
+void show_waste(const Waste& waste, bool current) {
+    ImGui::TextDisabled(current ? "%s" : "of other settings: search again\n%s", waste.summary().c_str());
+    if (waste.stopped) ImGui::TextDisabled("Stopped before all work was left out once.");
+    if (!begin_table("waste", 0, {{"verdict", 5}, {"triangles", 6}, {"left out"}})) return;
+    for (const WasteTrial& t : waste.tried) {
+        ImGui::TableNextRow();
+        const ImU32 colour = t.changes || !current ? theme::muted() : theme::text();
+        text_cell(t.verdict(), colour);
+        text_cell(std::to_string(t.triangles), colour);
+        text_cell(t.text(), colour);
+    }
+    ImGui::EndTable();
 }
 
 void findings_list(Settings& settings, const AdviceReport& report, bool current) {
@@ -158,6 +191,8 @@ void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequ
     draw_fixes_button(frame.fixes, requests, {}, ready, true);
     heading("Time and error");
     draw_advice_controls(state.improve, frame.scene != nullptr, frame, requests);
+    heading("Wasted work");
+    draw_waste_controls(ready, frame, requests);
     ImGui::EndChild();
     ImGui::SameLine(0, em);
     ImGui::BeginChild("found", {0, 0}, false);
@@ -166,11 +201,11 @@ void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequ
         show_report(state.settings, *frame.advice, frame.advice_current);
     else if (frame.autopilot)
         show_autopilot(state.settings, *frame.autopilot, frame.advice_current);
-    else if (!frame.advising && !frame.fixes.table)
+    else if (!frame.advising && !frame.fixes.table && !frame.waste)
         ImGui::TextWrapped(
-            "Each button draws and measures changes of the settings: Auto bias every kind of bias, Find fixes what "
-            "puts "
-            "wrong pixels right, Advice what saves time or lowers the error.");
+            "Each button draws and measures changes: Auto bias every kind of bias, Find fixes what puts wrong pixels "
+            "right, Advice what saves time or lowers the error, Find waste what changes no byte of the picture.");
+    if (frame.waste) show_waste(*frame.waste, frame.waste_current);
     ImGui::EndChild();
 }
 
