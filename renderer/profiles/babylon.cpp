@@ -121,7 +121,8 @@ void write_babylon(const BiasNumbers& bias, const EngineValues& values, const Ma
     to.put("bias", constant * to_number, raster == 0 ? bias.constant : Exactness::EqualAtAngle, constant,
            bias.constant_texels * to_number, bias.constant_note);
     const double metres = quotient(bias.normal_texels * facts.texel_m(), sin_angle(facts));
-    to.put("normalBias", metres, bias.normal_texels == 0 ? Exactness::Exact : Exactness::EqualAtAngle,
+    to.put("normalBias", metres,
+           bias.normal_texels == 0 || bias.settings_by == OffsetBy::Sine ? Exactness::Exact : Exactness::EqualAtAngle,
            bias.normal_texels * offset_equivalent(OffsetBy::Length, facts.angle_deg), metres);
 }
 
@@ -135,6 +136,7 @@ const EngineProfile& babylon_profile() {
                                    .parameters = kBabylonParameters,
                                    .lacking = kBabylonLacking,
                                    .bias_rows = kConstantAndNormal,
+                                   .normal_by = OffsetBy::Sine,
                                    .read_bias = read_babylon,
                                    .write_bias = write_babylon};
     return row;

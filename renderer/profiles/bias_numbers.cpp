@@ -111,7 +111,10 @@ BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts) {
             "times the tangent of the angle) is taken as a constant",
             row.key, reach);
     }
-    out.normal_texels = bias.normal;
+    const double offset_texels = bias.normal_texels() + bias.normal_metres() / facts.texel_m();
+    const double length = offset_equivalent(OffsetBy::Length, facts.angle_deg);
+    out.normal_texels = offset_texels * offset_equivalent(bias.normal_by, facts.angle_deg) / length;
+    out.settings_by = bias.normal_by;
     out.raster_slope = bias.raster_slope;
     out.raster_units = bias.raster_units;
     out.raster_clamp = bias.raster_clamp;

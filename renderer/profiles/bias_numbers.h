@@ -9,14 +9,6 @@
 
 namespace si {
 
-/// Way in which a normal offset depends on the angle theta between normal and light.
-enum class OffsetBy {
-    Length,          ///< the receiver moves along its normal by the full offset
-    Sine,            ///< receiver or caster moves along the normal by offset times sin(theta)
-    OneMinusCosine,  ///< the same by offset times 1 - cos(theta)
-    Sideways,        ///< the receiver moves by the part of the full offset that is across the light
-};
-
 /// Returns the equivalent depth bias of a normal offset of one texel at an angle, in texels.
 double offset_equivalent(OffsetBy by, double angle_deg);
 
@@ -27,7 +19,8 @@ struct BiasNumbers {
     std::string constant_note;
     BiasUnit constant_unit = BiasUnit::Texels;  ///< unit that the engine counts in, which holds for every cascade
     double normal_texels = 0;
-    OffsetBy normal_by = OffsetBy::Length;
+    OffsetBy normal_by = OffsetBy::Length;    ///< rule by which normal_texels counts
+    OffsetBy settings_by = OffsetBy::Length;  ///< rule of the settings, from which normal_texels may be converted
     std::string normal_note;
     double raster_slope = 0, raster_units = 0, raster_clamp = 0;
     MapFormat format = MapFormat::D32F;
@@ -42,7 +35,8 @@ struct BiasNumbers {
 };
 
 /// Returns the bias of settings. A bias that is computed from the receiver's plane counts with the kernel's reach times
-/// the tangent of the reference angle. @throws Error when an amount is not finite
+/// the tangent of the reference angle. A normal offset by another rule than Length counts as the one by Length that is
+/// equal at the reference angle. @throws Error when an amount is not finite
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);
 
 /// Returns the tangent, sine and cosine of the reference angle.

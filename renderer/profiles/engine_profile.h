@@ -132,6 +132,8 @@ struct EngineProfile {
     std::span<const LackingSetting> lacking = {};
     /// Keys of the rows of the bias table that the engine has; empty: all, in an own shader.
     std::span<const std::string_view> bias_rows = {};
+    /// Dependence of the engine's normal offset on the angle.
+    OffsetBy normal_by = OffsetBy::Length;
     /// The cascades of a light share its map: each has half the width if there are several.
     bool cascades_share_map = false;
     /// Returns the bias that the engine adds by itself, as equivalent depth bias in texels at the reference angle.

@@ -108,11 +108,6 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
 
 /// Adds the bias settings of a bias in the terms that engines share.
 void read_shared_bias(const BiasNumbers& bias, const MapFacts& facts, std::vector<ReadSetting>& out) {
-    // A new unit and rule of bias.normal change these lines alone.
-    const double per_texel = offset_equivalent(OffsetBy::Length, facts.angle_deg);
-    const double normal = bias.normal_texels * offset_equivalent(bias.normal_by, facts.angle_deg) / per_texel;
-    const Exactness normal_exactness =
-        bias.normal_by == OffsetBy::Length || normal == 0 ? Exactness::Exact : Exactness::EqualAtAngle;
     out.push_back({"bias.kind", "constant", Exactness::Exact, {}});
     static constexpr std::string_view kUnits[] = {"depth", "texels", "metres"};
     out.push_back({"bias.unit", std::string(kUnits[std::size_t(bias.constant_unit)]), Exactness::Exact, {}});
@@ -132,7 +127,10 @@ void read_shared_bias(const BiasNumbers& bias, const MapFacts& facts, std::vecto
     };
     put("bias.constant", constant, bias.constant, bias.constant_note);
     put("bias.slope", 0, Exactness::Exact, {});
-    put("bias.normal", normal, normal_exactness, bias.normal_note);
+    out.push_back({"bias.normal_unit", "texels", Exactness::Exact, {}});
+    const SettingRef by = *find_setting("bias.normal_by");
+    out.push_back({"bias.normal_by", value_text(*by.param, int(bias.normal_by)), Exactness::Exact, {}});
+    put("bias.normal", bias.normal_texels, Exactness::Exact, bias.normal_note);
     put("bias.raster_slope", bias.raster_slope, Exactness::Exact, {});
     put("bias.raster_units", bias.raster_units, Exactness::Exact, {});
     put("bias.raster_clamp", bias.raster_clamp, Exactness::Exact, {});
@@ -294,7 +292,10 @@ WrittenValues write_engine_values(const EngineProfile& profile, const Settings& 
         out.wanted_texels = bias.total_texels(facts);
         EngineOutput to(profile, out, facts);
         profile.write_bias(bias, values, facts, to);
-        for (const WrittenParameter& p : out.parameters) {
+        for (WrittenParameter& p : out.parameters) {
+            const bool is_converted = bias.settings_by != OffsetBy::Length && bias.settings_by != profile.normal_by;
+            if (p.parameter->setting == "bias.normal" && bias.normal_texels != 0 && is_converted)
+                p.exactness = least_exact(p.exactness, Exactness::EqualAtAngle);
             out.given_texels += p.texels;
             values[std::string(p.parameter->key)] = p.value;
         }

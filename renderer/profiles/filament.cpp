@@ -153,7 +153,10 @@ void write_filament(const BiasNumbers& bias, const EngineValues&, const MapFacts
     to.put("constantBias", (bias.constant_texels + rest) * to_metres, moved ? Exactness::EqualAtAngle : bias.constant,
            bias.constant_texels + rest, bias.constant_texels * to_metres,
            moved ? "with the part of the normal offset beyond the range of normalBias" : bias.constant_note);
-    to.put("normalBias", accepted, bias.normal_texels == 0 ? Exactness::Exact : Exactness::EqualAtAngle, given, number);
+    to.put("normalBias", accepted,
+           bias.normal_texels == 0 || (bias.settings_by == OffsetBy::Sine && !moved) ? Exactness::Exact
+                                                                                     : Exactness::EqualAtAngle,
+           given, number);
     to.put("polygonOffsetSlope", bias.raster_slope, Exactness::Exact, bias.raster_slope * tan_angle(facts),
            bias.raster_slope);
     to.put("polygonOffsetConstant", bias.raster_units, Exactness::Exact,
@@ -175,6 +178,7 @@ const EngineProfile& filament_profile() {
                                    .forced = kFilamentForced,
                                    .lacking = kFilamentLacking,
                                    .bias_rows = kFilamentRows,
+                                   .normal_by = OffsetBy::Sine,
                                    .hidden_texels = hidden_filament,
                                    .read_bias = read_filament,
                                    .write_bias = write_filament};

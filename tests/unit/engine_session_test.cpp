@@ -51,7 +51,8 @@ TEST(EngineSession, TakesTheEnginesDefaultsWithoutPresetAndBias) {
     EXPECT_EQ(urp.settings.bias.constant, 2.5) << "1 times the radius of the medium filter";
     EXPECT_EQ(urp.settings.bias.raster_slope, 2.5);
     EXPECT_EQ(urp.settings.filter.size, 5);
-    EXPECT_TRUE(has_note(urp, "at 45 degrees only"));
+    EXPECT_EQ(urp.settings.bias.normal_by, OffsetBy::OneMinusCosine) << "URP's own rule, exact at every angle";
+    EXPECT_FALSE(has_note(urp, "degrees only"));
     const Session own = engine_session("urp", {"bias.kind=constant", "bias.constant=7"});
     EXPECT_EQ(own.settings.bias.constant, 7) << "an own bias stays";
     EXPECT_EQ(own.settings.bias.raster_slope, 2.5) << "hidden bias is added";
@@ -64,15 +65,16 @@ TEST(EngineSession, TakesTheEnginesDefaultsWithoutPresetAndBias) {
     EXPECT_NEAR(typed.settings.bias.constant, 0.5, 1e-9) << "but a typed number wins";
 }
 
-TEST(EngineSession, ReadsChoicesAndFollowsTheReferenceAngle) {
+TEST(EngineSession, ReadsChoicesAndTakesTheEnginesRuleOfTheOffset) {
     const Session s = engine_session(
         "three", {"engine.shadowMap.type=BasicShadowMap", "engine.shadowSide=BackSide", "engine.mapSize=512"});
     EXPECT_EQ(s.settings.map.resolution, 512);
     EXPECT_EQ(s.settings.caster.cull, Cull::Front);
-    const auto offset = [](const char* angle) {
-        return engine_session("babylon", {"engine.normalBias=0.02", angle}).settings.bias.normal;
-    };
-    EXPECT_NEAR(offset("engine.angle=60") / offset("engine.angle=30"), std::sqrt(3.0), 0.01) << "by the sine";
+    for (const char* angle : {"engine.angle=30", "engine.angle=60"}) {
+        const Session babylon = engine_session("babylon", {"engine.normalBias=0.02", angle});
+        EXPECT_EQ(babylon.settings.bias.normal_by, OffsetBy::Sine) << angle;
+        EXPECT_NEAR(babylon.settings.bias.normal * babylon.engine.facts.texel_m(), 0.02, 1e-9) << angle;
+    }
     EXPECT_EQ(engine_session("three", {"filter.kernel=pcf3", "map.resolution=256"}).settings.map.resolution, 256)
         << "own settings win over the engine's defaults";
 }
