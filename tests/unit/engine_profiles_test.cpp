@@ -205,8 +205,9 @@ TEST(EngineProfiles, ReadWhatTheyWrote) {
             const BiasNumbers after = bias_numbers(same_format, facts);
             EXPECT_NEAR(after.total_texels(facts), before.total_texels(facts), 1e-9) << name << " at " << angle;
             for (const WrittenParameter& p : written.parameters)
-                if (p.parameter->setting == "bias.normal" && p.exactness == Exactness::Exact)
+                if (p.parameter->setting == "bias.normal" && p.exactness == Exactness::Exact) {
                     EXPECT_NEAR(after.normal_texels, before.normal_texels, 1e-9) << name;
+                }
             // Settings as the profile draws them give the same numbers again.
             const WrittenValues again = write_engine_values(profile, same_format, facts);
             for (const WrittenParameter& p : written.parameters) {

@@ -199,7 +199,9 @@ std::vector<std::string> places_with_key(const std::string& name, const std::str
                 const bool compared = said && std::regex_search(line, std::regex("\\.key\\s*[!=]=\\s*" + literal));
                 // The name of a view is no row of a table.
                 const bool view = name == "app/report/views.cpp" && line.find("view.key ==") != std::string::npos;
-                if ((said && !kOtherWords.contains(key)) || (compared && !view) || defined)
+                // The reference angle of a conversion is read from the values of this overlay.
+                const bool angle = name == "app/commands/convert.cpp" && key == "n-dot-l";
+                if ((said && !angle && !kOtherWords.contains(key)) || (compared && !view) || defined)
                     out.push_back(name + ":" + std::to_string(number) + " knows " + key);
             }
         }
