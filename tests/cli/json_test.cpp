@@ -96,8 +96,8 @@ TEST(Lists, SettingsNameTheirValues) {
 }
 
 TEST(Lists, PrefixNarrowsTheList) {
-    EXPECT_EQ(program_json("list settings bias.").size(), 10u);
-    EXPECT_EQ(program_json("list settings bias").size(), 10u) << "the beginning of keys goes before words";
+    EXPECT_EQ(program_json("list settings bias.").size(), 12u);
+    EXPECT_EQ(program_json("list settings bias").size(), 12u) << "the beginning of keys goes before words";
     // Keys in the form of --set are found too: rows cover all lights and all objects.
     const Json fit = program_json("list settings light.0.fit");
     ASSERT_EQ(fit.size(), 1u);

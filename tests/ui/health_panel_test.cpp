@@ -53,7 +53,7 @@ TEST(NumbersPanel, ListsHoldersOfMemory) {
     memory.holders = {{"shadow maps", 128u << 20, 256u << 20, 2}, {"scenes", 3u << 20, 3u << 20, 1}};
     ui.memory = &memory;
     ui.frames(2);
-    EXPECT_EQ(ui.lacking({"321 MiB resident", "654 MiB at most", "131 MiB held by name", "33 MiB kept"}), "");
+    EXPECT_EQ(ui.lacking({"321 MiB resident", "654 MiB at most", "131 MiB held by name", "33 MiB free"}), "");
     EXPECT_FALSE(ui.prints("shadow maps 128 MiB 256 MiB 2 things")) << "open at once";
     ui.click(ui.find("Numbers", "", "###memory"));
     ui.frames(2);

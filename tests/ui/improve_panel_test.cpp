@@ -115,8 +115,10 @@ TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     EXPECT_FALSE(ui.find("found", "", "Apply"));
 }
 
-TEST_F(ImprovePanelTest, RequestsTheSearchForWasteAndShowsItsRows) {
-    ui.state.layout.bottom_height = 45;
+TEST(ImproveWaste, IsRequestedAndShowsItsRows) {
+    UiHarness ui{1600, 1600};
+    ui.state.window.open_tab = BottomTab::Improve;
+    ui.state.layout.bottom_height = 60;
     ui.frames(4);
     ui.click(ui.find("controls", "", "Find waste"));
     EXPECT_TRUE(ui.last_requests.find_waste);

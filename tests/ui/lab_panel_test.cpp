@@ -42,7 +42,7 @@ TEST_F(LabPanelTest, ShowsMeasurements) {
 TEST_F(LabPanelTest, ButtonsRequestMeasurements) {
     ui.state.lab.shimmer = {.motion = ShimmerMotion::LightTurns, .steps = 5, .step_texels = 0.5};
     ui.frames(2);
-    ui.click(ui.find("ways", "", "Compare ways"));
+    ui.click(ui.find("ways", "", "Compare precision"));
     EXPECT_TRUE(ui.last_requests.compare_pipelines);
     ui.click(ui.find("crawling", "", "Measure shimmer"));
     ASSERT_TRUE(ui.last_requests.measure_shimmer);

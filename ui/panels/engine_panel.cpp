@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
+#include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/fits/engine_facts.h"
-#include "ui/state/panels.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -17,11 +17,11 @@ namespace si {
 namespace {
 
 /// Returns the facts of the shown light's map.
-MapFacts shown_facts(const EditorState& state, const EditorFrame& frame) {
-    const auto light = std::size_t(std::max(state.settings.view.light, 0));
-    const bool known = frame.result && light < frame.result->lights.size();
-    MapFacts facts = map_facts(known ? &frame.result->lights[light] : nullptr, state.settings);
-    facts.angle_deg = state.engine_panel.angle_deg;
+MapFacts shown_facts(const EnginePanel& panel, const Settings& settings, const FrameResult* result) {
+    const auto light = std::size_t(std::max(settings.view.light, 0));
+    const bool known = result && light < result->lights.size();
+    MapFacts facts = map_facts(known ? &result->lights[light] : nullptr, settings);
+    facts.angle_deg = panel.angle_deg;
     return facts;
 }
 
@@ -117,14 +117,13 @@ void draw_parameters(EnginePanel& panel, const MapFacts& facts, Settings& settin
 
 }  // namespace
 
-void draw_engine_panel(EditorState& state, const EditorFrame& frame) {
-    EnginePanel& panel = state.engine_panel;
-    choose_engine(panel, state.settings);
+void draw_engine_panel(EnginePanel& panel, Settings& settings, const FrameResult* result) {
+    choose_engine(panel, settings);
     if (!panel.profile) return;
     try {
-        const MapFacts facts = shown_facts(state, frame);
-        follow_settings(panel, state.settings, facts);
-        draw_parameters(panel, facts, state.settings);
+        const MapFacts facts = shown_facts(panel, settings, result);
+        follow_settings(panel, settings, facts);
+        draw_parameters(panel, facts, settings);
         ImGui::TextDisabled("%s", fmt::format("W {:.4g} m, N {}, D {:.4g} m, {:g} degrees", facts.width_m, facts.texels,
                                               facts.depth_m, facts.angle_deg)
                                       .c_str());

@@ -5,8 +5,7 @@
 
 namespace si {
 
-struct EditorState;
-struct EditorFrame;
+struct FrameResult;
 
 /// Engine that the user has chosen, with the numbers of its parameters.
 struct EnginePanel {
@@ -17,6 +16,7 @@ struct EnginePanel {
 };
 
 /// Draws a combo of engines and the parameters of the chosen one. A changed parameter changes our settings.
-void draw_engine_panel(EditorState& state, const EditorFrame& frame);
+/// @param result frame whose maps the numbers hold for; null: the maps that the settings give
+void draw_engine_panel(EnginePanel& panel, Settings& settings, const FrameResult* result);
 
 }  // namespace si

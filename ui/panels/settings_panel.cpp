@@ -227,7 +227,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
         ImGui::PushFont(theme::strong());
         const bool open = ImGui::CollapsingHeader("Engine");
         ImGui::PopFont();
-        if (open) draw_engine_panel(state, frame);
+        if (open) draw_engine_panel(state.engine_panel, state.settings, frame.result);
     }
     if (!any)
         ImGui::TextDisabled(state.settings_panel.only_changed ? "Nothing is changed."
