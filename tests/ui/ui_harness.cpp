@@ -162,7 +162,7 @@ EditorRequests UiHarness::frame() {
     if (requests.tune || requests.cancel_tune || requests.find_fixes || requests.cancel_fixes ||
         requests.forget_fixes || requests.cancel_pixel_fixes || requests.forget_pixel_fixes ||
         requests.measure_saved_times || requests.cancel_measuring || requests.find_advice || requests.cancel_advice ||
-        requests.compare_pipelines || requests.measure_shimmer)
+        requests.find_waste || requests.cancel_waste || requests.compare_pipelines || requests.measure_shimmer)
         last_requests = requests;
     io.MouseWheel = 0;
     return requests;
