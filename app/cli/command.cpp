@@ -1,24 +1,15 @@
 #include "app/cli/command.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 #include "renderer/base/error.h"
+#include "renderer/base/finite_number.h"
 #include "renderer/importers/importers.h"
 #include "renderer/reference/light_map_cache.h"
 
 namespace si {
 namespace {
-
-std::optional<double> finite_number(const std::string& text) {
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, value);
-    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) return {};
-    return value;
-}
 
 /// Makes a validator for a finite number. Its message does not name the largest double, as CLI11's does.
 /// @param range allowed numbers, for the message: "above 0" @param about allowed numbers, for the help

@@ -26,6 +26,9 @@ struct CommandOption {
     std::vector<std::string> words;  ///< values that are known by name
     bool is_setting = false;         ///< the value is KEY=VALUE, and `words` are the keys
     bool required = false;
+
+    /// Returns true when names of files are offered for the value.
+    bool offers_files() const { return offered == OfferedWords::Files || offered == OfferedWords::WordsOrFiles; }
 };
 
 /// Command with its options, in the order of its help.

@@ -62,7 +62,7 @@ std::vector<std::string> option_names(const CommandRow& row) {
 /// Returns the assignments of a branch of bash: the words and whether files are offered.
 std::string bash_offer(const CommandOption& option) {
     std::string out = "words=" + shell_quoted(joined(option.words));
-    if (option.offered == OfferedWords::Files || option.offered == OfferedWords::WordsOrFiles) out += " files=yes";
+    if (option.offers_files()) out += " files=yes";
     if (option.is_setting) out += " setting=yes";
     return out;
 }
@@ -224,6 +224,9 @@ std::string fish_completions(const std::vector<CommandRow>& commands) {
         "    test (count (commandline -opc)) -eq (math 1 + (count $argv)); and __shadow_inspector_calls $argv\n"
         "end\n"
         "complete -c shadow-inspector -f\n";
+    std::vector<std::string> assignments;
+    for (const auto& [key, choices] : setting_choices())
+        for (const std::string& choice : choices) assignments.push_back(fmt::format("{}={}", key, choice));
     for (const CommandRow& row : commands) {
         const std::string name = command_name(row);
         if (!row.path.empty()) {
@@ -237,15 +240,13 @@ std::string fish_completions(const std::vector<CommandRow>& commands) {
             for (const std::string& each : option.names)
                 line += each.starts_with("--") ? " -l " + each.substr(2) : " -s " + each.substr(1);
             if (!option.value.empty() && !option.names.empty()) line += " -r";
-            const bool files = option.offered == OfferedWords::Files || option.offered == OfferedWords::WordsOrFiles;
-            if (files) line += " -F";
+            if (option.offers_files()) line += " -F";
             if (!option.words.empty()) {
                 std::vector<std::string> words = option.words;
-                if (option.is_setting)
+                if (option.is_setting) {
                     for (std::string& word : words) word += '=';
-                if (option.is_setting)
-                    for (const auto& [key, choices] : setting_choices())
-                        for (const std::string& choice : choices) words.push_back(fmt::format("{}={}", key, choice));
+                    words.insert(words.end(), assignments.begin(), assignments.end());
+                }
                 line += " -a " + fish_quoted(joined(words));
             }
             if (!option.names.empty()) line += " -d " + fish_quoted(first_part(option.help));

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
 #include "app/session/session.h"
 #include "renderer/base/error.h"
+#include "renderer/base/finite_number.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/engine_facts.h"
@@ -21,13 +21,12 @@ constexpr double kAspect = 16.0 / 9;
 constexpr std::string_view kAngleKey = "angle";
 
 double parse_angle(std::string_view text) {
-    double value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::optional<double> value = finite_number(text);
     constexpr double kMaxAngle = 89;
-    if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !(value >= 0 && value <= kMaxAngle))
+    if (!value || *value < 0 || *value > kMaxAngle)
         throw UsageError(
             fmt::format("engine.angle: \"{}\" is not a number of degrees from 0 to {:g}", text, kMaxAngle));
-    return value;
+    return *value;
 }
 
 /// Returns true for parameters whose defaults apply to a session without preset: of bias, filter, casters and format.
