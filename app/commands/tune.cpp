@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
+#include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
@@ -121,14 +122,12 @@ void print_tuned(const Tuned& tuned) {
 Json engine_numbers_json(const EngineWording& engine, const Settings& settings) {
     const WrittenValues written = write_engine_values(*engine.profile, settings, engine.facts);
     Json numbers = Json::object();
-    for (const WrittenParameter& p : written.parameters)
-        if (p.parameter->is_bias)
-            numbers[std::string(p.parameter->key)] = {{"value", p.value},
-                                                      {"unit", p.parameter->unit},
-                                                      {"exactness", kExactnessKeys[std::size_t(p.exactness)]},
-                                                      {"texels", p.texels},
-                                                      {"metres", p.metres},
-                                                      {"note", p.note}};
+    for (const WrittenParameter& p : written.parameters) {
+        if (!p.parameter->is_bias) continue;
+        Json number = written_parameter_json(p);
+        number["note"] = p.note;
+        numbers[std::string(p.parameter->key)] = std::move(number);
+    }
     return {{"profile", engine.profile->name},        {"unverified", engine.profile->unverified},
             {"width_m", engine.facts.width_m},        {"texels", engine.facts.texels},
             {"depth_m", engine.facts.depth_m},        {"angle_deg", engine.facts.angle_deg},

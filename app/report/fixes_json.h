@@ -16,6 +16,8 @@ nlohmann::ordered_json change_json(const CostChange& ms);
 /// Converts a table of fixes to JSON: one object a row, in the table's order.
 /// @param engine engine whose parameters each row names too, as "engine"
 nlohmann::ordered_json fixes_json(const FixTable& table, const EngineWording& engine = {});
+/// Converts a number of an engine to JSON {value, unit, exactness, texels, metres}.
+nlohmann::ordered_json written_parameter_json(const WrittenParameter& parameter);
 /// Converts changes of settings to JSON in an engine's parameters: {profile, text, parameters}; null without a profile
 /// or where no parameter of the bias changes.
 nlohmann::ordered_json engine_changes_json(const EngineWording& engine,

@@ -4,6 +4,56 @@
 
 namespace si {
 
+std::array<EngineParameter, 5> api_parameters(const ApiNames& names) {
+    return {{
+        {.key = names.factor,
+         .unit = "x depth slope",
+         .standard = 0,
+         .min = -100,
+         .max = 100,
+         .meaning = "Offset by the slope of the triangle while the map is drawn. Negative under reversed depth.",
+         .source = names.source,
+         .setting = "bias.raster_slope",
+         .is_bias = true},
+        {.key = names.units,
+         .unit = "depth steps",
+         .standard = 0,
+         .min = -1e7,
+         .max = 1e7,
+         .meaning = "Offset by steps of the depth format while the map is drawn. Negative under reversed depth.",
+         .source = names.source,
+         .setting = "bias.raster_units",
+         .is_bias = true},
+        {.key = names.clamp,
+         .unit = "depth",
+         .standard = 0,
+         .min = -1,
+         .max = 1,
+         .meaning = "Largest offset; 0 is no limit. Negative under reversed depth.",
+         .source = names.source,
+         .setting = "bias.raster_clamp",
+         .is_bias = true},
+        {.key = "shader.depthBias",
+         .unit = "normalised depth",
+         .standard = 0,
+         .min = 0,
+         .max = 1,
+         .meaning = "Number of your own shader: subtracted from the receiver's depth, added under reversed depth.",
+         .source = names.source,
+         .setting = "bias.constant",
+         .is_bias = true},
+        {.key = "shader.normalOffset",
+         .unit = "m",
+         .standard = 0,
+         .min = 0,
+         .max = 1e3,
+         .meaning = "Number of your own shader: shift of the look-up along the geometric normal.",
+         .source = names.source,
+         .setting = "bias.normal",
+         .is_bias = true},
+    }};
+}
+
 BiasNumbers read_api_bias(const ApiNames& names, const EngineProfile& profile, const EngineValues& values,
                           const MapFacts& facts) {
     const double sign = facts.reversed_z ? -1 : 1;
@@ -39,9 +89,7 @@ void write_api_bias(const ApiNames& names, const BiasNumbers& bias, const MapFac
     const double depth = bias.constant_texels * depth_per_texel;
     to.put("shader.depthBias", equal_steps ? 0 : depth, equal_steps ? Exactness::Exact : bias.constant,
            equal_steps ? 0 : bias.constant_texels, depth, equal_steps ? "in the units" : bias.constant_note);
-    const double metres = bias.normal_texels * facts.texel_m();
-    to.put("shader.normalOffset", metres, Exactness::Exact,
-           bias.normal_texels * offset_equivalent(OffsetBy::Length, facts.angle_deg), metres);
+    to.put_length_offset("shader.normalOffset", bias.normal_texels * facts.texel_m(), bias);
 }
 
 }  // namespace si

@@ -94,9 +94,7 @@ void write_bevy(const BiasNumbers& bias, const EngineValues&, const MapFacts& fa
     to.put("shadow_depth_bias", (bias.constant_texels + raster) * facts.texel_m(),
            raster == 0 ? bias.constant : Exactness::EqualAtAngle, bias.constant_texels + raster,
            bias.constant_texels * facts.texel_m(), bias.constant_note);
-    const double number = bias.normal_texels / std::numbers::sqrt2;
-    to.put("shadow_normal_bias", number, Exactness::Exact,
-           bias.normal_texels * offset_equivalent(OffsetBy::Length, facts.angle_deg), number);
+    to.put_length_offset("shadow_normal_bias", bias.normal_texels / std::numbers::sqrt2, bias);
 }
 
 }  // namespace

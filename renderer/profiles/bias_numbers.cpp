@@ -140,6 +140,11 @@ void EngineOutput::put(std::string_view key, double value, Exactness exactness, 
         {&parameter, accepted, exactness, std::move(note), literal, texels * facts_.texel_m(), texels});
 }
 
+void EngineOutput::put_length_offset(std::string_view key, double value, const BiasNumbers& bias) {
+    put(key, value, Exactness::Exact, bias.normal_texels * offset_equivalent(OffsetBy::Length, facts_.angle_deg),
+        value);
+}
+
 void EngineOutput::miss(std::string_view key, double value, std::string reason) {
     if (value != 0) to_.missing.push_back({std::string(key), fmt::format("{:.6g}", value), std::move(reason)});
 }

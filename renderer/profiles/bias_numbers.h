@@ -67,6 +67,8 @@ public:
     /// @param texels equivalent depth bias of the number @param literal see WrittenParameter::literal
     void put(std::string_view key, double value, Exactness exactness, double texels, double literal,
              std::string note = {});
+    /// Adds a normal offset that acts with its whole length, as normal_texels counts. @param value in the engine's unit
+    void put_length_offset(std::string_view key, double value, const BiasNumbers& bias);
     /// Adds a setting without counterpart.
     void miss(std::string_view key, double value, std::string reason);
     /// Adds a remark.

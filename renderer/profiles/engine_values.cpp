@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/base/finite_number.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/profiles/bias_numbers.h"
 #include "renderer/profiles/engine_profile.h"
@@ -109,8 +109,10 @@ void read_direct(const EngineProfile& profile, const EngineValues& values, const
 /// Adds the bias settings of a bias in the terms that engines share.
 void read_shared_bias(const BiasNumbers& bias, const MapFacts& facts, std::vector<ReadSetting>& out) {
     out.push_back({"bias.kind", "constant", Exactness::Exact, {}});
-    static constexpr std::string_view kUnits[] = {"depth", "texels", "metres"};
-    out.push_back({"bias.unit", std::string(kUnits[std::size_t(bias.constant_unit)]), Exactness::Exact, {}});
+    const auto put_choice = [&](const char* key, auto choice) {
+        out.push_back({key, value_text(*find_setting(key)->param, int(choice)), Exactness::Exact, {}});
+    };
+    put_choice("bias.unit", bias.constant_unit);
     const double metres = bias.constant_texels * facts.texel_m();
     const double constant = bias.constant_unit == BiasUnit::Texels   ? bias.constant_texels
                             : bias.constant_unit == BiasUnit::Metres ? metres
@@ -127,9 +129,8 @@ void read_shared_bias(const BiasNumbers& bias, const MapFacts& facts, std::vecto
     };
     put("bias.constant", constant, bias.constant, bias.constant_note);
     put("bias.slope", 0, Exactness::Exact, {});
-    out.push_back({"bias.normal_unit", "texels", Exactness::Exact, {}});
-    const SettingRef by = *find_setting("bias.normal_by");
-    out.push_back({"bias.normal_by", value_text(*by.param, int(bias.normal_by)), Exactness::Exact, {}});
+    put_choice("bias.normal_unit", OffsetUnit::Texels);
+    put_choice("bias.normal_by", bias.normal_by);
     put("bias.normal", bias.normal_texels, Exactness::Exact, bias.normal_note);
     put("bias.raster_slope", bias.raster_slope, Exactness::Exact, {});
     put("bias.raster_units", bias.raster_units, Exactness::Exact, {});
@@ -251,12 +252,10 @@ double parse_engine_value(const EngineProfile& profile, const EngineParameter& p
     }
     if (text == "true") return 1;
     if (text == "false") return 0;
-    double value = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = read.ec == std::errc() && read.ptr == text.data() + text.size() && std::isfinite(value);
-    if (!is_number || value < parameter.min || value > parameter.max)
+    const std::optional<double> value = finite_number(text);
+    if (!value || *value < parameter.min || *value > parameter.max)
         throw fault(fmt::format("it is a number from {:g} to {:g}", parameter.min, parameter.max));
-    return value;
+    return *value;
 }
 
 std::string engine_value_text(const EngineParameter& parameter, double value) {

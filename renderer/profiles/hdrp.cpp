@@ -60,9 +60,7 @@ void write_hdrp(const BiasNumbers& bias, const EngineValues& values, const MapFa
     const double per_number = kHdrpSlope * tan_angle(facts);
     to.put("slopeBias", quotient(left, per_number), Exactness::EqualAtAngle, left,
            quotient(bias.constant_texels, per_number), "a slope; a constant has no counterpart");
-    const double number = bias.normal_texels / std::numbers::sqrt2;
-    to.put("normalBias", number, Exactness::Exact,
-           bias.normal_texels * offset_equivalent(OffsetBy::Length, facts.angle_deg), number);
+    to.put_length_offset("normalBias", bias.normal_texels / std::numbers::sqrt2, bias);
 }
 
 }  // namespace

@@ -102,9 +102,7 @@ void write_playcanvas(const BiasNumbers& bias, const EngineValues& values, const
     const double per_number = raster_equivalent(kPlaycanvasSlope, kPlaycanvasSlope, facts);
     to.put("shadowBias", quotient(left, per_number), Exactness::EqualAtAngle, left,
            quotient(bias.constant_texels, per_number), "a slope; " + std::string("a constant has no counterpart"));
-    const double metres = bias.normal_texels * facts.texel_m();
-    to.put("normalOffsetBias", metres, Exactness::Exact,
-           bias.normal_texels * offset_equivalent(OffsetBy::Length, facts.angle_deg), metres);
+    to.put_length_offset("normalOffsetBias", bias.normal_texels * facts.texel_m(), bias);
 }
 
 }  // namespace

@@ -112,9 +112,7 @@ void write_three(const BiasNumbers& bias, const EngineValues&, const MapFacts& f
     const double to_depth = -facts.texel_m() / facts.depth_m;
     to.put("bias", constant == 0 ? 0 : constant * to_depth, raster == 0 ? bias.constant : Exactness::EqualAtAngle,
            constant, bias.constant_texels * to_depth, bias.constant_note);
-    const double metres = bias.normal_texels * facts.texel_m();
-    to.put("normalBias", metres, Exactness::Exact,
-           bias.normal_texels * offset_equivalent(OffsetBy::Length, facts.angle_deg), metres);
+    to.put_length_offset("normalBias", bias.normal_texels * facts.texel_m(), bias);
 }
 
 }  // namespace
