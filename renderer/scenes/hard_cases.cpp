@@ -629,8 +629,9 @@ constexpr HardCase kCases[] = {
      "map.resolution=256 light.elevation=90 filter.blur=6 filter.bleed=0", "filter.kernel=vsm", "filter.kernel=evsm4"},
     {39, "quantised", "Quantised positions",
      "Positions in 8 bits make terraces of a gentle hill: a bias that suits its stored normals is too small for facets "
-     "that the light meets flatter.",
-     "A bias by the triangle's own plane and its neighbours (receiver plane and remainder). 14 bits make steps 64 "
+     "that the light meets at a flatter angle.",
+     "The bias follows the triangle's own plane and its neighbours (receiver plane and remainder). 14 bits make steps "
+     "64 "
      "times less high.",
      "share of pixels with acne", 2e-4, kPixels, "facets meet in inner corners within a pixel",
      "share of pixels with acne under a bias by stored normals, beyond that of the exact hill", 5e-4, hard_quantised,
@@ -694,6 +695,34 @@ constexpr HardCase kCases[] = {
      hard_given_far_away,
      "light.azimuth=30 light.elevation=40 bias.kind=adaptive filter.kernel=hard map.bundle_bias=entered",
      "map.bundle=builtin:absolute", "map.bundle=builtin:relative-to-camera"},
+    {47, "engine-angle", "An engine's number at 89 degrees",
+     "A constant bias that an engine got for ground at 45 degrees to the light covers it with stripes where the light "
+     "grazes it.",
+     "The number converted for the angle of the ground, or a polygon offset by slope, which grows with the angle.",
+     "lit pixels of a plane at 89 degrees darker than lit, under each engine's converted number", 0, kPixels, kExact,
+     "the same under the number for 45 degrees", 0.3, hard_floor_and_box,
+     "map.resolution=512 map.format=d24 light.elevation=1 light.fit=scene filter.kernel=hard bias.kind=constant "
+     "bias.normal=0",
+     "bias.constant=1", "bias.constant=0.25 bias.raster_slope=1 bias.raster_units=4"},
+    {48, "engine-depth-range", "An engine's number after the map was fitted again",
+     "Some engines count bias in shares of the map's depth range: fitted to a tenth of the range, the same number is a "
+     "tenth of the bias.",
+     "The number converted again for the present depth range, or a bias in texels.",
+     "lit pixels of a plane darker than lit, under each engine's number for the present range", 0, kPixels, kExact,
+     "the same under the number for ten times the range", 0.2, hard_floor_and_box,
+     "map.resolution=512 map.format=d24 light.azimuth=30 light.elevation=40 filter.kernel=hard bias.kind=constant "
+     "bias.normal=0",
+     "bias.unit=depth bias.constant=0.0002", "bias.unit=texels bias.constant=1.2"},
+    {49, "engine-cascades", "Cascades that share one map",
+     "Some engines give each of several cascades half of the stated width: a bias in metres for texels of the whole "
+     "map "
+     "is half of what they need.",
+     "The number converted for the texels that each cascade has.",
+     "lit pixels of a plane darker than lit, under each engine's number for half of the map", 0, kPixels, kExact,
+     "the same under the number for the whole map", 0.05, hard_field,
+     "map.resolution=512 light.azimuth=30 light.elevation=40 light.cascades=2 light.fit=view filter.kernel=hard "
+     "bias.kind=constant bias.normal=0",
+     "bias.constant=0.45", "bias.constant=0.9"},
 };
 
 /// Calls `use` with key and value of each setting of a view. Settings that both views of a case share come first.
