@@ -22,6 +22,7 @@ std::string metres_text(double metres) {
     const double a = std::abs(metres);
     if (!std::isfinite(metres)) return "no distance";
     if (a == 0) return "0 m";
+    if (a < 1e-9) return "less than 1 nm";
     if (a < 0.9995e-3) return digits_text(metres * 1e6) + " µm";
     if (a < 0.9995) return digits_text(metres * 1e3) + " mm";
     if (a < 9999.5) return digits_text(metres) + " m";
