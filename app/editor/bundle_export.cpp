@@ -21,7 +21,7 @@ void BundleExport::start(const Scene& scene, glm::ivec2 size, const std::string&
     require_other_bundle(path, scene, state_.settings);
     std::error_code error;
     if (!replace && std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
-        state_.files.replace = Replacement{.path = path, .bundle = true};
+        state_.files.replace = Replacement{.path = path, .exported = ExportKind::Bundle};
         return;
     }
     path_ = path;

@@ -267,8 +267,8 @@ void FrameLoader::release_unused_memory() {
     if (!busy()) call([&] { loop_->release_unused_memory(); });
 }
 
-void FrameLoader::save_map(const Scene& scene, const std::string& path) {
-    call([&] { loop_->save_map(scene, state_.settings, path); });
+void FrameLoader::save_view(const Scene& scene, const View& view, const std::string& path) {
+    call([&] { loop_->save_view(scene, state_.settings, view, path); });
     state_.log.add(LogKind::Info, "Saved " + path);
 }
 

@@ -60,8 +60,8 @@ public:
     std::optional<DrawingFacts> first_picture() const;
     /// Returns true if the progress of the first picture has changed since the last call.
     bool first_picture_moved();
-    /// Writes the shown shadow map into a file, in the format of its extension. @throws Error
-    void save_map(const Scene& scene, const std::string& path);
+    /// Draws a view of the shown frame into a file, in the format of its extension. @throws Error
+    void save_view(const Scene& scene, const View& view, const std::string& path);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
 

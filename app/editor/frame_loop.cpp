@@ -7,7 +7,6 @@
 
 #include "app/base/output.h"
 #include "app/editor/panel_effects.h"
-#include "app/report/views.h"
 #include "renderer/advise/fixes.h"
 #include "renderer/base/command_text.h"
 #include "renderer/gl/driver_failure.h"
@@ -296,11 +295,7 @@ bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, 
     return changed;
 }
 
-void FrameLoop::save_map(const Scene& scene, const Settings& settings, const std::string& path) {
-    require_writable(path);
-    const bool camera = settings.view.map_source == MapSource::Camera;
-    const View view = find_view(camera ? "camera-depth" : "shadow-map");
-    check_view_file(view, path);
+void FrameLoop::save_view(const Scene& scene, const Settings& settings, const View& view, const std::string& path) {
     FrameRequest request = facts_.request;
     request.timing = false;
     write_view(renderer_, scene, settings, request, view, path);

@@ -12,6 +12,7 @@
 #include "app/editor/read_back.h"
 #include "app/editor/reference.h"
 #include "app/editor/shader_warmup.h"
+#include "app/report/views.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
@@ -51,8 +52,8 @@ public:
     /// Returns the facts about the last drawn frame.
     FrameFacts facts() const;
 
-    /// Writes the shown shadow map into a file. @throws Error
-    void save_map(const Scene& scene, const Settings& settings, const std::string& path);
+    /// Draws a view of the shown frame into a file. @throws Error
+    void save_view(const Scene& scene, const Settings& settings, const View& view, const std::string& path);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
 

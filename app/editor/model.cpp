@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/base/output.h"
 #include "app/editor/clipboard.h"
 #include "app/editor/requests.h"
 #include "app/editor/screenshot.h"
@@ -103,6 +104,26 @@ void EditorModel::open(const std::filesystem::path& path) {
         else
             open_scene(path.string());
     });
+}
+
+void EditorModel::export_file(const ExportRequest& wanted, bool replace) {
+    const Scene& scene = scenes_.require();
+    if (wanted.kind == ExportKind::Bundle) return export_.start(scene, picture_size(), wanted.path, replace);
+    require_no_input(std::vector<std::filesystem::path>{wanted.path}, scene, {});
+    const View view = shown_view(wanted.kind);
+    check_view_file(view, wanted.path);
+    require_writable(wanted.path);
+    std::error_code error;
+    if (!replace && std::filesystem::exists(std::filesystem::symlink_status(wanted.path, error))) {
+        state.files.replace = Replacement{.path = wanted.path, .exported = wanted.kind};
+        return;
+    }
+    frames_.save_view(scene, view, wanted.path);
+}
+
+View EditorModel::shown_view(ExportKind kind) const {
+    if (kind == ExportKind::Picture) return find_view("shaded");
+    return find_view(state.settings.view.map_source == MapSource::Camera ? "camera-depth" : "shadow-map");
 }
 
 void EditorModel::open_scene(const std::string& name) {
@@ -214,8 +235,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.save_preset.has_value(),
             [&] { presets_.save(*requests.save_preset, requests.save_about, requests.replace); });
     changed |= import_.fulfil(requests);
-    request(requests.export_bundle.has_value(),
-            [&] { export_.start(scenes_.require(), picture_size(), *requests.export_bundle, requests.replace); });
+    request(requests.export_file.has_value(), [&] { export_file(*requests.export_file, requests.replace); });
     if (requests.save_conversion) {
         conversion_.save(*requests.save_conversion, scenes_.scene(), requests.replace_conversion);
         changed = true;
@@ -234,15 +254,12 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
         require_own(path);
         requests.save_error = path;
     });
-    request(requests.save_map.has_value(), [&] {
-        require_own(*requests.save_map);
-        frames_.save_map(scenes_.require(), *requests.save_map);
-    });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
     request(scenes_.scene_settings_changed() && !frames_.under_way(), [&] { scenes_.follow_scene_settings(); });
     changed |= presets_.compare();
     changed |= work_.update(scenes_.scene(), requests);
-    changed |= conversion_.update(facts());
+    changed |= conversion_.update(facts(), work_.conversion_progress(),
+                                  work_.measured_conversion(scenes_.scene(), picture_size()));
     requests.at_rest &= smooths && !measuring();
     if (const Scene* scene = scenes_.scene())
         changed |= frames_.update(*scene, requests, presets_.comparison());

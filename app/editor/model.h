@@ -17,6 +17,7 @@
 #include "app/editor/preset_requests.h"
 #include "app/editor/scene_loader.h"
 #include "app/editor/session_report.h"
+#include "app/report/views.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
@@ -120,6 +121,10 @@ public:
 private:
     /// Opens a scene, or begins to import a file that becomes a bundle. @param name built-in key or path @throws Error
     void open_scene(const std::string& name);
+    /// Exports the shown frame. A file that exists is asked for first. @param replace the user has agreed @throws Error
+    void export_file(const ExportRequest& wanted, bool replace);
+    /// Returns the view that is exported as a kind of file: the picture, or the shown depth map.
+    View shown_view(ExportKind kind) const;
     /// Copies a command line that draws the present picture to the clipboard.
     void copy_command_line();
     /// Returns the probed pixel's cross-section for view.light; null: there is none.

@@ -91,7 +91,7 @@ protected:
     }
     void export_to(const fs::path& path, bool replace = false) {
         ask([&](EditorRequests& r) {
-            r.export_bundle = path.string();
+            r.export_file = ExportRequest{ExportKind::Bundle, path.string()};
             r.replace = replace;
         });
     }
@@ -157,7 +157,7 @@ TEST_F(FrameImports, ExportAsksBeforeItReplacesAndRefusesItsInput) {
     state().settings.map.resolution = 128;
     export_to(bundle);
     ASSERT_TRUE(state().files.replace) << "it exists";
-    EXPECT_TRUE(state().files.replace->bundle);
+    EXPECT_TRUE(state().files.replace->exported);
     EXPECT_EQ(contents_of(bundle), before) << "replaced without an answer";
     state().files.replace.reset();
     export_to(bundle, true);
@@ -394,7 +394,7 @@ EditorRequests confirmed_import(UiHarness& ui) {
     const EditorRequests pressed = ui.frame();
     ImGui::GetIO().KeysDown[enter] = false;
     const EditorRequests released = ui.frame();
-    return pressed.export_bundle ? pressed : released;
+    return pressed.export_file ? pressed : released;
 }
 
 TEST(ImportDialogs, TwoClicksSaveTheFrameUnderAFreeName) {
@@ -411,7 +411,10 @@ TEST(ImportDialogs, TwoClicksSaveTheFrameUnderAFreeName) {
         if (!item) return {};
         ui.move(*item);
         ui.frames(2);
-        return ui.click_here().export_bundle;
+        const auto request = ui.click_here().export_file;
+        if (!request) return {};
+        EXPECT_EQ(request->kind, ExportKind::Bundle);
+        return request->path;
     };
     const std::string label = scene_label("boxes");
     EXPECT_EQ(saved(), (folder / (label + ".bundle")).string());
@@ -424,22 +427,43 @@ TEST(ImportDialogs, ExportChoosesANameAndAsks) {
     const fs::path folder = fs::weakly_canonical(fresh_test_folder());
     UiHarness ui(1280, 720);
     ui.desktop_dialogs = true;
-    open_file_dialog(ui.state.files.dialog, FileDialog::Job::ExportBundle, folder / "x.json", "Boxes");
+    open_file_dialog(ui.state.files.dialog, FileDialog::Job::Export, folder / "x.json", "Boxes");
     EXPECT_FALSE(ui.frames(3).open_desktop_dialog) << "a bundle is a folder or a file";
-    EXPECT_TRUE(ui.prints("Export the frame as a bundle"));
+    EXPECT_EQ(ui.lacking({"Export the frame", "bundle (scene, camera, maps)"}), "");
     EXPECT_EQ(ui.state.files.dialog.name, "Boxes.bundle");
     ui.type("mine");
-    std::optional<std::string> chosen;
-    chosen = confirmed_import(ui).export_bundle;
-    EXPECT_EQ(chosen, (folder / "mine.bundle").string());
+    EXPECT_EQ(confirmed_import(ui).export_file, (ExportRequest{ExportKind::Bundle, (folder / "mine.bundle").string()}));
     EXPECT_EQ(with_bundle_extension("a.zip"), fs::path("a.zip"));
     ui.frames(2);
-    ui.state.files.replace = Replacement{.path = "/a/b.bundle", .bundle = true};
+    ui.state.files.replace = Replacement{.path = "/a/b.png", .exported = ExportKind::Picture};
     ui.frames(3);
     const EditorRequests agreed = confirmed_import(ui);
-    EXPECT_EQ(agreed.export_bundle, "/a/b.bundle");
+    EXPECT_EQ(agreed.export_file, (ExportRequest{ExportKind::Picture, "/a/b.png"}));
     EXPECT_TRUE(agreed.replace);
     EXPECT_FALSE(agreed.save_preset);
+}
+
+TEST(ImportDialogs, ExportWritesEachKind) {
+    const fs::path folder = fs::weakly_canonical(fresh_test_folder());
+    UiHarness ui(1280, 720);
+    const std::pair<ExportKind, const char*> kKinds[] = {{ExportKind::Picture, "Boxes.png"},
+                                                         {ExportKind::Map, "Boxes.exr"}};
+    for (const auto& [kind, name] : kKinds) {
+        ui.state.files.dialog.exported = kind;
+        open_file_dialog(ui.state.files.dialog, FileDialog::Job::Export, folder / "x.json", "Boxes");
+        ui.frames(3);
+        EXPECT_EQ(confirmed_import(ui).export_file, (ExportRequest{kind, (folder / name).string()}));
+        ui.frames(2);
+    }
+    EXPECT_EQ(with_export_extension("a.pfm", ExportKind::Map), fs::path("a.pfm"));
+    EXPECT_EQ(with_export_extension("a.pfm", ExportKind::Picture), fs::path("a.pfm.png"));
+    ui.state.files.dialog.exported = ExportKind::Code;
+    open_file_dialog(ui.state.files.dialog, FileDialog::Job::Export, folder / "x.json", "Boxes");
+    ui.frames(3);
+    EXPECT_FALSE(confirmed_import(ui).export_file);
+    ui.frames(2);
+    EXPECT_TRUE(ui.state.convert.shown) << "the dialog Convert goes on";
+    EXPECT_EQ(ui.state.convert.output, (folder / "Boxes").string());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/base/output.h"
 #include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
+#include "tests/support/process.h"
 #include "tests/ui/test_editor.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
@@ -146,7 +147,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
     std::filesystem::remove(file);
     WideEditor editor;
     EditorRequests requests = editor.frame();
-    requests.save_map = file.string();
+    requests.export_file = ExportRequest{ExportKind::Map, file.string()};
     editor.model().fulfil(requests);
     std::ifstream in(file, std::ios::binary);
     std::string magic;
@@ -158,10 +159,26 @@ TEST(MapViewer, SavesTheStoredDepth) {
     editor.settle();  // saving drew other passes: wait for the editor's picture
     EXPECT_NE(editor.model().facts().result->colour.texture, 0u);
 
-    requests.save_map = "/no/such/folder/map.pfm";
+    const std::string saved = file_bytes(file);
+    std::filesystem::resize_file(file, 3);
+    editor.model().fulfil(requests);
+    EXPECT_TRUE(editor.model().state.files.replace) << "a file that exists is asked for";
+    EXPECT_EQ(file_bytes(file).size(), 3u);
+    requests.replace = true;
+    editor.model().fulfil(requests);
+    EXPECT_EQ(file_bytes(file), saved);
+
+    const std::filesystem::path picture = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "saved_picture.png";
+    std::filesystem::remove(picture);
+    requests.export_file = ExportRequest{ExportKind::Picture, picture.string()};
+    editor.model().fulfil(requests);
+    EXPECT_EQ(file_bytes(picture).substr(1, 3), "PNG");
+
+    requests.export_file = ExportRequest{ExportKind::Map, "/no/such/folder/map.pfm"};
     editor.model().fulfil(requests);
     EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
-    requests.save_map = (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string();
+    requests.export_file =
+        ExportRequest{ExportKind::Map, (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string()};
     editor.model().fulfil(requests);
     EXPECT_NE(editor.model().state.log.lines().back().text.find(".png"), std::string::npos);
 }

@@ -43,12 +43,11 @@ struct MapPanelFacts {
     std::optional<double> exact_utilisation;      ///< share of texels that kernels fetch (FrameResult::texels_read)
 };
 
-/// Requests of the map viewer to the application: data to read back, and a file to write.
+/// Requests of the map viewer to the application: data to read back.
 struct MapRequests {
-    std::optional<std::string> save_map;  ///< write the map into this file
-    bool want_map = false;                ///< the map is shown
-    bool want_map_values = false;         ///< the cursor is over the map
-    bool want_map_facts = false;          ///< the plots are shown
+    bool want_map = false;           ///< the map is shown
+    bool want_map_values = false;    ///< the cursor is over the map
+    bool want_map_facts = false;     ///< the plots are shown
     bool want_links = false;         ///< texel coordinates of pixels: the mouse is over a picture and drags nothing
     bool want_exact_texels = false;  ///< texels that kernels fetch: chosen, the map is shown, nothing is dragged
     bool want_frozen_usage = false;  ///< texels of the frozen camera: the map is shown, nothing is dragged

@@ -41,7 +41,7 @@ void save_menu(EditorState& state, EditorRequests& requests) {
                 ImGui::GetFontSize() * 24);
     if (!ImGui::BeginPopup("save map")) return;
     if (path_input("##file", "file.pfm, .exr or .png", state.map.save_path, "Write"))
-        requests.save_map = state.map.save_path;
+        requests.export_file = ExportRequest{ExportKind::Map, state.map.save_path};
     ImGui::EndPopup();
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/widgets/export_kind.h"
+
 namespace si {
 
 /// Step of a frame of another engine on its way to a bundle.
@@ -53,7 +55,7 @@ struct ImportRequests {
     bool start_import = false;                 ///< goes on after ImportStep::Warning or ImportStep::Light
     bool write_import = false;                 ///< writes the chosen maps as the bundle ImportDialog::output
     bool cancel_import = false;                ///< ends the import at any step
-    std::optional<std::string> export_bundle;  ///< path of a bundle that gets the shown frame
+    std::optional<ExportRequest> export_file;  ///< write the shown frame
 };
 
 /// Draws the dialog of the present step, where it has one.

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "ui/widgets/export_kind.h"
+
 namespace si {
 
 /// Built-in preset as lists show it: key, title, topic and description.
@@ -21,11 +23,11 @@ struct LostFacts {
     std::string when;  ///< age in words: "3 minutes ago"
 };
 
-/// Existing preset or bundle that saving replaces once the user agrees.
+/// Existing file that saving or exporting replaces once the user agrees.
 struct Replacement {
     std::string path;
-    std::optional<std::string> about = {};  ///< sentence to save in the preset
-    bool bundle = false;                    ///< the frame is exported there; false: the preset is saved
+    std::optional<std::string> about = {};    ///< sentence to save in the preset
+    std::optional<ExportKind> exported = {};  ///< the frame is exported there; none: the preset is saved
 };
 
 /// Data that menus and panels show about presets, recent files and the lost session.

@@ -55,14 +55,14 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     item("Copy command line", Command::CopyCommandLine);
     plain_tooltip("The command that renders this picture without a window");
     if (ImGui::MenuItem("Save map, matrices and picture"))
-        requests.export_bundle = free_bundle_path(std::filesystem::path(state.files.preset_path).parent_path(),
-                                                  scene_label(state.scene_name))
-                                     .string();
+        requests.export_file = ExportRequest{
+            ExportKind::Bundle, free_bundle_path(std::filesystem::path(state.files.preset_path).parent_path(),
+                                                 scene_label(state.scene_name))
+                                    .string()};
     plain_tooltip("This frame as a bundle in the preset's folder, under a free name that the log prints");
-    if (ImGui::MenuItem("Export bundle…"))
-        open_file_dialog(state.files.dialog, FileDialog::Job::ExportBundle, state.files.preset_path,
-                         scene_label(state.scene_name));
-    plain_tooltip("This frame with scene, camera, shadow maps and matrices, as an engine would write it");
+    item("Export…", Command::Export);
+    plain_tooltip(
+        "This frame as a bundle (scene, camera, shadow maps and matrices), picture, map, or an engine's code");
     if (ImGui::MenuItem("Convert…")) state.convert.asked = true;
     plain_tooltip("The shadow settings as code of an engine, a graphics API, C++ or GLSL, to copy or save");
     if (ImGui::BeginMenu("Screenshot")) {

@@ -270,6 +270,11 @@ constexpr Shortcut kShortcutTable[] = {
                    open_file_dialog(c.state.files.dialog, FileDialog::Job::SavePreset, c.state.files.preset_path,
                                     c.state.files.guide.about);
                })),
+    row(Command::Export, with_ctrl(letter("E")), "export the frame: bundle, picture, map, engine code",
+        [](C c) {
+            open_file_dialog(c.state.files.dialog, FileDialog::Job::Export, c.state.files.preset_path,
+                             scene_label(c.state.scene_name));
+        }),
     row(Command::RevertPreset, with_ctrl(letter("R"), Modifier::Up), "back to the preset as it was saved",
         [](C c) { c.requests.load_preset = c.state.files.preset_path; }),
     row(Command::NextPreset, mapped("Page down", ImGuiKey_PageDown), "the next guided preset",

@@ -61,6 +61,7 @@ enum class Command {
     ReloadScene,
     SavePreset,
     SavePresetAs,
+    Export,
     RevertPreset,
     NextPreset,
     PreviousPreset,

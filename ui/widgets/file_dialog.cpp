@@ -17,6 +17,7 @@
 #include "renderer/importers/importers.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -26,8 +27,27 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxEntries = 5000;
-constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Save the preset as",
-                     *kBundleTitle = "Choose a bundle", *kExportTitle = "Export the frame as a bundle";
+constexpr const char *kOpenTitle = "Open a model, map, bundle, capture or preset", *kSaveTitle = "Save the preset as",
+                     *kBundleTitle = "Choose a bundle", *kExportTitle = "Export the frame";
+
+/// Row of the kinds of exported files.
+struct ExportRow {
+    const char* label;
+    std::vector<std::string> extensions;  ///< the first is the default
+};
+
+/// Returns the row of a kind of exported files.
+const ExportRow& export_row(ExportKind kind) {
+    static const ExportRow kRows[] = {{"bundle (scene, camera, maps)", {".bundle", ".zip"}},
+                                      {"picture as shown", {".png"}},
+                                      {"shadow map", {".exr", ".pfm", ".png"}},
+                                      {"engine code…", {}}};
+    return kRows[std::size_t(kind)];
+}
+
+bool has_extension_of(const fs::path& file, ExportKind kind) {
+    return std::ranges::find(export_row(kind).extensions, lower_extension(file)) != export_row(kind).extensions.end();
+}
 
 /// Returns true for a folder that is a bundle, which is listed and opened as a file.
 bool is_bundle_folder(const fs::path& path) {
@@ -35,12 +55,13 @@ bool is_bundle_folder(const fs::path& path) {
     return lower_extension(path) == ".bundle" && fs::exists(path / kFrameJson, error);
 }
 
-bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind) {
+bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind, ExportKind exported) {
     const std::string extension = lower_extension(file);
     const bool model = find_importer(file) || find_frame_file(file);
     const bool preset = extension == ".json";
     if (job == FileDialog::Job::SavePreset) return preset;
-    if (job == FileDialog::Job::ChooseBundle || job == FileDialog::Job::ExportBundle) return is_bundle_path(file);
+    if (job == FileDialog::Job::ChooseBundle) return is_bundle_path(file);
+    if (job == FileDialog::Job::Export) return has_extension_of(file, exported);
     return (model && kind != FileDialog::Kind::Presets) || (preset && kind != FileDialog::Kind::Models);
 }
 
@@ -75,7 +96,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
         const std::string name = it->path().filename().string();
         std::error_code unreadable;
         const bool is_folder = it->is_directory(unreadable) && !is_bundle_folder(it->path());
-        if (!name.starts_with('.') && (is_folder || is_shown(it->path(), d.job, d.kind)))
+        if (!name.starts_with('.') && (is_folder || is_shown(it->path(), d.job, d.kind, d.exported)))
             entries.push_back({name, is_folder, date_of(*it)});
     }
     std::sort(entries.begin(), entries.end(), [](const FileDialog::Entry& a, const FileDialog::Entry& b) {
@@ -116,8 +137,9 @@ std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
             ImGui::PopID();
         }
     if (d.entries.empty())
-        ImGui::TextDisabled(d.job == FileDialog::Job::Open         ? "No folder, preset or model here."
+        ImGui::TextDisabled(d.job == FileDialog::Job::Open         ? "No folder or file that can be opened here."
                             : d.job == FileDialog::Job::SavePreset ? "No folder or preset here."
+                            : d.job == FileDialog::Job::Export     ? "No folder or file of this kind here."
                                                                    : "No folder or bundle here.");
     ImGui::EndChild();
     ImGui::PopStyleColor();
@@ -133,6 +155,19 @@ std::vector<std::string> recent_folders(const EditorFrame& frame) {
             if (!folder.empty() && std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
         }
     return folders;
+}
+
+/// Draws the choice of the exported kind. The name keeps its stem and gets the kind's extension.
+void draw_export_kinds(FileDialog& d) {
+    if (!begin_combo("##exported", export_row(d.exported).label)) return;
+    for (const ExportKind kind : {ExportKind::Bundle, ExportKind::Picture, ExportKind::Map, ExportKind::Code})
+        if (ImGui::Selectable(export_row(kind).label, kind == d.exported)) {
+            const fs::path name = has_extension_of(d.name, d.exported) ? fs::path(d.name).stem() : fs::path(d.name);
+            d.exported = kind;
+            if (!d.name.empty()) d.name = with_export_extension(name, kind).string();
+            read_folder(d, d.folder);
+        }
+    ImGui::EndCombo();
 }
 
 /// Draws the folder and the kind of files.
@@ -152,13 +187,14 @@ void draw_places(FileDialog& d, const EditorFrame& frame) {
         ImGui::EndPopup();
     }
     ImGui::SameLine();
-    const bool opening = d.job == FileDialog::Job::Open;
-    ImGui::SetNextItemWidth(opening ? -em * 7.5f : -FLT_MIN);
+    const bool opening = d.job == FileDialog::Job::Open, exporting = d.job == FileDialog::Job::Export;
+    ImGui::SetNextItemWidth(opening ? -em * 7.5f : exporting ? -em * 14 : -FLT_MIN);
     if (ImGui::InputText("##folder", &d.folder_input, ImGuiInputTextFlags_EnterReturnsTrue))
         read_folder(d, d.folder_input);
-    if (!opening) return;
+    if (!opening && !exporting) return;
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
+    if (exporting) return draw_export_kinds(d);
     int kind = int(d.kind);
     if (ImGui::Combo("##kind", &kind, "all files\0models\0presets\0")) {
         d.kind = FileDialog::Kind(kind);
@@ -169,7 +205,7 @@ void draw_places(FileDialog& d, const EditorFrame& frame) {
 /// Completes the typed path at Tab.
 int complete(ImGuiInputTextCallbackData* data) {
     const FileDialog& d = *static_cast<const FileDialog*>(data->UserData);
-    const std::string completed = completed_path(d.folder, data->Buf, d.job, d.kind);
+    const std::string completed = completed_path(d.folder, data->Buf, d.job, d.kind, d.exported);
     data->DeleteChars(0, data->BufTextLen);
     data->InsertChars(0, completed.c_str());
     return 0;
@@ -188,8 +224,11 @@ void choose(EditorState& state, EditorRequests& requests) {
         requests.open_file = path.string();
     } else if (d.job == FileDialog::Job::ChooseBundle) {
         if (const auto ref = find_setting(d.setting)) set_value(state.settings, *ref, path.string());
-    } else if (d.job == FileDialog::Job::ExportBundle) {
-        requests.export_bundle = with_bundle_extension(path).string();
+    } else if (d.job == FileDialog::Job::Export && d.exported == ExportKind::Code) {
+        state.convert.output = path.string();
+        state.convert.asked = true;
+    } else if (d.job == FileDialog::Job::Export) {
+        requests.export_file = ExportRequest{d.exported, with_export_extension(path, d.exported).string()};
     } else {
         requests.save_preset = with_preset_extension(path).string();
         requests.save_about = d.about;
@@ -202,9 +241,9 @@ void choose(EditorState& state, EditorRequests& requests) {
 void open_file_dialog(FileDialog& d, FileDialog::Job job, const fs::path& path, const std::string& about) {
     d.job = job;
     d.about = about;
-    d.name = job == FileDialog::Job::SavePreset     ? path.filename().string()
-             : job == FileDialog::Job::ExportBundle ? with_bundle_extension(about).string()
-                                                    : std::string();
+    d.name = job == FileDialog::Job::SavePreset ? path.filename().string()
+             : job == FileDialog::Job::Export   ? with_export_extension(about, d.exported).string()
+                                                : std::string();
     d.entries.clear();
     std::error_code error;
     const fs::path folder = path.parent_path();
@@ -228,8 +267,14 @@ fs::path with_bundle_extension(fs::path path) {
     return path;
 }
 
-std::string completed_path(const fs::path& folder, const std::string& typed, FileDialog::Job job,
-                           FileDialog::Kind kind) {
+fs::path with_export_extension(fs::path path, ExportKind kind) {
+    const std::vector<std::string>& extensions = export_row(kind).extensions;
+    if (!extensions.empty() && !has_extension_of(path, kind)) path += extensions.front();
+    return path;
+}
+
+std::string completed_path(const fs::path& folder, const std::string& typed, FileDialog::Job job, FileDialog::Kind kind,
+                           ExportKind exported) {
     const auto slash = typed.rfind('/');
     const std::string lead = slash == std::string::npos ? std::string() : typed.substr(0, slash + 1);
     const std::string begun = typed.substr(lead.size());
@@ -242,7 +287,7 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
         std::error_code unreadable;
         const bool is_folder = it->is_directory(unreadable);
         if (!name.starts_with(begun) || (begun.empty() && name.starts_with('.'))) continue;
-        if (!is_folder && !is_shown(it->path(), job, kind)) continue;
+        if (!is_folder && !is_shown(it->path(), job, kind, exported)) continue;
         if (is_folder) name += '/';
         const auto differs = std::ranges::mismatch(common, name);
         common = any ? std::string(common.begin(), differs.in1) : name;
@@ -254,13 +299,13 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     FileDialog& d = state.files.dialog;
     // The desktop's dialog chooses either files or folders, and a bundle may be both.
-    const bool any_kind = d.job == FileDialog::Job::ChooseBundle || d.job == FileDialog::Job::ExportBundle;
+    const bool any_kind = d.job == FileDialog::Job::ChooseBundle || d.job == FileDialog::Job::Export;
     if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs && !any_kind) {
         d.asked = false;
         requests.open_desktop_dialog = {d.job, d.kind, d.folder, d.name};
     }
     const bool saves_preset = d.job == FileDialog::Job::SavePreset;
-    const bool exporting = d.job == FileDialog::Job::ExportBundle;
+    const bool exporting = d.job == FileDialog::Job::Export;
     const bool saving = saves_preset || exporting;
     const char* title = saves_preset ? kSaveTitle : exporting ? kExportTitle : any_kind ? kBundleTitle : kOpenTitle;
     if (d.asked) ImGui::OpenPopup(title);
@@ -318,8 +363,8 @@ void draw_replace_dialog(EditorState& state, EditorRequests& requests) {
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Replace", {em * 6, 0}) ||
         (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::GetIO().NavVisible)) {
-        if (state.files.replace->bundle) {
-            requests.export_bundle = state.files.replace->path;
+        if (state.files.replace->exported) {
+            requests.export_file = ExportRequest{*state.files.replace->exported, state.files.replace->path};
         } else {
             requests.save_preset = state.files.replace->path;
             requests.save_about = state.files.replace->about;

@@ -1,0 +1,23 @@
+// Kinds of files that the editor exports.
+#pragma once
+
+#include <string>
+
+namespace si {
+
+/// Kind of file that File, Export writes.
+enum class ExportKind {
+    Bundle,   ///< scene, camera, maps and matrices of the frame
+    Picture,  ///< scene picture with its overlay
+    Map,      ///< shown depth map
+    Code,     ///< settings as code of an engine; the dialog Convert goes on
+};
+
+/// Request to export the shown frame.
+struct ExportRequest {
+    ExportKind kind = ExportKind::Bundle;
+    std::string path;
+    bool operator==(const ExportRequest&) const = default;
+};
+
+}  // namespace si
