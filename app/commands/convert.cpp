@@ -12,13 +12,11 @@
 #include "app/base/output.h"
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
-#include "app/convert/conversion.h"
+#include "app/convert/measured_conversion.h"
 #include "app/report/report.h"
 #include "app/session/session.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
-#include "renderer/measure/measure.h"
-#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -35,48 +33,23 @@ void measure_scene(const ConvertOptions& options, const Session& session, Conver
                    std::vector<std::string>& notes) {
     in.scene = printable(session.scene_name, std::string::npos);
     in.settings = session.settings;
-    interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
-        const HeadlessContext context;
-        Renderer renderer;
-        Settings tilt = session.settings;
-        set_setting(tilt, "view.overlay", "n-dot-l");
-        const FrameRequest request{.width = options.size.width,
-                                   .height = options.size.height,
-                                   .outputs = {.colour = false, .visibility = true, .overlay = true}};
-        report(0.1, "tilt of lit pixels");
-        const FrameResult frame = renderer.render(session.scene, tilt, request);
-        const FittedLight& light = frame.lights.at(std::size_t(session.settings.view.light));
-        if (!light.casts)
-            throw Error(fmt::format("{}: light {} has no shadow map: {}; give another scene, or --no-scene",
-                                    printable(session.scene_name), session.settings.view.light, light.reason));
-        in.lookup = lookup_facts(session.settings, light, frame.map_size, renderer.driver().subpixel_bits);
-        in.facts = facts_of_light(session.settings, light, frame.map_size, in.maps);
-        in.facts_source = "as the scene's map is fitted";
-        const auto angle =
-            reference_angle_deg(renderer.read_float(frame.overlay, 4), renderer.read_float(frame.visibility, 1));
-        in.facts.angle_deg = angle.value_or(in.facts.angle_deg);
-        in.angle_source = angle ? "95 % of the scene's lit pixels are tilted less" : "no pixel of the scene is lit";
-        report(0.2, "error");
-        Measurer measurer(renderer, options.size.width, options.size.height, workers);
-        const Classification classified = measurer.classify(session.scene, session.settings);
-        ConvertedMeasure measure{.scene = in.scene,
-                                 .width = options.size.width,
-                                 .height = options.size.height,
-                                 .area = session.settings.truth.area,
-                                 .mae = classified.error.mae,
-                                 .driver = renderer.driver().renderer};
-        measure.wrong = classified.error.false_shadow + classified.error.false_light;
-        measure.acne_px = classified.error.artefacts[std::size_t(Artefact::Acne)];
-        if (options.time) {
-            report(0.6, "time");
-            const TimeMeasurement time = measurer.time(session.scene, session.settings, options.cost);
-            measure.frame_ms = time.total_ms.median;
-            measure.clock = time.clock;
-        }
-        in.measure = std::move(measure);
-        notes.insert(notes.end(), classified.notes.begin(), classified.notes.end());
-        return 0;
-    });
+    const MeasuredConversion measured =
+        interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
+            const HeadlessContext context;
+            Renderer renderer;
+            ReferenceCache cache;
+            return measure_conversion(
+                {renderer, session.scene, options.size.width, options.size.height, cache, workers, report},
+                session.settings, session.scene_name, options.time ? std::optional(options.cost) : std::nullopt);
+        });
+    in.lookup = measured.lookup;
+    in.facts = measured.facts;
+    in.maps = measured.maps;
+    in.facts_source = "as the scene's map is fitted";
+    in.facts.angle_deg = measured.angle_deg.value_or(in.facts.angle_deg);
+    in.angle_source = angle_source(measured);
+    in.measure = measured.measure;
+    notes.insert(notes.end(), measured.notes.begin(), measured.notes.end());
 }
 
 }  // namespace

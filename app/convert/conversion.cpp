@@ -10,6 +10,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/fits/engine_facts.h"
 
 namespace si {
 namespace {
@@ -207,20 +208,13 @@ MapFacts facts_of_settings(const Settings& settings, std::string& source) {
     return out;
 }
 
-MapFacts facts_of_light(const Settings& settings, const FittedLight& light, MapSize size,
-                        std::vector<ConvertedMap>& maps) {
+std::vector<ConvertedMap> converted_maps(const Settings& settings, const FittedLight& light, MapSize size) {
+    std::vector<ConvertedMap> maps;
     for (const LightView& view : light.views) {
-        const TexelSize texels = view.texel_size_range(size);
-        maps.push_back({texels.longest * size.longest(), view.curve.far - view.curve.near, size.longest()});
+        const MapFacts facts = map_facts(view, settings, size);
+        maps.push_back({facts.width_m, facts.depth_m, facts.texels});
     }
-    MapFacts out{.cascades = light.is_cascaded() ? int(light.views.size()) : 1,
-                 .format = settings.map.format,
-                 .reversed_z = settings.map.reversed_z};
-    if (maps.empty()) return out;
-    out.width_m = maps[0].width_m;
-    out.depth_m = maps[0].depth_m;
-    out.texels = maps[0].texels;
-    return out;
+    return maps;
 }
 
 std::optional<double> reference_angle_deg(const FloatImage& cosines, const FloatImage& visibility) {

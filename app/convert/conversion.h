@@ -27,6 +27,7 @@ struct ConvertedMeasure {
     std::size_t acne_px = 0;
     std::optional<double> frame_ms;
     std::string driver, clock;
+    bool operator==(const ConvertedMeasure&) const = default;
 };
 
 /// Input of a conversion. Texts may come from files and be hostile.
@@ -51,9 +52,8 @@ struct Conversion {
 /// Returns W and D of light view.light from settings alone: light.extent and light.near, light.far where they are set
 /// by hand, else those of the worked example of the docs. @param[out] source where the numbers come from, a clause
 MapFacts facts_of_settings(const Settings& settings, std::string& source);
-/// Returns the facts of the first map of a fitted light, and all maps. @param size texels of each
-MapFacts facts_of_light(const Settings& settings, const FittedLight& light, MapSize size,
-                        std::vector<ConvertedMap>& maps);
+/// Lists the maps of a fitted light, as map_facts() has them. @param size texels of each
+std::vector<ConvertedMap> converted_maps(const Settings& settings, const FittedLight& light, MapSize size);
 
 /// Returns the angle between normal and light that 95 % of the lit pixels do not exceed, degrees; nullopt without a lit
 /// pixel. @param cosines values of the overlay n-dot-l, four numbers a pixel @param visibility one number a pixel

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "app/editor/requests.h"
+#include "renderer/base/printable.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/reference/reference.h"
@@ -83,7 +84,7 @@ FixOptions fix_options(const Settings& settings, std::span<const PixelDiagnosis>
 bool is_current(SearchSubject of, const SearchSubject& present) {
     of.settings.bias = present.settings.bias;
     of.settings.truth.area = present.settings.truth.area;  // a search sets its own
-    return of.measures_like(present);
+    return of.searches_like(present);
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ bool BackgroundWork::poll_found(auto& search) {
 bool BackgroundWork::poll(const Scene* scene) {
     bool ended = poll_tuning(scene);
     const auto poll_each = [&](auto&... searches) { ((ended |= poll_found(searches)), ...); };
-    poll_each(fixes_, pixel_fixes_, advice_, waste_, pipelines_, shimmer_, optimisation_times_);
+    poll_each(fixes_, pixel_fixes_, advice_, waste_, pipelines_, shimmer_, optimisation_times_, conversion_);
     return ended;
 }
 
@@ -148,7 +149,8 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     const auto start = [&](auto& search, const char* first, const auto& requested, const auto& work) {
         const Scene& scene = scenes.require();
         // A measurement needs a size, which a hidden picture does not have.
-        const SearchSubject of{scene.id, state_.settings, shown.request.width, shown.request.height};
+        const SearchSubject of{scene.id, state_.settings, shown.request.width, shown.request.height,
+                               state_.engine_panel.profile};
         search.start(scene, of, first,
                      [requested, work](const SearchTools& tools, const Settings& settings, const auto& show) {
                          if constexpr (requires { work(tools, settings, requested, show); })
@@ -193,6 +195,13 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     request(requests.measure_shimmer.has_value(),
             [&] { start(shimmer_, "the first frame", *requests.measure_shimmer, search_shimmer); });
     if (requests.cancel_shimmer) shimmer_.cancel();
+    request(requests.measure_conversion, [&] {
+        start(conversion_, "tilt of lit pixels", printable(state_.scene_name),
+              [](const SearchTools& t, const Settings& settings, const std::string& name) {
+                  return measure_conversion(t, settings, name, kDefaultCost);
+              });
+    });
+    if (requests.cancel_conversion) conversion_.cancel();
     request(requests.cancel_measuring, [&] { optimisation_times_.cancel(); });
     request(requests.measure_saved_times,
             [&] { start(optimisation_times_, "the first frame", shown.request, search_saved_times); });
@@ -218,8 +227,13 @@ bool BackgroundWork::update(const Scene* scene, const EditorRequests& requests) 
     return changed;
 }
 
-void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) const {
+const MeasuredConversion* BackgroundWork::measured_conversion(const Scene* scene, glm::ivec2 size) const {
     const SearchSubject present{scene ? scene->id : 0, state_.settings, size.x, size.y};
+    return conversion_.subject().measures_like(present) ? conversion_.found_in(present.scene) : nullptr;
+}
+
+void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) const {
+    const SearchSubject present{scene ? scene->id : 0, state_.settings, size.x, size.y, state_.engine_panel.profile};
     f.tuning = bias_search_.progress();
     if (const Tuned* found = bias_search_.found_in(present.scene)) {
         f.tuned = &found->bias;
@@ -232,7 +246,7 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
         if (!found) return;
         shown.table = &found->table;
         shown.pixel = found->pixel;
-        shown.current = search.subject().measures_like(present);
+        shown.current = search.subject().searches_like(present);
     };
     fill_fixes(f.fixes, fixes_);
     fill_fixes(f.pixel_fixes, pixel_fixes_);
@@ -247,7 +261,7 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
     if (const AdviceFound* found = advice_.found_in(present.scene)) {
         f.advice = std::get_if<AdviceReport>(found);
         f.autopilot = std::get_if<AutopilotResult>(found);
-        f.advice_current = advice_.subject().measures_like(present);
+        f.advice_current = advice_.subject().searches_like(present);
     }
     f.comparing_pipelines = pipelines_.progress();
     if (const auto* errors = pipelines_.found()) {

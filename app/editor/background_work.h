@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/convert/measured_conversion.h"
 #include "app/editor/frame_facts.h"
 #include "app/editor/scene_loader.h"
 #include "app/editor/search.h"
@@ -43,7 +44,7 @@ class BackgroundWork {
     /// Returns references to all background measurements, for calls to each of them.
     auto all() const {
         return std::tie(sweep_, bias_search_, fixes_, pixel_fixes_, optimisation_times_, advice_, waste_, pipelines_,
-                        shimmer_);
+                        shimmer_, conversion_);
     }
 
 public:
@@ -65,6 +66,12 @@ public:
     /// Writes the facts of all background measurements into `frame`. Pointers in it stay valid until the next call of a
     /// non-const member. @param size scene picture, pixels
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
+
+    /// Returns the progress of the measurement for a conversion; none: it does not run.
+    std::optional<SearchProgress> conversion_progress() const { return conversion_.progress(); }
+    /// Returns the measurement for a conversion of the present settings; null: there is none. @param size scene
+    /// picture, pixels
+    const MeasuredConversion* measured_conversion(const Scene* scene, glm::ivec2 size) const;
 
     /// Returns true while something is being measured.
     bool busy() const {
@@ -99,6 +106,7 @@ private:
     EditorSearch<Waste> waste_{"The search for waste was cancelled"};
     EditorSearch<std::vector<PipelineError>> pipelines_{"The comparison of precision was cancelled"};
     EditorSearch<ShimmerFound> shimmer_{"The measurement of shimmer was cancelled"};
+    EditorSearch<MeasuredConversion> conversion_{"The measurement for the conversion was cancelled"};
 };
 
 }  // namespace si

@@ -9,12 +9,13 @@
 #include "app/session/session.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/view/fits/engine_facts.h"
 
 namespace si {
 namespace {
 
 /// Returns the input of a conversion of the shown frame.
-ConversionInput shown_input(const EditorState& state, const EditorFrame& frame) {
+ConversionInput shown_input(const EditorState& state, const EditorFrame& frame, const MeasuredConversion* measured) {
     ConversionInput in{.preset = printable(state.files.preset_path, std::string::npos),
                        .title = printable(state.files.guide.title, std::string::npos),
                        .scene = printable(state.scene_name, std::string::npos),
@@ -26,11 +27,16 @@ ConversionInput shown_input(const EditorState& state, const EditorFrame& frame) 
         const FittedLight& light = frame.result->lights[index];
         in.lookup = lookup_facts(state.settings, light, frame.result->map_size,
                                  frame.driver ? frame.driver->subpixel_bits : in.lookup.subpixel_bits);
-        in.facts = facts_of_light(state.settings, light, frame.result->map_size, in.maps);
+        in.facts = map_facts(&light, state.settings, frame.result->map_size);
+        in.maps = converted_maps(state.settings, light, frame.result->map_size);
         in.facts_source = "as the shown map is fitted";
     }
     in.facts.angle_deg = state.convert.angle_deg;
     in.angle_source = "chosen in the dialog";
+    if (measured) {
+        in.measure = measured->measure;
+        if (measured->angle_deg == state.convert.angle_deg) in.angle_source = angle_source(*measured);
+    }
     return in;
 }
 
@@ -40,7 +46,8 @@ ConversionPreview::ConversionPreview(EditorState& state) : state_(state) {
     for (const ConvertTarget& row : convert_targets()) labels_.push_back({row.name, row.title});
 }
 
-bool ConversionPreview::update(const EditorFrame& frame) {
+bool ConversionPreview::update(const EditorFrame& frame, const std::optional<SearchProgress>& measuring,
+                               const MeasuredConversion* measured) {
     if (!state_.convert.shown) {
         const bool changed = shown_.has_value();
         shown_.reset();
@@ -48,12 +55,21 @@ bool ConversionPreview::update(const EditorFrame& frame) {
         return changed;
     }
     if (state_.convert.target.empty()) state_.convert.target = labels_.front().name;
-    const Input input{state_.settings, state_.convert.target, state_.convert.angle_deg, frame.result};
-    if (made_from_ == input) return false;
+    const auto measure = measured ? std::optional(measured->measure) : std::nullopt;
+    if (measure && angle_taken_from_ != measure) {
+        angle_taken_from_ = measure;
+        state_.convert.angle_deg = measured->angle_deg.value_or(state_.convert.angle_deg);
+    }
+    const bool moved = measuring || (shown_ && shown_->measuring);
+    const Input input{state_.settings, state_.convert.target, state_.convert.angle_deg, frame.result, measure};
+    if (made_from_ == input) {
+        shown_->measuring = measuring;
+        return moved;
+    }
     made_from_ = input;
-    shown_ = ConvertFacts{.targets = labels_};
+    shown_ = ConvertFacts{.targets = labels_, .measuring = measuring, .measured = measured != nullptr};
     try {
-        Conversion made = convert_settings(convert_target(state_.convert.target), shown_input(state_, frame));
+        Conversion made = convert_settings(convert_target(state_.convert.target), shown_input(state_, frame, measured));
         shown_->text = std::move(made.text);
         shown_->notes = std::move(made.notes);
     } catch (const Error& e) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/convert/measured_conversion.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
@@ -16,7 +17,9 @@ public:
     explicit ConversionPreview(EditorState& state);
 
     /// Makes the code if the dialog is open. Returns true if it has changed. @param frame facts of the last frame
-    bool update(const EditorFrame& frame);
+    /// @param measuring progress of a measurement under way @param measured result for the present settings; null: none
+    bool update(const EditorFrame& frame, const std::optional<SearchProgress>& measuring,
+                const MeasuredConversion* measured);
     /// Writes the code into a file, whole or not at all. A file that exists is replaced only with `replace`. The dialog
     /// shows what went wrong.
     void save(const std::string& path, const Scene* scene, bool replace);
@@ -30,11 +33,13 @@ private:
         std::string target;
         double angle_deg = 0;
         const FrameResult* frame = nullptr;
+        std::optional<ConvertedMeasure> measure;
         bool operator==(const Input&) const = default;
     };
     EditorState& state_;
     std::vector<ConvertTargetLabel> labels_;
     std::optional<Input> made_from_;
+    std::optional<ConvertedMeasure> angle_taken_from_;  ///< measurement whose angle the dialog has
     std::optional<ConvertFacts> shown_;
 };
 

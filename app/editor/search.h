@@ -23,13 +23,16 @@ namespace si {
 struct SearchSubject {
     std::uint64_t scene = 0;  ///< Scene::id
     Settings settings;
-    int width = 0;   ///< pixels of the picture
-    int height = 0;  ///< pixels of the picture
+    int width = 0;                          ///< pixels of the picture
+    int height = 0;                         ///< pixels of the picture
+    const EngineProfile* engine = nullptr;  ///< engine for which is searched; null: none
     /// Returns true if measurements of both subjects give the same.
     bool measures_like(const SearchSubject& other) const {
         return scene == other.scene && width == other.width && height == other.height &&
                measured_settings(settings) == measured_settings(other.settings);
     }
+    /// Returns true if searches about both subjects try the same changes and find the same.
+    bool searches_like(const SearchSubject& other) const { return engine == other.engine && measures_like(other); }
     /// Returns true if frames of both subjects are the same, overlays included.
     bool draws_like(const SearchSubject& other) const {
         return scene == other.scene && width == other.width && height == other.height && settings == other.settings;
@@ -74,7 +77,8 @@ public:
                     const std::lock_guard lock(partial->mutex);
                     partial->value = std::move(so_far);
                 };
-                T result = work({renderer, *copy, of.width, of.height, cache, workers, report_step}, of.settings, show);
+                T result = work({renderer, *copy, of.width, of.height, cache, workers, report_step, of.engine},
+                                of.settings, show);
                 if (workers.stop.stop_requested()) show(result);  // cancelled work has no outcome
                 return result;
             },

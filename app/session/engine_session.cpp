@@ -102,7 +102,7 @@ MapFacts map_facts(const Scene& scene, const Settings& settings) {
     const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
     const Camera camera = make_camera(scene, settings, kAspect);
     const std::vector<FittedLight> lights = fit_lights(scene, settings, &camera);
-    return map_facts(index < lights.size() ? &lights[index] : nullptr, settings);
+    return map_facts(index < lights.size() ? &lights[index] : nullptr, settings, MapSize(settings.map.resolution));
 }
 
 std::vector<std::string> apply_engine(const EngineSession& engine, const Scene& scene, bool has_preset,

@@ -89,6 +89,28 @@ TEST_F(ConvertPreview, FollowsSettingsAndAngle) {
     EXPECT_NE(facts().problem.find("set map.virtual to false"), std::string::npos) << facts().problem;
 }
 
+TEST_F(ConvertPreview, MeasuresAngleErrorAndTime) {
+    choose("three");
+    EXPECT_EQ(facts().text.find("measured on"), std::string::npos);
+    EditorRequests requests = editor_.requests();
+    requests.measure_conversion = true;
+    editor_.model().fulfil(requests);
+    settle();
+    EXPECT_TRUE(facts().measured);
+    EXPECT_NE(facts().text.find("measured on boxes at"), std::string::npos) << facts().text;
+    EXPECT_NE(facts().text.find("time "), std::string::npos);
+    EXPECT_NE(facts().text.find("95 % of the scene's lit pixels are tilted less"), std::string::npos);
+    EXPECT_NE(editor_.state().convert.angle_deg, 45);
+    editor_.state().convert.angle_deg = 30;
+    settle();
+    EXPECT_NE(facts().text.find("30 degrees between normal and light (chosen"), std::string::npos) << facts().text;
+    EXPECT_NE(facts().text.find("measured on"), std::string::npos) << "the angle changes no error";
+    editor_.state().settings.bias.constant = 3;
+    settle();
+    EXPECT_FALSE(facts().measured);
+    EXPECT_EQ(facts().text.find("measured on"), std::string::npos) << "of other settings";
+}
+
 TEST_F(ConvertPreview, SavesWholeAndReplacesOnlyWhenTold) {
     choose("godot");
     const std::string file = (folder_ / "out.gd").string();

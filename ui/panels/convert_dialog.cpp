@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ui/widgets/combo.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -39,6 +40,24 @@ void draw_angle(ConvertDialog& dialog, float width) {
     if (ImGui::SliderFloat("##angle", &angle, 0, float(kLargestAngleDeg), "reference angle %.0f°"))
         dialog.angle_deg = std::clamp(double(angle), 0.0, kLargestAngleDeg);
     plain_tooltip("Angle between normal and light at which numbers agree that cannot agree at every angle");
+}
+
+/// Draws the button that measures the scene, or the progress under its button Cancel.
+void draw_measuring(const ConvertFacts& facts, ConvertRequests& requests) {
+    const float width = ImGui::GetFontSize() * 6;
+    if (facts.measuring) {
+        requests.cancel_conversion |= ImGui::Button("Cancel", {width, 0});
+        ImGui::SameLine();
+        progress_bar(facts.measuring->progress, facts.measuring->about + ", " + progress_text(*facts.measuring));
+        return;
+    }
+    requests.measure_conversion |= ImGui::Button("Measure", {width, 0});
+    plain_tooltip(
+        "Takes the angle from the picture (95 % of lit pixels are tilted less), compares it with the reference and "
+        "times frames. The comments then state error and time.");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled(facts.measured ? "The comments state error and time." : "Error and time are not measured.");
 }
 
 void draw_preview(const ConvertFacts& facts, float height) {
@@ -87,6 +106,7 @@ void draw_convert_dialog(ConvertDialog& dialog, const ConvertFacts* facts, Conve
         draw_targets(dialog, facts->targets, em * 20);
         ImGui::SameLine();
         draw_angle(dialog, -FLT_MIN);
+        draw_measuring(*facts, requests);
         const float line = ImGui::GetTextLineHeightWithSpacing(), button = ImGui::GetFrameHeightWithSpacing();
         const float below = 2 * button + line * (float(facts->notes.size()) + (facts->problem.empty() ? 0 : 2));
         draw_preview(*facts, std::max(ImGui::GetContentRegionAvail().y - below, em * 4));

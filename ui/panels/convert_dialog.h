@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/panels/tune_controls.h"
+
 namespace si {
 
 /// Target of a conversion, for the dialog's list.
@@ -21,6 +23,8 @@ struct ConvertFacts {
     std::string problem;             ///< why it could not be made or saved, and what to do; empty: it could
     std::vector<std::string> notes;  ///< remarks, one line each
     bool replaces = false;           ///< the file of the last request exists; saving again replaces it
+    std::optional<SearchProgress> measuring = {};  ///< measurement of the scene under way
+    bool measured = false;                         ///< the code states error and time of these settings
 };
 
 /// State of the dialog.
@@ -36,6 +40,8 @@ struct ConvertDialog {
 struct ConvertRequests {
     std::optional<std::string> save_conversion;  ///< path of the file to write
     bool replace_conversion = false;             ///< a file that exists may be replaced
+    bool measure_conversion = false;             ///< measure angle, error and time of the scene
+    bool cancel_conversion = false;              ///< stop measuring
 };
 
 /// Draws the dialog while it is open.

@@ -4,24 +4,37 @@
 
 namespace si {
 
-MapFacts map_facts(const FittedLight* light, const Settings& settings) {
-    MapFacts facts;
+MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size) {
     constexpr int kMinTexels = 3;
-    facts.texels = std::max(settings.map.resolution, kMinTexels);
-    facts.format = settings.map.format;
-    facts.reversed_z = settings.map.reversed_z;
-    const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
-    facts.cascades = settings.lights[index].cascades;
-    if (!light || light->views.empty()) return facts;
-    const LightView& view = light->views.front();
+    MapFacts facts{.texels = std::max(size.longest(), kMinTexels),
+                   .format = settings.map.format,
+                   .reversed_z = settings.map.reversed_z};
     const double depth_m = view.curve.far - view.curve.near;
     const double middle_m = (view.curve.far + view.curve.near) / 2;
-    const double width_m = 2 * view.half_extent() * (view.curve.perspective ? middle_m : 1);
+    const bool grows = view.curve.perspective && !view.warped();
+    const double texel_m =
+        (grows ? view.texel_size_at(view.position_ws({0.5, 0.5}, middle_m), size) : view.texel_size_range(size))
+            .longest;
     // A map of nothing has no length that numbers could count in.
-    if (depth_m > 0 && width_m > 0) {
+    if (depth_m > 0 && texel_m > 0) {
         facts.depth_m = depth_m;
-        facts.width_m = width_m;
+        facts.width_m = texel_m * size.longest();
     }
+    return facts;
+}
+
+MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize size) {
+    if (!light || light->views.empty()) {
+        const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
+        const LightSettings& of = settings.lights[index];
+        constexpr int kMinTexels = 3;
+        return {.texels = std::max(size.longest(), kMinTexels),
+                .cascades = of.type == LightType::Directional ? of.cascades : 1,
+                .format = settings.map.format,
+                .reversed_z = settings.map.reversed_z};
+    }
+    MapFacts facts = map_facts(light->views.front(), settings, size);
+    facts.cascades = light->is_cascaded() ? int(light->views.size()) : 1;
     return facts;
 }
 

@@ -6,9 +6,12 @@
 
 namespace si {
 
-/// Returns the facts of the first map of a light. In perspective the width is that in the middle of the depth range.
-/// Without a map: the facts of the worked example, with the settings' texels and format.
-/// @param light null: none
-MapFacts map_facts(const FittedLight* light, const Settings& settings);
+/// Returns the facts of one map of a light. Width and texels are those of the longer side; in perspective the width is
+/// that in the middle of the depth range.
+MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size);
+/// Returns the facts of the first map of a light. Without a map: the facts of the worked example, with the settings'
+/// texels and format.
+/// @param light null: none @param size texels of its maps
+MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize size);
 
 }  // namespace si

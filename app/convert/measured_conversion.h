@@ -1,0 +1,32 @@
+// Measurement of a scene for a conversion: maps, reference angle, error and time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/convert/conversion.h"
+#include "renderer/advise/trial.h"
+
+namespace si {
+
+/// Measurements of a drawn scene that a conversion states.
+struct MeasuredConversion {
+    LookupFacts lookup;
+    MapFacts facts;  ///< of the light's first map, with the default reference angle
+    std::vector<ConvertedMap> maps;
+    std::optional<double> angle_deg;  ///< reference_angle_deg(); none: no pixel is lit
+    ConvertedMeasure measure;
+    std::vector<std::string> notes;  ///< of the comparison with the reference
+};
+
+/// Draws and measures the scene of the tools for a conversion of view.light.
+/// @param scene_name name of the scene for the comment @param timed kind of frames to time; none: no time
+/// @throws Cancelled; Error when the light has no map
+MeasuredConversion measure_conversion(const SearchTools& tools, const Settings& settings, const std::string& scene_name,
+                                      std::optional<CostCase> timed);
+
+/// Returns the clause that says where the angle of a measured conversion comes from.
+std::string angle_source(const MeasuredConversion& measured);
+
+}  // namespace si
