@@ -18,25 +18,29 @@
 namespace si {
 namespace {
 
-Json advice_json(const Trial& t) {
+Json advice_json(const Trial& t, const EngineWording& engine) {
     static constexpr const char* kClaims[] = {"same", "right", "trade"};
-    return {{"rule", t.candidate.rule.empty() ? "fix" : t.candidate.rule},
-            {"claim", kClaims[std::size_t(t.candidate.claim)]},
-            {"text", t.candidate.shown_name()},
-            {"light", t.candidate.light},
-            {"settings", changes_json(t.changes)},
-            {"holds", t.why_not.empty()},
-            {"why_not", t.why_not.empty() ? Json() : Json(t.why_not)},
-            {"error", {{"before", t.before.error}, {"after", t.after.error}, {"tolerance", t.tolerance()}}},
-            {"ms", t.ms ? change_json(*t.ms) : Json()},
-            {"cost", {{"before", cost_json(t.before.work)}, {"after", cost_json(t.after.work)}}}};
+    Json json = {{"rule", t.candidate.rule.empty() ? "fix" : t.candidate.rule},
+                 {"claim", kClaims[std::size_t(t.candidate.claim)]},
+                 {"text", t.candidate.shown_name()},
+                 {"light", t.candidate.light},
+                 {"settings", changes_json(t.changes)},
+                 {"holds", t.why_not.empty()},
+                 {"why_not", t.why_not.empty() ? Json() : Json(t.why_not)},
+                 {"error", {{"before", t.before.error}, {"after", t.after.error}, {"tolerance", t.tolerance()}}},
+                 {"ms", t.ms ? change_json(*t.ms) : Json()},
+                 {"cost", {{"before", cost_json(t.before.work)}, {"after", cost_json(t.after.work)}}}};
+    if (engine.profile) json["engine"] = engine_changes_json(engine, t.changes);
+    return json;
 }
 
-Json finding_json(const Finding& f) {
-    return {{"severity", severity_key(f.severity)},
-            {"text", f.text},
-            {"cure", f.fix.empty() ? Json() : Json(f.fix)},
-            {"settings", changes_json(f.settings)}};
+Json finding_json(const Finding& f, const EngineWording& engine) {
+    Json json = {{"severity", severity_key(f.severity)},
+                 {"text", f.text},
+                 {"cure", f.fix.empty() ? Json() : Json(f.fix)},
+                 {"settings", changes_json(f.settings)}};
+    if (engine.profile) json["engine"] = engine_changes_json(engine, f.settings);
+    return json;
 }
 
 Json head_json(const char* format, const AdviseOptions& o, const Metric& error) {
@@ -48,14 +52,16 @@ Json head_json(const char* format, const AdviseOptions& o, const Metric& error) 
             {"metric", error.key}};
 }
 
-Json report_json(const AdviceReport& r, const AdviseOptions& o) {
+Json report_json(const AdviceReport& r, const AdviseOptions& o, const EngineWording& engine) {
     Json json = head_json("shadow-inspector-advice", o, *r.options.error);
     json["error"] = r.before.error;
     json["time"] = time_json(r.time);
     json["cost"] = cost_json(r.before.work);
-    json["advice"] = json_list(r.holds, advice_json);
-    json["tried"] = json_list(r.fails, advice_json);
-    json["findings"] = json_list(r.findings, finding_json);
+    const auto advice = [&](const Trial& t) { return advice_json(t, engine); };
+    json["advice"] = json_list(r.holds, advice);
+    json["tried"] = json_list(r.fails, advice);
+    json["findings"] = json_list(r.findings, [&](const Finding& f) { return finding_json(f, engine); });
+    json["refused"] = r.refused;
     json["stopped"] = r.stopped;
     return json;
 }
@@ -114,6 +120,7 @@ void print_report(const AdviceReport& r, const EngineWording& engine) {
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
     for (const Trial& t : r.holds) print_advice(t, engine);
+    if (r.refused > 0) fmt::print("{}\n", refused_text(r.refused, engine));
     if (r.stopped) fmt::print("stopped before all changes were tried\n");
     if (!r.fails.empty()) fmt::print("tried, does not hold:\n");
     for (const Trial& t : r.fails) print_advice(t, engine);
@@ -138,7 +145,7 @@ public:
             return find_advice(tools(workers, report), session_.settings, {.error = &error, .cost = o_.cost});
         });
         if (o_.json)
-            fmt::print("{}", json_text(report_json(r, o_)));
+            fmt::print("{}", json_text(report_json(r, o_, session_.engine)));
         else
             print_report(r, session_.engine);
         print_notes(session_.notes);
@@ -176,7 +183,8 @@ private:
     ReferenceCache cache_;
 
     SearchTools tools(const Workers& workers, const auto& report) {
-        return {renderer_, session_.scene, o_.size.width, o_.size.height, cache_, workers, report};
+        return {renderer_, session_.scene, o_.size.width, o_.size.height,
+                cache_,    workers,        report,        session_.engine.profile};
     }
     void write(const AutopilotResult& r) const {
         Settings after = session_.settings;

@@ -94,9 +94,9 @@ void run_measure(const MeasureOptions& options) {
     if (options.fixes) {
         ReferenceCache cache;
         fixes = interruptible("nothing was tried", [&](const Workers& workers, const auto& report) {
-            return find_fixes(
-                {renderer, session.scene, options.size.width, options.size.height, cache, workers, report},
-                session.settings, {.time = options.time});
+            return find_fixes({renderer, session.scene, options.size.width, options.size.height, cache, workers, report,
+                               session.engine.profile},
+                              session.settings, {.time = options.time});
         });
     }
     std::shared_ptr<const NumericHealth> health;

@@ -156,8 +156,9 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
         if (fix) options.more.push_back(suggested_candidate(*fix, session.settings));
     ReferenceCache cache;
     return interruptible("no change was tried", [&](const Workers& workers, const auto& report) {
-        return find_fixes({renderer, session.scene, probe.width, probe.height, cache, workers, report},
-                          session.settings, options);
+        return find_fixes(
+            {renderer, session.scene, probe.width, probe.height, cache, workers, report, session.engine.profile},
+            session.settings, options);
     });
 }
 

@@ -165,17 +165,14 @@ const Metric& tuned_error(const std::string& key) {
 
 void run_tune(const TuneOptions& options) {
     require_output(options.output, "a preset", {".json"});
-    TuneGoals goals{.max_error = options.max_error,
-                    .max_ms = options.max_ms,
-                    .error = &tuned_error(options.error),
-                    .cost = options.cost,
-                    .no_acne = options.no_acne,
-                    .max_gap_m = options.max_gap};
+    const TuneGoals goals{.max_error = options.max_error,
+                          .max_ms = options.max_ms,
+                          .error = &tuned_error(options.error),
+                          .cost = options.cost,
+                          .no_acne = options.no_acne,
+                          .max_gap_m = options.max_gap};
     Session session = open_session(options.session);
     const EngineWording& engine = session.engine;
-    if (engine.profile)
-        goals.limits = {[&](const Bias& row) { return has_bias_row(*engine.profile, row.key); },
-                        [&](const BiasSettings& bias) { return with_hidden_bias(*engine.profile, bias); }};
     const HeadlessContext context;
     Renderer renderer;
     ReferenceCache cache;
@@ -183,7 +180,8 @@ void run_tune(const TuneOptions& options) {
     const auto began = std::chrono::steady_clock::now();
     const Tuned tuned =
         interruptible(options.output + " was not written", [&](const Workers& workers, const auto& report) {
-            return tune({renderer, session.scene, options.size.width, options.size.height, cache, workers, report},
+            return tune({renderer, session.scene, options.size.width, options.size.height, cache, workers, report,
+                         engine.profile},
                         session.settings, goals);
         });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -42,7 +42,7 @@ struct CheckLimits {
 
 /// Returns the keys of the errors that `check` can limit: those of 0 to 1.
 std::vector<std::string_view> checked_errors();
-/// Finds an error that `check` can limit. @param key empty: the first one @throws UsageError listing the known keys
+/// Finds a metric that `check` can limit. @param key empty: the first one @throws UsageError listing the known keys
 const Metric& checked_error(const std::string& key);
 
 /// Numbers of a picture that `check` limits.

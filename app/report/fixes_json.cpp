@@ -67,6 +67,11 @@ Json fixes_json(const FixTable& table, const EngineWording& engine) {
     });
 }
 
+std::string refused_text(std::size_t count, const EngineWording& engine) {
+    return fmt::format("{} {} that {} lacks {} not tried", count, count == 1 ? "change" : "changes",
+                       engine.profile ? engine.profile->title : "the engine", count == 1 ? "was" : "were");
+}
+
 void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& engine) {
     if (table.rows.empty()) return;
     const auto print_engine = [&](const Trial& t) {
@@ -85,6 +90,7 @@ void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& e
         fmt::print("no fix: none of {} changes that were tried {} and makes nothing worse\n", table.drawn(),
                    table.rows.front().pixel ? "makes this pixel right" : "lowers the error");
     }
+    if (table.refused > 0) fmt::print("{}\n", refused_text(table.refused, engine));
     if (table.stopped) fmt::print("stopped: {} of {} changes were tried\n", table.drawn(), table.candidates);
     if (std::ranges::any_of(table.rows, &Trial::helps) && rows > 0)
         fmt::print(

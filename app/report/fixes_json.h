@@ -23,6 +23,10 @@ nlohmann::ordered_json written_parameter_json(const WrittenParameter& parameter)
 nlohmann::ordered_json engine_changes_json(const EngineWording& engine,
                                            const std::vector<std::pair<std::string, std::string>>& changes);
 
+/// Formats the number of changes that a search left out, since the engine lacks them: "12 changes that three.js lacks
+/// were not tried".
+std::string refused_text(std::size_t count, const EngineWording& engine);
+
 /// Prints a table of measured fixes to stdout. Fixes that were not tried are left out. @param rows the largest number
 /// of rows @param engine engine whose parameters are named too
 void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& engine = {});

@@ -174,6 +174,7 @@ AdviceReport find_advice(const SearchTools& whole, const Settings& settings, con
     for (const ArtefactStyle& style : artefact_styles())
         if (const Trial* fix = fixes.fix_of(style.artefact)) candidates.push_back(fix->candidate);
     if (fixes.fix()) candidates.push_back(fixes.fix()->candidate);
+    out.refused = fixes.refused + remove_refused(candidates, tools.engine, base);
     try {
         take(try_advice(base, std::move(candidates), meter, tools.part(begun, 1).report, take));
     } catch (const Cancelled&) {

@@ -80,6 +80,7 @@ struct AdviceReport {
     MeasuredSettings before;  ///< present settings
     TimeMeasurement time;     ///< frame time of the present settings
     bool stopped = false;     ///< stopped before all changes were tried
+    std::size_t refused = 0;  ///< number of changes that were left out, as the engine lacks them
 };
 
 /// Searches for advice: takes measurements of the frame, lets the rules propose setting changes, measures and ranks

@@ -56,7 +56,7 @@ void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& set
 }  // namespace
 
 AdviceFacts advice_facts(const SearchTools& tools, const Settings& s) {
-    const auto& [renderer, scene, width, height, cache, workers, report] = tools;
+    const auto& [renderer, scene, width, height, cache, workers, report, engine] = tools;
     FrameRequest request{.width = width, .height = height};
     trace_sources(renderer, scene, s, request, cache, workers);
     const MeasuredError m =

@@ -396,6 +396,19 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
     return axes;
 }
 
+void remove_refused(std::vector<SweepAxis>& axes, const EngineProfile* engine, const Settings& base) {
+    if (!engine) return;
+    const auto is_refused = [&](const std::string& key, const std::string& value) {
+        if (value.empty()) return false;
+        Settings with = base;
+        set_setting(with, key, value);
+        return !reason_engine_lacks(*engine, base, with).empty();
+    };
+    for (SweepAxis& axis : axes)
+        std::erase_if(axis.values, [&](const std::string& value) { return is_refused(axis.key, value); });
+    std::erase_if(axes, [](const SweepAxis& axis) { return axis.values.empty(); });
+}
+
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const TrialMeter& meter, const TrialReport& report) {
     return AutopilotSearch(settings, axes, goals, meter, report).run();
@@ -407,6 +420,7 @@ AutopilotResult run_rendered_autopilot(const SearchTools& whole, const Settings&
     const Settings base = measured_settings(settings);
     tools.report(0, "the present settings");
     if (axes.empty()) axes = autopilot_axes(base, advice_facts(tools, base), tools.renderer.driver().max_texture_size);
+    remove_refused(axes, tools.engine, base);
     return run_autopilot(base, axes, goals, renderer_trial_meter(tools, {.error = goals.error, .cost = goals.cost}),
                          tools.report);
 }

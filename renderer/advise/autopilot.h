@@ -25,6 +25,9 @@ struct AutopilotGoals {
 /// of each axis is empty and keeps the present setting.
 std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
 
+/// Removes values that an engine cannot draw, and axes that are left without any. @param engine null: none
+void remove_refused(std::vector<SweepAxis>& axes, const EngineProfile* engine, const Settings& base);
+
 /// One combination of settings that the autopilot measured.
 struct AutopilotCase {
     std::vector<std::size_t> axis_values;  ///< index of the value on each axis

@@ -466,7 +466,15 @@ FixTable find_fixes(const SearchTools& whole, const Settings& settings, const Fi
         for (Candidate& more : fix_candidates(base, facts, FixList::Whole)) add(std::move(more));
     std::function<OwnMap()> own;
     if (!base.map.bundle.empty()) own = [&] { return own_map_of(tools, base, before, meter); };
-    return search_fixes(base, before, std::move(list), meter, options, tools.report, shown, enough, own);
+    const std::size_t refused = remove_refused(list, tools.engine, base);
+    const auto with_refused = [&](FixTable table) {
+        table.refused = refused;
+        return table;
+    };
+    const auto show = [&](const FixTable& table) {
+        if (shown) shown(with_refused(table));
+    };
+    return with_refused(search_fixes(base, before, std::move(list), meter, options, tools.report, show, enough, own));
 }
 
 }  // namespace si

@@ -34,7 +34,7 @@ FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, cons
 /// their own sizes. Empty: none.
 std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings);
 
-/// Converts the change that a pixel diagnosis computes to a candidate.
+/// Makes a candidate of the change that a pixel diagnosis suggests.
 Candidate suggested_candidate(const SuggestedFix& fix, const Settings& settings);
 
 /// Number of candidates to try.
@@ -58,13 +58,14 @@ struct FixTable {
     std::size_t wrong = 0;                           ///< number of wrong pixels before
     std::array<std::size_t, kArtefacts> wrong_of{};  ///< wrong pixels by cause
     std::size_t candidates = 0;                      ///< number of candidates, drawn or not
+    std::size_t refused = 0;                         ///< number of changes that the engine lacks, beside the candidates
     bool stopped = false;                            ///< stopped before all candidates were tried
     /// Returns the best fix; null: none of the tried changes is one.
     const Trial* fix() const;
     /// Returns the trial that puts most pixels of a cause right, of those that are a fix but for a price that may be
     /// unknown; null: none.
     const Trial* fix_of(Artefact cause) const;
-    /// Returns the number of drawn candidates.
+    /// Returns the number of candidate changes that were drawn.
     std::size_t drawn() const;
 };
 

@@ -11,6 +11,7 @@
 #include "renderer/measure/axes.h"
 #include "renderer/reference/distance_transform.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/fits/engine_facts.h"
 #include "renderer/view/fits/light_fit.h"
 #include "renderer/view/lights/kernel_reach.h"
 
@@ -267,7 +268,7 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
 }
 
 FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, std::optional<double> max_gap_m,
-                          const FoundBiasShown& shown, const BiasLimits& limits) {
+                          const FoundBiasShown& shown) {
     const SearchTools tools = whole.part();
     const Settings base = measured_settings(settings);
     const TrialMeter meter = renderer_trial_meter(tools, {.work = false});
@@ -280,14 +281,19 @@ FoundBias find_least_bias(const SearchTools& whole, const Settings& settings, st
     const auto trial = [&](const MeasuredError& m, const Settings& s) {
         return BiasTrial{m.metrics, bias_needs(m, s, driver), score.compute_score(m)};
     };
-    const auto completed = [&](const BiasSettings& bias) { return limits.completed ? limits.completed(bias) : bias; };
+    const auto light = std::size_t(std::max(base.view.light, 0));
+    const MapFacts facts =
+        map_facts(light < first.lights.size() ? &first.lights[light] : nullptr, base, first.map_size);
+    const auto completed = [&](const BiasSettings& bias) {
+        return tools.engine ? with_hidden_bias(*tools.engine, bias, facts) : bias;
+    };
     const BiasMeter measure = [&](const BiasSettings& bias) {
         Settings s = base;
         s.bias = completed(bias);
         return trial(*meter.measure(s, s.view.light).frame, s);
     };
     std::vector<BiasStart> starts = bias_starts(first, base, driver);
-    std::erase_if(starts, [&](const BiasStart& s) { return limits.has_row && !limits.has_row(*s.row); });
+    std::erase_if(starts, [&](const BiasStart& s) { return tools.engine && !has_bias_row(*tools.engine, s.row->key); });
     FoundBias found = search_least_bias(trial(first, base), starts, measure, max_gap_m, tools.report, shown);
     for (TriedBias& tried : found.tried) tried.bias = completed(tried.bias);
     return found;

@@ -41,7 +41,7 @@ class BiasScore {
 public:
     /// Finds the pixels near edges. @param measured, settings a frame with the scored kernel, map and reference
     BiasScore(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
-    /// Returns the score of a frame. @param measured frame with the reference of the constructor's frame
+    /// Returns the score of a frame. @param measured frame, compared with the same reference as that of the constructor
     double compute_score(const MeasuredError& measured) const;
 
 private:
@@ -98,7 +98,7 @@ struct FoundBias {
     std::string summary(bool no_acne) const;
 
 private:
-    /// Returns the trial with the least score. @param row of this row; null: of all
+    /// Returns the trial with the least score. @param row only trials of this row of the bias table; null: of all rows
     const TriedBias* least_score(const Bias* row, bool no_acne) const;
 };
 
@@ -114,17 +114,11 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
                             std::optional<double> max_gap_m = {}, const TrialReport& report = {},
                             const FoundBiasShown& shown = {});
 
-/// Limits of an engine on the bias that is searched for it.
-struct BiasLimits {
-    std::function<bool(const Bias&)> has_row;  ///< returns true for rows that the engine has; empty: all
-    /// Adds to a bias what the engine adds by itself; empty: nothing.
-    std::function<BiasSettings(const BiasSettings&)> completed;
-};
-
-/// Searches the least bias of the light view.light with a renderer.
+/// Searches the least bias of the light view.light with a renderer. For an engine only rows that it has are tried, with
+/// the bias that it adds by itself.
 /// @throws Cancelled before the first result; Error when the light draws no map
 FoundBias find_least_bias(const SearchTools& tools, const Settings& settings, std::optional<double> max_gap_m = {},
-                          const FoundBiasShown& shown = {}, const BiasLimits& limits = {});
+                          const FoundBiasShown& shown = {});
 
 /// Returns the reason why the bias of a light cannot be searched, such as a light without a map; empty: it can.
 /// @param light index of light.*

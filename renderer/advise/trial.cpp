@@ -110,6 +110,12 @@ double Trial::least_gain() const {
     return std::max(kSameError, 2 * noise / std::sqrt(std::max<double>(double(metrics.counted), 1)));
 }
 
+std::size_t remove_refused(std::vector<Candidate>& list, const EngineProfile* engine, const Settings& base) {
+    if (!engine) return 0;
+    return std::erase_if(list,
+                         [&](const Candidate& c) { return !reason_engine_lacks(*engine, base, c.settings).empty(); });
+}
+
 Trial try_candidate(const Settings& base, const MeasuredSettings& before, Candidate candidate, const TrialMeter& meter,
                     std::optional<std::size_t> pixel) {
     Trial t{.candidate = std::move(candidate), .changes = {}, .before = before, .after = {}};

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "renderer/measure/measure.h"
+#include "renderer/profiles/engine_profile.h"
 
 namespace si {
 
@@ -29,8 +30,9 @@ struct SearchTools {
     const Scene& scene;
     int width, height;  ///< pixels of the picture
     ReferenceCache& cache;
-    Workers workers = {};     ///< threads of the reference, with the stop token of the search
-    TrialReport report = {};  ///< receives progress; empty: nobody does
+    Workers workers = {};                   ///< threads of the reference, with the stop token of the search
+    TrialReport report = {};                ///< receives progress; empty: nobody does
+    const EngineProfile* engine = nullptr;  ///< engine for which is searched: changes that it lacks are left out
     /// Returns tools for a part of the search: its progress 0..1 is reported as lo..hi. Their report is never empty,
     /// and throws Cancelled when the stop token requests it.
     SearchTools part(double lo = 0, double hi = 1) const;
@@ -179,6 +181,9 @@ bool try_each(std::vector<C> list, const TrialReport& report,
         return false;
     }
 }
+
+/// Removes the candidates that an engine cannot draw. @param engine null: none @returns the number of removed ones
+std::size_t remove_refused(std::vector<Candidate>& list, const EngineProfile* engine, const Settings& base);
 
 /// Largest error added by a change that counts as none: as a share of the error before the change, and absolute.
 inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;

@@ -27,7 +27,7 @@ Tuned tune(const SearchTools& tools, const Settings& settings, const TuneGoals& 
     const double first = goals.any() ? 0.2 : 1;
     Tuned out;
     const Settings start = measured_settings(settings);
-    out.bias = find_least_bias(tools.part(0, first), start, goals.max_gap_m, shown, goals.limits);
+    out.bias = find_least_bias(tools.part(0, first), start, goals.max_gap_m, shown);
     out.summary = out.bias.summary(goals.no_acne);
     const TriedBias* found = goals.no_acne ? out.bias.best_without_acne() : out.bias.best();
     if (!found && out.bias.before.needs.pixels > 0) return out;

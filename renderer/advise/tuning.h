@@ -16,7 +16,6 @@ struct TuneGoals {
     CostCase cost = kDefaultCost;              ///< kind of frames that are timed for max_ms
     bool no_acne = false;                      ///< bias with the least score among those without acne
     std::optional<double> max_gap_m;           ///< largest gap at casters, metres
-    BiasLimits limits = {};                    ///< bias of an engine for which is searched
     /// Returns true when there is a limit of error or time.
     bool any() const { return max_error || max_ms; }
 };

@@ -115,6 +115,7 @@ BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts) {
     const double length = offset_equivalent(OffsetBy::Length, facts.angle_deg);
     out.normal_texels = offset_texels * offset_equivalent(bias.normal_by, facts.angle_deg) / length;
     out.settings_by = bias.normal_by;
+    out.settings_normal_texels = offset_texels;
     out.raster_slope = bias.raster_slope;
     out.raster_units = bias.raster_units;
     out.raster_clamp = bias.raster_clamp;

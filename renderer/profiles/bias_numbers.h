@@ -21,6 +21,7 @@ struct BiasNumbers {
     double normal_texels = 0;
     OffsetBy normal_by = OffsetBy::Length;    ///< rule by which normal_texels counts
     OffsetBy settings_by = OffsetBy::Length;  ///< rule of the settings, from which normal_texels may be converted
+    double settings_normal_texels = 0;        ///< normal offset of the settings, which counts by settings_by
     std::string normal_note;
     double raster_slope = 0, raster_units = 0, raster_clamp = 0;
     MapFormat format = MapFormat::D32F;

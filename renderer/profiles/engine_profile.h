@@ -79,7 +79,7 @@ struct LackingSetting {
 /// Numbers of an engine by parameter key; choices as indices. Parameters that are absent have their default.
 using EngineValues = std::map<std::string, double, std::less<>>;
 
-/// Setting of ours that engine values give.
+/// Setting of this program with the value that an engine's numbers are converted to.
 struct ReadSetting {
     std::string key, value;  ///< as for set_setting()
     Exactness exactness = Exactness::Exact;
@@ -136,6 +136,8 @@ struct EngineProfile {
     OffsetBy normal_by = OffsetBy::Length;
     /// The cascades of a light share its map: each has half the width if there are several.
     bool cascades_share_map = false;
+    /// Constant bias that the engine adds at the look-up by itself, as a share of the depth range.
+    double hidden_depth = 0;
     /// Returns the bias that the engine adds by itself, as equivalent depth bias in texels at the reference angle.
     double (*hidden_texels)(const EngineProfile&, const EngineValues&, const MapFacts&) = nullptr;
     /// Converts the engine's bias parameters into settings.
@@ -177,9 +179,12 @@ std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Set
 const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_view key);
 /// Returns true when an engine has the bias with a key of the bias table.
 bool has_bias_row(const EngineProfile& profile, std::string_view key);
-/// Returns a bias with what the engine adds by itself.
-BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias);
-/// Returns the row of the choice that the engine lacks, for the value that a setting has; null if it has it.
+/// Returns a bias with at least what the engine adds by itself.
+BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias, const MapFacts& facts);
+/// Returns the reason why an engine cannot draw a change of settings: a setting that it fixes or lacks, or a kernel
+/// without a counterpart. Empty: it can.
+std::string reason_engine_lacks(const EngineProfile& profile, const Settings& before, const Settings& with);
+/// Returns the row of LackingSetting for the present value of a setting; null if the engine has that value.
 const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key);
 
 }  // namespace si

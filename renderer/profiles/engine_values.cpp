@@ -12,6 +12,7 @@
 #include "renderer/base/lower_case.h"
 #include "renderer/profiles/bias_numbers.h"
 #include "renderer/profiles/engine_profile.h"
+#include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
@@ -337,12 +338,41 @@ bool has_bias_row(const EngineProfile& profile, std::string_view key) {
     return profile.bias_rows.empty() || std::ranges::find(profile.bias_rows, key) != profile.bias_rows.end();
 }
 
-BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias) {
+BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias, const MapFacts& facts) {
     Settings settings;
     settings.bias = bias;
     for (const ForcedSetting& forced : profile.forced)
         if (forced.key.starts_with("bias.")) set_setting(settings, forced.key, forced.value);
+    const double least_m = profile.hidden_depth * facts.depth_m;
+    const double per_unit_m = bias.unit == BiasUnit::Texels   ? facts.texel_m()
+                              : bias.unit == BiasUnit::Metres ? 1
+                                                              : facts.depth_m;
+    settings.bias.constant = std::max(settings.bias.constant, least_m / per_unit_m);
     return settings.bias;
+}
+
+std::string reason_engine_lacks(const EngineProfile& profile, const Settings& before, const Settings& with) {
+    const auto text_of = [](const SettingRef& ref, const Settings& s) {
+        return value_text(*ref.param, get_value(s, ref));
+    };
+    for (const SettingRef& ref : all_settings(with)) {
+        if (get_value(before, ref) == get_value(with, ref)) continue;
+        const std::string_view key = ref.param->key;
+        const std::string change = fmt::format("{} {}", setting_key(ref), text_of(ref, with));
+        if (const ForcedSetting* forced = forced_setting(profile, key);
+            forced && get_value(with, ref) != parse_value(ref, forced->value))
+            return fmt::format("{}: {}", change, forced->reason);
+        if (const LackingSetting* lacking = lacking_setting(profile, with, key))
+            return fmt::format("{}: {}", change, lacking->reason);
+        if (key == "bias.kind" && !has_bias_row(profile, bias_of(with).key))
+            return fmt::format("{}: {} has no such bias", change, profile.title);
+        if (key != "filter.kernel") continue;
+        const auto by_name = std::ranges::find_if(
+            profile.parameters, [&](const EngineParameter& p) { return p.setting == key && !p.choices.empty(); });
+        if (by_name != profile.parameters.end() && choice_for(with, *by_name).first < 0)
+            return fmt::format("{}: {} has no such choice", change, by_name->key);
+    }
+    return {};
 }
 
 const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key) {

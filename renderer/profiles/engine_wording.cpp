@@ -12,7 +12,7 @@
 namespace si {
 
 std::vector<WrittenParameter> EngineWording::changed(
-    const std::vector<std::pair<std::string, std::string>>& changes) const {
+    std::span<const std::pair<std::string, std::string>> changes) const {
     std::vector<WrittenParameter> out;
     if (!profile || !profile->write_bias) return out;
     Settings after = settings;
@@ -27,7 +27,7 @@ std::vector<WrittenParameter> EngineWording::changed(
     return out;
 }
 
-std::string EngineWording::text(const std::vector<std::pair<std::string, std::string>>& changes) const {
+std::string EngineWording::text(std::span<const std::pair<std::string, std::string>> changes) const {
     std::string out;
     for (const WrittenParameter& p : changed(changes))
         out += fmt::format(
@@ -77,15 +77,17 @@ std::string conversion_text(const EngineProfile& profile, const EngineParameter&
 
 }  // namespace
 
-std::vector<std::string> engine_names_of(const SettingRef& ref, std::string_view name) {
+std::vector<std::string> engine_names_of(const SettingRef& ref, std::string_view name, const EngineProfile* only) {
     std::vector<std::string> out;
-    for (const EngineProfile& profile : engine_profiles())
+    for (const EngineProfile& profile : engine_profiles()) {
+        if (only && profile.name != only->name) continue;
         for (const EngineParameter& parameter : profile.parameters)
             if (parameter.setting == ref.param->key &&
                 (name.empty() || lower_ascii(parameter.key) == lower_ascii(name)))
                 out.push_back(fmt::format("{} {}{}: {}{}", profile.title, parameter.key,
                                           parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit),
                                           parameter.meaning, conversion_text(profile, parameter)));
+    }
     return out;
 }
 

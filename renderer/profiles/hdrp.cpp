@@ -76,6 +76,7 @@ const EngineProfile& hdrp_profile() {
                                    .forced = kHdrpForced,
                                    .lacking = kHdrpLacking,
                                    .bias_rows = kRasterAndNormal,
+                                   .hidden_depth = kHdrpHiddenDepth,
                                    .hidden_texels = hidden_hdrp,
                                    .read_bias = read_hdrp,
                                    .write_bias = write_hdrp};

@@ -116,6 +116,7 @@ const EngineProfile& playcanvas_profile() {
                                    .lacking = kPlaycanvasLacking,
                                    .bias_rows = kRasterAndNormal,
                                    .cascades_share_map = true,
+                                   .hidden_depth = kPlaycanvasHiddenDepth,
                                    .hidden_texels = hidden_playcanvas,
                                    .read_bias = read_playcanvas,
                                    .write_bias = write_playcanvas};

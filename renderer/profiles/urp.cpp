@@ -121,16 +121,33 @@ BiasNumbers read_urp(const EngineProfile& profile, const EngineValues& values, c
     return out;
 }
 
+/// Returns the part of the normal offset that counts by the engine's own rule, in texels. Another one becomes a depth
+/// bias: the engine's offset hardly acts at small angles.
+double own_normal_texels(const BiasNumbers& bias) {
+    return bias.settings_by == OffsetBy::OneMinusCosine ? bias.settings_normal_texels : 0;
+}
+
+/// Writes the engine's normal offset. @param own_texels part of the offset by the engine's own rule
+void put_normal(const BiasNumbers& bias, double own_texels, double radius, const MapFacts& facts, EngineOutput& to) {
+    const bool converted = own_texels == 0 && bias.normal_texels != 0;
+    const double literal = own_texels != 0 ? own_texels : quotient(bias.normal_texels, 1 - cos_angle(facts));
+    to.put("shadowNormalBias", own_texels / radius, converted ? Exactness::EqualAtAngle : Exactness::Exact,
+           own_texels * offset_equivalent(OffsetBy::OneMinusCosine, facts.angle_deg), literal / radius,
+           converted ? "in shadowDepthBias" : "");
+}
+
 void write_urp(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
-    const double radius = urp_radius(values);
-    const double left = std::max(0.0, bias.total_texels(facts) - hidden_urp(urp_profile(), values, facts));
+    const double radius = urp_radius(values), own = own_normal_texels(bias);
+    const double own_equivalent = own * offset_equivalent(OffsetBy::OneMinusCosine, facts.angle_deg);
+    const double left =
+        std::max(0.0, bias.total_texels(facts) - own_equivalent - hidden_urp(urp_profile(), values, facts));
     // Settings as the profile draws them hold the hidden offset, and the constant stands beside it.
-    const bool is_drawn = bias.raster_slope == kUrpHiddenSlope && bias.raster_units == 1 && bias.normal_texels == 0;
+    const bool is_drawn =
+        bias.raster_slope == kUrpHiddenSlope && bias.raster_units == 1 && (bias.normal_texels == 0 || own != 0);
     to.put("shadowDepthBias", left / radius, is_drawn ? bias.constant : Exactness::EqualAtAngle, left,
            bias.constant_texels / radius,
            is_drawn ? bias.constant_note : "what the hidden polygon offset leaves to give");
-    to.put("shadowNormalBias", 0, bias.normal_texels == 0 ? Exactness::Exact : Exactness::EqualAtAngle, 0,
-           quotient(bias.normal_texels, radius * (1 - cos_angle(facts))), "in shadowDepthBias");
+    put_normal(bias, own, radius, facts, to);
 }
 
 BiasNumbers read_urp_slope(const EngineProfile& profile, const EngineValues& values, const MapFacts&) {
@@ -143,11 +160,12 @@ BiasNumbers read_urp_slope(const EngineProfile& profile, const EngineValues& val
 }
 
 void write_urp_slope(const BiasNumbers& bias, const EngineValues& values, const MapFacts& facts, EngineOutput& to) {
-    const double wanted = bias.total_texels(facts), per_number = kUrpSlope * urp_radius(values) * tan_angle(facts);
+    const double own = own_normal_texels(bias);
+    const double wanted = bias.total_texels(facts) - own * offset_equivalent(OffsetBy::OneMinusCosine, facts.angle_deg);
+    const double per_number = kUrpSlope * urp_radius(values) * tan_angle(facts);
     to.put("shadowDepthBias", quotient(wanted, per_number), Exactness::EqualAtAngle, wanted,
            quotient(bias.constant_texels, per_number), "a slope; a constant has no counterpart");
-    to.put("shadowNormalBias", 0, Exactness::EqualAtAngle, 0,
-           quotient(bias.normal_texels, urp_radius(values) * (1 - cos_angle(facts))), "in shadowDepthBias");
+    put_normal(bias, own, urp_radius(values), facts, to);
 }
 
 }  // namespace
@@ -160,6 +178,7 @@ const EngineProfile& urp_profile() {
                                    .forced = kUrpForced,
                                    .lacking = kUrpLacking,
                                    .bias_rows = kConstantAndNormal,
+                                   .normal_by = OffsetBy::OneMinusCosine,
                                    .cascades_share_map = true,
                                    .hidden_texels = hidden_urp,
                                    .read_bias = read_urp,
@@ -175,6 +194,7 @@ const EngineProfile& urp_slope_profile() {
                                    .parameters = kUrpSlopeParameters,
                                    .lacking = kUrpLacking,
                                    .bias_rows = kRasterAndNormal,
+                                   .normal_by = OffsetBy::OneMinusCosine,
                                    .cascades_share_map = true,
                                    .read_bias = read_urp_slope,
                                    .write_bias = write_urp_slope};

@@ -94,6 +94,28 @@ TEST(Profiles, SpeakInTheEnginesParameters) {
     EXPECT_TRUE(named) << measured["cures"].dump();
 }
 
+TEST(Profiles, LeaveOutWhatTheEngineLacks) {
+    const Words size = "--size 160x90";
+    const Json advised =
+        program_json("advise boxes --profile three --set engine.bias=0 --set map.resolution=256" + size);
+    EXPECT_GT(advised["refused"], 0);
+    bool named = false;
+    for (const char* const list : {"advice", "tried", "findings"})
+        for (const Json& row : advised[list]) {
+            ASSERT_TRUE(row.contains("engine")) << row.dump();
+            named |= row["engine"].is_object();
+            for (const auto& [key, value] : row["settings"].items()) {
+                EXPECT_FALSE(key == "bias.kind" && value != "constant") << row.dump();
+                EXPECT_FALSE(key == "filter.kernel" && value == "pcss") << row.dump();
+                EXPECT_FALSE(key.starts_with("bias.raster")) << row.dump();
+            }
+        }
+    EXPECT_TRUE(named) << advised.dump();
+    const ProcessResult text =
+        run_program("measure boxes --profile three --set map.resolution=256 --no-time --cures" + size);
+    EXPECT_NE(text.out.find("that three.js lacks were not tried"), std::string::npos) << text.out;
+}
+
 TEST(Profiles, AreTunedInTheEnginesNumbers) {
     const auto folder = fresh_test_folder();
     const Json urp =
@@ -103,6 +125,10 @@ TEST(Profiles, AreTunedInTheEnginesNumbers) {
         EXPECT_TRUE(row["row"] == "constant" || row["row"] == "normal-offset") << row["row"];
         EXPECT_EQ(row["bias"]["raster_slope"], 2.5) << "hidden bias stays in every trial";
     }
+    const Json playcanvas =
+        program_json("tune boxes --profile playcanvas --set map.resolution=512 --size 160x90 -o pc.json", folder);
+    for (const Json& row : playcanvas["biases"])
+        EXPECT_GT(row["bias"]["constant"], 0) << "the hidden 0.0001 of the range, in every trial";
     EXPECT_EQ(urp["engine"]["profile"], "urp");
     EXPECT_TRUE(urp["engine"]["parameters"].contains("shadowDepthBias"));
 }

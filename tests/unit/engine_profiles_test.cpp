@@ -187,6 +187,23 @@ Settings read_into_settings(const EngineProfile& profile, const EngineValues& va
     return s;
 }
 
+// A normal offset by the engine's own rule is the same number again, at any reference angle.
+TEST(EngineProfiles, KeepTheirOwnNormalOffset) {
+    for (const char* name : {"urp", "urp-slope"})
+        for (const double angle : {0.0, 20.0, 45.0, 80.0}) {
+            const EngineProfile& profile = engine_profile(name);
+            const MapFacts facts{.angle_deg = angle, .format = MapFormat::D24};
+            Settings s = read_into_settings(profile, {{"shadowDepthBias", 0.75}, {"shadowNormalBias", 2}}, facts);
+            s.map.format = MapFormat::D24;
+            const WrittenValues written = write_engine_values(profile, s, facts);
+            EXPECT_NEAR(written.find("shadowNormalBias")->value, 2, 1e-9) << name << " at " << angle;
+            EXPECT_EQ(written.find("shadowNormalBias")->exactness, Exactness::Exact) << name << " at " << angle;
+            if (angle > 0) {
+                EXPECT_NEAR(written.find("shadowDepthBias")->value, 0.75, 1e-6) << name << " at " << angle;
+            }
+        }
+}
+
 TEST(EngineProfiles, ReadWhatTheyWrote) {
     for (const char* name : {"three", "bevy", "opengl", "vulkan", "filament", "babylon", "godot", "urp", "urp-slope",
                              "hdrp", "playcanvas", "o3de", "ogre", "unreal"}) {
@@ -382,13 +399,14 @@ TEST(EngineProfiles, ForceWhatCannotBeTurnedOff) {
 }
 
 TEST(EngineWording, SaysChangesInTheEnginesParameters) {
+    using Change = std::vector<std::pair<std::string, std::string>>;
     const EngineWording three{&engine_profile("three"), {}, profile_settings(0, 0, "vogel")};
-    EXPECT_EQ(three.text({{"bias.normal", "1"}}), "in three.js: set normalBias to 0.0098");
-    EXPECT_EQ(three.text({{"bias.constant", "1.5"}}), "in three.js: set bias to -0.00037");
-    EXPECT_EQ(three.text({{"map.outside", "unlit"}}), "");
-    EXPECT_EQ(EngineWording{}.text({{"bias.normal", "1"}}), "");
+    EXPECT_EQ(three.text(Change{{"bias.normal", "1"}}), "in three.js: set normalBias to 0.0098");
+    EXPECT_EQ(three.text(Change{{"bias.constant", "1.5"}}), "in three.js: set bias to -0.00037");
+    EXPECT_EQ(three.text(Change{{"map.outside", "unlit"}}), "");
+    EXPECT_EQ(EngineWording{}.text(Change{{"bias.normal", "1"}}), "");
     const EngineWording godot3{&engine_profile("godot3"), {}, {}};
-    EXPECT_EQ(godot3.text({{"bias.normal", "1"}}), "") << "no conversion is known";
+    EXPECT_EQ(godot3.text(Change{{"bias.normal", "1"}}), "") << "no conversion is known";
 }
 
 TEST(EngineWording, FindsSettingsByEnginesNames) {

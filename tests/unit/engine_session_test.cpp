@@ -12,6 +12,7 @@
 #include "renderer/profiles/bias_numbers.h"
 #include "renderer/settings/biases.h"
 #include "tests/support/error_text.h"
+#include "tests/support/sets.h"
 
 namespace si {
 namespace {
@@ -99,13 +100,32 @@ TEST(EngineSession, NamesWhatTheEngineLacks) {
 
 TEST(EngineSession, KeepsHiddenBiasInASearch) {
     const EngineProfile& urp = engine_profile("urp");
-    EXPECT_EQ(with_hidden_bias(urp, {}).raster_slope, 2.5);
+    EXPECT_EQ(with_hidden_bias(urp, {}, {}).raster_slope, 2.5);
+    const MapFacts facts;
+    const BiasSettings of_playcanvas = with_hidden_bias(engine_profile("playcanvas"), {}, facts);
+    EXPECT_NEAR(of_playcanvas.constant * facts.texel_m(), 1e-4 * facts.depth_m, 1e-12) << "in texels";
+    BiasSettings large{.unit = BiasUnit::Metres, .constant = 1};
+    EXPECT_EQ(with_hidden_bias(engine_profile("hdrp"), large, facts).constant, 1) << "more than is hidden stays";
     EXPECT_FALSE(has_bias_row(urp, "adaptive"));
     EXPECT_TRUE(has_bias_row(urp, "constant"));
     EXPECT_TRUE(has_bias_row(engine_profile("opengl"), "adaptive"));
     for (const EngineProfile& profile : engine_profiles())
         for (const std::string_view row : profile.bias_rows)
             EXPECT_NE(std::ranges::find(biases(), row, &Bias::key), biases().end()) << profile.name << " " << row;
+}
+
+TEST(EngineSession, NamesWhyAnEngineCannotDrawAChange) {
+    const Settings base = engine_session("three", {}).settings;
+    const auto reason = [&](const char* key, const char* value) {
+        return reason_engine_lacks(engine_profile("three"), base, settings_with(base, {{key, value}}));
+    };
+    EXPECT_NE(reason("map.format", "d16").find("24-bit"), std::string::npos) << "fixed";
+    EXPECT_NE(reason("bias.raster_slope", "2").find("customDepthMaterial"), std::string::npos) << "lacking";
+    EXPECT_NE(reason("bias.kind", "adaptive").find("no such bias"), std::string::npos);
+    EXPECT_NE(reason("filter.kernel", "msm_hamburger").find("no such choice"), std::string::npos);
+    EXPECT_EQ(reason("filter.kernel", "hard"), "");
+    EXPECT_EQ(reason("bias.normal", "2"), "");
+    EXPECT_EQ(reason("map.resolution", "4096"), "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/base/error.h"
 #include "renderer/render/renderer.h"
@@ -20,7 +21,8 @@ namespace {
 MapFacts shown_facts(const EnginePanel& panel, const Settings& settings, const FrameResult* result) {
     const auto light = std::size_t(std::max(settings.view.light, 0));
     const bool known = result && light < result->lights.size();
-    MapFacts facts = map_facts(known ? &result->lights[light] : nullptr, settings);
+    MapFacts facts = map_facts(known ? &result->lights[light] : nullptr, settings,
+                               known ? result->map_size : MapSize(settings.map.resolution));
     facts.angle_deg = panel.angle_deg;
     return facts;
 }
@@ -89,9 +91,28 @@ bool parameter_widget(const EngineParameter& parameter, double& value) {
     double typed = value;
     // A half-typed number changes nothing.
     if (!ImGui::InputDouble(id.c_str(), &typed, 0, 0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue)) return false;
-    if (!(typed >= parameter.min && typed <= parameter.max)) return false;
-    value = typed;
+    if (!std::isfinite(typed)) return false;
+    value = std::clamp(typed, parameter.min, parameter.max);
     return true;
+}
+
+/// Draws the row of the reference angle. Another angle gives other numbers for the present settings.
+void draw_angle(EnginePanel& panel) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("reference angle");
+    wrapped_tooltip(
+        "Angle between surface and light, in degrees, for which numbers are converted that are not exact at every "
+        "angle. From 0 to 89, default 45.");
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1);
+    double typed = panel.angle_deg;
+    if (!ImGui::InputDouble("##reference angle", &typed, 0, 0, "%.6g°", ImGuiInputTextFlags_EnterReturnsTrue)) return;
+    if (!std::isfinite(typed)) return;
+    constexpr double kMaxAngle = 89;
+    panel.angle_deg = std::clamp(typed, 0.0, kMaxAngle);
+    panel.values.clear();
 }
 
 void draw_parameters(EnginePanel& panel, const MapFacts& facts, Settings& settings) {
@@ -112,10 +133,16 @@ void draw_parameters(EnginePanel& panel, const MapFacts& facts, Settings& settin
         panel.values[std::string(parameter.key)] = value;
         apply_values(panel, parameter, facts, settings);
     }
+    draw_angle(panel);
     ImGui::EndTable();
 }
 
 }  // namespace
+
+EngineWording engine_wording(const EnginePanel& panel, const Settings& settings, const FrameResult* result) {
+    if (!panel.profile) return {};
+    return {panel.profile, shown_facts(panel, settings, result), settings};
+}
 
 void draw_engine_panel(EnginePanel& panel, Settings& settings, const FrameResult* result) {
     choose_engine(panel, settings);

@@ -1,7 +1,7 @@
 // State of the group Engine in the settings' column: parameters of another engine.
 #pragma once
 
-#include "renderer/profiles/engine_profile.h"
+#include "renderer/profiles/engine_wording.h"
 
 namespace si {
 
@@ -14,6 +14,9 @@ struct EnginePanel {
     EngineValues values;                     ///< as typed, or as the settings give them
     Settings applied;                        ///< settings that `values` stand for
 };
+
+/// Returns the wording of the chosen engine, for the shown light's map; without a profile: none.
+EngineWording engine_wording(const EnginePanel& panel, const Settings& settings, const FrameResult* result);
 
 /// Draws a combo of engines and the parameters of the chosen one. A changed parameter changes our settings.
 /// @param result frame whose maps the numbers hold for; null: the maps that the settings give

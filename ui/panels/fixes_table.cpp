@@ -13,6 +13,7 @@
 #include "renderer/settings/param.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/progress_bar.h"
+#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -20,8 +21,7 @@ namespace si {
 namespace {
 
 std::string about(const Trial& t, const FixTable& table) {
-    std::string text;
-    for (const auto& [key, value] : t.changes) text += fmt::format("{} = {}\n", key, value);
+    std::string text = changes_text(t.changes);
     if (!t.why_not.empty()) text += fmt::format("No fix: {}\n", t.why_not);
     text += fmt::format("{} px wrong, {} now; mean error {:.4g}, {:.4g} now\n", wrong_pixels(t.metrics), table.wrong,
                         t.after.error, t.before.error);
@@ -46,6 +46,8 @@ void row(const Trial& t, const FixTable& table, bool current, FixRequests& reque
     if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) requests.apply_fix = &t;
     ImGui::EndDisabled();
     plain_tooltip(about(t, table), ImGuiHoveredFlags_AllowWhenDisabled);
+    if (const std::string engine = engine_changes_text(t.changes); !engine.empty())
+        ImGui::TextDisabled("%s", engine.c_str());
     const ImU32 plain = current ? theme::text() : theme::muted();
     text_cell(std::to_string(t.cured), plain);
     text_cell(std::to_string(t.broken), t.broken == 0 ? theme::muted() : plain);
@@ -110,6 +112,7 @@ void draw_fixes_table(const FixSearch& search, FixRequests& requests, std::optio
     const auto others = std::ranges::count_if(table.rows, std::not_fn(&Trial::helps));
     if (others > 0 && ImGui::CollapsingHeader(fmt::format("{} others do not help###others", others).c_str()))
         rows("others", search, false, requests);
+    if (table.refused > 0) ImGui::TextDisabled("%zu more: the chosen engine lacks them", table.refused);
 }
 
 }  // namespace si

@@ -16,7 +16,8 @@ struct FrontierPlotResult {
     bool present_hovered = false;
 };
 
-/// Draws the frontier plot without names of its axes. Returns its mouse input. @param bytes true: costs are bytes
+/// Draws the frontier plot. The caller draws the names of the axes. Returns its mouse input. @param bytes true: costs
+/// are bytes
 /// @param chosen the number of the case that gets a ring @param size the size in pixels, counted from the cursor
 FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size);
 

@@ -15,6 +15,7 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
+#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -29,19 +30,13 @@ void heading(const char* text) {
 
 using Changes = std::span<const std::pair<std::string, std::string>>;
 
-std::string list_of(Changes changes) {
-    std::string text;
-    for (const auto& [key, value] : changes) text += fmt::format("{} = {}\n", key, value);
-    return text;
-}
-
 /// Draws the button that applies several changes as one step of undo.
 void apply_button(Settings& settings, Changes changes, bool current) {
     ImGui::BeginDisabled(!current || changes.empty());
     if (ImGui::SmallButton("Apply")) set_settings(settings, changes);
     ImGui::EndDisabled();
-    wrapped_tooltip(list_of(changes) + (current ? fmt::format("{} takes it back.", key_text(Command::Undo))
-                                                : "Of other settings: run again."));
+    wrapped_tooltip(changes_text(changes) + (current ? fmt::format("{} takes it back.", key_text(Command::Undo))
+                                                     : "Of other settings: run again."));
 }
 
 /// Draws the progress of a search under its button Cancel. Returns true at a press of the button.
@@ -135,7 +130,9 @@ void advice_row(Settings& settings, const Trial& t, bool current) {
     ImGui::TableNextColumn();
     const std::string text = t.why_not.empty() ? t.candidate.shown_name() : t.candidate.shown_name() + ": " + t.why_not;
     coloured_wrapped(text, t.why_not.empty() && current ? theme::text() : theme::muted());
-    wrapped_tooltip(list_of(t.changes));
+    wrapped_tooltip(changes_text(t.changes));
+    if (const std::string engine = engine_changes_text(t.changes); !engine.empty())
+        ImGui::TextDisabled("%s", engine.c_str());
 }
 
 void advice_list(Settings& settings, const std::vector<Trial>& list, bool current, const char* id) {
@@ -158,6 +155,7 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
     if (!current) ImGui::TextDisabled("of other settings: measure again");
     if (r.holds.empty() && !r.fails.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
     if (r.stopped) ImGui::TextDisabled("Stopped before all changes were tried.");
+    if (r.refused > 0) ImGui::TextDisabled("%zu more: the chosen engine lacks them", r.refused);
     advice_list(settings, r.holds, current, "advice");
     findings_list(settings, r, current);
     if (!r.fails.empty() &&

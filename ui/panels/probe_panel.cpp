@@ -201,13 +201,14 @@ void fix_line(EditorState& state, const EditorFrame& frame) {
     if (const Trial* fix = found_fix(search, state.probe_pixel)) {
         if (ImGui::SmallButton(fmt::format("Fix: {}", fix->candidate.shown_name()).c_str()))
             return apply_trial(state, *fix);
-        std::string text;
-        for (const auto& [key, value] : fix->changes) text += fmt::format("{} = {}\n", key, value);
+        const std::string text = changes_text(fix->changes);
         plain_tooltip(fmt::format(
             "{}Tried: this pixel gets visibility {:.2f}, {:.2f} is right; {} px are wrong then, {} "
             "now.\nKey {}; {} takes it back",
             text, fix->pixel ? fix->pixel->visibility : 0, fix->pixel ? fix->pixel->reference : 0,
             wrong_pixels(fix->metrics), search.table->wrong, key_text(Command::ApplyFix), key_text(Command::Undo)));
+        if (const std::string engine = engine_changes_text(fix->changes); !engine.empty())
+            ImGui::TextDisabled("%s", engine.c_str());
     } else if (search.running) {
         ImGui::TextDisabled("trying %s...", search.running->about.c_str());
     } else if (search.table && search.current && search.pixel == state.probe_pixel) {

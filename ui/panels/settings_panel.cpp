@@ -114,6 +114,14 @@ void sort_front_to_back(std::vector<Group>& list, const EditorState& state) {
     std::ranges::transform(ranked, list.begin(), [](const auto& r) { return r.second; });
 }
 
+/// Returns true when a search finds the group of the engine's parameters: by its name, or by that of an engine.
+bool engine_group_matches(const std::string& search) {
+    if (search.empty() || matches_all_words(search, {"Engine profile"})) return true;
+    return std::ranges::any_of(engine_profiles(), [&](const EngineProfile& p) {
+        return matches_all_words(search, {p.title, p.name});
+    });
+}
+
 bool begin_rows(const char* id) {
     const ImVec2 padding = ImGui::GetStyle().CellPadding;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.5f});
@@ -223,7 +231,10 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
         draw_group(state, frame, requests, group);
     }
     carry_settings(state.settings, placed, state.settings.scene);
-    if (state.settings_panel.search.empty() && !state.settings_panel.only_changed) {
+    const bool finds_engine = engine_group_matches(state.settings_panel.search);
+    if (finds_engine && !state.settings_panel.only_changed) {
+        any = true;
+        if (!state.settings_panel.search.empty()) ImGui::SetNextItemOpen(true);
         ImGui::PushFont(theme::strong());
         const bool open = ImGui::CollapsingHeader("Engine");
         ImGui::PopFont();

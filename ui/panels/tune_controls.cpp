@@ -12,6 +12,7 @@
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
+#include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 
 namespace si {
@@ -56,7 +57,10 @@ void biases_table(const FoundBias* found, bool current, Settings& settings, cons
     int id = 0;
     for (const auto& [b, least, clean] : found->table()) {
         const BiasTrial& trial = b->trial;
-        const std::string text = bias_text(b->bias);
+        Settings with = settings;
+        with.bias = b->bias;
+        const std::string engine = engine_changes_text(setting_changes(settings, with));
+        const std::string text = bias_text(b->bias) + (engine.empty() ? "" : "; " + engine);
         ImGui::PushID(id++);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();

@@ -294,8 +294,13 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     state.shots.scene_rect = state.shots.map_rect = state.shots.drawing_rect = {};
     state.viewport.dragging = false;
     theme::set_light(state.layout.light_theme);
-    const SettingFacts setting_facts{frame.driver, frame.scene, frame.result, &state.files.dialog,
-                                     state.engine_panel.profile};
+    const EngineWording engine = engine_wording(state.engine_panel, state.settings, frame.result);
+    const SettingFacts setting_facts{.driver = frame.driver,
+                                     .scene = frame.scene,
+                                     .result = frame.result,
+                                     .files = &state.files.dialog,
+                                     .engine = engine.profile ? &engine : nullptr,
+                                     .searched = state.settings_panel.search};
     use_setting_facts(&setting_facts);
     const struct FactsEnd {
         ~FactsEnd() { use_setting_facts(nullptr); }

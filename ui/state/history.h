@@ -35,7 +35,7 @@ public:
     /// afterwards all changes since the last step become one step. Consecutive moves of the camera are one step. Call
     /// once a frame.
     void record(const Settings& settings, bool busy);
-    /// Sets scene.time while an animation plays, without a step of undo; commit() makes the step.
+    /// Sets scene.time while an animation plays. The undo history gets no entry until commit().
     void set_time(double time_s);
     /// Adds a change that the program itself has made (lights that a file animates) to the last step of undo.
     void amend_step(const Settings& before, const Settings& after);

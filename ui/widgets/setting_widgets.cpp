@@ -14,7 +14,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/profiles/engine_profile.h"
+#include "renderer/profiles/engine_wording.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/splits.h"
@@ -55,6 +55,18 @@ const SettingFacts& facts_in_use() {
     return facts ? *static_cast<const SettingFacts*>(facts) : kNone;
 }
 
+/// Draws the names that engines have for a setting, with their conversion: those searched for, else those of the chosen
+/// engine.
+void draw_engine_names(const SettingRef& ref, float width) {
+    const SettingFacts& facts = facts_in_use();
+    std::vector<std::string> lines;
+    if (engine_name_matches(ref, facts.searched))
+        lines = engine_names_of(ref, facts.searched);
+    else if (facts.engine)
+        lines = engine_names_of(ref, {}, facts.engine->profile);
+    for (const std::string& line : lines) ImGui::TextUnformatted(broken_at_spaces(line, width).c_str());
+}
+
 void tooltip(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
     place_tooltip();
@@ -70,6 +82,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
                   : slides   ? "Ctrl+click to type, right-click to reset"
                              : "Right-click to reset",
                   theme::muted());
+    draw_engine_names(ref, wide);
     if (const auto idle = without_effect(settings, ref); !idle.empty()) {
         std::string text(idle);
         text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
@@ -260,8 +273,8 @@ bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, con
     const std::string unit = narrow ? std::string() : escaped(unit_suffix(shown_unit(settings, ref)));
     if (idle) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * ImGui::GetStyle().DisabledAlpha);
     ImGui::SetNextItemWidth(width > 0 ? width : -FLT_MIN);
-    const EngineProfile* const engine = facts_in_use().engine;
-    ImGui::BeginDisabled(engine && forced_setting(*engine, p.key));
+    const EngineWording* const engine = facts_in_use().engine;
+    ImGui::BeginDisabled(engine && forced_setting(*engine->profile, p.key));
     if (auto* b = std::get_if<bool>(&value))
         changed = ImGui::Checkbox("##value", b);
     else if (auto* i = std::get_if<int>(&value))
@@ -282,11 +295,27 @@ void use_setting_facts(const SettingFacts* facts) {
     ImGui::GetIO().UserData = const_cast<SettingFacts*>(facts);  // ImGui takes a mutable pointer and only keeps it
 }
 
+std::string engine_changes_text(std::span<const std::pair<std::string, std::string>> changes) {
+    const EngineWording* const engine = facts_in_use().engine;
+    try {
+        return engine ? engine->text(changes) : std::string();
+    } catch (const Error&) {
+        return {};  // the engine takes no such number, which its panel says
+    }
+}
+
+std::string changes_text(std::span<const std::pair<std::string, std::string>> changes) {
+    std::string text;
+    for (const auto& [key, value] : changes) text += fmt::format("{} = {}\n", key, value);
+    const std::string engine = engine_changes_text(changes);
+    return engine.empty() ? text : text + engine + "\n";
+}
+
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
-    const auto& [driver, scene, result, files, engine] = facts_in_use();
+    const auto& [driver, scene, result, files, engine, searched] = facts_in_use();
     if (engine) {
-        if (const ForcedSetting* forced = forced_setting(*engine, ref.param->key)) return forced->reason;
-        for (const LackingSetting& lacking : engine->lacking)
+        if (const ForcedSetting* forced = forced_setting(*engine->profile, ref.param->key)) return forced->reason;
+        for (const LackingSetting& lacking : engine->profile->lacking)
             if (lacking.key == ref.param->key && lacking.value.empty()) return lacking.reason;
     }
     if (driver && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver->polygon_offset_clamp)

@@ -1,7 +1,9 @@
 // Widgets made from a setting's row: slider, drag, combo or checkbox with unit, tooltip, reset and mark of change.
 #pragma once
 
+#include <span>
 #include <string>
+#include <utility>
 
 #include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
@@ -10,7 +12,7 @@
 
 namespace si {
 
-struct EngineProfile;
+struct EngineWording;
 struct FileDialog;
 
 /// Facts that decide whether a setting has an effect, and that give the numbers of automatic values.
@@ -19,11 +21,18 @@ struct SettingFacts {
     const Scene* scene = nullptr;           ///< null: a scene with animations
     const FrameResult* result = nullptr;    ///< frame whose light and camera give automatic values; null: not known
     FileDialog* files = nullptr;            ///< dialog that chooses the file of a setting; null: paths are typed
-    const EngineProfile* engine = nullptr;  ///< engine whose limits apply; null: none
+    const EngineWording* engine = nullptr;  ///< engine whose limits apply, and in which texts speak; null: none
+    std::string_view searched = {};         ///< text of the settings search: engines' names in it are explained
 };
 /// Sets the facts of the current ImGui context's setting widgets; null: none are known. The pointer has to stay valid
 /// until the next call.
 void use_setting_facts(const SettingFacts* facts);
+
+/// Returns changes of settings as lines "key = value", and below them the same in the chosen engine's parameters.
+std::string changes_text(std::span<const std::pair<std::string, std::string>> changes);
+/// Returns changes of settings in the chosen engine's parameters: "in three.js: set normalBias to 0.0098". Empty
+/// without an engine, and where none of its parameters changes.
+std::string engine_changes_text(std::span<const std::pair<std::string, std::string>> changes);
 
 /// Returns the reason why a setting has no effect with the present driver, scene or other settings; empty: it has an
 /// effect.

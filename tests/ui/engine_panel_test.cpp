@@ -1,0 +1,99 @@
+// Tests of the group Engine in the settings' column: how it is found, and what typed numbers change.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "renderer/advise/fixes.h"
+#include "renderer/profiles/engine_profile.h"
+#include "tests/ui/ui_harness.h"
+
+namespace si::test {
+namespace {
+
+/// Types a number into the widget of an engine's parameter, and presses Enter.
+void type_number(UiHarness& ui, const std::string& parameter, const std::string& text) {
+    const std::string label = "##" + parameter;
+    const auto at = ui.find("rows", "parameters", label);
+    ASSERT_TRUE(at) << parameter;
+    ui.click(*at);
+    ui.frames(1);
+    ImGui::GetIO().KeyCtrl = true;
+    ui.key('A');
+    ImGui::GetIO().KeyCtrl = false;
+    ui.type(text);
+    ui.key(ImGui::GetKeyIndex(ImGuiKey_Enter));
+    ui.frames(2);
+}
+
+TEST(EnginePanel, IsFoundByItsNameAndByThoseOfEngines) {
+    UiHarness ui(1280, 720);
+    ui.state.engine_panel.profile = &engine_profile("three");
+    for (const char* const search : {"engine", "three.js", "Bevy"}) {
+        ui.state.settings_panel.search = search;
+        ui.frames(3);
+        EXPECT_EQ(ui.lacking({"Engine", "reference angle"}), "") << search;
+    }
+    ui.state.settings_panel.search = "bias.constant";
+    ui.frames(3);
+    EXPECT_FALSE(ui.prints("reference angle"));
+}
+
+TEST(EnginePanel, TypedNumbersChangeOurSettingsWithinTheEnginesRange) {
+    UiHarness ui(1280, 720);
+    ui.state.engine_panel.profile = &engine_profile("three");
+    ui.state.settings_panel.search = "three.js";
+    ui.frames(4);
+    type_number(ui, "bias", "-0.001");
+    EXPECT_EQ(ui.state.settings.bias.unit, BiasUnit::Depth);
+    EXPECT_NEAR(ui.state.settings.bias.constant, 0.001, 1e-9);
+    type_number(ui, "bias", "-7");
+    EXPECT_NEAR(ui.state.settings.bias.constant, 1, 1e-9) << "the least number that three.js takes is -1";
+}
+
+TEST(EnginePanel, TheAngleIsThatOfTheConversion) {
+    UiHarness ui(1280, 720);
+    ui.state.engine_panel.profile = &engine_profile("playcanvas");
+    ui.state.settings_panel.search = "playcanvas";
+    ui.frames(4);
+    type_number(ui, "reference angle", "60");
+    EXPECT_EQ(ui.state.engine_panel.angle_deg, 60);
+    EXPECT_TRUE(ui.prints("60 degrees"));
+    type_number(ui, "reference angle", "95");
+    EXPECT_EQ(ui.state.engine_panel.angle_deg, 89) << "a plane at 90 degrees is not lit";
+}
+
+// What a search finds is said in the engine's numbers, too.
+TEST(EnginePanel, FixesNameTheEnginesNumber) {
+    UiHarness ui(1600, 900);
+    ui.state.engine_panel.profile = &engine_profile("three");
+    FixTable table;
+    Trial trial;
+    trial.candidate.name = "more normal offset";
+    trial.changes = {{"bias.normal", "2.5"}};
+    trial.cured = 3;
+    table.rows.push_back(trial);
+    table.wrong = 5;
+    table.candidates = 1;
+    table.refused = 4;
+    ui.fixes = {.running = {}, .table = &table, .pixel = {}, .current = true};
+    ui.state.window.open_tab = BottomTab::Improve;
+    ui.frames(4);
+    EXPECT_EQ(ui.lacking({"more normal offset", "in three.js: set normalBias to", "4 more: the chosen engine lacks"}),
+              "");
+    ui.state.engine_panel.profile = nullptr;
+    ui.frames(3);
+    EXPECT_FALSE(ui.prints("in three.js"));
+}
+
+TEST(EnginePanel, TooltipsOfSettingsSayTheConversion) {
+    UiHarness ui(1280, 720);
+    ui.state.settings_panel.search = "normalBias";
+    ui.frames(3);
+    constexpr glm::vec2 kFirstLabel{965, 115};
+    ui.move(kFirstLabel);
+    ui.frames(60);
+    EXPECT_EQ(ui.lacking({"three.js normalBias (m)", "texels"}), "");
+}
+
+}  // namespace
+}  // namespace si::test
