@@ -47,7 +47,7 @@ private:
         double share = 0;
         std::string doing;
     };
-    /// Outcome of the work.
+    /// Outcome of an import: the bundle that was made.
     struct Made {
         std::vector<ImportChoice> choices;     ///< after ImportStep::Reading
         std::shared_ptr<const MapImport> map;  ///< the readings of an image

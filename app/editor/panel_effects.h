@@ -11,8 +11,8 @@ namespace si {
 /// Lists the work of the editor's panels as rows of the panel Effects: needed while the panel is shown, with a reason.
 std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
-/// Returns the row of the panel Effects for the search for clusters of wrong pixels.
-/// @param now the search ran for the shown frame
+/// Returns the panel Effects' row about the search for clusters of wrong pixels.
+/// @param now true: the search ran for the shown frame
 Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);
 
 /// Returns the row of the panel Effects for the reference rays that are traced in the background.

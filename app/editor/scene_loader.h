@@ -110,8 +110,8 @@ private:
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
     Settings base_of_scene() const { return suggests_ ? base_settings(scene_) : Settings{}; }
-    /// Starts to read the file as scene.index, scene.up and scene.unit say, unless the editor shows it so. Called when
-    /// one of them has changed; cancels a loading if the shown scene is named again.
+    /// Starts to read the file as scene.index, scene.up and scene.unit say, unless the shown scene was read with these
+    /// values. Then it cancels a loading under way. Called when one of them has changed.
     void follow_file_choices();
     /// Poses the shown scene by scene.* (time, animation, placement), and updates settings of lights that the file
     /// animates.

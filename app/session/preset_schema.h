@@ -5,8 +5,8 @@
 
 namespace si {
 
-/// Returns the JSON schema (draft 2020-12) of presets: the text of docs/preset.schema.json. Kernels and other
-/// techniques, whose tables are open, are plain texts in it.
+/// Returns the JSON schema (draft 2020-12) of presets: the text of docs/preset.schema.json. It accepts any
+/// text for kernels and other techniques, as their tables may grow.
 std::string preset_schema();
 
 }  // namespace si

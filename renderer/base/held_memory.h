@@ -49,7 +49,7 @@ struct ProcessMemory {
     std::uint64_t heap = 0, heap_free = 0;  ///< allocated by malloc(), and freed but kept by malloc()
 };
 
-/// Memory of the process and of each holder that ever counted bytes, at one time.
+/// Memory of the process and of each counted part of the program (MemoryHolder), all read at one time.
 struct MemoryReport {
     ProcessMemory process;
     std::vector<MemoryUse> holders;  ///< the largest first

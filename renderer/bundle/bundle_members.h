@@ -69,11 +69,11 @@ struct Texts {
 struct Dictionary {
     using Type = std::map<std::string, std::string>;
 };
-/// Three units in one text, separated by commas.
+/// Units of a bundle's bias terms (constant, slope, normal) in one text, separated by commas.
 struct BiasUnits {
     using Type = std::array<BiasUnit, 3>;
 };
-/// Value of a closed set.
+/// Value of an enumeration: one of a fixed list of keys.
 template <typename T>
 struct ChoiceOf {
     using Type = T;

@@ -32,7 +32,7 @@ struct LightAxes {
     UpAxis up = UpAxis::Y;  ///< axis of the light's file, after mirroring, that becomes the scene's y; never File
     MirroredAxis mirrored = MirroredAxis::None;
     double unit = 1;  ///< lengths of the scene's world in one length of the light's file; above 0
-    /// Returns the matrix from the light's file to the scene's world.
+    /// Returns the matrix from the world space of LIGHT.json to that of the scene.
     glm::dmat4 scene_from_light() const;
     bool operator==(const LightAxes&) const = default;
 };

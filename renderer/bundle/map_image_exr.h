@@ -23,8 +23,8 @@ extern const ForeignJob kExrJob;
 /// @throws Error "what is wrong; what to do", without the file's name
 FloatImage decode_exr_map(std::span<const std::byte> bytes);
 
-/// Decodes an image in this process and packs it as an answer: the work of the job. @throws Error without the file's
-/// name
+/// Decodes an image in this process and packs it as an answer. The child process runs it. @throws Error without the
+/// file's name
 std::vector<std::uint8_t> decode_packed_exr(std::span<const std::uint8_t> bytes,
                                             const std::function<void(double)>& progress);
 

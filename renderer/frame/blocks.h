@@ -20,7 +20,7 @@ void replace_frame_block(const FrameState& f, const shared::FrameBlock& block);
 void upload_blocks(const FrameState& f);
 
 /// Returns GLSL text that declares the uniform blocks; every shader begins with it.
-/// @param as_images true: reads single numbers from buffer images in place of uniform blocks; both ways give equal bits
+/// @param as_images true: reads the numbers from buffer textures in place of uniform blocks; both ways give equal bits
 std::string blocks_glsl(bool as_images);
 
 }  // namespace si

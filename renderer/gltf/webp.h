@@ -24,7 +24,7 @@ bool is_webp(std::span<const std::uint8_t> bytes);
 std::vector<Image> decode_webp(std::span<const std::span<const std::uint8_t>> images, std::size_t max_image_bytes,
                                std::atomic<std::size_t>& bytes_left, const std::atomic<bool>& stop);
 
-/// Decodes packed images in this process, as many as fit into an answer but at least one: the work of the job.
+/// Decodes packed images in this process, as many as fit into one answer but at least one. The child process runs it.
 std::vector<std::uint8_t> decode_packed_webp(std::span<const std::uint8_t> request,
                                              const std::function<void(double)>& progress);
 

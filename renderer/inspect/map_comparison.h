@@ -166,7 +166,7 @@ std::array<std::uint8_t, 3> difference_colour(double metres, double scale_m);
 /// @param image ComparedMap::imported or ComparedMap::drawn
 ByteImage linear_picture(const ComparedMap& map, const FloatImage& image);
 
-/// Draws the difference of two maps, a pixel a texel.
+/// Draws the difference of two maps, one pixel for each texel.
 ByteImage difference_picture(const MapComparison& comparison, double scale_m);
 
 }  // namespace si

@@ -108,12 +108,12 @@ struct Section {
 /// Chooses the row or column of texels that shows a pixel's shadow test best. Near a shadow edge that is the direction
 /// of the edge, else the direction in which the surface slopes away from the light faster. Returns a count of 0 when
 /// the light has no map or the map does not cover the point.
-/// @param diagnosis null: none @param resolution texels per side of the map
+/// @param diagnosis null: none @param size texels of the map
 SectionCut section_cut(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const Settings& settings,
                        MapSize size);
 
 /// Traces the first surfaces from a light along a cut, with eight rays per texel.
-/// @param resolution texels per side of the map
+/// @param size texels of the map
 std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const Probe::PerLight& light,
                                               const SectionCut& cut, MapSize size);
 

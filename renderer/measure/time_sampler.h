@@ -37,7 +37,7 @@ struct TimeSamples {
 
     /// Appends the pass times of a frame.
     void add(const FrameResult& frame);
-    /// Appends other samples, as bursts of their own.
+    /// Appends other samples. Their bursts (runs of frames without a pause) stay apart from the present ones.
     void add(const TimeSamples& more);
 };
 

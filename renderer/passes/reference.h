@@ -14,7 +14,8 @@ namespace si {
 std::vector<gl::Define> reference_defines(const FrameState& f);
 /// Returns the reason why a frame without FrameState::reference lacks it: not needed, or not traced.
 std::string missing_reference_reason(const FrameState& f);
-/// Draws the results of all shadow-test trials of every pixel into eight colour attachments, see CauseEvidence.
+/// Draws the results of the shadow test of every pixel under varied conditions (no bias, no filter, ...) into eight
+/// colour attachments, see CauseEvidence.
 /// @param light light index
 /// @param reference_known true: a reference of this light is uploaded
 /// @param[out] info draw counts

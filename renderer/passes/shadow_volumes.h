@@ -40,7 +40,7 @@ public:
     bool draws(std::size_t light) const { return lights_[light].used && lights_[light].refusal.empty(); }
     /// Returns the reason why a light's volumes are not drawn. Empty: they are drawn, or the light has another source.
     const std::string& refusal(std::size_t light) const { return lights_[light].refusal; }
-    /// Returns the pass that draws a light's volumes into its layer of lit().
+    /// Returns the pass that draws the shadow volumes of a light into its layer of the texture lit().
     Pass make_pass(FrameState& f, std::size_t light);
     /// Returns the visibility image: R8, a layer for each light, 1 where the visible surface lies in no volume.
     const gl::Target& lit() const { return lit_; }

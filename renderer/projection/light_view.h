@@ -46,7 +46,8 @@ struct LightView {
     /// Sets the projection to one that is centred on the axis, by `curve`.
     /// @param half half of the width and height: metres, or in perspective tangents of half the angles
     void set_half_extents(const glm::dvec2& half);
-    /// Sets the depth of a centred projection by `curve`; width and height stay.
+    /// Sets the depth rows of the projection by `curve`. The projection has its axis in the middle; width and height
+    /// stay.
     void update_depth();
     /// Returns the light view's matrix to clip space from positions relative to `origin` (world), composed in double
     /// precision.

@@ -14,12 +14,12 @@ public:
     enum class State : std::uint8_t { Unknown, Outside, Inside };
     /// Returns the known states of all pixels under `key`, Unknown where not traced.
     std::vector<State> find(std::uint64_t key, std::size_t pixels) const;
-    /// Stores the states of all pixels under `key`.
+    /// Stores the umbra states (lit, umbra, penumbra) of all pixels under `key`.
     void store(std::uint64_t key, std::vector<State> states);
 
 private:
     static constexpr std::size_t kMaxReaches = 4;
-    /// States of all pixels for one reach and map.
+    /// Umbra states (lit, umbra, penumbra) of all pixels, computed for one kernel reach and one map.
     struct Known {
         std::uint64_t key = 0;
         std::vector<State> states;

@@ -156,8 +156,8 @@ std::span<const std::string_view> sweep_kernels();
 
 /// Returns the kernel row that the setting filter.kernel chooses.
 const Filter& filter_of(const Settings& settings);
-/// Returns the distances that the chosen kernel reaches, in texels: for the bias, for edges and for reads. For a given
-/// light use kernel_reach_in_light().
+/// Returns the distances that the chosen kernel reaches from the look-up, in texels: to the texels that need bias, that
+/// soften an edge, and that are read at all. For a given light use kernel_reach_in_light().
 /// @param widest_texels radius of the kernel's widest area; infinite if no light is known
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 

@@ -56,7 +56,8 @@ using ViewExtent = Bounds;
 
 /// Returns the extent of world-space points in a light's view.
 ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& view);
-/// Returns the extent of all boxes of a shape in a light's view. A ground under a model counts along the axis only.
+/// Returns the extent of all boxes of a shape in a light's view. A ground under a model counts along the light's axis
+/// only.
 ViewExtent extent_in_view(const SceneShape& shape, const LightView& view);
 
 /// Returns the corners of the part of a perspective view between two distances from its eye, in metres.

@@ -37,7 +37,7 @@ struct VisibleBody {
     }
 };
 
-/// Boxes of the objects that one camera may see, from which the parts of a map that are read are found.
+/// Boxes of the objects that one camera may see. Only the parts of a map that these objects look up are needed.
 struct VisibleBodies {
     CameraSlice view;  ///< view frustum with padding for rounding
     std::vector<VisibleBody> bodies;
