@@ -9,6 +9,7 @@
 #include "app/session/session.h"
 #include "renderer/base/error.h"
 #include "renderer/base/finite_number.h"
+#include "renderer/bundle/given_maps.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/engine_facts.h"
@@ -100,6 +101,15 @@ EngineSession take_engine_sets(const std::string& profile, std::vector<std::stri
 
 MapFacts map_facts(const Scene& scene, const Settings& settings) {
     const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
+    if (!settings.map.bundle.empty()) {
+        const auto given = given_maps(settings.map.bundle);
+        if (index < given->lights.size() && given->lights[index]) {
+            const auto maps = placed_maps(given->lights[index], scene.placement);
+            if (maps->views && !maps->images.empty())
+                return map_facts(maps->views->views.front(), settings,
+                                 MapSize(maps->images.front().width, maps->images.front().height));
+        }
+    }
     const Camera camera = make_camera(scene, settings, kAspect);
     const std::vector<FittedLight> lights = fit_lights(scene, settings, &camera);
     return map_facts(index < lights.size() ? &lights[index] : nullptr, settings, MapSize(settings.map.resolution));

@@ -29,7 +29,8 @@ struct EngineSession {
 /// engine.* without a profile
 EngineSession take_engine_sets(const std::string& profile, std::vector<std::string>& sets);
 
-/// Returns the facts of the map of view.light, as its fit gives them for a picture of 16:9. The first cascade counts.
+/// Returns the facts of the map of view.light: of a bundle's map, else as its fit gives them for a picture of 16:9. The
+/// first cascade counts. @throws Error for a bundle that cannot be read
 MapFacts map_facts(const Scene& scene, const Settings& settings);
 
 /// Applies a profile to the composed settings of a posed scene: what the engine cannot turn off, then its values.
