@@ -28,7 +28,7 @@ more_stages=(
   "slow:tests that take longer than eight seconds each"
   "frames:frames of other programs that RenderDoc captured"
   "window:the editor in windows of its own"
-  "engines:bundles that engines of others write: three.js from npm, in a headless browser"
+  "engines:engines of others: bundles of three.js, and shadows of every engine of tests/proof against this program's"
   "package:the Debian package, checked, installed in a clean root, run there and removed"
   "products:full products of what tests take in part, and tests that take minutes"
   "zink:drawing tests on zink over lavapipe"
@@ -181,7 +181,6 @@ lacks() {
   format) command=clang-format ;;
   strict) command=clang++ ;;
   window) command=xdotool ;;
-  engines) command=npm ;;
   package)
     "$root/scripts/test_package.sh" --lacks
     return
