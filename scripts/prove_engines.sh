@@ -5,7 +5,11 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=$root/build/proof/results
 proof=$root/tests/proof
-if [ $# -eq 0 ]; then mapfile -t engines < <(cd "$proof" && python3 -c 'import engines; print("\n".join(engines.ENGINES))'); else engines=("$@"); fi
+engines=("$@")
+if [ $# -eq 0 ]; then
+  mapfile -t engines < <(cd "$proof" && /usr/bin/python3 -c 'import engines; print("\n".join(engines.ENGINES))')
+fi
+export SI_PROOF_FOLDER=$root/build/proof
 /usr/bin/python3 "$proof/prove.py" "${engines[@]}" -o "$out" || code=$?
 /usr/bin/python3 "$proof/page.py" "$out" "$root/docs/engines.md"
 exit "${code:-0}"

@@ -26,6 +26,9 @@ Pixels without a surface, and those with N·L below {min_n_dot_l:g}, are not com
 Scenes have a constant of {constant:g} texels and a normal offset of {normal:g} texel before conversion. Masks with alpha are left out, so that leaves are whole rectangles.
 """
 
+LEGEND = ("The engine, the program, and their difference: red where the engine alone is dark, blue where the program alone "
+          "is. Pale blue is not compared. In the third picture the zone around edges is darker than the interior.")
+
 
 def percent(share, digits=2):
     return f"{100 * share:.{digits}f} %"
@@ -51,7 +54,8 @@ def scene_rows(result):
 def acne_rows(result):
     for a in result["acne"]:
         ratio = "" if a["ratio"] is None else f"{a['ratio']:.3f}"
-        yield (f"| `{a['parameter']}` | {a['tilt_deg']:g}° | {'diagonal' if a['diagonal'] else 'axis'} | "
+        under = f" under `{a['filter']}`" if a["filter"] else ""
+        yield (f"| `{a['parameter']}`{under} | {a['tilt_deg']:g}° | {'diagonal' if a['diagonal'] else 'axis'} | "
                f"{number(a['base'])} | {number(a['ours'])} | {number(a['theirs'])} | {ratio} | {met(a['passed'])} |")
 
 
@@ -64,8 +68,11 @@ def section(result, folder_name):
               "|---|--:|--:|--:|--:|--:|--:|---|", *scene_rows(result), "",
               "| parameter | tilt | along | converted | acne begins here | acne begins in the engine | ratio | met |",
               "|---|--:|---|--:|--:|--:|--:|---|", *acne_rows(result), "",
-              "The engine, the program, and their difference: red where the engine alone is dark, blue where the program "
-              "alone is. Dark grey is not compared, and the zone around edges is slightly darker than the interior.", ""]
+              LEGEND, ""]
+    reasons = [a["known"] for a in result["acne"] if a["known"] and not a["passed"]]
+    if reasons:
+        at = lines.index(LEGEND)
+        lines[at:at] = [*(f"Not met: {reason}" for reason in dict.fromkeys(reasons)), ""]
     for s in result["scenes"]:
         lines += [f"![{result['title']}, {s['title']}: masks of the engine and the program, and their "
                   f"difference]({folder_name}/{result['engine']}-{s['scene']}.png)", ""]
@@ -75,7 +82,7 @@ def section(result, folder_name):
 def halve(path, to):
     import numpy as np
     with np.load(path) as masks:
-        row = [pictures.grey(masks["theirs"]), pictures.grey(masks["ours"]),
+        row = [pictures.grey(masks["theirs"], masks["compared"]), pictures.grey(masks["ours"], masks["compared"]),
                pictures.difference(masks["theirs"], masks["ours"], masks["compared"], masks["interior"])]
     pictures.write_png(to, pictures.side_by_side([pictures.halved(p) for p in row]))
 

@@ -7,7 +7,7 @@ import numpy as np
 GAP = 4
 ONLY_THEIRS_DARK = (208, 64, 48)
 ONLY_OURS_DARK = (48, 96, 208)
-NOT_COMPARED = 0.75
+NO_MASK = (186, 204, 222)
 
 
 def write_png(path, rgb):
@@ -23,15 +23,18 @@ def write_png(path, rgb):
                    chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
-def grey(mask):
-    return np.repeat((255 * np.clip(mask, 0, 1) + 0.5).astype(np.uint8)[..., None], 3, 2)
+def grey(mask, compared=None):
+    """Returns a mask as grey, with pixels that are not compared in pale blue."""
+    out = np.repeat((255 * np.clip(mask, 0, 1) + 0.5).astype(np.uint8)[..., None], 3, 2)
+    if compared is not None:
+        out[~compared] = NO_MASK
+    return out
 
 
 def difference(theirs, ours, compared, interior):
-    """Returns our mask in pale grey, with pixels that differ in colour: red where the engine alone is dark, blue where
-    the inspector alone is. Pixels that are not compared are darker, and the zone around edges is between."""
-    shade = np.where(interior, 1.0, np.where(compared, 0.92, NOT_COMPARED))
-    out = grey(shade * (0.6 + 0.4 * ours))
+    """Returns our mask in grey, with pixels that differ in colour: red where the engine alone is dark, blue where the
+    inspector alone is. The zone around edges is darker than the interior."""
+    out = grey(np.where(interior, 1.0, 0.9) * (0.6 + 0.4 * ours), compared)
     differ = compared & (np.abs(theirs - ours) > 0.02)
     out[differ & (theirs < ours)] = ONLY_THEIRS_DARK
     out[differ & (theirs >= ours)] = ONLY_OURS_DARK

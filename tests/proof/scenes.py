@@ -59,7 +59,8 @@ class Object:
 class ProofScene:
     """Objects with a camera and a light. Lengths in metres."""
 
-    def __init__(self, name, title, objects, eye, target, fov_y_deg, to_light, resolution, size=(640, 360)):
+    def __init__(self, name, title, objects, eye, target, fov_y_deg, to_light, resolution, size=(640, 360),
+                 margin=1.02):
         self.name, self.title, self.objects = name, title, objects
         self.width, self.height = size
         self.resolution, self.fov_y_deg = resolution, fov_y_deg
@@ -70,17 +71,16 @@ class ProofScene:
         self.far_m = float(depths.max()) * 1.05
         self.near_m = max(0.02 * self.far_m / 10, 0.5 * float(depths.min()))
         self.clip_from_view = perspective(fov_y_deg, self.width / self.height, self.near_m, self.far_m)
-        self.fit_light(points)
+        self.fit_light(points, margin)
 
-    def fit_light(self, points):
-        """Makes a box around all objects, whose width and height are equal."""
+    def fit_light(self, points, margin):
+        """Makes a box around all objects, whose width and height are equal, and larger by a factor."""
         centre = (points.min(0) + points.max(0)) / 2
         radius = float(np.linalg.norm(points - centre, axis=1).max())
-        kMargin = 1.02
         distance = 1.5 * radius
         self.light_view_from_world = look_at(centre + distance * self.to_light, centre)
         seen = (self.light_view_from_world[:3, :3] @ points.T + self.light_view_from_world[:3, 3:])
-        half = kMargin * float(np.abs(seen[:2]).max())
+        half = margin * float(np.abs(seen[:2]).max())
         room = 0.05 * radius
         self.box = {"left_m": -half, "right_m": half, "bottom_m": -half, "top_m": half,
                     "near_m": float(-seen[2].max()) - room, "far_m": float(-seen[2].min()) + room}
@@ -133,21 +133,25 @@ def box_scene():
 
 
 def tilted_plane(tilt_deg, diagonal):
-    """Returns a plane that fills the picture, tilted against the light along an axis of the map or along its diagonal."""
+    """Returns a plane that fills the picture, tilted against the light along an axis of the map or along its diagonal.
+
+    Its corners lie on borders of texels of the scene's box, so that a rasteriser does not move them."""
     to_light = direction(30, 40)
     axes = look_at(to_light, (0, 0, 0))[:3, :3]
-    across = (axes[0] + axes[1]) / math.sqrt(2) if diagonal else axes[0]
-    th = math.radians(tilt_deg)
-    normal = math.cos(th) * axes[2] + math.sin(th) * across
+    tan = math.tan(math.radians(tilt_deg))
+    slope = np.array([1, 1]) / math.sqrt(2) if diagonal else np.array([1, 0])
+    normal = tan * (slope[0] * axes[0] + slope[1] * axes[1]) + axes[2]
+    normal /= np.linalg.norm(normal)
+    kHalf, kTexels, kCornerTexels = 4.0, 256, 120
+    corners = [kHalf * (x * axes[0] + y * axes[1] - tan * (slope @ (x, y)) * axes[2])
+               for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    name = f"plane-{tilt_deg:g}-{'diagonal' if diagonal else 'axis'}"
     u = np.cross(normal, axes[1])
     u /= np.linalg.norm(u)
-    v = np.cross(normal, u)
-    kHalf = 4.0
-    plane = quad("Plane", [kHalf * (a * u + b * v) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))], normal)
-    name = f"plane-{tilt_deg:g}-{'diagonal' if diagonal else 'axis'}"
     # Slightly oblique, so that no row of pixels follows a row of texels.
-    eye = 3.2 * normal + 0.11 * u + 0.07 * v
-    return ProofScene(name, name, [plane], eye, 0.05 * u, 55, to_light, 256, (320, 180))
+    eye = 3.2 * normal + 0.11 * u + 0.07 * np.cross(normal, u)
+    return ProofScene(name, name, [quad("Plane", corners, normal)], eye, 0.05 * u, 55, to_light, kTexels, (320, 180),
+                      margin=kTexels / 2 / kCornerTexels)
 
 
 def read_glb(path):

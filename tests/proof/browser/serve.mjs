@@ -64,9 +64,10 @@ const server = createServer((request, response) => {
 
 server.listen(0, '127.0.0.1', () => {
     const url = `http://127.0.0.1:${server.address().port}/page.html`;
-    // Mesa's rasteriser places vertices on a grid of 1/256 pixel. SwiftShader's grid of 1/16 pixel would move the planes.
-    browser = spawn('chromium', ['--headless', '--no-sandbox', '--use-gl=angle', '--use-angle=gl-egl',
-        '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run', '--disable-background-networking',
+    // gl-egl is Mesa, whose grid of vertices is 1/256 of a pixel; that of SwiftShader is 1/16.
+    const angle = process.env.SI_PROOF_ANGLE ?? 'gl-egl';
+    browser = spawn('chromium', ['--headless', '--no-sandbox', '--use-gl=angle', `--use-angle=${angle}`,
+        '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run', '--disable-background-networking',
         '--disable-component-update', '--disable-sync', '--enable-logging=stderr', '--v=0',
         `--user-data-dir=${profile}`, url], { stdio: ['ignore', 'ignore', 'pipe'] });
     browser.stderr.on('data', (text) => { consoleText += text; });
