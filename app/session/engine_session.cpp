@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "app/session/session.h"
@@ -53,6 +54,30 @@ void set_read(const EngineSession& engine, const EngineValues& values, const Map
                                          facts.angle_deg, note));
         else if (!note.empty())
             notes->push_back(setting.key + note);
+    }
+}
+
+/// Lets double-sided materials cast with both faces where the culling of casters is the engine's. An object with other
+/// materials beside keeps the scene's culling.
+void keep_double_sided(const EngineSession& engine, const EngineValues& values, const Scene& scene,
+                       const std::set<std::string>& assigned, Settings& settings) {
+    if (settings.caster.cull == Cull::None || assigned.contains("caster.cull")) return;
+    const bool is_engines = std::ranges::any_of(engine.profile->parameters, [&](const EngineParameter& parameter) {
+        return parameter.setting == "caster.cull" && values.contains(parameter.key) &&
+               !(parameter.holds_for_double_sided && engine.values.contains(parameter.key));
+    });
+    if (!is_engines) return;
+    std::map<int, bool> double_sided;  // by node
+    for (const Object& object : scene.objects) {
+        const int material = scene.meshes[std::size_t(object.mesh)].material;
+        const bool both = material >= 0 && scene.materials[std::size_t(material)].double_sided;
+        const auto [at, is_first] = double_sided.try_emplace(object.node, both);
+        if (!is_first) at->second = at->second && both;
+    }
+    for (const auto& [node, both] : double_sided) {
+        if (!both) continue;
+        ObjectSettings& object = settings.objects[scene.nodes[std::size_t(node)].path];
+        if (object.cull == ObjectCull::Inherit) object.cull = ObjectCull::None;
     }
 }
 
@@ -148,6 +173,7 @@ std::vector<std::string> apply_engine(const EngineSession& engine, const Scene& 
             reset_own();
         }
     }
+    keep_double_sided(engine, values, scene, assigned, settings);
     for (const LackingSetting& row : profile.lacking)
         if (lacking_setting(profile, settings, row.key) == &row)
             notes.push_back(fmt::format("{}: {} lacks it: {}", row.key, profile.title, row.reason));

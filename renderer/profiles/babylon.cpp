@@ -22,7 +22,7 @@ constexpr EngineChoice kBabylonFilters[] = {
     {"ESM", "filter.kernel=esm"},
 };
 
-constexpr EngineChoice kBabylonBackFaces[] = {{"false", "caster.cull=none|caster.cull=back"},
+constexpr EngineChoice kBabylonBackFaces[] = {{"false", "caster.cull=back|caster.cull=none"},
                                               {"true", "caster.cull=front"}};
 
 constexpr EngineParameter kBabylonParameters[] = {
@@ -75,7 +75,7 @@ constexpr EngineParameter kBabylonParameters[] = {
      .standard = 0,
      .min = 0,
      .max = 1,
-     .meaning = "Only back faces cast.",
+     .meaning = "Only back faces cast; else the faces that a material draws.",
      .source = kBabylonSource,
      .setting = "caster.cull",
      .choices = kBabylonBackFaces},
@@ -87,6 +87,11 @@ constexpr EngineParameter kBabylonParameters[] = {
      .source = "npm @babylonjs/core@9.35.0: cascadedShadowGenerator.pure.js",
      .setting = "light.split_lambda",
      .scale = 1},
+};
+
+constexpr ForcedSetting kBabylonForced[] = {
+    {"map.format", "d32f",
+     "maps of ShadowGenerator(size, light, true); without true, 16-bit floats add 2^-11 of the range"},
 };
 
 constexpr LackingSetting kBabylonLacking[] = {
@@ -134,6 +139,7 @@ const EngineProfile& babylon_profile() {
                                    .version = "9.35.0",
                                    .unverified = "the factor 1.5 of cascades with PCF, which is read and not measured",
                                    .parameters = kBabylonParameters,
+                                   .forced = kBabylonForced,
                                    .lacking = kBabylonLacking,
                                    .bias_rows = kConstantAndNormal,
                                    .normal_by = OffsetBy::Sine,

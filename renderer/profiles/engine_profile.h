@@ -61,6 +61,8 @@ struct EngineParameter {
     double scale = 0;
     std::span<const EngineChoice> choices = {};
     bool is_bias = false;  ///< number of the bias, which a search for the best bias varies
+    /// Parameter of caster.cull: a given value holds for double-sided materials, too. Its default does not.
+    bool holds_for_double_sided = false;
 };
 
 /// Setting of ours that a profile sets because the engine cannot turn it off.

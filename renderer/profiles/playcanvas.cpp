@@ -19,6 +19,10 @@ constexpr EngineChoice kPlaycanvasTypes[] = {
     {"SHADOW_PCSS_32F", "filter.kernel=pcss"},
 };
 
+constexpr EngineChoice kPlaycanvasCulls[] = {{"CULLFACE_BACK", "caster.cull=back"},
+                                             {"CULLFACE_NONE", "caster.cull=none"},
+                                             {"CULLFACE_FRONT", "caster.cull=front"}};
+
 constexpr EngineParameter kPlaycanvasParameters[] = {
     {.key = "shadowBias",
      .standard = 0.05,
@@ -70,6 +74,14 @@ constexpr EngineParameter kPlaycanvasParameters[] = {
      .source = kPlaycanvasSource,
      .setting = "light.split_lambda",
      .scale = 1},
+    {.key = "material.cull",
+     .standard = 0,
+     .min = 0,
+     .max = 2,
+     .meaning = "Faces of a material that are neither drawn nor cast.",
+     .source = "npm playcanvas@2.23.3: scene/renderer/shadow-renderer.js",
+     .setting = "caster.cull",
+     .choices = kPlaycanvasCulls},
 };
 
 constexpr ForcedSetting kPlaycanvasForced[] = {

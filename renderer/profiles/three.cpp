@@ -55,7 +55,8 @@ constexpr EngineParameter kThreeParameters[] = {
      .standard = 1,
      .min = 0,
      .max = 2,
-     .meaning = "Filter. PCF takes 5 points of Vogel's spiral, each a 2x2 comparison. PCFSoft no longer exists.",
+     .meaning = "Filter. PCF takes 5 points of Vogel's spiral, each a 2x2 comparison, where this program compares the "
+                "nearest texel. PCFSoft no longer exists.",
      .source = "npm three@0.187.0: WebGLShadowMap.js",
      .setting = "filter.kernel",
      .choices = kThreeTypes},
@@ -72,10 +73,13 @@ constexpr EngineParameter kThreeParameters[] = {
      .standard = 1,
      .min = 0,
      .max = 2,
-     .meaning = "Faces that cast. Without it one-sided materials cast with their back faces.",
+     .meaning =
+         "Faces that cast. Without it one-sided materials cast with their back faces, and double-sided ones with "
+         "both.",
      .source = "npm three@0.187.0: WebGLShadowMap.js",
      .setting = "caster.cull",
-     .choices = kThreeSides},
+     .choices = kThreeSides,
+     .holds_for_double_sided = true},
     {.key = "shadow.camera.right",
      .unit = "m",
      .standard = 5,

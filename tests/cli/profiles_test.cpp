@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
@@ -64,6 +65,40 @@ TEST(Profiles, DrawTheEnginesNumbers) {
         "same.png");
     EXPECT_NE(none, some) << "without bias there is acne";
     EXPECT_EQ(some, same) << "the engine's numbers are these settings";
+}
+
+/// Renders and returns the settings that were drawn.
+Json drawn_settings(const std::filesystem::path& folder, const Words& words) {
+    const ProcessResult r = run_program("render" + words + Words("--size 64x36 -o p.png --report r.json"), folder);
+    EXPECT_EQ(r.code, 0) << r.err;
+    return Json::parse(file_bytes(folder / "r.json"))["settings"];
+}
+
+TEST(Profiles, CountInTheMapOfABundle) {
+    const auto folder = fresh_test_folder();
+    const ProcessResult r = run_program(
+        Words("export boxes --size 64x36 --bundle b.bundle --set light.fit=manual --set light.extent=12 --set "
+              "map.resolution=256"),
+        folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const Json settings =
+        drawn_settings(folder, "b.bundle" + Words("--profile three --set engine.normalBias=0.046875"));
+    EXPECT_NEAR(settings["bias.normal"].get<double>(), 0.5, 1e-6) << "texels are 24 m / 256 wide";
+}
+
+TEST(Profiles, LetDoubleSidedMaterialsCastWithBothFaces) {
+    const auto folder = fresh_test_folder();
+    const std::string key = "object.Table/Teapot.cull";
+    const Json by_default = drawn_settings(folder, "teapot" + Words("--profile three"));
+    EXPECT_EQ(by_default["caster.cull"], "front");
+    EXPECT_EQ(by_default.value(key, ""), "none");
+    EXPECT_FALSE(by_default.contains("object.Table/Floor.cull"));
+    EXPECT_FALSE(
+        drawn_settings(folder, "teapot" + Words("--profile three --set engine.shadowSide=BackSide")).contains(key))
+        << "a given side holds for every material";
+    EXPECT_FALSE(drawn_settings(folder, "teapot" + Words("--profile three --set caster.cull=front")).contains(key));
+    EXPECT_EQ(drawn_settings(folder, "teapot" + Words("--profile babylon")).value(key, ""), "none");
+    EXPECT_EQ(drawn_settings(folder, "teapot" + Words("--profile playcanvas"))["caster.cull"], "back");
 }
 
 TEST(Profiles, RefuseWhatIsWrongInOneLine) {
