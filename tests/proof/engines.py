@@ -1,5 +1,6 @@
-"""Engines of the proof: where their programs are, and which of their parameters are proved.
+"""Engines of the proof, by the names of their profiles: their programs, and which of their parameters are proved.
 
+folder: folder of the engine's program; without it that of the profile's name.
 kernel: parameters of the filter that is nearest to one hard comparison, and the settings from which it is converted.
 plane: parameters with which a single plane casts on itself.
 off: parameters of the bias with values that add none.

@@ -59,7 +59,8 @@ def proof_scenes(inspector, folder):
 
 def run_engine(name, folders):
     """Has an engine draw jobs. Raises Lacking if a package is missing."""
-    done = subprocess.run([os.path.join(HERE, name, "run.sh"), *folders], capture_output=True, text=True)
+    program = os.path.join(HERE, ENGINES[name].get("folder", name), "run.sh")
+    done = subprocess.run([program, *folders], capture_output=True, text=True)
     if done.returncode == LACKS:
         raise Lacking((done.stderr.strip().splitlines() or ["lacks a package"])[-1].removeprefix("lacks "))
     if done.returncode != 0:
@@ -76,7 +77,7 @@ def matrix_of(facts):
     matrix = np.array(facts["clip_from_world"], float).reshape(4, 4).T
     if facts.get("depth_range", "-1..1") == "0..1":
         matrix[2] = 2 * matrix[2] - matrix[3]
-    if facts.get("reversed", False):
+    if facts.get("reversed_z", False):
         matrix[2] = -matrix[2]
     return matrix
 
@@ -163,9 +164,10 @@ class Proof:
     def facts_of(self, scene):
         return map_facts(*self.given[scene.name])
 
-    def converted(self, scene, constant, normal, angle_deg, filter_name=None):
-        settings = {"bias.kind": "constant", "bias.unit": "texels", "bias.constant": constant, "bias.slope": 0,
-                    "bias.normal": normal, **self.filter_of(filter_name)["settings"]}
+    def converted(self, scene, bias, angle_deg, filter_name=None):
+        """Returns the engine's numbers for a bias in settings of the inspector, in texels."""
+        settings = {"bias.kind": "constant", "bias.unit": "texels", "bias.constant": 0, "bias.slope": 0, "bias.normal": 0,
+                    **bias, **self.filter_of(filter_name)["settings"]}
         return self.inspector.convert(self.name, settings, self.facts_of(scene), angle_deg)
 
     def check_box(self, scene, folder):
@@ -185,7 +187,8 @@ class Proof:
         rows = []
         for scene in all_scenes:
             reference = Reference(self.inspector, scene, self.bundle(scene))
-            converted = self.converted(scene, CONSTANT_TEXELS, NORMAL_TEXELS, reference.angle_deg())
+            bias = {"bias.constant": CONSTANT_TEXELS, "bias.normal": NORMAL_TEXELS}
+            converted = self.converted(scene, bias, reference.angle_deg())
             parameters = {**self.engine["kernel"], **{key: converted[key]["value"] for key in self.engine["off"]}}
             ours = self.inspector.visibility(self.bundle(scene), (scene.width, scene.height), self.name, parameters)
             rows.append((scene, reference, parameters, ours))
@@ -228,10 +231,11 @@ class Proof:
 
     def begin_acne(self, plane, tilt_deg, diagonal, parameter, setting, filter_name):
         """Returns where acne begins in the inspector's pictures: the number at step 0, the step and the shares."""
-        least = math.tan(math.radians(tilt_deg)) / 2 * (math.sqrt(2) if diagonal else 1)
-        constant = least if setting == "bias.constant" else 0
-        normal = least * math.cos(math.radians(tilt_deg)) if setting == "bias.normal" else 0
-        row = self.converted(plane, constant, normal, tilt_deg, filter_name)[parameter]
+        tilt = math.radians(tilt_deg)
+        least = math.tan(tilt) / 2 * (math.sqrt(2) if diagonal else 1)
+        amounts = {"bias.constant": least, "bias.normal": least * math.cos(tilt),
+                   "bias.raster_slope": least / math.tan(tilt)}
+        row = self.converted(plane, {setting: amounts[setting]}, tilt_deg, filter_name)[parameter]
         base = row["value"] or row["literal"]
         size, off, shares = (plane.width, plane.height), self.parameters_off(plane, filter_name), {}
 
