@@ -39,13 +39,14 @@ ENGINES = {
         "known": [
             ({"parameter": "normalBias", "tilt_deg": 70, "diagonal": False},
              "SwiftShader moves vertices to a grid of 1/16 texel, and so the plane that normalBias has moved sideways. At "
-             "70 degrees that is one step of the search."),
+             "70 degrees that takes two steps of the grid of 5 %, which is 10.3 %."),
         ],
         "about": "Casters move inwards by `normalBias`, where the program moves the look-up: thin casters lose width, "
-                 "and rods of two texels vanish. Maps hold 32-bit floats (`new ShadowGenerator(size, light, true)`): "
-                 "with the default 16-bit floats acne begins up to 10 % later here. The shaders read maps of the filters NONE, "
-                 "POISSON and ESM by a `sampler2D` without precision. A driver of OpenGL ES may read 16 bits there, as "
-                 "Mesa does, and acne then begins up to 28 % later.",
+                 "and rods of two texels vanish. Maps hold 32-bit floats (`new ShadowGenerator(size, light, true)`). The "
+                 "default 16-bit floats round depths to 2^-11 of the depth range, so acne begins at a larger number. The "
+                 "shaders read maps of the filters NONE, POISSON and ESM by a `sampler2D` without precision. A driver of "
+                 "OpenGL ES may then read 16 bits, with the same effect: Mesa does. These pictures are by SwiftShader, "
+                 "which reads 32 bits.",
         "fits": True,
     },
     "playcanvas": {
