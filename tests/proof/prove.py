@@ -142,6 +142,8 @@ class Proof:
         if self.engine["fits"]:
             rows = [(self.path("fit", s.name), s, self.parameters_off(s)) for s in all_scenes]
             self.draw(rows)
+        else:
+            run_engine(self.name, [])  # is all there that it needs?
         for scene in all_scenes:
             matrix, texels = scene.clip_from_world(), scene.resolution
             if self.engine["fits"]:

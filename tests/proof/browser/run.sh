@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws jobs in an engine from npm in a headless browser: run.sh ENGINE JOB... Each JOB is a folder with job.json.
-# Exit code 77: a package is missing, which the last line names.
+# Without a JOB it installs alone. Exit code 77: a package is missing, which the last line names.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 engine=$1
@@ -26,6 +26,7 @@ if ! cmp -s "$lock" "$folder/installed.json"; then
   fi
   cp "$lock" "$folder/installed.json"
 fi
+if [ $# -eq 0 ]; then exit; fi
 profile=$(mktemp -d)
 # The browser's last processes may still write there.
 trap 'rm -rf "$profile" 2>/dev/null || true' EXIT
