@@ -7,18 +7,18 @@ namespace si {
 
 namespace {
 
-std::string filament_options(const CodeInput& in) {
+std::string filament_options(const CodeInput& in, bool has_normal_bias) {
     std::string out = "LightManager::ShadowOptions options;\n";
     out += fmt::format("options.mapSize = {};\n", in.facts.texels);
-    for (const char* key : {"constantBias", "normalBias", "polygonOffsetConstant", "polygonOffsetSlope"})
-        out += in.line(fmt::format("options.{} = {{}};", key), key);
+    for (const std::string_view key : {"constantBias", "normalBias", "polygonOffsetConstant", "polygonOffsetSlope"})
+        if (has_normal_bias || key != "normalBias") out += in.line(fmt::format("options.{} = {{}};", key), key);
     return out + fmt::format("options.shadowCascades = {};\n", in.facts.cascades);
 }
 
 }  // namespace
 
 std::string filament_code(const CodeInput& in) {
-    std::string out = filament_options(in);
+    std::string out = filament_options(in, true);
     for (const char* key : {"cascadeSplitPositions[0]", "cascadeSplitPositions[1]", "cascadeSplitPositions[2]"})
         out += in.line(fmt::format("options.{} = {{}};", key), key);
     const LightFit fit = in.light().fit;
@@ -29,7 +29,7 @@ std::string filament_code(const CodeInput& in) {
 }
 
 std::string filament19_code(const CodeInput& in) {
-    return filament_options(in) +
+    return filament_options(in, false) +
            "LightManager::Builder(LightManager::Type::SUN).castShadows(true).shadowOptions(options);\n";
 }
 

@@ -165,6 +165,74 @@ void write_filament(const BiasNumbers& bias, const EngineValues&, const MapFacts
     to.note("Filament fits width and depth range of the map by itself: W and D change with the camera");
 }
 
+constexpr std::string_view kFilament19Source =
+    "google/filament 1.9: ShadowMap.cpp, ShadowMapManager.cpp (getShadowNormalBias(0)), LightManager.h; measured";
+
+constexpr EngineChoice kFilament19Types[] = {
+    {"PCF",
+     "filter.kernel=tent filter.size=3|filter.kernel=tent3|filter.kernel=pcf|filter.kernel=hw2x2|"
+     "filter.kernel=tent|filter.kernel=gauss|filter.kernel=vogel|filter.kernel=poisson"},
+    {"VSM", "filter.kernel=evsm2|filter.kernel=vsm|filter.kernel=evsm4"},
+};
+
+/// Returns the parameters of 1.9: those of the newer version but for normalBias, filters and defaults.
+std::vector<EngineParameter> filament19_parameters() {
+    std::vector<EngineParameter> out(std::begin(kFilamentParameters), std::end(kFilamentParameters));
+    for (EngineParameter& p : out) {
+        p.source = kFilament19Source;
+        if (p.key == "normalBias") {
+            p.meaning = "Without effect for directional lights: Filament 1.9 always takes 1, in whole texels.";
+            p.unit = "";
+            p.setting = {};
+            p.is_bias = false;
+        }
+        if (p.key == "shadowType") {
+            p.choices = kFilament19Types;
+            p.max = double(std::size(kFilament19Types) - 1);
+        }
+        constexpr double kSplits[] = {0.25, 0.5, 0.75};
+        for (int i = 0; i < 3; ++i)
+            if (p.key == kFilamentParameters[std::size(kFilamentParameters) - 3 + i].key) p.standard = kSplits[i];
+    }
+    return out;
+}
+
+constexpr ForcedSetting kFilament19Forced[] = {
+    {"map.reversed_z", "true", "Filament stores reversed depth"},
+    {"map.format", "d16", "Filament 1.9 has 16-bit maps"},
+    {"bias.normal_unit", "texels", "Filament 1.9 shifts the look-up of directional lights by one texel"},
+    {"bias.normal_by", "sine", "Filament 1.9 shifts by the sine of the angle"},
+    {"bias.normal", "1", "Filament 1.9 shifts the look-up of directional lights by one texel"},
+};
+
+double hidden_filament19(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts) {
+    return hidden_filament(profile, values, facts) + offset_equivalent(OffsetBy::Sine, facts.angle_deg);
+}
+
+BiasNumbers read_filament19(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts) {
+    BiasNumbers out = read_filament(profile, values, facts);
+    out.normal_texels = 1;
+    out.format = MapFormat::D16;
+    return out;
+}
+
+void write_filament19(const BiasNumbers& bias, const EngineValues&, const MapFacts& facts, EngineOutput& to) {
+    const double hidden = offset_equivalent(OffsetBy::Sine, facts.angle_deg);
+    const double left = std::max(0.0, bias.receiver_texels(facts) - hidden);
+    // Settings as the profile draws them hold the hidden offset, and the constant stands beside it.
+    const bool is_drawn = std::abs(left - bias.constant_texels) < 1e-9;
+    const double to_metres = facts.texel_m() * used_texel(facts);
+    to.put("constantBias", left * to_metres, is_drawn ? bias.constant : Exactness::EqualAtAngle, left,
+           bias.constant_texels * to_metres,
+           is_drawn ? bias.constant_note : "what the hidden normal offset leaves to give");
+    to.put("polygonOffsetSlope", bias.raster_slope, Exactness::Exact, bias.raster_slope * tan_angle(facts),
+           bias.raster_slope);
+    to.put("polygonOffsetConstant", bias.raster_units, Exactness::Exact,
+           bias.raster_texels(facts) - bias.raster_slope * tan_angle(facts), bias.raster_units);
+    to.miss("bias.raster_clamp", bias.raster_clamp, "Filament has no clamp of the polygon offset");
+    to.note("Filament fits width and depth range of the map by itself: W and D change with the camera");
+}
+
 }  // namespace
 
 const EngineProfile& filament_profile() {
@@ -173,7 +241,8 @@ const EngineProfile& filament_profile() {
                                    .version = "source of 2026",
                                    .unverified =
                                        "whether the half texel of normalBias still holds for directional "
-                                       "lights; if not, halve normalBias",
+                                       "lights; if not, halve normalBias. Version 1.9 ignores normalBias, and newer "
+                                       "source makes the same call",
                                    .parameters = kFilamentParameters,
                                    .forced = kFilamentForced,
                                    .lacking = kFilamentLacking,
@@ -186,12 +255,18 @@ const EngineProfile& filament_profile() {
 }
 
 const EngineProfile& filament19_profile() {
+    static const std::vector<EngineParameter> parameters = filament19_parameters();
     static const EngineProfile row = [] {
         EngineProfile old = filament_profile();
         old.name = "filament19";
         old.title = "Filament 1.9";
-        old.version = "1.9";
-        old.unverified = "all of it: the formulas are those of the newer version, and no source of 1.9 was read";
+        old.version = "1.9.25";
+        old.unverified = "VSM, LiSPSM, and cascades behind the first";
+        old.parameters = parameters;
+        old.forced = kFilament19Forced;
+        old.hidden_texels = hidden_filament19;
+        old.read_bias = read_filament19;
+        old.write_bias = write_filament19;
         return old;
     }();
     return row;

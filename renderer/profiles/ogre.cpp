@@ -4,7 +4,12 @@
 namespace si {
 namespace {
 
-constexpr std::string_view kOgreSource = "from memory of the manual: depth_bias of a pass";
+constexpr std::string_view kOgreSource =
+    "OGRECave/ogre 1.12.10: OgreGL3PlusRenderSystem.cpp (_setDepthBias), OgreShadowRenderer.cpp; measured";
+
+constexpr EngineChoice kOgreFaces[] = {{"false", "caster.cull=back"}, {"true", "caster.cull=front"}};
+constexpr EngineChoice kOgreFormats[] = {{"PF_DEPTH16", "map.format=d16"},
+                                         {"PF_DEPTH32F", "map.format=d32f|map.format=d24"}};
 
 constexpr EngineParameter kOgreParameters[] = {
     {.key = "depth_bias.constant",
@@ -25,6 +30,31 @@ constexpr EngineParameter kOgreParameters[] = {
      .source = kOgreSource,
      .setting = "bias.raster_slope",
      .is_bias = true},
+    {.key = "ShadowCasterRenderBackFaces",
+     .standard = 1,
+     .min = 0,
+     .max = 1,
+     .meaning = "Back faces of one-sided materials cast. By default they do.",
+     .source = kOgreSource,
+     .setting = "caster.cull",
+     .choices = kOgreFaces},
+    {.key = "ShadowTexturePixelFormat",
+     .standard = 0,
+     .min = 0,
+     .max = 1,
+     .meaning = "Depth format of the map. A depth step depends on it.",
+     .source = "OGRECave/ogre 1.12.10: OgrePixelFormat.h",
+     .setting = "map.format",
+     .choices = kOgreFormats},
+    {.key = "ShadowTextureSize",
+     .unit = "texels",
+     .standard = 512,
+     .min = 1,
+     .max = 16384,
+     .meaning = "Texels across the map.",
+     .source = "OGRECave/ogre 1.12.10: OgreSceneManager.h",
+     .setting = "map.resolution",
+     .scale = 1},
 };
 
 constexpr std::string_view kOgreRows[] = {"raster"};
@@ -42,10 +72,11 @@ void write_ogre(const BiasNumbers& bias, const EngineValues&, const MapFacts& fa
     const double receiver = bias.receiver_texels(facts);
     const double units = bias.raster_units + receiver * units_per_texel;
     const auto negated = [](double value) { return value == 0 ? 0 : -value; };
-    to.put("depth_bias.constant", negated(units), Exactness::EqualAtAngle, units / units_per_texel,
-           negated(bias.raster_units), "not verified");
+    to.put("depth_bias.constant", negated(units), receiver == 0 ? Exactness::Exact : Exactness::EqualAtAngle,
+           units / units_per_texel, negated(bias.raster_units),
+           receiver == 0 ? "" : "a depth step is the driver's choice; Mesa's llvmpipe takes twice the usual one");
     to.put("depth_bias.slope", negated(bias.raster_slope), Exactness::Exact, bias.raster_slope * tan_angle(facts),
-           negated(bias.raster_slope), "not verified");
+           negated(bias.raster_slope));
     to.miss("bias.raster_clamp", bias.raster_clamp, "OGRE has no clamp of the polygon offset");
 }
 
@@ -55,8 +86,8 @@ const EngineProfile& ogre_profile() {
     static const EngineProfile row{
         .name = "ogre",
         .title = "OGRE 1.12",
-        .version = "1.12",
-        .unverified = "all of it: names and signs are from memory of the manual. A normal offset is one of your shader",
+        .version = "1.12, GL3Plus and RTShader system",
+        .unverified = "filters of own shaders; the RTShader system takes 2x2 comparisons of 2x2 texels",
         .parameters = kOgreParameters,
         .bias_rows = kOgreRows,
         .read_bias = read_ogre,

@@ -70,6 +70,12 @@ constexpr WorkedNumber kWorked[] = {
     {"filament", "tent5", 1, "normalBias", 2.82843, 2.82843},
     {"filament", "tent5", 1, "polygonOffsetSlope", 0, 0},
     {"filament", "tent5", 1, "polygonOffsetConstant", 0, 0},
+    {"filament19", "tent3", 1, "constantBias", 0.0187115, 0.0146628},
+    {"filament19", "tent3", 0, "constantBias", 0.0048876, 0.0146628},
+    {"godot3", "hw2x2", 0, "shadow_bias", 0.0146484, 0.0146484},
+    {"godot3", "hw2x2", 1, "shadow_bias", 0.0284591, 0.0146484},
+    {"godot3", "hw2x2", 1, "directional_shadow_normal_bias", 0, 0.0471517},
+    {"ogre", "pcf2", 0, "depth_bias.constant", -6144, 0},
     {"bevy", "gauss5", 1, "shadow_depth_bias", 0.0146484, 0.0146484},
     {"bevy", "gauss5", 1, "shadow_normal_bias", 0.707107, 0.707107},
     {"o3de", "tent5", 1, "ShadowBias", 0, 0.0146484},
@@ -138,11 +144,12 @@ TEST(EngineProfiles, NameTheirHiddenBias) {
         const EngineProfile& profile = engine_profile(name);
         return profile.hidden_texels ? profile.hidden_texels(profile, {}, {}) : 0;
     };
-    for (const char* name : {"three", "godot", "urp-slope", "unreal", "babylon", "bevy", "opengl"})
+    for (const char* name : {"three", "godot", "urp-slope", "unreal", "babylon", "bevy", "opengl", "godot3", "ogre"})
         EXPECT_EQ(hidden(name), 0) << name;
     const double unit_texels = std::ldexp(40.0, -24) / (20.0 / 2048);
     EXPECT_NEAR(hidden("urp"), 2.5 + unit_texels, 1e-9);
     EXPECT_NEAR(hidden("filament"), 2.0, 1e-9);
+    EXPECT_NEAR(hidden("filament19"), 3.0, 1e-9) << "and a normal offset of a texel";
     EXPECT_NEAR(hidden("hdrp"), 0.0625 + unit_texels, 1e-9);
     EXPECT_NEAR(hidden("playcanvas"), 0.4096, 1e-9);
     EXPECT_NEAR(hidden("o3de"), 4 + 10 * unit_texels, 1e-9);
@@ -206,7 +213,7 @@ TEST(EngineProfiles, KeepTheirOwnNormalOffset) {
 
 TEST(EngineProfiles, ReadWhatTheyWrote) {
     for (const char* name : {"three", "bevy", "opengl", "vulkan", "filament", "babylon", "godot", "urp", "urp-slope",
-                             "hdrp", "playcanvas", "o3de", "ogre", "unreal"}) {
+                             "hdrp", "playcanvas", "o3de", "ogre", "unreal", "filament19", "godot3"}) {
         const EngineProfile& profile = engine_profile(name);
         for (const double angle : {20.0, 45.0}) {
             const MapFacts facts{
@@ -263,6 +270,16 @@ TEST(EngineProfiles, ReadEnginesOwnNumbers) {
                 0.001 * 40 * 2 + 2 * t * std::sin(std::numbers::pi / 3) * tangent, 1e-9);
     EXPECT_NEAR(metres("godot", {{"shadow_bias", 0}, {"shadow_normal_bias", 2}}),
                 2 * t * std::sin(std::numbers::pi / 3) * tangent, 1e-9);
+    EXPECT_NEAR(metres("godot3", {{"shadow_bias", 0.02}, {"directional_shadow_normal_bias", 0.06}}), 0.02 + 0.06 * 0.5,
+                1e-9);
+    EXPECT_NEAR(metres("ogre", {{"depth_bias.constant", -24}, {"depth_bias.slope", -2}}), 24 * unit_m + 2 * t * tangent,
+                1e-9);
+    for (const double ignored : {0.0, 3.0})
+        EXPECT_NEAR(metres("filament19", {{"constantBias", 0.01},
+                                          {"normalBias", ignored},
+                                          {"polygonOffsetSlope", 1.5},
+                                          {"polygonOffsetConstant", 0}}),
+                    0.01 * 2046 / 2048 + 2.5 * t * tangent, 1e-9);
     EXPECT_NEAR(metres("babylon", {{"bias", 0.0005}, {"normalBias", 0.02}, {"filter", 2}}),
                 0.00025 * 40 + 0.02 * tangent, 1e-9);
 }
@@ -405,8 +422,10 @@ TEST(EngineWording, SaysChangesInTheEnginesParameters) {
     EXPECT_EQ(three.text(Change{{"bias.constant", "1.5"}}), "in three.js: set bias to -0.00037");
     EXPECT_EQ(three.text(Change{{"map.outside", "unlit"}}), "");
     EXPECT_EQ(EngineWording{}.text(Change{{"bias.normal", "1"}}), "");
-    const EngineWording godot3{&engine_profile("godot3"), {}, {}};
-    EXPECT_EQ(godot3.text(Change{{"bias.normal", "1"}}), "") << "no conversion is known";
+    EngineProfile unknown = engine_profile("three");
+    unknown.read_bias = nullptr;
+    unknown.write_bias = nullptr;
+    EXPECT_EQ((EngineWording{&unknown, {}, {}}.text(Change{{"bias.normal", "1"}})), "") << "no conversion is known";
 }
 
 TEST(EngineWording, FindsSettingsByEnginesNames) {

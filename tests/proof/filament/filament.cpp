@@ -2,8 +2,6 @@
 // the same picture with receiving off: colour, N·L and exposure cancel. Both are drawn into a target of linear floats
 // without post-processing. Filament fits the map by itself; the light's matrix is that of the view's light camera.
 // Before Filament, whose macros have names that the JSON library uses.
-#include "native/job.h"
-
 #include <filamat/MaterialBuilder.h>
 #include <filament/Camera.h>
 #include <filament/DebugRegistry.h>
@@ -27,6 +25,8 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+
+#include "native/job.h"
 
 namespace {
 
@@ -57,7 +57,9 @@ Material* white_material(Engine& engine, bool double_sided) {
         .platform(MaterialBuilder::Platform::DESKTOP)
         .targetApi(MaterialBuilder::TargetApi::OPENGL)
         .optimization(MaterialBuilder::Optimization::NONE)
-        .material("void material(inout MaterialInputs m) { prepareMaterial(m); m.baseColor = vec4(1.0); m.roughness = 1.0; }");
+        .material(
+            "void material(inout MaterialInputs m) { prepareMaterial(m); m.baseColor = vec4(1.0); m.roughness = 1.0; "
+            "}");
     if (double_sided) builder.doubleSided(true).culling(MaterialBuilder::CullingMode::NONE);
     const filamat::Package package = builder.build(engine.getJobSystem());
     if (!package.isValid()) throw std::runtime_error("Filament does not compile the material");
@@ -150,10 +152,10 @@ public:
             // The first frame of a swap chain may be skipped.
             while (!renderer_->beginFrame(swap_chain_)) engine_->flushAndWait();
             renderer_->render(view);
-            renderer_->readPixels(target, 0, 0, std::uint32_t(job.width_px), std::uint32_t(job.height_px),
-                                  backend::PixelBufferDescriptor(out.data(), out.size() * sizeof(float),
-                                                                 backend::PixelDataFormat::RGBA,
-                                                                 backend::PixelDataType::FLOAT));
+            renderer_->readPixels(
+                target, 0, 0, std::uint32_t(job.width_px), std::uint32_t(job.height_px),
+                backend::PixelBufferDescriptor(out.data(), out.size() * sizeof(float), backend::PixelDataFormat::RGBA,
+                                               backend::PixelDataType::FLOAT));
             renderer_->endFrame();
             engine_->flushAndWait();
             return out;
@@ -161,8 +163,9 @@ public:
         const std::vector<float> shadowed = picture(true);
         const Camera* box = view->getDirectionalLightCamera();
         // The constant bias is a shift of this camera, and no part of the light's box.
-        const Matrix clip_from_world = matrix_of(box->getCullingProjectionMatrix() * math::mat4(box->getViewMatrix()) *
-                                                 math::mat4::translation(math::double3(to_light) * double(options.constantBias)));
+        const Matrix clip_from_world =
+            matrix_of(box->getCullingProjectionMatrix() * math::mat4(box->getViewMatrix()) *
+                      math::mat4::translation(math::double3(to_light) * double(options.constantBias)));
         const std::vector<float> lit = picture(false);
         proof::write_mask(job, shadowed, lit);
         // One texel on each side is not used.

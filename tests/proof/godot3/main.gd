@@ -93,7 +93,8 @@ func touches(box, planes):
 # Returns the box that Godot fits: half width, depth and clip_from_world.
 func fitted(camera, light, aspect, texels, boxes):
 	var far = min(light.directional_shadow_max_distance, camera.far)
-	var tangent = tan(deg2rad(camera.fov) / 2)
+	# Godot takes the camera's horizontal angle as the vertical one here, so that the box is wider than the view needs.
+	var tangent = tan(deg2rad(camera.fov) / 2) * aspect
 	var corners = []
 	for distance in [camera.near, far]:
 		for x in [-1.0, 1.0]:

@@ -3,7 +3,7 @@
 # missing, which the last line names.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-for command in godot3-runner xvfb-run python3; do
+for command in godot3-runner xvfb-run; do
   if ! command -v "$command" >/dev/null; then
     echo "lacks $command" >&2
     exit 77
@@ -15,7 +15,8 @@ trap 'rm -rf "$work"' EXIT
 # The size of the map is read when the engine starts, so jobs of one size share a run.
 declare -A jobs
 for job in "$@"; do
-  size=$(python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["map_resolution"])' "$job/job.json")
+  [[ $(<"$job/job.json") =~ \"map_resolution\":\ *([0-9]+) ]] || { echo "$job/job.json: no map_resolution" >&2; exit 1; }
+  size=${BASH_REMATCH[1]}
   rm -f "$job/mask.pgm" "$job/facts.json"
   jobs[$size]+=${jobs[$size]:+:}$(realpath "$job")
 done

@@ -19,7 +19,8 @@ using proof::Job;
 using proof::Matrix;
 
 constexpr const char* kPluginFolder = "/usr/lib/x86_64-linux-gnu/OGRE";
-constexpr const char* kShaderFolders[] = {"/usr/share/OGRE/Media/RTShaderLib/GLSL", "/usr/share/OGRE/Media/ShadowVolume"};
+constexpr const char* kShaderFolders[] = {"/usr/share/OGRE/Media/RTShaderLib/GLSL",
+                                          "/usr/share/OGRE/Media/ShadowVolume"};
 const Ogre::String kScheme = Ogre::RTShader::ShaderGenerator::DEFAULT_SCHEME_NAME;
 const Ogre::String kGroup = Ogre::RGN_DEFAULT;
 
@@ -52,7 +53,8 @@ public:
         Ogre::Vector3 at;
         Ogre::Matrix3 axes;
         for (int row = 0; row < 3; ++row) {
-            at[row] = Ogre::Real(pose[12 + row] + pose[row] * centre[0] + pose[4 + row] * centre[1] + pose[8 + row] * back);
+            at[row] =
+                Ogre::Real(pose[12 + row] + pose[row] * centre[0] + pose[4 + row] * centre[1] + pose[8 + row] * back);
             for (int column = 0; column < 3; ++column) axes[row][column] = Ogre::Real(pose[4 * column + row]);
         }
         shadow_camera->setProjectionType(Ogre::PT_ORTHOGRAPHIC);
@@ -88,7 +90,8 @@ Ogre::MaterialPtr caster_material(const Job& job) {
     Ogre::Pass* pass = material->getTechnique(0)->getPass(0);
     pass->setVertexProgram("caster_vertex");
     pass->setFragmentProgram("caster_fragment");
-    pass->getVertexProgramParameters()->setNamedAutoConstant("clip", Ogre::GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX);
+    pass->getVertexProgramParameters()->setNamedAutoConstant("clip",
+                                                             Ogre::GpuProgramParameters::ACT_WORLDVIEWPROJ_MATRIX);
     pass->setDepthBias(job.parameter("depth_bias.constant", 0.F), job.parameter("depth_bias.slope", 0.F));
     return material;
 }
@@ -122,7 +125,8 @@ public:
         for (const char* folder : kShaderFolders)
             Ogre::ResourceGroupManager::getSingleton().addResourceLocation(folder, "FileSystem", Ogre::RGN_INTERNAL);
         Ogre::ResourceGroupManager::getSingleton().initialiseAllResourceGroups();
-        if (!Ogre::RTShader::ShaderGenerator::initialize()) throw std::runtime_error("the RTShader system does not start");
+        if (!Ogre::RTShader::ShaderGenerator::initialize())
+            throw std::runtime_error("the RTShader system does not start");
         generator_ = Ogre::RTShader::ShaderGenerator::getSingletonPtr();
         generator_->setTargetLanguage("glsl");
         Ogre::RTShader::RenderState* state = generator_->getRenderState(kScheme);
@@ -135,12 +139,12 @@ public:
         scene_ = root_.createSceneManager();
         generator_->addSceneManager(scene_);
         const bool bilinear = job.parameter<std::string>("texture_filtering", "none") == "bilinear";
-        Ogre::MaterialManager::getSingleton().setDefaultTextureFiltering(bilinear ? Ogre::TFO_BILINEAR : Ogre::TFO_NONE);
+        Ogre::MaterialManager::getSingleton().setDefaultTextureFiltering(bilinear ? Ogre::TFO_BILINEAR
+                                                                                  : Ogre::TFO_NONE);
         scene_->setAmbientLight(Ogre::ColourValue::Black);
         scene_->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
-        scene_->setShadowTextureSettings(
-            Ogre::uint16(job.map_resolution), 1,
-            map_format(job.parameter<std::string>("shadow_texture_format", "depth16")));
+        scene_->setShadowTextureSettings(Ogre::uint16(job.map_resolution), 1,
+                                         map_format(job.parameter<std::string>("shadow_texture_format", "depth16")));
         scene_->setShadowTextureSelfShadow(true);
         scene_->setShadowFarDistance(Ogre::Real(job.camera("far_m")));
         scene_->setShadowCasterRenderBackFaces(job.parameter("shadow_caster_render_back_faces", true));
@@ -160,7 +164,8 @@ public:
         scene_->getRootSceneNode()->createChildSceneNode()->attachObject(camera);
         camera->setNearClipDistance(Ogre::Real(job.camera("near_m")));
         camera->setFarClipDistance(Ogre::Real(job.camera("far_m")));
-        camera->setCustomViewMatrix(true, Ogre::Affine3(ogre_matrix(proof::matrix_of(job.json["camera"]["view_from_world"]))));
+        camera->setCustomViewMatrix(
+            true, Ogre::Affine3(ogre_matrix(proof::matrix_of(job.json["camera"]["view_from_world"]))));
         camera->setCustomProjectionMatrix(true, ogre_matrix(proof::matrix_of(job.json["camera"]["clip_from_view"])));
         Ogre::Viewport* viewport = target->addViewport(camera);
         viewport->setBackgroundColour(Ogre::ColourValue::ZERO);
@@ -171,14 +176,14 @@ public:
             for (auto& [object, materials] : objects_) object->setMaterialName(0, materials[shadows], kGroup);
             std::vector<float> out(std::size_t(4) * job.width_px * job.height_px);
             target->update();
-            texture->getBuffer()->blitToMemory(
-                Ogre::PixelBox(Ogre::uint32(job.width_px), Ogre::uint32(job.height_px), 1, Ogre::PF_FLOAT32_RGBA, out.data()));
+            texture->getBuffer()->blitToMemory(Ogre::PixelBox(Ogre::uint32(job.width_px), Ogre::uint32(job.height_px),
+                                                              1, Ogre::PF_FLOAT32_RGBA, out.data()));
             return out;
         };
         const std::vector<float> shadowed = picture(true), lit = picture(false);
         proof::write_mask(job, shadowed, lit);
-        const std::string version = std::to_string(OGRE_VERSION_MAJOR) + "." + std::to_string(OGRE_VERSION_MINOR) + "." +
-                                    std::to_string(OGRE_VERSION_PATCH);
+        const std::string version = std::to_string(OGRE_VERSION_MAJOR) + "." + std::to_string(OGRE_VERSION_MINOR) +
+                                    "." + std::to_string(OGRE_VERSION_PATCH);
         proof::write_facts(job,
                            {{"engine", "OGRE"},
                             {"version", version},
