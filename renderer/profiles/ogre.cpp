@@ -7,6 +7,10 @@ namespace {
 constexpr std::string_view kOgreSource =
     "OGRECave/ogre 1.12.10: OgreGL3PlusRenderSystem.cpp (_setDepthBias), OgreShadowRenderer.cpp; measured";
 
+constexpr EngineChoice kOgreReceivers[] = {
+    {"SGX_ShadowPCF4",
+     "filter.kernel=pcf filter.size=2|filter.kernel=tent3|filter.kernel=hw2x2|filter.kernel=hard|filter.kernel=pcf|"
+     "filter.kernel=tent|filter.kernel=gauss|filter.kernel=vogel|filter.kernel=poisson"}};
 constexpr EngineChoice kOgreFaces[] = {{"false", "caster.cull=back"}, {"true", "caster.cull=front"}};
 constexpr EngineChoice kOgreFormats[] = {{"PF_DEPTH16", "map.format=d16"},
                                          {"PF_DEPTH32F", "map.format=d32f|map.format=d24"}};
@@ -30,6 +34,14 @@ constexpr EngineParameter kOgreParameters[] = {
      .source = kOgreSource,
      .setting = "bias.raster_slope",
      .is_bias = true},
+    {.key = "receiver",
+     .standard = 0,
+     .min = 0,
+     .max = 0,
+     .meaning = "Filter of the RTShader system: 2x2 comparisons of 2x2 texels.",
+     .source = "OGRECave/ogre 1.12.10: SGXLib_IntegratedPSSM.glsl",
+     .setting = "filter.kernel",
+     .choices = kOgreReceivers},
     {.key = "ShadowCasterRenderBackFaces",
      .standard = 1,
      .min = 0,
@@ -87,7 +99,7 @@ const EngineProfile& ogre_profile() {
         .name = "ogre",
         .title = "OGRE 1.12",
         .version = "1.12, GL3Plus and RTShader system",
-        .unverified = "filters of own shaders; the RTShader system takes 2x2 comparisons of 2x2 texels",
+        .unverified = "own shaders of receivers, and the fixed filters of other render systems",
         .parameters = kOgreParameters,
         .bias_rows = kOgreRows,
         .read_bias = read_ogre,

@@ -1,7 +1,11 @@
 // Draws jobs in Filament 1.9: filament JOB... The mask is a lit white material under one directional light, divided by
 // the same picture with receiving off: colour, N·L and exposure cancel. Both are drawn into a target of linear floats
 // without post-processing. Filament fits the map by itself; the light's matrix is that of the view's light camera.
-// Before Filament, whose macros have names that the JSON library uses.
+// clang-format off
+// Filament's macros have names that the JSON library uses, so that library comes first.
+#include "native/job.h"
+// clang-format on
+
 #include <filamat/MaterialBuilder.h>
 #include <filament/Camera.h>
 #include <filament/DebugRegistry.h>
@@ -25,8 +29,6 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-
-#include "native/job.h"
 
 namespace {
 
@@ -73,7 +75,7 @@ LightManager::ShadowOptions shadow_options(const Job& job) {
     out.normalBias = job.parameter("normalBias", out.normalBias);
     out.polygonOffsetConstant = job.parameter("polygonOffsetConstant", out.polygonOffsetConstant);
     out.polygonOffsetSlope = job.parameter("polygonOffsetSlope", out.polygonOffsetSlope);
-    out.stable = job.parameter("stable", true);
+    out.stable = job.choice("stable", "true") == "true";
     return out;
 }
 
@@ -99,7 +101,7 @@ public:
     void draw(const Job& job) {
         const LightManager::ShadowOptions options = shadow_options(job);
         // The warp of a map along the view is no setting of this version's options, but a switch for debugging.
-        engine_->getDebugRegistry().setProperty("d.shadowmap.lispsm", job.parameter("lispsm", false));
+        engine_->getDebugRegistry().setProperty("d.shadowmap.lispsm", job.choice("lispsm", "false") == "true");
         scene_ = engine_->createScene();
         for (const proof::Object& object : job.objects) add(object);
         const nlohmann::json& direction = job.json["light"]["to_light_ws"];
@@ -174,8 +176,7 @@ public:
                             {"version", "1.9.25"},
                             {"map_resolution", options.mapSize - 2},
                             {"map_rim_texels", 1},
-                            {"map_format", "depth16"},
-                            {"reversed_z", true}},
+                            {"map_format", "depth16"}},
                            clip_from_world, -1, 1);
 
         engine_->destroy(view);

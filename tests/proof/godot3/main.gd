@@ -10,6 +10,8 @@ void fragment() { ALBEDO = vec3(1.0); ROUGHNESS = 1.0; }
 void light() { DIFFUSE_LIGHT += ATTENUATION; }
 """
 
+const FILTERS = ["Disabled", "PCF5", "PCF13"]
+
 func _ready():
 	var jobs = []
 	for argument in OS.get_cmdline_args():
@@ -155,7 +157,8 @@ func draw(folder):
 	var normals = floats_of(folder + "/" + job.normals)
 	var indices = integers_of(folder + "/" + job.indices)
 	var size = Vector2(job.camera.width, job.camera.height)
-	ProjectSettings.set_setting("rendering/quality/shadows/filter_mode", int(parameters.get("filter_mode", 0)))
+	ProjectSettings.set_setting("rendering/quality/shadows/filter_mode",
+			FILTERS.find(parameters.get("filter_mode", "Disabled")))
 
 	var viewport = Viewport.new()
 	viewport.size = size
@@ -198,9 +201,10 @@ func draw(folder):
 	light.directional_shadow_mode = DirectionalLight.SHADOW_ORTHOGONAL
 	light.directional_shadow_depth_range = DirectionalLight.SHADOW_DEPTH_RANGE_STABLE
 	for name in ["shadow_bias", "directional_shadow_normal_bias", "directional_shadow_bias_split_scale",
-			"directional_shadow_max_distance", "shadow_reverse_cull_face"]:
+			"directional_shadow_max_distance"]:
 		if parameters.has(name):
 			light.set(name, parameters[name])
+	light.shadow_reverse_cull_face = str(parameters.get("shadow_reverse_cull_face", "false")).to_lower() == "true"
 
 	for _frame in range(3):
 		yield(get_tree(), "idle_frame")

@@ -38,6 +38,11 @@ struct Job {
     T parameter(const char* key, T otherwise) const {
         return json.value("parameters", nlohmann::json::object()).value(key, otherwise);
     }
+    /// Returns the name of a choice of the engine's profile; true and false may be given without quotes.
+    std::string choice(const char* key, const char* otherwise) const {
+        const nlohmann::json value = parameter(key, nlohmann::json(otherwise));
+        return value.is_boolean() ? (value.get<bool>() ? "true" : "false") : value.get<std::string>();
+    }
 };
 
 inline Matrix matrix_of(const nlohmann::json& numbers) {

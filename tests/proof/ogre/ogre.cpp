@@ -108,10 +108,9 @@ Ogre::MaterialPtr surface_material(const std::string& name, bool receives, bool 
 }
 
 Ogre::PixelFormat map_format(const std::string& name) {
-    if (name == "depth16") return Ogre::PF_DEPTH16;
-    if (name == "depth32") return Ogre::PF_DEPTH32;
-    if (name == "depth32f") return Ogre::PF_DEPTH32F;
-    throw std::runtime_error("shadow_texture_format: " + name + " is none of depth16 depth32 depth32f");
+    if (name == "PF_DEPTH16") return Ogre::PF_DEPTH16;
+    if (name == "PF_DEPTH32F") return Ogre::PF_DEPTH32F;
+    throw std::runtime_error("ShadowTexturePixelFormat: " + name + " is none of PF_DEPTH16 PF_DEPTH32F");
 }
 
 class Drawing {
@@ -138,16 +137,13 @@ public:
     void draw(const Job& job) {
         scene_ = root_.createSceneManager();
         generator_->addSceneManager(scene_);
-        const bool bilinear = job.parameter<std::string>("texture_filtering", "none") == "bilinear";
-        Ogre::MaterialManager::getSingleton().setDefaultTextureFiltering(bilinear ? Ogre::TFO_BILINEAR
-                                                                                  : Ogre::TFO_NONE);
         scene_->setAmbientLight(Ogre::ColourValue::Black);
         scene_->setShadowTechnique(Ogre::SHADOWTYPE_TEXTURE_ADDITIVE_INTEGRATED);
         scene_->setShadowTextureSettings(Ogre::uint16(job.map_resolution), 1,
-                                         map_format(job.parameter<std::string>("shadow_texture_format", "depth16")));
+                                         map_format(job.choice("ShadowTexturePixelFormat", "PF_DEPTH16")));
         scene_->setShadowTextureSelfShadow(true);
         scene_->setShadowFarDistance(Ogre::Real(job.camera("far_m")));
-        scene_->setShadowCasterRenderBackFaces(job.parameter("shadow_caster_render_back_faces", true));
+        scene_->setShadowCasterRenderBackFaces(job.choice("ShadowCasterRenderBackFaces", "true") == "true");
         caster_material(job);
         scene_->setShadowTextureCasterMaterial(Ogre::MaterialManager::getSingleton().getByName("caster", kGroup));
         const auto box = std::make_shared<GivenBox>(job);
@@ -188,6 +184,7 @@ public:
                            {{"engine", "OGRE"},
                             {"version", version},
                             {"map_resolution", scene_->getShadowTexture(0)->getWidth()},
+                            {"kernel", "pcf2"},
                             {"map_format", Ogre::PixelUtil::getFormatName(scene_->getShadowTexture(0)->getFormat())}},
                            box->clip_from_world, -1, 1);
 
