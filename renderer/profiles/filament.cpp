@@ -200,6 +200,7 @@ std::vector<EngineParameter> filament19_parameters() {
 constexpr ForcedSetting kFilament19Forced[] = {
     {"map.reversed_z", "true", "Filament stores reversed depth"},
     {"map.format", "d16", "Filament 1.9 has 16-bit maps"},
+    {"caster.cull", "back", "faces that a material culls cast nothing"},
     {"bias.normal_unit", "texels", "Filament 1.9 shifts the look-up of directional lights by one texel"},
     {"bias.normal_by", "sine", "Filament 1.9 shifts by the sine of the angle"},
     {"bias.normal", "1", "Filament 1.9 shifts the look-up of directional lights by one texel"},

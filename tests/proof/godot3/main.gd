@@ -59,19 +59,22 @@ func surface(double_sided, receives):
 	return material
 
 func mesh_of(object, positions, normals, indices):
-	var map = {}
+	# Indices of the object's own vertices. Godot's front faces are clockwise.
+	var first = indices[object.first_index]
+	var last = first
+	for k in range(object.first_index, object.first_index + object.index_count):
+		first = min(first, indices[k])
+		last = max(last, indices[k])
+	var order = PoolIntArray()
+	for k in range(object.first_index, object.first_index + object.index_count, 3):
+		order.append(indices[k] - first)
+		order.append(indices[k + 2] - first)
+		order.append(indices[k + 1] - first)
 	var vertices = PoolVector3Array()
 	var directions = PoolVector3Array()
-	var order = PoolIntArray()
-	for k in range(object.index_count):
-		# Godot's front faces are clockwise.
-		var corner = k - k % 3 + [0, 2, 1][k % 3]
-		var index = indices[object.first_index + corner]
-		if not map.has(index):
-			map[index] = vertices.size()
-			vertices.append(Vector3(positions[3 * index], positions[3 * index + 1], positions[3 * index + 2]))
-			directions.append(Vector3(normals[3 * index], normals[3 * index + 1], normals[3 * index + 2]))
-		order.append(map[index])
+	for k in range(3 * first, 3 * (last + 1), 3):
+		vertices.append(Vector3(positions[k], positions[k + 1], positions[k + 2]))
+		directions.append(Vector3(normals[k], normals[k + 1], normals[k + 2]))
 	var arrays = []
 	arrays.resize(ArrayMesh.ARRAY_MAX)
 	arrays[ArrayMesh.ARRAY_VERTEX] = vertices
