@@ -175,6 +175,9 @@ constexpr EngineChoice kFilament19Types[] = {
     {"VSM", "filter.kernel=evsm2|filter.kernel=vsm|filter.kernel=evsm4"},
 };
 
+constexpr EngineChoice kFilament19Culling[] = {
+    {"BACK", "caster.cull=back"}, {"FRONT", "caster.cull=front"}, {"NONE", "caster.cull=none"}};
+
 /// Returns the parameters of 1.9: those of the newer version but for normalBias, filters and defaults.
 std::vector<EngineParameter> filament19_parameters() {
     std::vector<EngineParameter> out(std::begin(kFilamentParameters), std::end(kFilamentParameters));
@@ -194,13 +197,20 @@ std::vector<EngineParameter> filament19_parameters() {
         for (int i = 0; i < 3; ++i)
             if (p.key == kFilamentParameters[std::size(kFilamentParameters) - 3 + i].key) p.standard = kSplits[i];
     }
+    out.push_back({.key = "culling",
+                   .standard = 0,
+                   .min = 0,
+                   .max = 2,
+                   .meaning = "Faces that a material culls, in the map as in the picture. Two-sided ones cull none.",
+                   .source = "google/filament 1.9: MaterialBuilder.h; measured",
+                   .setting = "caster.cull",
+                   .choices = kFilament19Culling});
     return out;
 }
 
 constexpr ForcedSetting kFilament19Forced[] = {
     {"map.reversed_z", "true", "Filament stores reversed depth"},
     {"map.format", "d16", "Filament 1.9 has 16-bit maps"},
-    {"caster.cull", "back", "faces that a material culls cast nothing"},
     {"bias.normal_unit", "texels", "Filament 1.9 shifts the look-up of directional lights by one texel"},
     {"bias.normal_by", "sine", "Filament 1.9 shifts by the sine of the angle"},
     {"bias.normal", "1", "Filament 1.9 shifts the look-up of directional lights by one texel"},
