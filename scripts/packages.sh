@@ -14,8 +14,9 @@ test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool dbus
   python3-renderdoc python3-numpy librenderdoc librenderdoc-dev)
 # What single stages of test.sh need, which are skipped without: a second compiler, what checks a Debian package and
 # makes a clean root to install it, shells that read its completions, and npm for engines in JavaScript, which may be
-# there without Debian's package.
-stage_packages=(clang lintian debootstrap appstream desktop-file-utils shared-mime-info zsh fish man-db)
+# there without Debian's package. The last line holds the engines of tests/proof.
+stage_packages=(clang lintian debootstrap appstream desktop-file-utils shared-mime-info zsh fish man-db
+  libogre-1.12-dev libfilament-dev godot3-runner)
 if ! command -v npm >/dev/null; then stage_packages+=(nodejs npm); fi
 
 say() { printf '%s\n' "$*" >&2; }

@@ -168,10 +168,11 @@ void write_filament(const BiasNumbers& bias, const EngineValues&, const MapFacts
 constexpr std::string_view kFilament19Source =
     "google/filament 1.9: ShadowMap.cpp, ShadowMapManager.cpp (getShadowNormalBias(0)), LightManager.h; measured";
 
+// The weights are (2 - distance) / 4 in texels; those of a Gaussian of size 3 end at the same distance.
 constexpr EngineChoice kFilament19Types[] = {
     {"PCF",
-     "filter.kernel=tent filter.size=3|filter.kernel=tent3|filter.kernel=pcf|filter.kernel=hw2x2|"
-     "filter.kernel=tent|filter.kernel=gauss|filter.kernel=vogel|filter.kernel=poisson"},
+     "filter.kernel=gauss filter.size=3|filter.kernel=tent filter.size=3|filter.kernel=tent3|filter.kernel=pcf|"
+     "filter.kernel=hw2x2|filter.kernel=tent|filter.kernel=gauss|filter.kernel=vogel|filter.kernel=poisson"},
     {"VSM", "filter.kernel=evsm2|filter.kernel=vsm|filter.kernel=evsm4"},
 };
 
