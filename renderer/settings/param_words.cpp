@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "renderer/settings/overlays.h"
@@ -18,24 +16,21 @@ std::string with_unit(std::string number, std::string_view unit) {
 }
 
 constexpr int kShownDigits = 5;  ///< significant digits of a number for display
+constexpr int kMostDigits = 17;  ///< significant digits that tell any two numbers apart
 
-/// Returns a number without an exponent. @param digits significant digits; 0: as many as tell it from all others
+/// Returns a number without an exponent. @param digits significant digits
 std::string decimal_text(double value, int digits) {
     if (!std::isfinite(value)) return fmt::format("{}", value);
-    if (digits > 0 && value != 0) {
-        const int decimals = digits - 1 - int(std::floor(std::log10(std::abs(value))));
-        std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
-        if (text.find('.') == text.npos) return text;
-        text.erase(text.find_last_not_of('0') + 1);
-        if (text.ends_with('.')) text.pop_back();
-        return text;
-    }
-    std::array<char, 400> all;  // enough for the smallest double
-    const auto end = std::to_chars(all.data(), all.data() + all.size(), value, std::chars_format::fixed);
-    return std::string(all.data(), end.ptr);
+    if (value == 0) return "0";
+    const int decimals = digits - 1 - int(std::floor(std::log10(std::abs(value))));
+    std::string text = fmt::format("{:.{}f}", value, std::max(decimals, 0));
+    if (text.find('.') == text.npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text;
 }
 
-/// Returns a value for display without its unit. @param digits significant digits of numbers; 0: all
+/// Returns a value for display without its unit. @param digits significant digits of numbers
 std::string plain_value(const Param& p, const Value& v, int digits = kShownDigits) {
     if (const bool* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
     if (const std::string* text = std::get_if<std::string>(&v)) return text->empty() ? "none" : *text;
@@ -85,8 +80,9 @@ std::string change_text(const Settings& a, const Settings& b, const SettingRef& 
     const Param& p = *ref.param;
     const Value from = get_value(a, ref), to = get_value(b, ref);
     const bool one_unit = is_number(p, from) && shown_unit(a, ref) == shown_unit(b, ref) && shown_unit(a, ref) != "deg";
-    // A change beyond the shown digits is written out.
-    const int digits = plain_value(p, from) == plain_value(p, to) ? 0 : kShownDigits;
+    // A change beyond the shown digits gets as many more as tell both values apart.
+    int digits = kShownDigits;
+    while (digits < kMostDigits && from != to && plain_value(p, from, digits) == plain_value(p, to, digits)) ++digits;
     const auto shown = [&](const Settings& s, const Value& v) {
         const std::string plain = plain_value(p, v, digits);
         return is_number(p, v) ? with_unit(plain, shown_unit(s, ref)) : plain;

@@ -8,6 +8,7 @@
 
 #include "shaders/shared/colours.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -53,7 +54,8 @@ bool marker(const char* id, ImVec2 lo, ImVec2 hi, const DepthHistogram& h, doubl
     ImGui::InvisibleButton(id, {em, hi.y - lo.y + half * 1.5f});
     ImGui::SetCursorScreenPos(back);
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s: %.4g\nDrag to move", about, value);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+        ImGui::SetTooltip("%s: %s\nDrag to move", about, stored_text(value, 4).c_str());
     if (!ImGui::IsItemActive()) return false;
     state.viewport.dragging = true;
     if (ImGui::GetIO().MouseDelta.x == 0) return false;
@@ -115,8 +117,8 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
         if (frame.map_facts->statistics.drawn == 0)
             small_text({0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, "nothing drawn", theme::muted(), 0.5f);
         drag_ends(state, *frame.result, h, lo, hi);
-        small_text({lo.x, hi.y + markers}, fmt::format("{:.3g}", h.lo), theme::muted(), 0);
-        small_text({hi.x, hi.y + markers}, fmt::format("{:.3g}", h.hi), theme::muted(), 1);
+        small_text({lo.x, hi.y + markers}, digits_text(h.lo), theme::muted(), 0);
+        small_text({hi.x, hi.y + markers}, digits_text(h.hi), theme::muted(), 1);
     }
     ImGui::SetCursorScreenPos(corner);
     ImGui::Dummy(size);
@@ -130,7 +132,7 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
     // Under perspective, half of the depth values cover a small part of the distance; the plot marks that place.
     const double half_m = distance_at_share(curve, 0.5);
     const double half_share = (half_m - curve.near) / (curve.far - curve.near);
-    const auto [lo, hi] = frame_of_plot(size, fmt::format("Depth 0.5 at {:.3g} % of range", 100 * half_share));
+    const auto [lo, hi] = frame_of_plot(size, fmt::format("Depth 0.5 at {} of range", percent_text(half_share)));
     if (hi.x > lo.x + 8 && hi.y > lo.y + 8) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const auto at = [lo = lo, hi = hi, &curve](double metres) {

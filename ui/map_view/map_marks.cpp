@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -14,7 +15,7 @@ constexpr float kNumberEms = 5.2f;  ///< smallest width of a texel that shows it
 
 /// Formats a value with six digits, which distinguish neighbouring texels.
 std::string exact_metres(double metres) {
-    return std::isfinite(metres) ? fmt::format("{:.6g} m", metres) : "no distance";
+    return std::isfinite(metres) ? stored_text(metres, 6) + " m" : "no distance";
 }
 
 }  // namespace
@@ -90,12 +91,13 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
     const double stored = values->at(texel.x, size.y - 1 - texel.y);
     const DepthCurve here = curve.curve_at_row((texel.y + 0.5) / size.y);
     if (shown.channel > 0 && linear)
-        return {where, fmt::format("{}   of a depth alone at {:.6g} of the range   {}", shown.name, stored,
+        return {where, fmt::format("{}   of a depth alone at {} of the range   {}", shown.name, stored_text(stored, 6),
                                    exact_metres(here.near + stored * (here.far - here.near)))};
-    if (shown.channel > 0) return {where, fmt::format("{}   {:.9g}", shown.name, stored)};
+    if (shown.channel > 0) return {where, fmt::format("{}   {}", shown.name, stored_text(stored, 9))};
     const double z = here.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
     // Nine digits distinguish any two 32-bit depths.
-    const std::string depth = fmt::format("{}   stored {:.9g}   linear {:.6g}", exact_metres(z), stored, share);
+    const std::string depth =
+        fmt::format("{}   stored {}   linear {}", exact_metres(z), stored_text(stored, 9), stored_text(share, 6));
     return {where, stored == curve.convention.far_depth() ? depth + "   nothing drawn" : depth};
 }
 

@@ -19,6 +19,7 @@
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -231,10 +232,10 @@ const Image* exact_marks(const EditorState& state, const EditorFrame& frame) {
 
 std::string usage_text(const EditorState& state, const EditorFrame& frame) {
     if (exact_marks(state, frame) && frame.exact_utilisation)
-        return fmt::format("{:.3g} % of texels fetched", 100 * *frame.exact_utilisation);
+        return percent_text(*frame.exact_utilisation) + " of texels fetched";
     const TexelUsage* usage = shown_usage(state, frame);
     if (!usage || usage->size().shortest() == 0) return {};
-    return fmt::format("{:.3g} % of texels read{}", 100 * usage->utilisation(), state.frozen ? " (frozen)" : "");
+    return fmt::format("{} of texels read{}", percent_text(usage->utilisation()), state.frozen ? " (frozen)" : "");
 }
 
 /// Appends `more` to the shorter of two lines.

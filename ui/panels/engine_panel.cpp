@@ -11,6 +11,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/fits/engine_facts.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -125,9 +126,10 @@ void draw_parameters(EnginePanel& panel, const MapFacts& facts, Settings& settin
         ImGui::TableNextColumn();
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(std::string(parameter.key).c_str());
-        wrapped_tooltip(fmt::format("{}{}{}. From {:g} to {:g}, default {}.", parameter.meaning,
-                                    parameter.unit.empty() ? "" : " Unit: ", parameter.unit, parameter.min,
-                                    parameter.max, engine_value_text(parameter, parameter.standard)));
+        wrapped_tooltip(fmt::format("{}{}{}. From {} to {}, default {}.", parameter.meaning,
+                                    parameter.unit.empty() ? "" : " Unit: ", parameter.unit,
+                                    quantity_text(parameter.min), quantity_text(parameter.max),
+                                    engine_value_text(parameter, parameter.standard)));
         ImGui::TableNextColumn();
         if (!parameter_widget(parameter, value)) continue;
         panel.values[std::string(parameter.key)] = value;
@@ -151,8 +153,8 @@ void draw_engine_panel(EnginePanel& panel, Settings& settings, const FrameResult
         const MapFacts facts = shown_facts(panel, settings, result);
         follow_settings(panel, settings, facts);
         draw_parameters(panel, facts, settings);
-        ImGui::TextDisabled("%s", fmt::format("W {:.4g} m, N {}, D {:.4g} m, {:g} degrees", facts.width_m, facts.texels,
-                                              facts.depth_m, facts.angle_deg)
+        ImGui::TextDisabled("%s", fmt::format("W {}, N {}, D {}, {}", quantity_text(facts.width_m, "m"), facts.texels,
+                                              quantity_text(facts.depth_m, "m"), quantity_text(facts.angle_deg, "deg"))
                                       .c_str());
     } catch (const Error& e) {
         coloured_wrapped(e.what(), theme::warning());

@@ -12,6 +12,7 @@
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "ui/state/shortcuts.h"
+#include "ui/widgets/changes_text.h"
 #include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
@@ -21,10 +22,10 @@ namespace si {
 namespace {
 
 std::string about(const Trial& t, const FixTable& table) {
-    std::string text = changes_text(t.changes);
+    std::string text = changes_list(t.candidate.settings, t.changes);
     if (!t.why_not.empty()) text += fmt::format("No fix: {}\n", t.why_not);
-    text += fmt::format("{} px wrong, {} now; mean error {:.4g}, {:.4g} now\n", wrong_pixels(t.metrics), table.wrong,
-                        t.after.error, t.before.error);
+    text += fmt::format("{} px wrong, {} now; mean error {}, {} now\n", wrong_pixels(t.metrics), table.wrong,
+                        digits_text(t.after.error), digits_text(t.before.error));
     for (const ArtefactStyle& style : artefact_styles())
         if (const std::size_t all = table.wrong_of[std::size_t(style.artefact)]; all > 0)
             text += fmt::format("{}: {} of {} put right\n", style.label, t.cured_of[std::size_t(style.artefact)], all);
@@ -45,13 +46,13 @@ void row(const Trial& t, const FixTable& table, bool current, FixRequests& reque
     const std::string label = (t.why_not.empty() ? "Fix: " : "") + name;
     if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) requests.apply_fix = &t;
     ImGui::EndDisabled();
-    plain_tooltip(about(t, table), ImGuiHoveredFlags_AllowWhenDisabled);
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(t, table).c_str());
     if (const std::string engine = engine_changes_text(t.changes); !engine.empty())
         ImGui::TextDisabled("%s", engine.c_str());
     const ImU32 plain = current ? theme::text() : theme::muted();
     text_cell(std::to_string(t.cured), plain);
     text_cell(std::to_string(t.broken), t.broken == 0 ? theme::muted() : plain);
-    text_cell(fmt::format("{:+.2g}", t.added_error()), plain);
+    text_cell(signed_text(t.added_error()), plain);
     text_cell(time_text(t.ms), plain);
     text_cell(map_bytes_text(t.map_bytes()), plain);
 }

@@ -271,7 +271,7 @@ void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const Meas
     const std::string text =
         fmt::format("{} {} at {}.  {}: {}", name, number_text(view.before->error, error),
                     number_text(view.before->cost, cost), facts.change, change_text(*view.before, *view.present, cost));
-    ImGui::TextWrapped("%s", text.c_str());
+    wrapped_text(text);
     wrapped_tooltip(with_key("Other settings of the same picture: those pinned as A", Command::PinSettings) +
                     ", else those measured last. The hollow diamond.");
 }

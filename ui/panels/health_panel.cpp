@@ -8,6 +8,7 @@
 #include "renderer/frame/frame.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/settings.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
 
@@ -54,7 +55,7 @@ void finding_row(Settings& settings, const std::optional<MarkedTexel>& marked_te
     text_cell(f.place);
     text_cell(fmt::format("{} {}{}", f.count, f.unit, f.count == 1 ? "" : "s"));
     text_cell(fmt::format("{}, {}", f.first.x, f.first.y));
-    text_cell(fmt::format("{}, {}   {:.6g}", f.worst.x, f.worst.y, f.value));
+    text_cell(fmt::format("{}, {}   {}", f.worst.x, f.worst.y, stored_text(f.value, 6)));
 }
 
 std::string count_text(std::size_t count) {

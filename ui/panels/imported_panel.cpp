@@ -11,6 +11,7 @@
 #include "renderer/inspect/map_comparison.h"
 #include "renderer/settings/param.h"
 #include "ui/scene_view/picture_painter.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -53,7 +54,7 @@ void number_row(const char* name, const std::string& value, ImU32 colour = theme
 }
 
 std::string share_text(std::size_t count, double share) {
-    return fmt::format("{}   {:.3g} %", count, 100 * share);
+    return fmt::format("{}   {}", count, percent_text(share));
 }
 
 void draw_map_numbers(const MapComparison& n) {
@@ -180,7 +181,7 @@ void draw_imported(ImportedPicture& picture, ImportedLeftOut& left_out, Settings
     left_out_switches(left_out);
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, n.gate.passed() ? theme::text() : theme::error());
-    ImGui::TextWrapped("%s%s%s", n.gate.text.c_str(), n.gate.hint.empty() ? "" : "; ", n.gate.hint.c_str());
+    wrapped_text(n.gate.text + (n.gate.hint.empty() ? "" : "; ") + n.gate.hint);
     ImGui::PopStyleColor();
     const ImVec2 rest = ImGui::GetContentRegionAvail();
     const float side = std::min(em * kPictureEms, rest.x * 0.3f), list = std::min(em * kListEms, rest.x * 0.3f);

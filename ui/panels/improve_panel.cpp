@@ -13,8 +13,10 @@
 #include "ui/panels/tune_controls.h"
 #include "ui/state/editor_ui.h"
 #include "ui/state/shortcuts.h"
+#include "ui/widgets/changes_text.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -28,15 +30,15 @@ void heading(const char* text) {
     ImGui::Separator();
 }
 
-using Changes = std::span<const std::pair<std::string, std::string>>;
-
 /// Draws the button that applies several changes as one step of undo.
-void apply_button(Settings& settings, Changes changes, bool current) {
+void apply_button(Settings& settings, ShownChanges changes, bool current) {
     ImGui::BeginDisabled(!current || changes.empty());
     if (ImGui::SmallButton("Apply")) set_settings(settings, changes);
     ImGui::EndDisabled();
-    wrapped_tooltip(changes_text(changes) + (current ? fmt::format("{} takes it back.", key_text(Command::Undo))
-                                                     : "Of other settings: run again."));
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    wrapped_tooltip(changes_list(settings, changes) + (current
+                                                           ? fmt::format("{} takes it back.", key_text(Command::Undo))
+                                                           : "Of other settings: run again."));
 }
 
 /// Draws the progress of a search under its button Cancel. Returns true at a press of the button.
@@ -46,7 +48,7 @@ bool search_running(const SearchProgress& progress, const char* button) {
     wrapped_tooltip("Stops with what is there");
     progress_bar(progress.progress, progress_text(progress));
     wrapped_tooltip(progress.about);
-    ImGui::TextWrapped("%s", progress.about.c_str());
+    wrapped_text(progress.about);
     return cancelled;
 }
 
@@ -111,7 +113,7 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
                 apply_button(settings, f.settings, current);
                 ImGui::SameLine();
             }
-            ImGui::TextWrapped("%s", f.fix.c_str());
+            wrapped_text(f.fix);
         }
         ImGui::PopID();
     }
@@ -125,12 +127,12 @@ void advice_row(Settings& settings, const Trial& t, bool current) {
     if (t.ms)
         wrapped_tooltip(
             fmt::format("{} ms a frame, ± {} ms (95 %)", signed_text(t.ms->value), digits_text(t.ms->noise)));
-    text_cell(fmt::format("{:+.2g}", t.added_error()));
-    wrapped_tooltip(fmt::format("Error {:.4g}, was {:.4g}", t.after.error, t.before.error));
+    text_cell(signed_text(t.added_error()));
+    wrapped_tooltip(fmt::format("Error {}, was {}", digits_text(t.after.error), digits_text(t.before.error)));
     ImGui::TableNextColumn();
     const std::string text = t.why_not.empty() ? t.candidate.shown_name() : t.candidate.shown_name() + ": " + t.why_not;
     coloured_wrapped(text, t.why_not.empty() && current ? theme::text() : theme::muted());
-    wrapped_tooltip(changes_text(t.changes));
+    if (ImGui::IsItemHovered()) wrapped_tooltip(changes_list(settings, t.changes));
     if (const std::string engine = engine_changes_text(t.changes); !engine.empty())
         ImGui::TextDisabled("%s", engine.c_str());
 }
@@ -149,8 +151,8 @@ void advice_list(Settings& settings, const std::vector<Trial>& list, bool curren
 }
 
 void show_report(Settings& settings, const AdviceReport& r, bool current) {
-    ImGui::TextDisabled("Now %s %.4g, %s ms a frame %s", std::string(r.options.error->label).c_str(), r.before.error,
-                        digits_text(r.time.total_ms.median).c_str(),
+    ImGui::TextDisabled("Now %s %s, %s ms a frame %s", std::string(r.options.error->label).c_str(),
+                        digits_text(r.before.error).c_str(), digits_text(r.time.total_ms.median).c_str(),
                         std::string(cost_row(r.options.cost).when).c_str());
     if (!current) ImGui::TextDisabled("of other settings: measure again");
     if (r.holds.empty() && !r.fails.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
@@ -163,15 +165,50 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
         advice_list(settings, r.fails, current, "fails");
 }
 
-void show_autopilot(Settings& settings, const AutopilotResult& r, bool current) {
-    coloured_wrapped(r.summary, r.goals_met ? theme::text() : theme::warning());
+/// Returns the combinations that a search measured: those within the limits first, then by their error.
+std::vector<const AutopilotCase*> ordered_cases(const AutopilotResult& r) {
+    std::vector<const AutopilotCase*> cases;
+    for (const AutopilotCase& c : r.cases) cases.push_back(&c);
+    std::ranges::stable_sort(
+        cases, {}, [](const AutopilotCase* c) { return std::pair(!c->holds.value_or(false), c->classified.error); });
+    return cases;
+}
+
+/// Draws the table of all combinations that a search measured.
+void combinations_table(Settings& settings, const AutopilotResult& r, bool current) {
+    if (r.cases.empty() ||
+        !begin_table("combinations", 0, {{"##apply", 3.4f}, {"time a frame", 6}, {"error", 5}, {"combination"}}))
+        return;
+    int number = 0;
+    for (const AutopilotCase* c : ordered_cases(r)) {
+        const bool holds = c->holds.value_or(false);
+        const ImU32 colour = holds && current ? theme::text() : theme::muted();
+        ImGui::PushID(number++);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        if (holds && !c->changes.empty()) apply_button(settings, c->changes, current);
+        text_cell(c->ms ? quantity_text(*c->ms, "ms") : "-", colour);
+        text_cell(digits_text(c->classified.error), colour);
+        ImGui::TableNextColumn();
+        coloured_wrapped(c->changes.empty() ? "the present settings" : changes_line(settings, c->changes), colour);
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+void show_autopilot(Settings& settings, const AutopilotResult& r, bool running, bool current) {
+    coloured_wrapped(r.summary, r.goals_met || running ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: measure again");
-    if (r.goals_met) apply_button(settings, r.best.changes, current);
+    if (r.goals_met && !running) apply_button(settings, r.best.changes, current);
     for (const DroppedEffect& d : r.dropped)
-        ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {:.3g} with it)",
-                                            d.key, d.now, d.before, time_text(d.ms), d.error)
+        ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {} with it)", d.key,
+                                            d.now, d.before, time_text(d.ms), digits_text(d.error))
                                     .c_str());
     for (const std::string& text : r.untried) ImGui::TextDisabled("%s", text.c_str());
+    if (running) return combinations_table(settings, r, current);
+    if (!r.cases.empty() &&
+        ImGui::CollapsingHeader(fmt::format("{} combinations measured###combinations", r.cases.size()).c_str()))
+        combinations_table(settings, r, current);
 }
 
 }  // namespace
@@ -198,9 +235,9 @@ void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequ
     if (frame.advice)
         show_report(state.settings, *frame.advice, frame.advice_current);
     else if (frame.autopilot)
-        show_autopilot(state.settings, *frame.autopilot, frame.advice_current);
+        show_autopilot(state.settings, *frame.autopilot, frame.advising.has_value(), frame.advice_current);
     else if (!frame.advising && !frame.fixes.table && !frame.waste)
-        ImGui::TextWrapped(
+        wrapped_text(
             "Each button draws and measures changes: Auto bias every kind of bias, Find fixes what puts wrong pixels "
             "right, Advice what saves time or lowers the error, Find waste what changes no byte of the picture.");
     if (frame.waste) show_waste(*frame.waste, frame.waste_current);

@@ -161,24 +161,25 @@ void shimmer_part(LabPanel& panel, bool ready, const LabFacts& facts, LabRequest
         requests.measure_shimmer = panel.shimmer;
     if (facts.shimmer.empty()) return ImGui::TextDisabled("Not measured yet.");
     if (!begin_numbers("shimmer", {{"Map", "The present settings, and the fit stabilised with and without light.snap"},
-                                   {"Flips a step", "Pixels whose visibility crosses one half, mean over steps"},
+                                   {"Flips per step", "Pixels whose visibility crosses one half, mean over steps"},
                                    {"At most", "of a step"},
-                                   {"Restless", "Pixels that ever flip"},
+                                   {"Ever flip", "Pixels that flip in any step"},
                                    {"Change", "Mean of |visibility changed by| over pixels and steps"}}))
         return;
     const ImU32 colour = facts.shimmer_current ? theme::text() : theme::muted();
     for (const ShimmerShown& s : facts.shimmer) {
         ImGui::TableNextRow();
         text_cell(s.label, colour);
-        right_cell(fmt::format("{:.2f}", s.shimmer.flips_a_step), colour);
+        right_cell(digits_text(s.shimmer.flips_a_step), colour);
         right_cell(fmt::format("{}", s.shimmer.max_flips), colour);
         right_cell(fmt::format("{}", s.shimmer.flipping_pixels), colour);
-        right_cell(fmt::format("{:.2g}", s.shimmer.change), colour);
+        right_cell(digits_text(s.shimmer.change), colour);
     }
     ImGui::EndTable();
-    ImGui::TextDisabled("%s: %d steps of %g texels, %zu pixels%s",
+    ImGui::TextDisabled("%s: %d steps of %s, %zu pixels%s",
                         std::string(shimmer_motions()[std::size_t(facts.shimmer_of.motion)].label).c_str(),
-                        facts.shimmer_of.steps, facts.shimmer_of.step_texels, facts.shimmer.front().shimmer.places,
+                        facts.shimmer_of.steps, texels_text(facts.shimmer_of.step_texels).c_str(),
+                        facts.shimmer.front().shimmer.places,
                         facts.shimmer_current ? "" : "; of other settings or another size");
 }
 

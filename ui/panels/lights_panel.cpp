@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/frame/frame.h"
 #include "renderer/projection/view_choice.h"
 #include "renderer/settings/param.h"
@@ -41,8 +42,8 @@ void swatch(LightSettings& light, int number) {
         for (int i = 0; i < 3; ++i)
             if (rgb[i] != shown(*parts[i])) *parts[i] = linear(rgb[i]);
     }
-    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}\n{}, .green, .blue",
-                                light.red, light.green, light.blue,
+    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {}, {}, {}\n{}, .green, .blue",
+                                digits_text(light.red), digits_text(light.green), digits_text(light.blue),
                                 setting_key(*find_setting(fmt::format("light.{}.red", number)))));
 }
 

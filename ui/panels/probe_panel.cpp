@@ -15,6 +15,8 @@
 #include "ui/state/panels.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
+#include "ui/widgets/changes_text.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -47,7 +49,7 @@ bool begin_fitted_table(const char* id, int columns) {
 
 void verdict(const std::string& text) {
     ImGui::PushFont(theme::strong());
-    ImGui::TextWrapped("%s", text.c_str());
+    wrapped_text(text);
     ImGui::PopFont();
 }
 
@@ -72,7 +74,7 @@ void amount_row(const char* name, const DepthShift& a, const char* about, const 
     if (!std::isfinite(a.depth)) return right_cell(endless);
     right_cell(digits_text(a.texels));
     right_cell(metres_text(a.metres));
-    right_cell(fmt::format("{:.3g}", a.depth));
+    right_cell(stored_text(a.depth, 3));
 }
 
 bool begin_amounts(const char* id) {
@@ -134,7 +136,7 @@ void depths(const Probe::PerLight& p) {
                         metres_text(k.penumbra_texels * p.account.receiver.texel_m)),
             "As wide as the light's size and the occluder's distance ask for, within the kernel's limits");
     if (!std::isnan(k.variance))
-        row("variance", fmt::format("{:.3g} of the range squared", k.variance),
+        row("variance", stored_text(k.variance, 3) + " of the range squared",
             "Of the depths about the texel, by the map's moments; the bound of the visibility comes from it");
     for (const std::string& line : k.lines)
         row("moments", line, "Moments that the kernel read, their meaning, and the bound by them");
@@ -152,8 +154,8 @@ void space(const Probe::PerLight& p) {
     row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(r.texel_m)));
     row("N·L", fmt::format("{:.5f}   {:.1f}°", r.n_dot_l, p.account.theta_rad * 180 / M_PI),
         "Of the triangle's normal; the angle between it and the light");
-    row("bias",
-        fmt::format("{:.3g} of depth   {}   {}", r.bias_depth, texels_text(p.bias_texels), metres_text(r.bias_m)));
+    row("bias", fmt::format("{} of depth   {}   {}", stored_text(r.bias_depth, 3), texels_text(p.bias_texels),
+                            metres_text(r.bias_m)));
     row("normal offset", metres_text(r.normal_offset_m));
     ImGui::EndTable();
 }
@@ -201,7 +203,7 @@ void fix_line(EditorState& state, const EditorFrame& frame) {
     if (const Trial* fix = found_fix(search, state.probe_pixel)) {
         if (ImGui::SmallButton(fmt::format("Fix: {}", fix->candidate.shown_name()).c_str()))
             return apply_trial(state, *fix);
-        const std::string text = changes_text(fix->changes);
+        const std::string text = changes_list(fix->candidate.settings, fix->changes);
         plain_tooltip(fmt::format(
             "{}Tried: this pixel gets visibility {:.2f}, {:.2f} is right; {} px are wrong then, {} "
             "now.\nKey {}; {} takes it back",
@@ -221,7 +223,7 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, EditorSta
     if (d)
         coloured_wrapped(p.verdict, theme::muted());
     else if (frame.tracing_probe)
-        ImGui::TextDisabled("tracing the reference...");
+        ImGui::TextUnformatted("Tracing the reference … The verdict by the map alone is above.");
     if (d && d->wants_fix() && p.light == shown_light(state.settings)) fix_line(state, frame);
 }
 
@@ -272,6 +274,9 @@ void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& reque
         ImGui::SameLine();
         draw_tap_key();
     });
+    // A diagnosis that is still to come keeps its place, so that the blocks after it do not move.
+    if (!d && frame.tracing_probe)
+        blocks.block(em * 20, [] { ImGui::TextDisabled("Needed bias, have, occluder: being traced …"); });
     if (d && d->reference.state == PixelState::Counted) blocks.block(em * 20, [&] { reference_column(*d); });
     if (faces_light(p.account.receiver.n_dot_l)) blocks.block(em * 20, [&] { bias_terms(p.account); });
     blocks.block(em * 33, [&] { depths(p); });
@@ -302,8 +307,9 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
         return ImGui::TextDisabled("The probed point lies outside of the picture: move the camera, or click another.");
     const glm::ivec2 wanted = *state.probe_pixel;
     if (!probe) return ImGui::TextDisabled("Pixel %d, %d: its shadow test is being read …", wanted.x, wanted.y);
-    if (!state.probe_anchor && glm::ivec2(probe->x, probe->y) != wanted)
-        ImGui::TextDisabled("Pixel %d, %d is being read; below is the pixel before.", wanted.x, wanted.y);
+    const bool earlier = !state.probe_anchor && glm::ivec2(probe->x, probe->y) != wanted;
+    if (earlier) ImGui::Text("Pixel %d, %d is being read … Below is the pixel before.", wanted.x, wanted.y);
+    const Greyed greyed(earlier);
     if (!probe->hit) return ImGui::Text("Pixel %d, %d: background.", probe->x, probe->y);
     const bool hidden = frame.anchor_place == AnchorPlace::Hidden;
     const std::string where =

@@ -37,7 +37,7 @@ std::string facts_text(const EditorState& state, const EditorFrame& frame) {
         const WorkCost cost = work_cost(state.settings, result);
         const std::string size = n.is_square() ? fmt::format("{}²", n.width) : fmt::format("{}×{}", n.width, n.height);
         text += maps == 1 ? "map " + size : fmt::format("{} maps of {}", maps, size);
-        text += fmt::format(", {}, {:.3g} tap{}   ", bytes_text(cost.map_bytes), cost.taps_per_pixel,
+        text += fmt::format(", {}, {} tap{}   ", bytes_text(cost.map_bytes), digits_text(cost.taps_per_pixel),
                             cost.taps_per_pixel == 1 ? "" : "s");
     }
     if (!result.panes.empty())

@@ -8,6 +8,7 @@
 
 #include "renderer/reference/artefact_picture.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -28,9 +29,9 @@ void tooltip(const KernelTap& t) {
         "stored    {:.8f}   {}   {}\n"
         "compared  {:.8f}\n"
         "own plane {:.8f}\n"
-        "weighs {:.3g} % of the kernel",
+        "weighs {} of the kernel",
         t.texel.x, t.texel.y, t.lit ? "passes, lit" : "fails, in shadow", t.stored, metres_text(t.stored_m),
-        kMeets[int(t.meets)], t.compared, t.plane, 100 * t.weight);
+        kMeets[int(t.meets)], t.compared, t.plane, percent_text(t.weight));
     ImGui::SetTooltip("%s", text.c_str());
 }
 

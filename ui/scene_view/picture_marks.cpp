@@ -12,6 +12,7 @@
 #include "shaders/shared/colours.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/text.h"
 
 namespace si {
@@ -102,7 +103,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
         small_text({lo.x + em * 0.2f, hi.y + em * (0.15f + 1.2f * float(row))}, what, theme::kOnPicture);
     };
     line(0, colour);
-    if (visibility) line(1, fmt::format("visibility {:.3g}", *visibility));
+    if (visibility) line(1, "visibility " + digits_text(*visibility));
 }
 
 void draw_text_on_picture(ImVec2 at, const std::string& text, ImU32 colour) {
@@ -143,7 +144,7 @@ void draw_hover_readout(const EditorFrame& frame, const Pane& pane, const Fitted
         else if (row.scalar && std::isnan(value))
             text += fmt::format("   {}: no value here", row.label);
         else if (row.scalar)
-            text += fmt::format("   {} {} {}", row.label, digits_text(value), row.unit);
+            text += fmt::format("   {} {}", row.label, quantity_text(value, row.unit));
         else if (row.names_views)
             text += "   " +
                     view_of_colour({value, values->at(pixel.x, pixel.y, 1), values->at(pixel.x, pixel.y, 2)}, light);

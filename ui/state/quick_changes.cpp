@@ -8,6 +8,7 @@
 
 #include "renderer/advise/fixes.h"
 #include "renderer/base/index_of.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/axes.h"
 #include "renderer/reference/live_error.h"
@@ -88,8 +89,8 @@ void check_prediction(EditorState& state, const EditorFrame& frame, EditorReques
     const std::size_t wrong = wrong_pixels(frame.error->metrics);
     const double mae = frame.error->metrics.mae;
     state.log.add(LogKind::Info,
-                  fmt::format("Applied: {} px wrong and mean error {:.4g} were predicted; {} and {:.4g} are measured",
-                              state.predicted->wrong, state.predicted->mae, wrong, mae));
+                  fmt::format("Applied: {} px wrong and mean error {} were predicted; {} and {} are measured",
+                              state.predicted->wrong, digits_text(state.predicted->mae), wrong, digits_text(mae)));
     state.predicted.reset();
 }
 

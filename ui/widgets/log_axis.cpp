@@ -1,10 +1,10 @@
 #include "ui/widgets/log_axis.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "ui/widgets/quantity_text.h"
 
 namespace si {
 namespace {
@@ -12,15 +12,10 @@ namespace {
 constexpr double kMargin = 0.06;    // margin beyond the outermost values, as a share of the logarithm's range
 constexpr double kMinRange = 0.15;  // smallest range, decades
 
-std::string tick_text(double value) {
-    if (value >= 0.001 && value < 1e5) return fmt::format("{:.6g}", value);
-    return fmt::format("{:.0e}", value);
-}
-
 std::string bytes_tick_text(double value) {
     constexpr double kKiB = 1024, kMiB = kKiB * kKiB;
-    if (value < kKiB) return fmt::format("{:.6g} B", value);
-    return value < kMiB ? fmt::format("{:.6g} KiB", value / kKiB) : fmt::format("{:.6g} MiB", value / kMiB);
+    if (value < kKiB) return stored_text(value, 6) + " B";
+    return value < kMiB ? stored_text(value / kKiB, 6) + " KiB" : stored_text(value / kMiB, 6) + " MiB";
 }
 
 /// Adds ticks at powers of two, at most about eight with numbers; for short ranges also fractions of them.
@@ -85,7 +80,7 @@ LogAxis log_axis(std::span<const double> values, bool bytes) {
             if (value < axis.low || value > axis.high) continue;
             const bool text = numbered(digit) && decade % int(every) == 0;
             if (!text && decades > 1.6) continue;
-            axis.ticks.push_back({value, text ? tick_text(value) : ""});
+            axis.ticks.push_back({value, text ? stored_text(value, 6) : ""});
         }
     return axis;
 }

@@ -21,6 +21,7 @@
 #include "renderer/settings/starting_values.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/file_dialog.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -28,8 +29,9 @@
 namespace si {
 namespace {
 
-constexpr float kSettingTip = 26;  ///< width of a setting's tooltip, ems
-constexpr double kWide = 1e5;      ///< larger ranges get a drag field, because a slider would be too coarse
+constexpr float kSettingTip = 26;    ///< width of a setting's tooltip, ems
+constexpr double kSmallRange = 0.1;  ///< logarithmic sliders up to this have seven decimals
+constexpr double kWide = 1e5;        ///< larger ranges get a drag field, because a slider would be too coarse
 
 /// Returns a setting's unit as written after a number.
 std::string unit_suffix(std::string_view unit) {
@@ -165,6 +167,11 @@ bool is_tiny(double value) {
     return std::abs(value) >= 5e-7 && std::abs(value) < 1e-4;
 }
 
+/// Returns true for numbers that ImGui's formats print with an exponent.
+bool needs_exponent(double value) {
+    return value != 0 && std::abs(value) < 1e-4;
+}
+
 /// Returns the number format for ImGui. A drag rounds to the shown digits. The number of digits must not depend on the
 /// value, because ImGui derives the steps of a logarithmic slider from it.
 std::string number_format(const SettingRef& ref, double value, const std::string& unit, bool of_texels) {
@@ -174,11 +181,16 @@ std::string number_format(const SettingRef& ref, double value, const std::string
         return std::isfinite(taken) ? "auto " + escaped(digits_text(taken)) + unit : std::string("auto");
     }
     const std::string shown = value == 1 ? one_of(unit) : unit;
-    if (p.unit.starts_with("bias.") && !of_texels) return (is_tiny(value) ? "%.6f" : "%.6g") + shown;
-    if (p.slider_max > 0) return (std::abs(value) >= 999.5 ? "%.0f" : "%.3g") + shown;
     const bool dragged = p.max - p.min > kWide;
+    const bool bias = p.unit.starts_with("bias.") && !of_texels;
+    // ImGui's formats would print an exponent. A text without a conversion is printed as it is.
+    if (p.logarithmic && p.max <= kSmallRange) return "%.7f" + shown;
+    if (needs_exponent(value) && (dragged || !p.logarithmic) && !(bias && is_tiny(value)))
+        return escaped(stored_text(value, 3)) + unit;
+    if (bias) return (is_tiny(value) ? "%.6f" : "%.6g") + shown;
+    if (p.slider_max > 0) return (std::abs(value) >= 999.5 ? "%.0f" : "%.3g") + shown;
     if (dragged && std::abs(value) >= 9999.5) return "%.0f" + shown;
-    return (p.max >= 9999.5 && !dragged ? "%.5g" : "%.4g") + shown;
+    return (p.max >= 9999.5 && !dragged ? "%.6g" : "%.4g") + shown;
 }
 
 /// Draws the widget of a number. @param counted_in shown_unit() @param unit empty: left out
@@ -302,13 +314,6 @@ std::string engine_changes_text(std::span<const std::pair<std::string, std::stri
     } catch (const Error&) {
         return {};  // the engine takes no such number, which its panel says
     }
-}
-
-std::string changes_text(std::span<const std::pair<std::string, std::string>> changes) {
-    std::string text;
-    for (const auto& [key, value] : changes) text += fmt::format("{} = {}\n", key, value);
-    const std::string engine = engine_changes_text(changes);
-    return engine.empty() ? text : text + engine + "\n";
 }
 
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {

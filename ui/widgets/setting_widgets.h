@@ -28,8 +28,6 @@ struct SettingFacts {
 /// until the next call.
 void use_setting_facts(const SettingFacts* facts);
 
-/// Returns changes of settings as lines "key = value", and below them the same in the chosen engine's parameters.
-std::string changes_text(std::span<const std::pair<std::string, std::string>> changes);
 /// Returns changes of settings in the chosen engine's parameters: "in three.js: set normalBias to 0.0098". Empty
 /// without an engine, and where none of its parameters changes.
 std::string engine_changes_text(std::span<const std::pair<std::string, std::string>> changes);

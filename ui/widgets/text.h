@@ -50,15 +50,18 @@ inline float button_width(const char* label) {
 
 inline constexpr float kTooltipGap = 0.3f;  ///< distance from the item, ems
 inline constexpr float kTooltipWidth = 31;  ///< largest width, ems
+inline constexpr float kTallItem = 5;       ///< height of an item that its tooltip may cover, ems
 
 /// Places the next tooltip so that it covers no neighbour of the last item: next to a narrow window (a list, a column
 /// of settings), below or above the item in a wide one (a toolbar). Without room for either ImGui places it.
-inline void place_tooltip() {
-    const float em = ImGui::GetFontSize(), gap = em * kTooltipGap, wide = em * kTooltipWidth;
+/// @param width of the tooltip, pixels; 0: the largest
+inline void place_tooltip(float width = 0) {
+    const float em = ImGui::GetFontSize(), gap = em * kTooltipGap, wide = width > 0 ? width : em * kTooltipWidth;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowSize().x;
     const bool upper = lo.y + hi.y < screen.y;
-    if (right - left < wide) {
+    if (hi.y - lo.y > em * kTallItem) return;  // a splitter or a picture: beside the mouse
+    if (right - left < em * kTooltipWidth) {
         const bool on_right = screen.x - right >= wide;
         if (!on_right && left < wide) return;
         ImGui::SetNextWindowPos({on_right ? right + gap : left - gap, upper ? lo.y : hi.y}, ImGuiCond_Always,
@@ -70,8 +73,14 @@ inline void place_tooltip() {
     }
 }
 
-/// Breaks a text into lines at spaces only. ImGui would break after points, too, as in "map.resolution".
-/// @param width largest width of a line, pixels
+/// Returns true if the space at `at` stands between a number and its unit, which belong on one line: "3.1 m".
+inline bool joins_unit(std::string_view text, std::size_t at) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    return at > 0 && at + 1 < text.size() && is_digit(text[at - 1]) && text[at + 1] != ' ' && !is_digit(text[at + 1]);
+}
+
+/// Breaks a text into lines at spaces only, and not between a number and its unit. ImGui would break after points, too,
+/// as in "map.resolution" or "0.25". @param width largest width of a line, pixels
 inline std::string broken_at_spaces(std::string_view text, float width) {
     std::string out;
     std::size_t line = 0, word = 0;  // where in `out` the last line and the last word begin
@@ -80,8 +89,9 @@ inline std::string broken_at_spaces(std::string_view text, float width) {
         out[word - 1] = '\n';
         line = word;
     };
-    for (const char c : text) {
-        const bool ends = c == ' ' || c == '\n';
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        const bool ends = c == '\n' || (c == ' ' && !joins_unit(text, at));
         if (ends) end_word();
         out += c;
         if (ends) word = out.size();
@@ -110,12 +120,36 @@ inline void coloured_text(std::string_view text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
-/// Draws text in a colour, in lines as wide as the window.
+/// Draws text in lines as wide as the window or the column. No line breaks within a number or before its unit.
+inline void wrapped_text(std::string_view text) {
+    ImGui::PushTextWrapPos(0);  // for words longer than a line
+    ImGui::TextUnformatted(broken_at_spaces(text, ImGui::GetContentRegionAvail().x - 1).c_str());
+    ImGui::PopTextWrapPos();
+}
+
+/// Draws text in a colour, in lines as wide as the window or the column.
 inline void coloured_wrapped(const std::string& text, ImU32 colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextWrapped("%s", text.c_str());
+    wrapped_text(text);
     ImGui::PopStyleColor();
 }
+
+/// Scope in which panels draw numbers of an earlier picture: in grey, and still clickable. Nothing if not `on`.
+class Greyed {
+public:
+    explicit Greyed(bool on) : on_(on) {
+        const ImGuiStyle& style = ImGui::GetStyle();
+        if (on_) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, style.Alpha * style.DisabledAlpha);
+    }
+    ~Greyed() {
+        if (on_) ImGui::PopStyleVar();
+    }
+    Greyed(const Greyed&) = delete;
+    Greyed& operator=(const Greyed&) = delete;
+
+private:
+    bool on_;
+};
 
 /// Draws bold text, for headings.
 inline void strong_text(std::string_view text) {
@@ -176,7 +210,9 @@ inline void small_text(ImVec2 at, const std::string& text, ImU32 colour, float a
 
 /// Draws the tooltip of the last item, in the lines that the text has. @param flags ImGuiHoveredFlags
 inline void plain_tooltip(const std::string& text, ImGuiHoveredFlags flags = 0) {
-    if (ImGui::IsItemHovered(flags)) ImGui::SetTooltip("%s", text.c_str());
+    if (!ImGui::IsItemHovered(flags)) return;
+    place_tooltip(ImGui::CalcTextSize(text.c_str()).x + 2 * ImGui::GetStyle().WindowPadding.x);
+    ImGui::SetTooltip("%s", text.c_str());
 }
 
 /// Draws a button that can only be pressed while `enabled`. Returns true at a press.

@@ -1,0 +1,21 @@
+// Numbers with units as all panels print them: few digits, no exponents.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace si {
+
+/// Formats a number with its unit: three significant digits, a prefix that fits a length ("3.13 m", "4.2 mm"),
+/// "million" and "billion" for large numbers ("4.19 million px"), "41.2°" for degrees. "no value" when not finite.
+/// @param unit as tables of settings, metrics and overlays name it; empty: none
+std::string quantity_text(double value, std::string_view unit = {});
+
+/// Formats a share of 1 in percent: "12.5 %".
+std::string percent_text(double share);
+
+/// Formats a stored value with `digits` significant digits at any size, for values that differ by little: "0.0000123".
+/// Numbers of more than fifteen digits get a power of ten: "3.2 × 10^36".
+std::string stored_text(double value, int digits);
+
+}  // namespace si
