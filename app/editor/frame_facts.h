@@ -38,6 +38,7 @@ struct FrameFacts {
     FrameRequest request;
     ReadBackFacts readings;
     std::optional<ReferenceFacts> reference;
+    std::shared_ptr<const LiveError> earlier_error;  ///< of the last frame of this scene and light that had errors
     std::optional<PictureComparisonFacts> picture_comparison;
     MapComparisonFacts map_comparison;
     std::vector<Effect> effects;                  ///< empty unless requested
@@ -69,6 +70,7 @@ struct FrameFacts {
         f.lost_casters = readings.lost_casters;
         f.reference = reference;
         f.error = driver ? result.error.get() : nullptr;
+        f.earlier_error = driver ? earlier_error.get() : nullptr;
         f.compared_map = map_comparison.map.get();
         f.compared_picture = map_comparison.picture;
         f.compared_scale_m = map_comparison.scale_m;

@@ -75,6 +75,7 @@ void FrameLoop::clear() {
     frame_effects_.clear();
     facts_.effects.clear();
     facts_.health.reset();
+    facts_.earlier_error.reset();
 }
 
 FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
@@ -184,6 +185,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
         warmed_programs_.clear();
         drawn_rig_ = scene.rig;
     }
+    if (drawn_scene_ != scene.id || drawn_settings_.view.light != settings.view.light) facts_.earlier_error.reset();
     facts_.request = wanted;
     drawn_settings_ = settings;
     drawn_scene_ = scene.id;
@@ -192,6 +194,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     try {
         facts_.result = renderer_.render(scene, drawn_settings_, facts_.request);
         drawn_ = true;
+        if (facts_.result.error) facts_.earlier_error = facts_.result.error;
         facts_.driver_reset = false;
         facts_.problem.clear();
         if (requests.search_all) require_sound_numbers(scene);

@@ -94,12 +94,17 @@ bool EditorReference::poll() {
     return true;
 }
 
+void EditorReference::begin_work(const char* doing, std::uint64_t key) {
+    doing_ = doing;
+    doing_key_ = key;
+    left_ = {};
+}
+
 void EditorReference::start_trace(Renderer& renderer, const Scene& scene, const Settings& settings,
                                   const FrameRequest& request, int light) {
     auto task = std::make_shared<ReferenceTask>(
         reference_task(renderer, scene, settings, request, light, reference_options(settings)));
-    doing_ = "Tracing rays";
-    doing_key_ = task->key;
+    begin_work("Tracing rays", task->key);
     job_.start([this, light, task = std::move(task)](const Workers& workers, const auto&) {
         return Found{light, reference_picture(*task, cache_.trace(*task, workers)), {}, nullptr};
     });
@@ -107,8 +112,7 @@ void EditorReference::start_trace(Renderer& renderer, const Scene& scene, const 
 
 void EditorReference::start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light) {
     auto task = std::make_shared<LightMapTask>(light_map_task(scene, settings, frame, light));
-    doing_ = "Baking the light map";
-    doing_key_ = task->key;
+    begin_work("Baking the light map", task->key);
     job_.start([light, task = std::move(task)](const Workers& workers, const auto&) {
         return Found{light, nullptr, {}, si::light_maps().get(*task, workers)};
     });
@@ -124,8 +128,7 @@ void EditorReference::start_save(Renderer& renderer, const Scene& scene, const S
     auto measured =
         std::make_shared<MeasuredError>(read_classified_pixels(renderer, frame, *request.reference, settings));
     measured->pictures = draw_picture_pair(renderer, scene, settings, request);
-    doing_ = "Measuring";
-    doing_key_ = request.reference->key;
+    begin_work("Measuring", request.reference->key);
     job_.start([path, measured = std::move(measured)](const Workers& workers, const auto&) {
         sum_error_metrics(*measured, workers);
         write_file(path, json_text(saved_error(*measured)));
@@ -212,6 +215,7 @@ ReferenceFacts EditorReference::facts(const FrameResult& frame, int shown_light)
     f.problem = problem_;
     if (job_.busy()) f.doing = doing_;
     f.progress = job_.progress().value_or(0);
+    if (job_.busy()) f.seconds_left = left_.seconds(f.progress);
     auto known = picture(shown_light);
     for (const LightNeed& n : needs)
         if (!known) known = picture(n.light);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/base/job.h"
+#include "app/base/time_left.h"
 #include "app/editor/kept_references.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
@@ -59,6 +60,8 @@ private:
     };
     /// Stores the result of the background job. Returns true if the job has ended.
     bool poll();
+    /// Notes the name and the picture's key of the background job that starts now.
+    void begin_work(const char* doing, std::uint64_t key);
     /// Starts the background job that traces a light's reference.
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light);
@@ -81,6 +84,7 @@ private:
     std::optional<std::string> save_next_;
     const char* doing_ = "";
     std::uint64_t doing_key_ = 0;  ///< cache key of the job's picture
+    TimeLeft left_;                ///< started with the job
     Job<Found> job_;               ///< last: joined first
 };
 

@@ -3,7 +3,9 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
@@ -82,6 +84,54 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
             EXPECT_TRUE(seen);
         }
     }
+}
+
+/// Returns the largest opacity of the letters of a text on the screen, 0..255.
+int opacity_of(const UiHarness& ui, std::u32string_view text) {
+    const auto at = ui.drawn().find(text);
+    if (!at) return -1;
+    int most = 0;
+    const ImDrawData* data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i)
+        for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer)
+            if (std::abs(v.pos.x - at->x) < 12 && std::abs(v.pos.y - at->y) < 10 && v.uv.x > 0.02f)
+                most = std::max(most, int(v.col >> IM_COL32_A_SHIFT));
+    return most;
+}
+
+TEST(ErrorPanel, KeepsNumbersInGreyAndEveryClickWhileRaysAreTraced) {
+    UiHarness ui(1600, 900);
+    ui.state.window.open_tab = BottomTab::Error;
+    ui.state.layout.bottom_height = 17.2f;
+    ui.reference = made_up_reference();
+    ui.error = made_up_error();
+    ui.frames(4);
+    const auto before = ui.drawn().find(U"24691");
+    ASSERT_TRUE(before);
+    EXPECT_EQ(opacity_of(ui, U"24691"), 255);
+    ui.earlier_error = std::exchange(ui.error, std::nullopt);
+    ui.reference->current = false;
+    ui.reference->doing = "Tracing rays";
+    ui.reference->progress = 0.42;
+    for (const double seconds : {0.0, 95.0}) {
+        ui.reference->seconds_left = seconds;
+        ui.frames(3);
+        const auto now = ui.drawn().find(U"24691");
+        ASSERT_TRUE(now) << "the numbers of the picture before stay";
+        EXPECT_EQ(now->x, before->x);
+        EXPECT_EQ(now->y, before->y) << "and keep their place";
+        EXPECT_LT(opacity_of(ui, U"24691"), 200) << "in grey";
+    }
+    EXPECT_EQ(ui.lacking({"42 %, 2 min left", "of an earlier picture"}), "");
+    ui.click({before->x, before->y});
+    EXPECT_EQ(ui.state.artefact_tour.cause, Artefact::Acne) << "a click on a cause counts";
+    ui.click(ui.find("Error_", "", "Next artefact"));
+    EXPECT_NE(ui.state.artefact_tour.waits_for, 0) << "it waits for the rays";
+    // Without any picture before, the table has its place already.
+    ui.earlier_error.reset();
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"edge aliasing", "Not measured yet"}), "");
+    EXPECT_FALSE(ui.prints("24691"));
 }
 
 TEST(ErrorPanel, LongTextEndsInAnEllipsis) {

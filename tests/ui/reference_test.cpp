@@ -88,6 +88,9 @@ TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     state.settings.lights[0].azimuth += 10;
     editor.frame();
     EXPECT_FALSE(error()) << "the light moved: the old truth says nothing of it";
+    const LiveError* const earlier = editor.model().facts().earlier_error;
+    ASSERT_TRUE(earlier) << "for the panel, which shows it in grey";
+    EXPECT_LT(earlier->metrics.acne, 0.2 * before.acne);
     EXPECT_FALSE(editor.model().facts().reference->current);
     editor.settle();
     EXPECT_TRUE(error());

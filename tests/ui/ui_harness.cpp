@@ -134,6 +134,7 @@ EditorRequests UiHarness::frame() {
         facts.driver = &driver_;
         facts.reference = reference;
         facts.error = error ? &*error : nullptr;
+        facts.earlier_error = earlier_error ? &*earlier_error : nullptr;
         facts.picture_comparison = picture_comparison;
         if (state.probe_pixel) facts.probe = &probe_;
         if (map_facts) facts.map_facts = &*map_facts;

@@ -49,7 +49,7 @@ public:
     std::optional<ComparisonFacts> comparison;
     std::optional<LostFacts> lost;
     std::optional<ReferenceFacts> reference;
-    std::optional<LiveError> error;
+    std::optional<LiveError> error, earlier_error;
     std::optional<PictureComparisonFacts> picture_comparison;
     std::optional<MapPlots> map_facts;
     std::vector<LostCaster> lost_casters;

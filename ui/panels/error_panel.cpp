@@ -17,6 +17,8 @@
 namespace si {
 namespace {
 
+constexpr const char* kLongestProgress = "Baking the light map … 100 %, 60 min left";
+
 /// Returns the rows of one table, each sum followed by its parts. @param causes shares of wrong pixels; else all other
 /// metrics
 std::vector<const Metric*> rows_of(bool causes, const ErrorMetrics& m) {
@@ -46,8 +48,23 @@ std::string text_of(const Metric& row, double value) {
     return row.better == Better::NearZero ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);
 }
 
+/// Metrics that the tables show.
+struct ShownMetrics {
+    ErrorMetrics metrics;
+    bool known = false;    ///< false: nothing was measured yet; the tables then have no numbers
+    bool current = false;  ///< of the shown picture, not of an earlier one
+};
+
+/// Returns the errors of the shown picture; until they are known those of an earlier picture of this light.
+ShownMetrics shown_metrics(const EditorFrame& frame) {
+    if (frame.error) return {frame.error->metrics, true, true};
+    if (frame.earlier_error) return {frame.earlier_error->metrics, true, false};
+    return {};
+}
+
 /// Draws one table of metrics. @param causes sums of wrong pixels with their causes; else all other metrics
-void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
+void metrics_table(const ShownMetrics& shown, bool causes, const char* id) {
+    const ErrorMetrics& m = shown.metrics;
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable(id, 2, flags)) return;
@@ -67,14 +84,15 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
         name = beginning_that_fits(whole, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
         coloured_text(name, part ? theme::muted() : theme::text());
         tooltip();
-        right_cell(text_of(*row, value), value == 0 ? theme::muted() : theme::text());
+        right_cell(shown.known ? text_of(*row, value) : "-", value == 0 ? theme::muted() : theme::text());
         tooltip();
     }
     ImGui::EndTable();
 }
 
 /// Draws the coloured mark and name of a cause. Returns true if it was clicked.
-bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std::size_t counted, bool with_share) {
+bool cause_row(const ArtefactStyle& style, bool chosen, const ShownMetrics& of, bool with_share) {
+    const std::size_t pixels = of.metrics.artefacts[std::size_t(style.artefact)], counted = of.metrics.counted;
     const float em = ImGui::GetFontSize();
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -94,16 +112,21 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
     // Two causes have names that differ only at the end: by bias, by offset.
     const auto fitted = label.find(" by ") == label.npos ? beginning_that_fits : end_that_fits;
     const std::string shown = fitted(label, width - em * 1.1f, ImGui::GetFont());
-    list.AddText({at.x + em * 1.1f, at.y}, theme::text(), shown.c_str());
-    right_cell(fmt::format("{}", pixels), pixels == 0 ? theme::muted() : theme::text());
+    list.AddText({at.x + em * 1.1f, at.y}, ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
+    right_cell(of.known ? fmt::format("{}", pixels) : "-", pixels == 0 ? theme::muted() : theme::text());
     if (with_share) right_cell(counted == 0 ? "-" : fmt::format("{:.3f} %", percent), theme::muted());
     return clicked;
 }
 
+/// Returns true while the errors of the shown picture are being computed.
+bool waits_for_errors(const EditorFrame& frame) {
+    return !frame.error && frame.reference && !frame.reference->current && frame.reference->problem.empty();
+}
+
 void next_button(EditorState& state, const EditorFrame& frame, const std::string& tour) {
-    if (button_if(artefact_tour_cause(state, frame) != Artefact::None && state.artefact_tour.waits_for == 0,
-                  "Next artefact"))
-        next_artefact(state, frame);
+    // While rays are traced, the press waits for them.
+    const bool possible = waits_for_errors(frame) || artefact_tour_cause(state, frame) != Artefact::None;
+    if (button_if(possible && state.artefact_tour.waits_for == 0, "Next artefact")) next_artefact(state, frame);
     plain_tooltip(
         with_key(
             "Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and probes it",
@@ -116,7 +139,7 @@ void next_button(EditorState& state, const EditorFrame& frame, const std::string
 }
 
 /// Draws the list of causes. @param first, end range of artefact_styles() @param shares shares of pixels fit, too
-void causes_table(EditorState& state, const LiveError& error, std::size_t first, std::size_t end, bool shares) {
+void causes_table(EditorState& state, const ShownMetrics& of, std::size_t first, std::size_t end, bool shares) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
     ImGui::PushID(int(first));
@@ -125,10 +148,8 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
         ImGui::TableSetupColumn("cause", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableSetupColumn("pixels", ImGuiTableColumnFlags_WidthFixed, em * 4.5f);
         if (shares) ImGui::TableSetupColumn("share", ImGuiTableColumnFlags_WidthFixed, em * 5.5f);
-        const ErrorMetrics& m = error.metrics;
         for (const ArtefactStyle& style : artefact_styles().subspan(first, end - first))
-            if (cause_row(style, state.artefact_tour.cause == style.artefact, m.artefacts[std::size_t(style.artefact)],
-                          m.counted, shares))
+            if (cause_row(style, state.artefact_tour.cause == style.artefact, of, shares))
                 toggle_tour_cause(state, style.artefact);
         ImGui::EndTable();
     }
@@ -136,7 +157,7 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
 }
 
 void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    if (button_if(frame.error != nullptr, "Save…")) ImGui::OpenPopup("save error");
+    if (button_if(frame.error != nullptr || waits_for_errors(frame), "Save…")) ImGui::OpenPopup("save error");
     plain_tooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
     if (path_input("##file", "file.json", state.files.error_path, "Write"))
@@ -170,34 +191,41 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     same_line_if_fits(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
     next_button(state, frame, tour);
-    same_line_if_fits(ImGui::CalcTextSize(status.c_str()).x + em * 4);
+    // The longest text of a progress has room, so that the tables below keep their place while it changes.
+    const float room = std::max(ImGui::CalcTextSize(status.c_str()).x, ImGui::CalcTextSize(kLongestProgress).x);
+    same_line_if_fits(room + em * 4);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", status.c_str());
     if (!frame.reference->doing.empty() && !frame.reference->current) {
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) requests.cancel_reference = true;
     }
-    if (!frame.error) return;
-    const LiveError& error = *frame.error;
+    const ShownMetrics shown = shown_metrics(frame);
     const float width = ImGui::GetContentRegionAvail().x;
     const int columns = width > em * 56 ? 4 : width > em * 34 ? 2 : 1;
     const ImVec2 padding = ImGui::GetStyle().CellPadding;
+    // Numbers of an earlier picture stay, in grey: a table that comes and goes takes clicks away.
+    const Greyed greyed(!shown.current);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.6f});
     if (!ImGui::BeginTable("error blocks", columns,
                            ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_NoSavedSettings))
         return ImGui::PopStyleVar();
     ImGui::TableNextColumn();
-    metrics_table(error.metrics, true, "causes of each side");
+    metrics_table(shown, true, "causes of each side");
     if (columns > 1) ImGui::TableNextColumn();
-    metrics_table(error.metrics, false, "means");
-    ImGui::TextDisabled("%zu pixels compared", error.metrics.counted);
-    if (ImGui::IsItemHovered()) {
-        const auto& p = error.metrics.pixels;
+    metrics_table(shown, false, "means");
+    if (!shown.known)
+        ImGui::TextDisabled("Not measured yet");
+    else
+        ImGui::TextDisabled("%zu pixels compared%s", shown.metrics.counted,
+                            shown.current ? "" : ", of an earlier picture");
+    if (shown.known && ImGui::IsItemHovered()) {
+        const auto& p = shown.metrics.pixels;
         std::size_t others = 0;
         for (std::size_t i = 1; i < p.size(); ++i) others += p[i];
         ImGui::SetTooltip("n: they show a surface that faces the light, in its cone and range.\n%zu do not", others);
     }
-    if (const std::size_t n = error.metrics.pixels[std::size_t(PixelState::ShadowTerminator)]; n > 0) {
+    if (const std::size_t n = shown.metrics.pixels[std::size_t(PixelState::ShadowTerminator)]; n > 0) {
         ImGui::TextDisabled("%zu at a shadow terminator", n);
         plain_tooltip(
             "Not compared: the triangle faces away from the light, its smooth normal does not.\n"
@@ -205,9 +233,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     }
     const std::size_t all = artefact_styles().size(), half = (all + 1) / 2;
     if (columns > 2) ImGui::TableNextColumn();
-    causes_table(state, error, 0, half, columns < 3);
+    causes_table(state, shown, 0, half, columns < 3);
     if (columns > 2) ImGui::TableNextColumn();
-    causes_table(state, error, half, all, columns < 3);
+    causes_table(state, shown, half, all, columns < 3);
     ImGui::EndTable();
     ImGui::PopStyleVar();
 }

@@ -29,7 +29,10 @@ void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left
 
 std::string reference_status(const EditorFrame& frame) {
     const ReferenceFacts& t = *frame.reference;
-    if (!t.doing.empty()) return fmt::format("{} … {} %", t.doing, int(t.progress * 100));
+    if (!t.doing.empty()) {
+        const std::string left = t.seconds_left > 0 ? fmt::format(", {} left", seconds_text(t.seconds_left)) : "";
+        return fmt::format("{} … {} %{}", t.doing, int(t.progress * 100), left);
+    }
     if (!t.problem.empty()) return t.problem;
     if (t.lacks_light_map) return "The light map of this scene and light is not baked yet.";
     if (!t.current) return "The reference of this view is not traced yet.";

@@ -159,7 +159,8 @@ struct EditorFrame : ProbeFacts,
     const ConvertFacts* conversion = nullptr;  ///< code for state.convert; null: its dialog is closed
     const SweepFacts* sweep = nullptr;
     std::optional<ReferenceFacts> reference;
-    const LiveError* error = nullptr;  ///< errors of the shown frame; null: not known
+    const LiveError* error = nullptr;          ///< errors of the shown frame; null: not known
+    const LiveError* earlier_error = nullptr;  ///< errors of the last frame of this scene and light that had them
     std::optional<PictureComparisonFacts> picture_comparison;
     const LoupeFacts* loupe = nullptr;         ///< pixels around state.loupe_pixel; null: not known yet
     bool desktop_dialogs = false;              ///< the desktop's file dialog can be requested
