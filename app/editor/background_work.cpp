@@ -31,7 +31,8 @@ AdviceFound search_advice(const SearchTools& t, const Settings& settings, const 
                           const std::function<void(AdviceFound)>& show) {
     if (request.max_error || request.max_ms)
         return run_rendered_autopilot(t, settings,
-                                      {.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost});
+                                      {.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost},
+                                      {}, [&](const AutopilotResult& so_far) { show(so_far); });
     return find_advice(t, settings, {.cost = request.cost}, show);
 }
 
@@ -58,12 +59,14 @@ Waste search_waste(const SearchTools& t, const Settings& settings, FrameRequest 
     return find_waste(t, settings, unforced, show);
 }
 
-SavedTimes search_saved_times(const SearchTools& t, const Settings& settings, FrameRequest unforced) {
+SavedTimes search_saved_times(const SearchTools& t, const Settings& settings, FrameRequest unforced,
+                              const std::function<void(SavedTimes)>& show) {
     unforced.forced = {};  // a forced optimisation skips nothing that could be timed
     const FrameResult frame = t.renderer.render(t.scene, settings, unforced);
     const std::vector<Optimisation> named = optimisations_of(frame_effects(t.scene, settings, frame));
-    return measure_saved_times(t.renderer, t.scene, settings, unforced, named, kSavedTimeRounds, t.workers,
-                               [&](double share) { t.report(share, "alternating frames"); });
+    return measure_saved_times(
+        t.renderer, t.scene, settings, unforced, named, kSavedTimeRounds, t.workers,
+        [&](double share) { t.report(share, "alternating frames"); }, show);
 }
 
 /// Returns the options of a search for fixes. The fix that the pixel's diagnosis suggests is tried, too.

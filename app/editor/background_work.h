@@ -98,14 +98,15 @@ private:
 
     EditorState& state_;
     EditorSweep sweep_;
-    EditorSearch<Tuned> bias_search_{"The search for the smallest bias was cancelled"};
-    EditorSearch<FixesFound> fixes_{"The search for fixes was cancelled"};
-    EditorSearch<FixesFound> pixel_fixes_{"The search for the pixel's fix was cancelled"};
-    EditorSearch<SavedTimes> optimisation_times_{"The measurement of optimisations was cancelled"};
-    EditorSearch<AdviceFound> advice_{"The search for advice was cancelled"};
-    EditorSearch<Waste> waste_{"The search for waste was cancelled"};
+    EditorSearch<Tuned> bias_search_{"The search for the smallest bias was cancelled; its results so far stay"};
+    EditorSearch<FixesFound> fixes_{"The search for fixes was cancelled; its results so far stay"};
+    EditorSearch<FixesFound> pixel_fixes_{"The search for the pixel's fix was cancelled; its results so far stay"};
+    EditorSearch<SavedTimes> optimisation_times_{
+        "The measurement of optimisations was cancelled; its results so far stay"};
+    EditorSearch<AdviceFound> advice_{"The search for advice was cancelled; its results so far stay"};
+    EditorSearch<Waste> waste_{"The search for waste was cancelled; its results so far stay"};
     EditorSearch<std::vector<PipelineError>> pipelines_{"The comparison of precision was cancelled"};
-    EditorSearch<ShimmerFound> shimmer_{"The measurement of shimmer was cancelled"};
+    EditorSearch<ShimmerFound> shimmer_{"The measurement of shimmer was cancelled; its results so far stay"};
     EditorSearch<MeasuredConversion> conversion_{"The measurement for the conversion was cancelled"};
 };
 

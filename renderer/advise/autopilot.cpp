@@ -32,8 +32,14 @@ std::string value_of(const Settings& s, const std::string& key) {
 class AutopilotSearch {
 public:
     AutopilotSearch(const Settings& start, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-                    const TrialMeter& meter, const TrialReport& report)
-        : start_(start), axes_(axes), goals_(goals), meter_(meter), report_(report), begun_s_(meter.now_s()) {}
+                    const TrialMeter& meter, const TrialReport& report, const AutopilotShow& show)
+        : start_(start),
+          axes_(axes),
+          goals_(goals),
+          meter_(meter),
+          report_(report),
+          show_(show),
+          begun_s_(meter.now_s()) {}
 
     AutopilotResult run() {
         AutopilotResult out;
@@ -41,6 +47,8 @@ public:
         out.before.frame.reset();
         const CostChange before_ms = meter_.ms(start_);
         out.before_ms = before_ms.value;
+        before_ = out.before;
+        before_ms_ = out.before_ms;
         for (const SweepAxis& axis : axes_) combinations_ *= axis.values.size();
         out.combinations = combinations_;
         at_.assign(axes_.size(), 0);
@@ -76,7 +84,10 @@ private:
     const AutopilotGoals& goals_;
     const TrialMeter& meter_;
     const TrialReport& report_;
+    const AutopilotShow& show_;
     double begun_s_;
+    MeasuredSettings before_;
+    double before_ms_ = 0;
     std::map<AxisChoice, AutopilotCase> known_;
     AxisChoice at_;
     std::set<AxisChoice> unmeasured_;
@@ -129,7 +140,28 @@ private:
         c.changes = setting_changes(start_, c.settings);
         c.classified = meter_.measure(c.settings, start_.view.light);
         c.classified.frame.reset();
-        return &known_.emplace(at, std::move(c)).first->second;
+        AutopilotCase& added = known_.emplace(at, std::move(c)).first->second;
+        show_so_far();
+        return &added;
+    }
+
+    /// Shows all cases so far, with the best of them.
+    void show_so_far() {
+        if (!show_) return;
+        AutopilotResult out;
+        out.before = before_;
+        out.before_ms = before_ms_;
+        out.combinations = combinations_;
+        out.seconds = spent_s();
+        const AutopilotCase* best = nullptr;
+        for (const auto& [at, c] : known_) {
+            out.cases.push_back(c);
+            if (c.holds.value_or(false) && (!best || cost_of_case(c) < cost_of_case(*best))) best = &c;
+        }
+        out.goals_met = best != nullptr;
+        if (best) out.best = *best;
+        out.summary = fmt::format("{} of {} combinations measured", known_.size(), combinations_);
+        show_(out);
     }
 
     bool accurate(const AutopilotCase& c) const { return !goals_.max_error || c.classified.error <= *goals_.max_error; }
@@ -140,10 +172,12 @@ private:
             report_progress(name_of(c.axis_values) + ", timing");
             time_until_decided(c);
         }
+        const std::optional<bool> before = c.holds;
         if (!accurate(c) || !goals_.max_ms || *c.ms + c.ms_noise <= *goals_.max_ms)
             c.holds = accurate(c);
         else if (*c.ms - c.ms_noise > *goals_.max_ms)
             c.holds = false;
+        if (c.holds != before) show_so_far();
         return c.holds.value_or(false);
     }
     /// Times a case again while the limit lies within the noise of its time.
@@ -340,9 +374,9 @@ private:
 
     std::string bounds() const {
         std::string text;
-        if (goals_.max_error) text = fmt::format("{} at most {:g}", goals_.error->key, *goals_.max_error);
+        if (goals_.max_error) text = fmt::format("{} at most {}", goals_.error->key, digits_text(*goals_.max_error));
         if (goals_.max_ms)
-            text += fmt::format("{}{:g} ms at most {}", text.empty() ? "" : " and ", *goals_.max_ms,
+            text += fmt::format("{}{} ms at most {}", text.empty() ? "" : " and ", digits_text(*goals_.max_ms),
                                 cost_row(goals_.cost).when);
         return text;
     }
@@ -410,19 +444,19 @@ void remove_refused(std::vector<SweepAxis>& axes, const EngineProfile* engine, c
 }
 
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-                              const TrialMeter& meter, const TrialReport& report) {
-    return AutopilotSearch(settings, axes, goals, meter, report).run();
+                              const TrialMeter& meter, const TrialReport& report, const AutopilotShow& show) {
+    return AutopilotSearch(settings, axes, goals, meter, report, show).run();
 }
 
 AutopilotResult run_rendered_autopilot(const SearchTools& whole, const Settings& settings, const AutopilotGoals& goals,
-                                       std::vector<SweepAxis> axes) {
+                                       std::vector<SweepAxis> axes, const AutopilotShow& show) {
     const SearchTools tools = whole.part();
     const Settings base = measured_settings(settings);
     tools.report(0, "the present settings");
     if (axes.empty()) axes = autopilot_axes(base, advice_facts(tools, base), tools.renderer.driver().max_texture_size);
     remove_refused(axes, tools.engine, base);
     return run_autopilot(base, axes, goals, renderer_trial_meter(tools, {.error = goals.error, .cost = goals.cost}),
-                         tools.report);
+                         tools.report, show);
 }
 
 }  // namespace si

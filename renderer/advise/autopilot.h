@@ -61,15 +61,18 @@ struct AutopilotResult {
     bool stopped = false;                ///< stopped before its end
 };
 
+/// Receives the result so far of an autopilot search, after each measured combination.
+using AutopilotShow = std::function<void(const AutopilotResult&)>;
+
 /// Searches combinations of settings for the best within the goals: the cheapest under an error limit, else the most
 /// accurate under a time limit. Draws nothing; the meter does.
 /// @returns the result so far when the meter or the report throws Cancelled after the present settings were measured
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-                              const TrialMeter& meter, const TrialReport& report = {});
+                              const TrialMeter& meter, const TrialReport& report = {}, const AutopilotShow& show = {});
 
 /// Runs the autopilot with a renderer. Without axes, chooses them by autopilot_axes().
 /// @throws Cancelled; Error when there is no light to compare
 AutopilotResult run_rendered_autopilot(const SearchTools& tools, const Settings& settings, const AutopilotGoals& goals,
-                                       std::vector<SweepAxis> axes = {});
+                                       std::vector<SweepAxis> axes = {}, const AutopilotShow& show = {});
 
 }  // namespace si

@@ -38,9 +38,16 @@ const Spread* SavedTimes::saved_ms(const Effect& effect) const {
 
 std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> optimisations, int rounds,
                                                       const std::function<double(OptimisationSet)>& draw_ms,
-                                                      const std::function<void(double)>& report) {
+                                                      const std::function<void(double)>& report,
+                                                      const std::function<void(const std::vector<SavedTime>&)>& show) {
     std::vector<std::vector<double>> differences(optimisations.size());
-    for (int round = 0; round < rounds; ++round)
+    const auto so_far = [&] {
+        std::vector<SavedTime> out;
+        for (std::size_t i = 0; i < optimisations.size(); ++i)
+            out.push_back({optimisations[i], spread_of_differences(differences[i])});
+        return out;
+    };
+    for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < optimisations.size(); ++i) {
             // The first frame of a pair finds the caches of the frame before, so each kind is first every other time.
             double with = 0, without = 0;
@@ -51,10 +58,9 @@ std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisati
             if (report)
                 report(double(round * int(optimisations.size()) + int(i) + 1) / (rounds * int(optimisations.size())));
         }
-    std::vector<SavedTime> out;
-    for (std::size_t i = 0; i < optimisations.size(); ++i)
-        out.push_back({optimisations[i], spread_of_differences(std::move(differences[i]))});
-    return out;
+        if (show && round > 0) show(so_far());
+    }
+    return so_far();
 }
 
 CachedFrames::CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request,
@@ -87,7 +93,8 @@ void CachedFrames::advance_time() {
 
 SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
                                std::span<const Optimisation> optimisations, int rounds, const Workers& workers,
-                               const std::function<void(double)>& report) {
+                               const std::function<void(double)>& report,
+                               const std::function<void(const SavedTimes&)>& show) {
     request.force = request.timing = true;
     TimeSamples samples;
     const auto require_going_on = [&] {
@@ -114,9 +121,16 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
     draw({}, false);  // compiles programs and touches memory
     for (const Optimisation optimisation : again) draw({optimisation}, false);
     SavedTimes saved{.rounds = rounds};
+    const auto show_so_far = [&](const std::vector<SavedTime>& more) {
+        if (!show) return;
+        SavedTimes so_far = saved;
+        so_far.optimisations.insert(so_far.optimisations.end(), more.begin(), more.end());
+        so_far.frame = summarise_times(samples);
+        show(so_far);
+    };
     saved.optimisations = time_optimisations_alternating(
         again, rounds, [&](OptimisationSet forced) { return draw(forced, true); },
-        [&](double share) { report_part(0, double(again.size()), share); });
+        [&](double share) { report_part(0, double(again.size()), share); }, show_so_far);
     for (int i = 0; again.empty() && i < rounds; ++i) {
         draw({}, true);
         if (kept.empty()) report_part(0, 1, double(i + 1) / rounds);
@@ -129,9 +143,9 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
         };
         const Optimisation one[] = {kept[i]};
         time_optimisations_alternating(one, 4, draw_moment);  // fills the caches
-        saved.optimisations.push_back(time_optimisations_alternating(one, rounds, draw_moment, [&](double share) {
-                                          report_part(double(again.size() + i), 1, share);
-                                      }).front());
+        const auto report_one = [&](double share) { report_part(double(again.size() + i), 1, share); };
+        saved.optimisations.push_back(
+            time_optimisations_alternating(one, rounds, draw_moment, report_one, show_so_far).front());
     }
     saved.frame = summarise_times(samples);
     return saved;

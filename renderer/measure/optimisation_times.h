@@ -41,9 +41,11 @@ struct SavedTimes {
 /// @param rounds the number of pairs of frames per optimisation
 /// @param draw_ms a function that draws a frame with the given optimisations switched off and returns its milliseconds
 /// @param report receives the share done, 0..1
-std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> optimisations, int rounds,
-                                                      const std::function<double(OptimisationSet)>& draw_ms,
-                                                      const std::function<void(double)>& report = {});
+/// @param show receives the times of the rounds so far after each round, from the second on
+std::vector<SavedTime> time_optimisations_alternating(
+    std::span<const Optimisation> optimisations, int rounds, const std::function<double(OptimisationSet)>& draw_ms,
+    const std::function<void(double)>& report = {},
+    const std::function<void(const std::vector<SavedTime>&)>& show = {});
 
 /// Default number of frame pairs per timed optimisation.
 inline constexpr int kSavedTimeRounds = 15;
@@ -52,10 +54,12 @@ inline constexpr int kSavedTimeRounds = 15;
 /// on earlier frames (Static, EarlyOut): these are timed by CachedFrames. Static is left out where no animation plays.
 /// @param request frames to draw; `forced`, `force` and `timing` are set here
 /// @param report receives the share done, 0..1
+/// @param show receives the times so far, after each round of frames
 /// @throws Error, Cancelled
 SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
                                std::span<const Optimisation> optimisations, int rounds = kSavedTimeRounds,
-                               const Workers& workers = {}, const std::function<void(double)>& report = {});
+                               const Workers& workers = {}, const std::function<void(double)>& report = {},
+                               const std::function<void(const SavedTimes&)>& show = {});
 
 /// Sequence of frames in motion, to time an optimisation that depends on results of earlier frames. For
 /// Optimisation::StaticCasterCache the animation plays, else the camera turns.

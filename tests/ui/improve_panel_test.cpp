@@ -109,6 +109,21 @@ TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
     ui.frames(3);
     EXPECT_EQ(ui.lacking({"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations"}), "");
     EXPECT_TRUE(ui.find("found", "", "Apply"));
+    AutopilotCase tried;
+    tried.holds = true;
+    tried.ms = 4.25;
+    tried.classified.error = 0.0123;
+    tried.changes = {{"map.resolution", "512"}};
+    flight.cases = {tried};
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"1 combinations measured"}), "") << "folded away at the end";
+    flight.summary = "1 of 9 combinations measured";
+    ui.advice.advising = SearchProgress{"map.resolution=1024", 0.4, 90};
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"1 of 9 combinations measured", "4.25 ms", "0.0123", "Resolution: 512 texels"}), "")
+        << "rows appear as they are measured";
+    ui.advice.advising.reset();
+    flight.cases.clear();
     flight.goals_met = false;
     flight.summary = "it cannot be held";
     ui.frames(3);

@@ -126,6 +126,21 @@ TEST(Autopilot, ComesWithinTenPercentInALargeSpace) {
     }
 }
 
+TEST(Autopilot, ShowsEachCombinationAsItIsMeasured) {
+    World world;
+    std::size_t shown = 0, best = 0;
+    const AutopilotResult r = run_autopilot(
+        with_contact(), axes_of(false), {.max_error = 0.002}, world.meter(), {}, [&](const AutopilotResult& so_far) {
+            EXPECT_GE(so_far.cases.size(), shown);
+            shown = so_far.cases.size();
+            best += so_far.goals_met;
+            EXPECT_EQ(so_far.combinations, 60u);
+            EXPECT_NE(so_far.summary.find("of 60 combinations measured"), std::string::npos);
+        });
+    EXPECT_EQ(shown, r.cases.size());
+    EXPECT_GT(best, 0u) << "the best so far is shown before the end";
+}
+
 TEST(Autopilot, ReportsTheCostOfEachDroppedEffect) {
     World world;
     const AutopilotGoals goals{.max_error = 0.003};
@@ -144,7 +159,7 @@ TEST(Autopilot, ReportsAnUnreachableBoundAndTheNearestResult) {
     World world;
     const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.max_error = 1e-9}, world.meter());
     EXPECT_FALSE(r.goals_met);
-    EXPECT_NE(r.summary.find("mae at most 1e-09 cannot be met by any tried combination; the nearest is"),
+    EXPECT_NE(r.summary.find("mae at most 0.000000001 cannot be met by any tried combination; the nearest is"),
               std::string::npos)
         << r.summary;
     for (const AutopilotCase& c : r.cases) EXPECT_LE(r.best.classified.error, c.classified.error);

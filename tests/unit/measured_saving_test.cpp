@@ -22,6 +22,18 @@ TEST(MeasuredSaving, IsTheDifferenceUnderChangingLoad) {
     EXPECT_EQ(saved[0].ms.samples, 16);
 }
 
+TEST(MeasuredSaving, ShowsTheTimesSoFar) {
+    std::vector<int> samples;
+    std::vector<SavedTime> last;
+    const auto draw = [](OptimisationSet forced) { return forced.contains(kOptimisation) ? 7.0 : 4.0; };
+    const auto saved = time_optimisations_alternating(kOne, 5, draw, {}, [&](const std::vector<SavedTime>& so_far) {
+        samples.push_back(so_far.at(0).ms.samples);
+        last = so_far;
+    });
+    EXPECT_EQ(samples, (std::vector{2, 3, 4, 5})) << "one difference alone has no interval";
+    EXPECT_EQ(last.at(0).ms.median, saved.at(0).ms.median);
+}
+
 TEST(MeasuredSaving, MayBeNegativeAndItsIntervalHoldsTheMedian) {
     int frame = 0;
     const auto saved = time_optimisations_alternating(kOne, 20, [&](OptimisationSet forced) {
