@@ -22,6 +22,7 @@ namespace si {
 namespace {
 
 constexpr int kColumns = 9, kTexts = 3;  ///< the first kTexts columns are texts, the last is a checkbox
+constexpr float kBarEms = 0.13f;         ///< height of the bar under a time
 enum class Column { State, Effect, Why, Ms, CpuMs, Draws, Triangles, Saved, Force };
 
 std::string grouped(std::uint64_t n) {
@@ -82,11 +83,12 @@ void force_box(OptimisationSet& forced, Optimisation saving, const char* label) 
 
 void measure_button(const EffectsFacts& facts, EffectsRequests& requests) {
     if (facts.measuring_optimisations) {
-        const std::string text = fmt::format("{:.0f} %  {}", 100 * facts.measuring_optimisations->progress,
-                                             facts.measuring_optimisations->about);
-        progress_bar(facts.measuring_optimisations->progress, text, ImGui::GetFontSize() * 14);
+        const SearchProgress& now = *facts.measuring_optimisations;
+        progress_bar(now.progress, progress_text(now), ImGui::GetFontSize() * 14);
+        wrapped_tooltip(now.about);
         ImGui::SameLine();
         if (ImGui::Button("Cancel##saved")) requests.cancel_measuring = true;
+        wrapped_tooltip("Stops with what is there");
         return;
     }
     if (ImGui::Button("Measure what is saved")) requests.measure_saved_times = true;
@@ -100,11 +102,16 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     OptimisationSet& forced = panel.forced;
     int count = 0;
     for (std::size_t i = 0; i < kOptimisations; ++i) count += forced.contains(Optimisation(i));
-    const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
+    const std::string forced_text = count ? fmt::format("{} forced", count) : "Run everything";
     same_line_if_fits(button_width(forced_text.c_str()));
     if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
-    wrapped_tooltip("Optimisations that are switched off. A tool: no preset keeps it.");
+    wrapped_tooltip("Switches optimisations off, all or each alone, so that their work is done. No preset keeps it.");
     if (ImGui::BeginPopup("savings")) {
+        bool all = count == int(kOptimisations);
+        if (ImGui::Checkbox("Everything", &all))
+            for (std::size_t i = 0; i < kOptimisations; ++i) forced.set(Optimisation(i), all);
+        wrapped_tooltip("Does all work that any optimisation skips. The picture stays the same, byte by byte.");
+        ImGui::Separator();
         for (std::size_t i = 0; i < kOptimisations; ++i)
             force_box(forced, Optimisation(i), std::string(optimisation_rows()[i].label).c_str());
         ImGui::EndPopup();
@@ -112,8 +119,6 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     same_line_if_fits(button_width("Reset"));
     if (button_if(!forced.empty(), "Reset##forced")) forced = {};
     wrapped_tooltip("Switches all optimisations on again.");
-    same_line_if_fits(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
-    ImGui::Checkbox("Hide what is not needed", &panel.only_needed);
     if (!facts.saved || facts.saved_times_current) return;
     constexpr const char* kOld = "saved ms are of other settings";
     same_line_if_fits(ImGui::CalcTextSize(kOld).x);
@@ -128,7 +133,7 @@ void header(Room room) {
         ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed | (shown ? 0 : ImGuiTableColumnFlags_Disabled),
                                 em * ems);
     };
-    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupScrollFreeze(0, 2);  // the headings and the sum
     fixed(narrow ? "" : "State", narrow ? 1.2f : 7.5f);
     if (reasons)
         fixed("Effect", narrow ? 13 : 14);
@@ -172,14 +177,14 @@ void cost_cells(const PassCost& cost) {
     cell(Column::Triangles, cost.triangles > 0, grouped(cost.triangles));
 }
 
-/// Draws a bar behind a time: its share of the longest time.
+/// Draws a bar under a time: its share of the longest time.
 void time_bar(const FrameTimes& times, double ms) {
     double longest = ms;
     for (const auto& [name, last] : times.pass_ms) longest = std::max(longest, last);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x * float(ms / std::max(longest, 1e-9));
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + ImGui::GetTextLineHeight()},
-                                              theme::colours().done);
+    const float foot = at.y + ImGui::GetTextLineHeight(), thick = ImGui::GetFontSize() * kBarEms;
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, foot}, {at.x + width, foot + thick}, theme::colours().bar);
 }
 
 /// Draws the last time of a pass that this frame skips, in grey.
@@ -190,8 +195,13 @@ void last_time_cell(const FrameTimes& times, const PassInfo& pass) {
     wrapped_tooltip("When it was drawn last; this frame skips it");
 }
 
+/// Returns the pass whose cost the row of an effect shows; null: it shows none.
+const PassInfo* pass_of(const FrameResult& result, const Effect& effect) {
+    return effect.part || effect.pass.empty() ? nullptr : result.pass(effect.pass);
+}
+
 void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult& result, const EffectsFacts& facts,
-                const Effect& effect, Room room, PassCost& sum) {
+                const Effect& effect, Room room) {
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(index_of(Column::State));
     state_cell(effect.state, room);
@@ -203,15 +213,11 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
     if (room == Room::Least && !effect.reason.empty()) wrapped_tooltip(effect.reason);
     if (indent > 0) ImGui::Unindent(indent);
     if (ImGui::TableSetColumnIndex(index_of(Column::Why))) coloured_wrapped(effect.reason, theme::muted());
-    const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : result.pass(effect.pass);
+    const PassInfo* pass = pass_of(result, effect);
     if (pass && pass->state != PassState::Drawn) last_time_cell(times, *pass);
     if (pass && pass->state == PassState::Drawn) {
         if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(index_of(Column::Ms))) time_bar(times, pass->gpu_ms);
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
-        sum.gpu_ms += pass->gpu_ms;
-        sum.cpu_ms += pass->cpu_ms;
-        sum.draws += pass->draws;
-        sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(index_of(Column::Saved)))
         saved_cell(facts.saved ? facts.saved->saved_ms(effect) : nullptr,
@@ -220,19 +226,51 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
         force_box(panel.forced, *effect.optimisation, "##force");
 }
 
-/// Returns true for rows that are hidden. Forced effects stay visible, so that they can be switched on again.
-bool left_out(const EffectsPanel& panel, const Effect& effect) {
-    const bool forced = effect.optimisation && panel.forced.contains(*effect.optimisation);
-    return panel.only_needed && effect.state == EffectState::NotNeeded && !forced;
+/// Returns true for effects that neither cost nor save anything. What an optimisation skips saves its time, and its box
+/// must stay within reach.
+bool folds(const Effect& effect) {
+    return effect.state == EffectState::NotNeeded && !effect.optimisation;
 }
 
-void sum_row(const PassCost& sum) {
+/// Draws the line that stands for all effects that nothing needs. A click lists them, or folds them again.
+void fold_row(EffectsPanel& panel, std::span<const Effect> effects, Room room) {
+    const auto count = std::ranges::count_if(effects, folds);
+    if (count == 0) return;
+    ImGui::TableNextRow();
+    // The narrowest panel has room for words in the column of the effects only.
+    ImGui::TableSetColumnIndex(index_of(room >= Room::Few ? Column::Why : Column::Effect));
+    const std::string text = panel.all_listed
+                                 ? fmt::format("Hide {} that nothing needs###fold", count)
+                                 : fmt::format("{} more: nothing needs {}###fold", count, count == 1 ? "it" : "them");
+    if (ImGui::Selectable(text.c_str())) panel.all_listed = !panel.all_listed;
+    std::string names;
+    for (const Effect& effect : effects)
+        if (folds(effect)) names += (names.empty() ? "" : ", ") + effect.name;
+    wrapped_tooltip(names);
+}
+
+/// Draws the costs of all passes together, in the row that does not scroll.
+/// @param clock meaning of the times; it stands where the rows have their reasons
+void sum_row(const FrameResult& result, std::span<const Effect> effects, const std::string& clock, Room room) {
+    PassCost sum;
+    for (const Effect& effect : effects)
+        if (const PassInfo* pass = pass_of(result, effect); pass && pass->state == PassState::Drawn) {
+            sum.gpu_ms += pass->gpu_ms;
+            sum.cpu_ms += pass->cpu_ms;
+            sum.draws += pass->draws;
+            sum.triangles += pass->triangles;
+        }
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(index_of(Column::Effect));
     ImGui::PushFont(theme::strong());
     ImGui::TextUnformatted("Frame");
+    if (room == Room::Least) wrapped_tooltip(clock);
     cost_cells(sum);
     ImGui::PopFont();
+    if (!ImGui::TableSetColumnIndex(index_of(Column::Why))) return;
+    const std::string shown = beginning_that_fits(clock, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
+    ImGui::TextDisabled("%s", shown.c_str());
+    if (shown != clock) wrapped_tooltip(clock);
 }
 
 /// Draws the frames timed in the last seconds as bars over time.
@@ -241,7 +279,8 @@ void history(const FrameTimes& times) {
     const double now = ImGui::GetTime();
     const double longest = std::ranges::max(times.frames, {}, &TimedFrame::ms).ms;
     const float em = ImGui::GetFontSize(), wide = em * 9, high = ImGui::GetTextLineHeight();
-    ImGui::SameLine(0, em);
+    same_line_if_fits(wide);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy({wide, high});
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -259,15 +298,13 @@ void history(const FrameTimes& times) {
         ImGui::TextDisabled("%s", text.c_str());
 }
 
-void clock_line(const FrameResult& result, const DriverInfo* driver) {
-    if (result.pages) ImGui::TextDisabled("%s", page_facts_text(*result.pages).c_str());
+/// Returns what the times mean: clock and driver.
+std::string clock_text(const FrameResult& result, const DriverInfo* driver) {
     std::string clock = result.clock.empty() ? std::string() : "Clock: " + result.clock;
     if (driver && driver->software)
         clock = clock.empty() ? "CPU rasteriser: times do not predict a GPU" : clock + ", no prediction of a GPU";
     if (driver) clock += fmt::format("{}{}", clock.empty() ? "" : "   ", driver->renderer);
-    const std::string shown = beginning_that_fits(clock, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
-    ImGui::TextDisabled("%s", shown.c_str());
-    if (shown != clock) wrapped_tooltip(clock);
+    return clock;
 }
 
 }  // namespace
@@ -277,25 +314,25 @@ void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResul
     requests.want_effects = true;
     if (!result) return ImGui::TextDisabled("No frame yet.");
     tools(panel, facts, requests);
+    history(times);
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
                                       ImGuiTableFlags_NoSavedSettings;
-    const float footer = ImGui::GetTextLineHeightWithSpacing() * (result->pages ? 2 : 1) + ImGui::GetFontSize() * 0.2f;
+    const float footer = result->pages ? ImGui::GetTextLineHeightWithSpacing() + ImGui::GetFontSize() * 0.2f : 0;
     const Room room = room_of(ImGui::GetContentRegionAvail().x / ImGui::GetFontSize());
-    PassCost sum;
     if (ImGui::BeginTable("effects", kColumns, flags, {0, -footer})) {
         header(room);
+        sum_row(*result, facts.effects, clock_text(*result, driver), room);
         int id = 0;
         for (const Effect& effect : facts.effects) {
             ImGui::PushID(id++);
-            if (!left_out(panel, effect)) effect_row(panel, times, *result, facts, effect, room, sum);
+            if (panel.all_listed || !folds(effect)) effect_row(panel, times, *result, facts, effect, room);
             ImGui::PopID();
         }
-        sum_row(sum);
+        fold_row(panel, facts.effects, room);
         ImGui::EndTable();
     }
-    clock_line(*result, driver);
-    history(times);
+    if (result->pages) ImGui::TextDisabled("%s", page_facts_text(*result->pages).c_str());
 }
 
 }  // namespace si

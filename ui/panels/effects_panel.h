@@ -18,8 +18,8 @@ struct SavedTimes;
 /// State of the panel Effects, with the optimisations that the user has switched off. They are no settings, since no
 /// picture changes.
 struct EffectsPanel {
-    OptimisationSet forced;    ///< optimisations that are switched off
-    bool only_needed = false;  ///< lists only what is drawn or cached
+    OptimisationSet forced;   ///< optimisations that are switched off
+    bool all_listed = false;  ///< lists also what nothing needs
 };
 
 /// Data that the panel Effects shows: pieces of the frame's rendering work, and the times that optimisations save.
