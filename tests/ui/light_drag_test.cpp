@@ -275,6 +275,33 @@ TEST(LightDrag, ConeFollowsTheMouseWhereItsRimIsSeenEdgeOn) {
             }
 }
 
+TEST(LightDrag, RimSeenEdgeOnHasHandlesAtItsEndsWhichFollowTheMouse) {
+    constexpr double kPull = 112;  // pixels
+    const PictureView v = front_view();
+    for (const double azimuth : {86.0, 90.0, 94.0}) {
+        Case c(LightType::Spot, azimuth, 2);
+        c.light.cone = 60;
+        c.light.distance = 9;
+        const LightSettings before = c.light;
+        const glm::dvec2 apex = *v.point(c.pose().position);
+        int cones = 0;
+        for (const PlacedHandle& placed : place_handles(c.pose(), v)) {
+            if (!is_cone(placed.handle)) continue;
+            ++cones;
+            const glm::dvec2 outwards(0, placed.on_screen.y < apex.y ? -1 : 1);
+            c.drag(placed.handle, v, kPull * outwards);
+            EXPECT_GT(c.light.cone, before.cone + 20) << azimuth << ", " << int(placed.handle);
+            c.light = before;
+        }
+        EXPECT_EQ(cones, 2) << "those before and behind the axis would stay behind the mouse, at " << azimuth;
+    }
+    Case along(LightType::Spot, 0, 0);  // a rim seen as a circle keeps all four
+    along.light.distance = 9;
+    int cones = 0;
+    for (const PlacedHandle& placed : place_handles(along.pose(), v)) cones += is_cone(placed.handle);
+    EXPECT_EQ(cones, 4);
+}
+
 TEST(LightDrag, DirectionFollowsTheMouseOnItsSphere) {
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         Case c(type, 40, 25);

@@ -14,6 +14,7 @@ namespace {
 constexpr double kArrowPixels = 58, kBallPixels = 92;  // at scale 1
 constexpr double kRim = 0.7;                           // share of the distance to the target
 constexpr double kMinSine = 0.12;                      // smallest sine between the line of sight and a handle's axis
+constexpr double kMostAlong = 0.87;  // largest cosine between the line of sight and a cone handle's side: 30 degrees
 
 /// Returns true if the handle does not move along the line of sight, where small movements would become large.
 bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureView& view) {
@@ -25,7 +26,12 @@ bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureVi
     if (h == LightHandle::Range) return across(range_axis(pose));
     if (is_cone(h)) {
         const double half = half_cone_rad(pose.settings);
-        return across(std::cos(half) * handle_axis(pose, h) + std::sin(half) * pose.to_light);  // along the arc
+        const glm::dvec3 side = handle_axis(pose, h);
+        const double along_axis = std::abs(glm::dot(sight, pose.to_light));
+        // A rim seen edge-on is a line. Its handles before and behind the axis would not follow the mouse along it;
+        // those at its ends do.
+        if (along_axis < 1 - kMostAlong && std::abs(glm::dot(sight, side)) > kMostAlong) return false;
+        return across(std::cos(half) * side + std::sin(half) * pose.to_light);  // along the arc
     }
     return true;
 }
