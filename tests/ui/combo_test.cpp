@@ -58,6 +58,26 @@ TEST(Combo, PressThatClosesOneOpensTheNext) {
     EXPECT_TRUE(none_open());
 }
 
+TEST(Combo, ListsStayOnTheScreenWhereverTheirComboStands) {
+    for (const float share : {0.1f, 0.3f, 0.5f, 0.62f}) {
+        UiHarness ui(kWidth, kHeight);
+        ui.state.layout.map_height = share;
+        ui.frames(4);
+        const auto kernel = ui.find("/rows_", [](ImGuiID window) {
+            const ImGuiID table = ImHashStr("rows", 0, ImHashStr("filter", 0, window));
+            return ImHashStr("##value", 0, ImHashStr("filter.kernel", 0, table));
+        });
+        if (!kernel) continue;  // scrolled away
+        ui.click(*kernel);
+        ui.frames(3);
+        const ImGuiWindow* list = UiHarness::window("##Combo");
+        ASSERT_TRUE(list) << share;
+        EXPECT_GE(list->Pos.y, 0) << share;
+        EXPECT_LE(list->Pos.y + list->Size.y, kHeight) << share;
+        EXPECT_LE(list->Pos.x + list->Size.x, kWidth) << share;
+    }
+}
+
 TEST(Combo, PressElsewhereOnlyClosesTheList) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);

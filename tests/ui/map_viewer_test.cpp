@@ -10,6 +10,7 @@
 #include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/process.h"
+#include "tests/ui/drawn_text.h"
 #include "tests/ui/test_editor.h"
 #include "ui/map_view/depth_plots.h"
 #include "ui/map_view/map_marks.h"
@@ -227,6 +228,24 @@ TEST(MapMarks, ScreenAndMapCoordinatesAreInverse) {
     EXPECT_FLOAT_EQ(lo.y, 50);
     EXPECT_FLOAT_EQ(hi.x, 500);
     EXPECT_FLOAT_EQ(hi.y, 100);
+}
+
+TEST(MapViewer, EmptyLevelOfAVirtualMapNamesTheFullestOne) {
+    WideEditor editor({"map.virtual=true", "map.resolution=1024"});
+    const std::optional<PageFacts> pages = editor.facts().result->pages;
+    ASSERT_TRUE(pages);
+    const std::vector<int>& levels = pages->by_level;
+    const auto empty = std::ranges::find(levels, 0);
+    const auto fullest = std::ranges::max_element(levels);
+    if (empty == levels.end()) GTEST_SKIP() << "this view requests pages of every level";
+    editor.state().settings.view.face = int(empty - levels.begin());
+    editor.settle();
+    const test::DrawnText text;
+    editor.frame();
+    EXPECT_TRUE(text.shows("No look-up requests a page of this level"));
+    editor.state().settings.view.face = int(fullest - levels.begin());
+    editor.settle();
+    EXPECT_FALSE(text.shows("No look-up requests a page of this level"));
 }
 
 }  // namespace

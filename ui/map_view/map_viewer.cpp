@@ -238,6 +238,17 @@ std::string usage_text(const EditorState& state, const EditorFrame& frame) {
     return fmt::format("{} of texels read{}", percent_text(usage->utilisation()), state.frozen ? " (frozen)" : "");
 }
 
+/// Returns why the shown level of a virtual map is empty, and which level is not; empty: the level has pages.
+std::string empty_level_text(const Settings& s, const FrameResult& result) {
+    if (!result.pages) return {};
+    const std::vector<int>& pages = result.pages->by_level;
+    const auto shown = std::size_t(shown_face(s, result));
+    const auto fullest = std::ranges::max_element(pages);
+    if (shown >= pages.size() || pages[shown] > 0 || *fullest == 0) return {};
+    return fmt::format("No look-up requests a page of this level; level {} has {} of {}", fullest - pages.begin() + 1,
+                       *fullest, result.pages->wanted);
+}
+
 /// Appends `more` to the shorter of two lines.
 void append(std::pair<std::string, std::string>& lines, const std::string& more) {
     const auto width = [](const std::string& text) { return text_width(text, theme::small()); };
@@ -362,6 +373,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
                                                      : fmt::format("{} objects reach", fitted->clipped_casters));
         draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
     }
+    if (const std::string text = camera ? "" : empty_level_text(state.settings, result); !text.empty())
+        draw_text_on_picture({origin.x + em * 0.8f, end.y - em * 1.8f},
+                             beginning_that_fits(text, size.x - em * 2, ImGui::GetFont()), theme::kMutedOnPicture);
     list.PopClipRect();
     float y = end.y + em * 0.2f;
     for (const auto& [words, colour] : {std::pair(text.first, theme::text()), {text.second, theme::muted()}}) {
