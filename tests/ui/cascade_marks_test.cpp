@@ -1,12 +1,16 @@
 // Tests of cascade names and marks in the editor.
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
+#include "renderer/base/lengths_text.h"
+#include "renderer/settings/overlays.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
+#include "ui/scene_view/cascade_bar.h"
 #include "ui/scene_view/light_handles.h"
 #include "ui/state/scene_choices.h"
 
@@ -76,6 +80,78 @@ TEST(CascadeMarks, OnlyTheDirectionOfACameraFittedLightMoves) {
     s.lights[0].cascades = 4;
     EXPECT_EQ(pose().cascades.size(), 4u) << "whose frusta are drawn";
     EXPECT_EQ(handles_of(pose()), std::vector<LightHandle>{LightHandle::Direction});
+}
+
+/// Shows the overlay of cascades for a light with four.
+void show_cascades(UiHarness& ui) {
+    const auto all = overlays();
+    const auto row = std::ranges::find_if(all, [](const Overlay& o) { return o.names_views; });
+    ui.state.settings.view.overlay = int(row - all.begin()) + 1;
+    ui.state.settings.lights[0].cascades = 4;
+    ui.frames(4);
+}
+
+std::vector<double> cascade_ends(const Scene& scene, const Settings& settings) {
+    const Camera camera = make_camera(scene, settings, 1.5);
+    const std::vector<FittedLight> lights = fit_lights(scene, settings, &camera);
+    std::vector<double> ends;
+    for (const ViewSpan& span : lights[0].chooser.spans) ends.push_back(span.ends);
+    return ends;
+}
+
+TEST(CascadeBar, LegendNamesEachCascadesRangeAndTexels) {
+    UiHarness ui(1600, 900);
+    show_cascades(ui);
+    const std::vector<double> ends = cascade_ends(ui.scene, ui.state.settings);
+    ASSERT_EQ(ends.size(), 4u);
+    EXPECT_EQ(ui.lacking({"cascade 1: to " + metres_text(ends[0]), "cascade 4: ", metres_text(ends[3]), "a texel"}),
+              "");
+}
+
+TEST(CascadeBar, MovedEndIsWhereItWasDraggedAndOthersStay) {
+    UiHarness ui(1280, 720);
+    Settings& s = ui.state.settings;
+    s.lights[0].cascades = 4;
+    for (int cascade = 0; cascade < 3; ++cascade)
+        for (int step = 0; step < 4; ++step) {
+            const std::vector<double> before = cascade_ends(ui.scene, s);
+            const double wanted = 0.6 * before[std::size_t(cascade)] + 0.4 * before[std::size_t(cascade) + 1];
+            move_cascade_end(s.lights[0], LightSettings(s.lights[0]), before, cascade, wanted);
+            const std::vector<double> after = cascade_ends(ui.scene, s);
+            EXPECT_EQ(s.lights[0].split, Split::Manual);
+            EXPECT_NEAR(after[std::size_t(cascade)], wanted, 1e-6 * wanted);
+            for (int other = 0; other < 4; ++other)
+                if (other != cascade) {
+                    EXPECT_NEAR(after[std::size_t(other)], before[std::size_t(other)], 1e-6 * before.back()) << other;
+                }
+        }
+    // Neighbours bound the move.
+    const std::vector<double> ends = cascade_ends(ui.scene, s);
+    move_cascade_end(s.lights[0], LightSettings(s.lights[0]), ends, 1, 1e9);
+    const std::vector<double> pushed = cascade_ends(ui.scene, s);
+    EXPECT_LT(pushed[1], pushed[2]);
+}
+
+TEST(CascadeBar, IsDraggedInThePictureAsOneStepOfUndo) {
+    UiHarness ui(1600, 900);
+    show_cascades(ui);
+    ImGuiWindow* const bar = UiHarness::window("cascade bar_");
+    ASSERT_TRUE(bar);
+    const Settings before = ui.state.settings;
+    const auto end = ui.find("cascade bar_", [](ImGuiID window) {
+        const int cascade = 1;
+        return ImHashStr("end", 0, ImHashData(&cascade, sizeof cascade, window));
+    });
+    ASSERT_TRUE(end);
+    ui.drag(*end, *end + glm::vec2(20, 0));
+    EXPECT_EQ(ui.state.settings.lights[0].split, Split::Manual);
+    EXPECT_FALSE(ui.state.probe_pixel) << "the picture below is not clicked";
+    EXPECT_EQ(ui.state.settings.camera, before.camera);
+    ui.frames(2);
+    EXPECT_EQ(ui.state.history.undo(), before);
+    ui.state.settings.lights[0].cascades = 1;
+    ui.frames(3);
+    EXPECT_FALSE(UiHarness::window("cascade bar_")) << "there is nothing to divide";
 }
 
 }  // namespace

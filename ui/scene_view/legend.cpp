@@ -21,6 +21,7 @@ namespace {
 
 constexpr float kSmall = 14;        ///< smallest height of a picture with the overlay's name, ems
 constexpr float kRounding = 0.25f;  ///< radius of corners, ems
+constexpr float kLinesRoom = 0.5f;  ///< largest share of the picture that lines on each view may take
 
 /// Returns the legend of the shown light's views; empty if it has one only.
 std::vector<std::string> view_labels(const FittedLight* light) {
@@ -28,6 +29,40 @@ std::vector<std::string> view_labels(const FittedLight* light) {
     if (!light || !light->casts || light->views.size() < 2) return labels;
     for (std::size_t i = 0; i < light->views.size(); ++i) labels.push_back(view_short_name(light->chooser.choice, i));
     return labels;
+}
+
+/// Returns the camera depths or distances that a view covers, "12 to 31 m"; empty if they do not choose the view.
+std::string span_text(const ViewChooser& chooser, std::size_t view) {
+    const bool metres = chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Distance;
+    if (!metres || view >= chooser.spans.size()) return {};
+    const std::string to = metres_text(chooser.spans[view].ends);
+    if (view == 0) return "to " + to;
+    const std::string from = metres_text(chooser.spans[view - 1].ends);
+    const auto unit = [](const std::string& text) { return text.substr(text.rfind(' ')); };
+    return unit(from) == unit(to) ? fmt::format("{}–{}", from.substr(0, from.rfind(' ')), to)
+                                  : fmt::format("{}–{}", from, to);
+}
+
+/// Returns a line on each view of the shown light: "cascade 2: 12–31 m, 26 mm a texel". Empty for one view.
+std::vector<std::string> view_lines(const FittedLight* light, MapSize map_size) {
+    std::vector<std::string> lines;
+    if (!light || !light->casts || light->views.size() < 2) return lines;
+    const ViewChooser& chooser = light->chooser;
+    const char* const kind = chooser.choice == ViewChoice::Face       ? "face"
+                             : chooser.choice == ViewChoice::Distance ? "clip level"
+                                                                      : "cascade";
+    for (std::size_t i = 0; i < light->views.size(); ++i) {
+        const std::string span = span_text(chooser, i);
+        std::string line = fmt::format("{} {}: {}", kind, view_short_name(chooser.choice, i), span);
+        if (map_size.shortest() > 0) {
+            const TexelSize texel = light->views[i].texel_size_range(map_size);
+            const bool varies = texel.shortest < 0.9 * texel.longest;
+            line += fmt::format("{}{}{} a texel", span.empty() ? "" : ", ", varies ? "up to " : "",
+                                metres_text(texel.longest));
+        }
+        lines.push_back(line);
+    }
+    return lines;
 }
 
 struct LegendWidget {
@@ -56,6 +91,10 @@ float width_of(const std::vector<LegendWidget>& widgets) {
 }
 
 }  // namespace
+
+float legend_widgets_width(const Settings& settings, const Pane& pane) {
+    return width_of(legend_widgets(settings, pane));
+}
 
 float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 room) {
     const float em = ImGui::GetFontSize();
@@ -86,7 +125,7 @@ void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float
     ImGui::PopStyleColor();
 }
 
-void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room) {
+void draw_legend(const Pane& pane, const FittedLight* light, MapSize map_size, float left, float bottom, ImVec2 room) {
     const int index = pane.overlay - 1;
     if (index < 0 || std::size_t(index) >= overlays().size()) return;
     const Overlay& overlay = overlays()[std::size_t(index)];
@@ -101,18 +140,33 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
     const float head = title.empty() || small ? 0 : em * 1.35f, bar = em * (small ? 0.4f : 0.7f);
     const float text_width = ImGui::CalcTextSize(title.c_str()).x;
     const std::vector<std::string> keys = overlay.names_views ? view_labels(light) : std::vector<std::string>();
+    // A picture with room names each view with its range and texels; a small one only its number.
+    std::vector<std::string> lines = overlay.names_views ? view_lines(light, map_size) : std::vector<std::string>();
+    const float line_height = em * 1.25f;
+    float widest = 0;
+    for (const std::string& line : lines) widest = std::max(widest, ImGui::CalcTextSize(line.c_str()).x + em * 1.2f);
+    if (widest > room.x * kLinesRoom || line_height * float(lines.size()) > room.y * kLinesRoom) lines.clear();
     const float key_width = em * 2.4f;
-    const float box_width = !overlay.scalar ? std::max(text_width, key_width * float(keys.size()))
-                            : small         ? width + (title.empty() ? 0 : text_width + pad)
-                                            : std::max(width, text_width);
-    const float box_height = overlay.scalar ? head + bar + em * 1.35f : em * (keys.empty() ? 1.2f : 2.5f);
+    const float box_width = !lines.empty()    ? std::max(text_width, widest)
+                            : !overlay.scalar ? std::max(text_width, key_width * float(keys.size()))
+                            : small           ? width + (title.empty() ? 0 : text_width + pad)
+                                              : std::max(width, text_width);
+    const float box_height = overlay.scalar   ? head + bar + em * 1.35f
+                             : !lines.empty() ? em * 1.35f + line_height * float(lines.size())
+                                              : em * (keys.empty() ? 1.2f : 2.5f);
     const ImVec2 lo(left + em * 0.6f, bottom - em * 0.6f - box_height - pad),
         hi(lo.x + box_width + 2 * pad, bottom - em * 0.6f);
     list.AddRectFilled(lo, hi, theme::kVeil, em * kRounding);
     const float top = lo.y + pad * 0.6f;
     list.AddText({lo.x + pad + (small ? width + pad : 0), top + (small ? bar + em * 0.2f : 0)}, theme::kOnPicture,
                  title.c_str());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const ImVec2 at(lo.x + pad, top + em * 1.4f + line_height * float(i));
+        list.AddRectFilled({at.x, at.y + em * 0.1f}, {at.x + em * 0.8f, at.y + em * 0.9f},
+                           theme::colour(shared::view_colour(int(i))));
+        list.AddText({at.x + em * 1.2f, at.y}, theme::kOnPicture, lines[i].c_str());
+    }
+    for (std::size_t i = 0; lines.empty() && i < keys.size(); ++i) {
         const ImVec2 at(lo.x + pad + key_width * float(i), top + em * 1.4f);
         list.AddRectFilled(at, {at.x + em * 0.8f, at.y + em * 0.8f}, theme::colour(shared::view_colour(int(i))));
         list.AddText({at.x + em, at.y - em * 0.1f}, theme::kOnPicture, keys[i].c_str());

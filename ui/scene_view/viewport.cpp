@@ -9,6 +9,7 @@
 #include "renderer/inspect/probe.h"
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/camera_steering.h"
+#include "ui/scene_view/cascade_bar.h"
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/scene_view/scene_marks.h"
@@ -189,6 +190,10 @@ int overlaid_pane(const FrameResult& result) {
     return at == result.panes.end() ? -1 : int(at - result.panes.begin());
 }
 
+bool names_views(const Pane& pane) {
+    return pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_views;
+}
+
 void draw_pane(const EditorState& state, const EditorFrame& frame, const Panorama& panes, int index) {
     const FrameResult& result = *frame.result;
     // The compared picture is next to the picture; both get the same marks.
@@ -207,7 +212,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_causes)
         draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
-        draw_legend(pane, shown_fitted_light(state.settings, result), lo.x, bottom, size);
+        draw_legend(pane, shown_fitted_light(state.settings, result), result.map_size, lo.x, bottom, size);
     if (state.viewport.hovered_pixel && index == state.active_pane) {
         // The caption names the pane's overlay, or the side of a comparison.
         const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;
@@ -272,6 +277,9 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     if (const int i = overlaid_pane(*frame.result); i >= 0)
         draw_legend_widgets(state.settings, frame.result->panes[std::size_t(i)], panes.lo(i).x,
                             panes.lo(i).y + panes.size().y, panes.size());
+    if (const int i = overlaid_pane(*frame.result); i >= 0 && names_views(frame.result->panes[std::size_t(i)]))
+        draw_cascade_bar(state.settings, frame.drawn, *frame.result, {panes.lo(i).x, panes.lo(i).y}, panes.size(),
+                         legend_widgets_width(state.settings, frame.result->panes[std::size_t(i)]));
     if (!frame.shader_log.empty())
         draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 2.2f},
                              "A shader does not compile; the last good one is in use (see Log)");

@@ -44,12 +44,15 @@ std::span<const PresetEntry> open_preset_sequence(const EditorState& state, cons
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
 /// Draws the colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner. Overlays
-/// with one colour for each view of a light list these colours. @param left, bottom the corner, pixels of the screen
-/// @param room the size of the picture, pixels @param light the light; null: none
-void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room);
+/// with one colour for each view of a light list these colours, with range and texel size. @param left, bottom the
+/// corner, pixels of the screen @param room the size of the picture, pixels @param light the light; null: none
+/// @param map_size texels of each view's map
+void draw_legend(const Pane& pane, const FittedLight* light, MapSize map_size, float left, float bottom, ImVec2 room);
 
 /// Draws sliders for opacity and scale of a pane's overlay, below its legend.
 void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float bottom, ImVec2 room);
+/// Returns the width of draw_legend_widgets(), pixels.
+float legend_widgets_width(const Settings& settings, const Pane& pane);
 /// Returns the height of draw_legend_widgets(), pixels; 0: the picture is too small for sliders.
 float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 room);
 

@@ -1,0 +1,26 @@
+// Bar of a light's cascades over camera depth, in their colours; its borders are dragged.
+#pragma once
+
+#include <imgui.h>
+
+#include <span>
+
+#include "renderer/frame/frame.h"
+#include "renderer/settings/settings.h"
+
+namespace si {
+
+/// Moves the far end of a cascade, and makes the splits manual. The other cascades keep their ends.
+/// @param drawn settings of the light that gave `ends` @param ends far ends of all cascades, metres of camera depth
+/// @param cascade index of the moved one, not the last @param metres the new end; clamped between its neighbours
+void move_cascade_end(LightSettings& light, const LightSettings& drawn, std::span<const double> ends, int cascade,
+                      double metres);
+
+/// Draws the bar at the lower edge of a picture, right of the legend's widgets, while the shown light has cascades that
+/// are chosen by depth and there is room.
+/// @param drawn settings of the frame; null: the present ones @param lo, room upper left corner and size of the picture
+/// @param taken width of the legend's widgets, pixels
+void draw_cascade_bar(Settings& settings, const Settings* drawn, const FrameResult& result, ImVec2 lo, ImVec2 room,
+                      float taken);
+
+}  // namespace si
