@@ -66,13 +66,18 @@ public:
     /// Returns true if the progress of the first picture has changed.
     bool drawing_moved() { return frames_.first_picture_moved(); }
     /// Returns true while something is measured in the background.
-    bool measuring() const { return work_.busy() || export_.busy() || frames_.facts().readings.tracing_probe; }
+    bool measuring() const {
+        return work_.busy() || export_.busy() || presets_.pictures().busy() || frames_.facts().readings.tracing_probe;
+    }
     /// Returns true if the next fulfil() has results of a background measurement.
-    bool measuring_moved() const { return work_.moved() || export_.moved() || frames_.probe_moved(); }
+    bool measuring_moved() const {
+        return work_.moved() || export_.moved() || presets_.pictures().moved() || frames_.probe_moved();
+    }
     /// Waits until nothing is being measured.
     void finish_measuring() const {
         work_.finish();
         export_.finish();
+        presets_.pictures().wait();
         frames_.finish_probe();
     }
     /// Returns true while rays are traced, or errors are computed from them.

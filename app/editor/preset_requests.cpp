@@ -169,6 +169,13 @@ void PresetRequestHandler::restore_lost() {
                   .lost = true});
 }
 
+bool PresetRequestHandler::update_pictures(std::span<const std::string> wanted) {
+    if (!pictures_.update(wanted)) return false;
+    for (auto* entries : {&entries_, &hard_cases_})
+        for (PresetEntry& entry : *entries) entry.picture = pictures_.texture(entry.key);
+    return true;
+}
+
 void PresetRequestHandler::fill(EditorFrame& frame) const {
     frame.presets = entries_;
     frame.hard_cases = hard_cases_;

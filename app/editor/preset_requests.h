@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "app/editor/preset_pictures.h"
 #include "app/editor/scene_loader.h"
 
 namespace si {
@@ -37,6 +38,10 @@ public:
     /// Writes the lists of presets and the comparison into `frame`. Pointers in it stay valid until the next non-const
     /// call.
     void fill(EditorFrame& frame) const;
+    /// Draws small pictures of presets that the gallery shows, in the background. Returns true if there are new ones.
+    /// Needs the window's OpenGL context. @param wanted see PresetRequests::want_pictures
+    bool update_pictures(std::span<const std::string> wanted);
+    const PresetPictures& pictures() const { return pictures_; }
     /// Returns true if quitting would lose unsaved changes other than moves of the camera.
     bool would_be_lost() const;
 
@@ -61,6 +66,7 @@ private:
     bool unsaved_ = false;
     std::optional<ComparisonFacts> comparison_;  ///< kept while it is not shown, so that its file is read once
     bool shows_comparison_ = false;
+    PresetPictures pictures_;
 };
 
 }  // namespace si

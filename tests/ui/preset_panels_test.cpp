@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -201,7 +202,7 @@ TEST(PresetKeys, PageKeysStepPresetsUnlessAPopupIsOpen) {
     EXPECT_EQ(ui.key(kPageUp).load_preset, std::nullopt);
 }
 
-TEST(PresetsMenu, ShowsSentencesByTopicAndOpensTheClickedPreset) {
+TEST(Gallery, ShowsSentencesByTopicAndOpensTheClickedPreset) {
     UiHarness ui(1280, 720);
     ui.presets = guided();
     ui.frames(2);
@@ -209,13 +210,76 @@ TEST(PresetsMenu, ShowsSentencesByTopicAndOpensTheClickedPreset) {
     ui.frames(3);
     const ImGuiWindow* menu = window_of("##Popup");
     ASSERT_TRUE(menu) << "the button was not found";
-    EXPECT_GT(menu->ScrollMax.y, 500) << "forty presets do not fit one screen";
     EXPECT_LE(menu->Pos.y + menu->Size.y, 720.5f);
     EXPECT_EQ(menu->ScrollMax.x, 0);
-    const auto chosen = click_along(ui, menu->Pos.x + 100, menu->Pos.x + 130, menu->Pos.y + 60,
+    const ImGuiWindow* list = window_of("/list_");
+    ASSERT_TRUE(list);
+    EXPECT_GT(list->ScrollMax.y, 500) << "forty presets do not fit one screen";
+    const auto chosen = click_along(ui, list->Pos.x + 150, list->Pos.x + 180, list->Pos.y + 60,
                                     [](const EditorRequests& a) { return a.load_preset.has_value(); });
     ASSERT_TRUE(chosen);
     EXPECT_EQ(*chosen->load_preset, ui.presets.front().key);
+}
+
+/// Opens the gallery of guided presets or hard cases.
+void open_gallery(UiHarness& ui, const char* button) {
+    ui.click(ui.find("editor/top", "", button));
+    ui.frames(3);
+    ASSERT_TRUE(window_of("/list_"));
+}
+
+TEST(Gallery, SearchListsOnlyWhatHasAllWordsAndEnterOpensTheFirst) {
+    UiHarness ui(1280, 720);
+    ui.presets = guided();
+    ui.hard_cases = hard();
+    ui.frames(2);
+    ASSERT_NO_FATAL_FAILURE(open_gallery(ui, "Guided presets"));
+    ui.type("peter");
+    ui.frames(2);
+    EXPECT_FALSE(ui.drawn().shows(ui.presets.front().title)) << "acne is another thing";
+    EXPECT_EQ(ui.state.gallery.search, "peter") << "the search has the keyboard at once";
+    EXPECT_TRUE(ui.key(ImGui::GetKeyIndex(ImGuiKey_Enter)).load_preset.has_value());
+    ui.frames(2);
+    ASSERT_NO_FATAL_FAILURE(open_gallery(ui, "Guided presets"));
+    EXPECT_EQ(ui.state.gallery.search, "") << "it begins with all";
+    ui.type("zzzz");
+    ui.frames(2);
+    EXPECT_TRUE(ui.drawn().shows("Nothing has all these words."));
+}
+
+TEST(Gallery, HardCasesArePairsBesideEachOther) {
+    UiHarness ui(1600, 900);
+    ui.hard_cases = hard();
+    ui.frames(2);
+    ASSERT_NO_FATAL_FAILURE(open_gallery(ui, "Hard cases"));
+    const auto place = [&](const std::string& title) {
+        std::u32string text;
+        for (const char c : title)
+            if (c != ' ') text += char32_t(static_cast<unsigned char>(c));
+        return ui.drawn().find(text);
+    };
+    const auto broken = place(ui.hard_cases[0].title), fixed = place(ui.hard_cases[1].title);
+    ASSERT_TRUE(broken && fixed) << ui.hard_cases[0].title << ", " << ui.hard_cases[1].title;
+    EXPECT_NEAR(broken->y, fixed->y, 1);
+    EXPECT_GT(fixed->x, broken->x + 200);
+    ui.move({fixed->x, fixed->y});
+    ui.frames(2);
+    EditorRequests requests = ui.click_here();
+    if (!requests.load_preset) requests = ui.frame();
+    EXPECT_EQ(requests.load_preset, ui.hard_cases[1].key);
+}
+
+TEST(Gallery, RequestsPicturesOfWhatIsOnTheScreenOnly) {
+    UiHarness ui(1280, 720);
+    ui.presets = guided();
+    EXPECT_TRUE(ui.frames(3).want_pictures.empty()) << "it is closed";
+    ASSERT_NO_FATAL_FAILURE(open_gallery(ui, "Guided presets"));
+    const std::vector<std::string> wanted = ui.frame().want_pictures;
+    ASSERT_FALSE(wanted.empty());
+    EXPECT_EQ(wanted.front(), ui.presets.front().key);
+    EXPECT_LT(wanted.size(), 20u);
+    ui.presets.front().picture = 1;
+    EXPECT_EQ(ui.frame().want_pictures.front(), ui.presets[1].key) << "the first has one";
 }
 
 TEST(HardCasesMenu, OpensTheClickedCaseAndPageKeysStepOnlyCases) {
@@ -230,10 +294,10 @@ TEST(HardCasesMenu, OpensTheClickedCaseAndPageKeysStepOnlyCases) {
     for (float x = 380; x < 620 && !(chosen && chosen->load_preset->starts_with("hard/")); x += 24) {
         if (!click_along(ui, x, x + 6, 19, opened)) continue;
         ui.frames(3);
-        const ImGuiWindow* menu = window_of("##Popup");
+        const ImGuiWindow* menu = window_of("/list_");
         ASSERT_TRUE(menu);
         EXPECT_EQ(menu->ScrollMax.x, 0);
-        chosen = click_along(ui, menu->Pos.x + 100, menu->Pos.x + 130, menu->Pos.y + 60,
+        chosen = click_along(ui, menu->Pos.x + 150, menu->Pos.x + 180, menu->Pos.y + 60,
                              [](const EditorRequests& a) { return a.load_preset.has_value(); });
         ui.frames(2);
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "ui/widgets/export_kind.h"
 
@@ -13,8 +14,15 @@ namespace si {
 struct PresetEntry {
     std::string key;
     std::string title;
-    std::string topic;  ///< heading that it is listed under
-    std::string about;  ///< sentence on what to look at
+    std::string topic;     ///< heading that it is listed under
+    std::string about;     ///< sentence on what to look at
+    unsigned picture = 0;  ///< texture of its small picture, bottom row first; 0: not drawn yet
+};
+
+/// State of the gallery of presets.
+struct GalleryPanel {
+    std::string search;  ///< words that listed presets have
+    std::string topic;   ///< heading of the listed presets; empty: all
 };
 
 /// Session that a crash has left, as the panel shows it when it offers to restore the session.
@@ -53,12 +61,14 @@ struct PresetRequests {
     bool cancel_load = false;                ///< keep the scene that is shown
     bool reload_scene = false;               ///< read the shown scene's files again
     bool keep_scene = false;                 ///< do not offer that until they change once more
+    std::vector<std::string> want_pictures;  ///< keys of presets on the screen that have no picture yet
 };
 
-/// Draws the popup `id` of presets by topic, while it is open. @param open key of the preset that is open
-void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const std::string& open,
-                       PresetRequests& requests);
-/// Returns the width of the popup of presets, pixels.
-float presets_menu_width();
+/// Draws the gallery of presets as the popup `id`, while it is open: pictures and sentences by topic, with search. A
+/// hard case and its fix are a pair beside each other. @param open key of the preset that is open
+void draw_gallery(const char* id, GalleryPanel& panel, std::span<const PresetEntry> presets, const std::string& open,
+                  PresetRequests& requests);
+/// Returns the width of the gallery, pixels.
+float gallery_width();
 
 }  // namespace si

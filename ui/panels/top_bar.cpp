@@ -100,15 +100,15 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests
     plain_tooltip(with_key("The guided preset before", Command::PreviousPreset));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Guided presets", "guided presets",
-                "Artefacts and their fixes, each with a sentence on what to look at", presets_menu_width());
-    draw_presets_menu("guided presets", frame.presets, state.files.guide.key, requests);
+                "Artefacts and their fixes, each with a sentence on what to look at", gallery_width());
+    draw_gallery("guided presets", state.gallery, frame.presets, state.files.guide.key, requests);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) requests.load_preset = after;
     plain_tooltip(with_key("The guided preset after", Command::NextPreset));
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Hard cases", "hard cases", "Scenes in which shadow maps fail, each with and without the fix",
-                presets_menu_width());
-    draw_presets_menu("hard cases", frame.hard_cases, state.files.guide.key, requests);
+                gallery_width());
+    draw_gallery("hard cases", state.gallery, frame.hard_cases, state.files.guide.key, requests);
 }
 
 /// Draws the menu of theme and layout.

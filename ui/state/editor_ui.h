@@ -104,6 +104,7 @@ struct EditorState : PictureState {
 
     ScenePanel viewport;
     MapPanel map;
+    GalleryPanel gallery;
     SettingsPanel settings_panel;
     EnginePanel engine_panel;
     LightsPanel lights;
