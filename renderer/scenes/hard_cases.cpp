@@ -695,15 +695,15 @@ constexpr HardCase kCases[] = {
      hard_given_far_away,
      "light.azimuth=30 light.elevation=40 bias.kind=adaptive filter.kernel=hard map.bundle_bias=entered",
      "map.bundle=builtin:absolute", "map.bundle=builtin:relative-to-camera"},
-    {47, "engine-angle", "An engine's number at 89 degrees",
+    {47, "engine-angle", "An engine's number in grazing light",
      "A constant bias that an engine got for ground at 45 degrees to the light covers it with stripes where the light "
      "grazes it.",
      "The number converted for the angle of the ground, or a polygon offset by slope, which grows with the angle.",
      "lit pixels of a plane at 89 degrees darker than lit, under each engine's converted number", 0, kPixels, kExact,
      "the same under the number for 45 degrees", 0.3, hard_floor_and_box,
-     "map.resolution=512 map.format=d24 light.elevation=1 light.fit=scene filter.kernel=hard bias.kind=constant "
+     "map.resolution=512 map.format=d24 light.elevation=6 light.fit=scene filter.kernel=hard bias.kind=constant "
      "bias.normal=0",
-     "bias.constant=1", "bias.constant=0.25 bias.raster_slope=1 bias.raster_units=4"},
+     "bias.constant=1", "bias.constant=7"},
     {48, "engine-depth-range", "An engine's number after the map was fitted again",
      "Some engines count bias in shares of the map's depth range: fitted to a tenth of the range, the same number is a "
      "tenth of the bias.",

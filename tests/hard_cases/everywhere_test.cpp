@@ -217,7 +217,7 @@ void expect_alike(const HardCase& row, const Differences& d) {
 
 constexpr std::uint32_t kSeed = 20260101;
 
-/// Returns the cases that can be moved, which come first. Maps that an engine gives stay where they are, and those
+/// Returns the cases that can be moved. Maps that an engine gives stay where they are, and those
 /// cases have tests of their own.
 std::vector<const HardCase*> all_rows() {
     std::vector<const HardCase*> rows;
@@ -228,10 +228,11 @@ std::vector<const HardCase*> all_rows() {
 
 /// Returns the placements of a case in the pairwise table of cases and placements.
 std::vector<Placement> in_pairs(const HardCase& row) {
-    static const std::vector<PlacedCase> array = pairwise_placements(all_rows().size(), kSeed);
+    static const std::vector<const HardCase*> rows = all_rows();
+    static const std::vector<PlacedCase> array = pairwise_placements(rows.size(), kSeed);
     std::vector<Placement> out;
     for (const PlacedCase& c : array)
-        if (int(c.case_index) + 1 == row.number) out.push_back(c.placement);
+        if (rows[c.case_index]->number == row.number) out.push_back(c.placement);
     return out;
 }
 
