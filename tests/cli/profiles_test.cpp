@@ -130,8 +130,9 @@ TEST(Profiles, SpeakInTheEnginesParameters) {
 
 TEST(Profiles, LeaveOutWhatTheEngineLacks) {
     const Words size = "--size 160x90";
-    const Json advised =
-        program_json("advise boxes --profile three --set engine.bias=0 --set map.resolution=256" + size);
+    const Json advised = program_json(
+        "advise boxes --profile three --set engine.bias=0 --set engine.shadowSide=DoubleSide --set map.resolution=256" +
+        size);
     EXPECT_GT(advised["refused"], 0);
     bool named = false;
     for (const char* const list : {"advice", "tried", "findings"})

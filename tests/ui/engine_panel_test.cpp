@@ -57,7 +57,7 @@ TEST(EnginePanel, TheAngleIsThatOfTheConversion) {
     ui.frames(4);
     type_number(ui, "reference angle", "60");
     EXPECT_EQ(ui.state.engine_panel.angle_deg, 60);
-    EXPECT_TRUE(ui.prints("60 degrees"));
+    EXPECT_TRUE(ui.drawn().find(U"m,60°"));
     type_number(ui, "reference angle", "95");
     EXPECT_EQ(ui.state.engine_panel.angle_deg, 89) << "a plane at 90 degrees is not lit";
 }

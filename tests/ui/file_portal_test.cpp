@@ -56,7 +56,7 @@ TEST(FilePortal, FileIsChosen) {
     const FakePortal::Question question = desktop.questions()[0];
     EXPECT_EQ(question.method, "OpenFile");
     EXPECT_EQ(question.parent_window, "x11:2a");
-    EXPECT_EQ(question.title, "Open a scene or a preset");
+    EXPECT_EQ(question.title, "Open a model, map, bundle, capture or preset");
     const auto folder = question.options.at("current_folder").get<std::vector<std::uint8_t>>();
     EXPECT_EQ(std::string(folder.begin(), folder.end()), std::string("/some where") + '\0');
     const std::vector<std::string> filters = names(question.options);

@@ -9,6 +9,7 @@
 
 #include "app/base/output.h"
 #include "renderer/advise/fixes.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/test_editor.h"
@@ -186,8 +187,8 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     editor.settle();
     EXPECT_FALSE(model.state.predicted);
     const std::string both =
-        fmt::format("{} px wrong and mean error {:.4g} were predicted; {} and", wrong - first.cured + first.broken,
-                    first.metrics.mae, wrong - first.cured + first.broken);
+        fmt::format("{} px wrong and mean error {} were predicted; {} and", wrong - first.cured + first.broken,
+                    digits_text(first.metrics.mae), wrong - first.cured + first.broken);
     EXPECT_NE(editor.last_line().find(both), std::string::npos) << editor.last_line();
     EXPECT_FALSE(model.facts().fixes.current) << "other settings now";
     ASSERT_TRUE(model.facts().error);

@@ -351,7 +351,7 @@ TEST(FileDialogs, SaveByNameAndOpenByDoubleClick) {
     ui.type("b.json");
     EXPECT_EQ(confirmed(ui).open_file, (fs::weakly_canonical(folder) / "b.json").string());
     ui.frames(3);
-    EXPECT_FALSE(window_of("Open a scene or a preset")) << "it closes";
+    EXPECT_FALSE(window_of("Open a model, map, bundle, capture or preset")) << "it closes";
 
     open_file_dialog(dialog, FileDialog::Job::SavePreset, folder / "mine", "Look.");
     EXPECT_EQ(dialog.entries.size(), 2u) << "no scenes among presets";
@@ -426,13 +426,13 @@ TEST(FileDialogs, ListsOneKindWithDatesAndRecentFolders) {
         ui.click(ui.find(window, "", label));
         ui.frames(2);
     };
-    press("Open a scene or a preset", "##kind");
+    press("Open a model, map, bundle, capture or preset", "##kind");
     const auto models = ui.drawn().find(U"models", 0);
     ASSERT_TRUE(models);
     ui.click({models->x, models->y});
     ui.frames(2);
     EXPECT_EQ(dialog.entries.size(), 2u) << "a folder and a model";
-    press("Open a scene or a preset", "Recent");
+    press("Open a model, map, bundle, capture or preset", "Recent");
     press("##Popup", (folder / "elsewhere").string().c_str());
     EXPECT_EQ(dialog.folder, folder / "elsewhere");
     ASSERT_EQ(dialog.entries.size(), 1u);

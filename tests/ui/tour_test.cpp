@@ -79,7 +79,7 @@ TEST_P(Tour, MenusAndDialogs) {
     save_gltf(load_scene("plane"), scenes / "plane.glb");
     open_file_dialog(state().files.dialog, FileDialog::Job::Open, scenes / "x");
     frames(12);  // the background has darkened
-    expect_window("Open a scene or a preset");
+    expect_window("Open a model, map, bundle, capture or preset");
     keep("open_dialog");
     ImGui::ClosePopupToLevel(0, false);
     open_file_dialog(state().files.dialog, FileDialog::Job::SavePreset,

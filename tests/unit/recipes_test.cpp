@@ -200,7 +200,7 @@ std::vector<std::string> places_with_key(const std::string& name, const std::str
                 // The name of a view is no row of a table.
                 const bool view = name == "app/report/views.cpp" && line.find("view.key ==") != std::string::npos;
                 // The reference angle of a conversion is read from the values of this overlay.
-                const bool angle = name == "app/commands/convert.cpp" && key == "n-dot-l";
+                const bool angle = name == "app/convert/measured_conversion.cpp" && key == "n-dot-l";
                 if ((said && !angle && !kOtherWords.contains(key)) || (compared && !view) || defined)
                     out.push_back(name + ":" + std::to_string(number) + " knows " + key);
             }
