@@ -7,6 +7,7 @@ off: parameters of the bias with values that add none.
 acne: parameters of the bias, each with the setting of the inspector from which its number is converted.
 filters: other filters, by name, under which the first parameter of acne is proved at 45 degrees.
 known: searches that do not meet the bound, by what the row has, each with the reason. The page shows them as not met.
+reversed: True for an engine whose matrix stores reversed depth.
 fits: True for an engine that chooses the light's box by itself, and reports it in facts.json.
 """
 
@@ -58,6 +59,35 @@ ENGINES = {
         "acne": [("shadowBias", "bias.constant"), ("normalOffsetBias", "bias.normal")],
         "filters": {"SHADOW_PCF3_32F": {"kernel": {"shadowType": "SHADOW_PCF3_32F"},
                                         "settings": {"filter.kernel": "tent", "filter.size": 3}}},
+        "fits": True,
+    },
+    "ogre": {
+        "title": "OGRE",
+        "kernel": {},
+        "settings": {"filter.kernel": "pcf", "filter.size": 2, "map.format": "d16"},
+        "plane": {"ShadowCasterRenderBackFaces": "false"},
+        "off": {"depth_bias.constant": 0, "depth_bias.slope": 0},
+        "acne": [("depth_bias.constant", "bias.constant"), ("depth_bias.slope", "bias.raster_slope")],
+        "fits": False,
+    },
+    "filament19": {
+        "title": "Filament",
+        "folder": "filament",
+        "reversed": True,
+        "kernel": {"shadowType": "PCF"},
+        "settings": {"filter.kernel": "gauss", "filter.size": 3, "map.format": "d16", "map.reversed_z": True},
+        "plane": {},
+        "off": {"constantBias": 0, "polygonOffsetSlope": 0, "polygonOffsetConstant": 0},
+        "acne": [("constantBias", "bias.constant"), ("polygonOffsetSlope", "bias.raster_slope")],
+        "fits": True,
+    },
+    "godot3": {
+        "title": "Godot",
+        "kernel": {"filter_mode": "Disabled"},
+        "settings": {"filter.kernel": "hw2x2"},
+        "plane": {},
+        "off": {"shadow_bias": 0, "directional_shadow_normal_bias": 0},
+        "acne": [("shadow_bias", "bias.constant")],
         "fits": True,
     },
 }

@@ -150,7 +150,10 @@ class Proof:
                 facts = read_facts(self.path("fit", scene.name))
                 matrix, texels = matrix_of(facts), facts.get("map_resolution", texels)
             self.given[scene.name] = (matrix, texels)
-            jobs.write_bundle(self.bundle(scene), scene, matrix, texels)
+            reversed_z = self.engine.get("reversed", False)
+            if reversed_z:  # the matrix of facts.json is that of standard depth
+                matrix = np.diag([1, 1, -1, 1]) @ matrix
+            jobs.write_bundle(self.bundle(scene), scene, matrix, texels, reversed_z=reversed_z)
 
     def bundle(self, scene):
         return self.path("bundles", scene.name + ".bundle")
