@@ -145,7 +145,8 @@ private:
         portal->callMethodAsync(saving ? "SaveFile" : "OpenFile")
             .onInterface(kChooser)
             .withTimeout(kStart)
-            .withArguments(parent_window_, std::string(saving ? "Save the preset as" : "Open a model, map, bundle, capture or preset"),
+            .withArguments(parent_window_,
+                           std::string(saving ? "Save the preset as" : "Open a model, map, bundle, capture or preset"),
                            options_of(dialog_))
             .uponReplyInvoke([this](const sdbus::Error* error, const sdbus::ObjectPath&) {
                 if (error) answer({.problem = error->getMessage()});

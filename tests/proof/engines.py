@@ -7,6 +7,7 @@ off: parameters of the bias with values that add none.
 acne: parameters of the bias, each with the setting of the inspector from which its number is converted.
 filters: other filters, by name, under which the first parameter of acne is proved at 45 degrees.
 known: searches that do not meet the bound, by what the row has, each with the reason. The page shows them as not met.
+resolution_factor: factor of the maps' width for an engine that fits a wide box of the light; without it 1.
 reversed: True for an engine whose matrix stores reversed depth.
 fits: True for an engine that chooses the light's box by itself, and reports it in facts.json.
 """
@@ -79,6 +80,11 @@ ENGINES = {
         "plane": {},
         "off": {"constantBias": 0, "polygonOffsetSlope": 0, "polygonOffsetConstant": 0},
         "acne": [("constantBias", "bias.constant"), ("polygonOffsetSlope", "bias.raster_slope")],
+        "known": [
+            ({"parameter": parameter},
+             "Filament's weights match no kernel of the program, and its acne is never more than half dark: the search "
+             "counts pixels that are, and finds none.") for parameter in ("constantBias", "polygonOffsetSlope")
+        ],
         "fits": True,
     },
     "godot3": {
@@ -86,6 +92,7 @@ ENGINES = {
         "kernel": {"filter_mode": "Disabled"},
         "settings": {"filter.kernel": "hw2x2"},
         "plane": {},
+        "resolution_factor": 2,
         "off": {"shadow_bias": 0, "directional_shadow_normal_bias": 0},
         "acne": [("shadow_bias", "bias.constant")],
         "fits": True,

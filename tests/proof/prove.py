@@ -290,6 +290,8 @@ class Proof:
         start = time.time()
         options = self.options
         shown = [s for s in proof_scenes(self.inspector, self.folder) if s.name in options.scenes]
+        for scene in shown:
+            scene.resolution *= self.engine.get("resolution_factor", 1)
         planes = [(t, d, scenes.tilted_plane(t, d)) for t in options.tilts for d in (False, True)] if options.acne else []
         self.learn_boxes(shown + [p for _, _, p in planes])
         compared = self.prepare_scenes(shown)
