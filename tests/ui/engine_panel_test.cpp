@@ -62,7 +62,7 @@ TEST(EnginePanel, TheAngleIsThatOfTheConversion) {
     EXPECT_EQ(ui.state.engine_panel.angle_deg, 89) << "a plane at 90 degrees is not lit";
 }
 
-// What a search finds is said in the engine's numbers, too.
+// Fixes are listed with the numbers of the chosen engine.
 TEST(EnginePanel, FixesNameTheEnginesNumber) {
     UiHarness ui(1600, 900);
     ui.state.engine_panel.profile = &engine_profile("three");
