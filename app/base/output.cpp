@@ -116,6 +116,11 @@ void write_regular_file(const fs::path& path, std::string_view bytes) {
     write_file(path, bytes);
 }
 
+bool is_taken(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(path, error));
+}
+
 void require_regular(const fs::path& path) {
     std::error_code error;
     if (is_special(path) && !fs::is_directory(path, error))

@@ -45,6 +45,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// @throws Error
 void write_regular_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Returns true when writing at `path` would replace something: a file, a folder, or a link, also a broken one.
+bool is_taken(const std::filesystem::path& path);
+
 /// Checks that no pipe and no device is at `path`. @throws Error
 void require_regular(const std::filesystem::path& path);
 

@@ -51,9 +51,7 @@ Json list_capture(const fs::path& capture, const CaptureProgress& progress) {
 void require_new_bundle(const fs::path& path) {
     if (path.extension() != ".bundle")
         throw UsageError(fmt::format("{}: the bundle's name must end in .bundle", path.string()));
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(path, error)))
-        throw Error(fmt::format("{}: exists; remove it or name another", path.string()));
+    if (is_taken(path)) throw Error(fmt::format("{}: exists; remove it or name another", path.string()));
     require_writable(path);
 }
 

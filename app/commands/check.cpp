@@ -162,9 +162,7 @@ CheckedFrame checked_frame(const CheckOptions& options, const CheckLimits& limit
 /// the scene, which was not read.
 void write_check_error(const CheckOptions& options, const std::string& message) {
     if (options.junit.empty()) return;
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(options.junit, error)) &&
-        !is_check_junit(read_regular_file(options.junit, kMaxJunitBytes).bytes.text()))
+    if (is_taken(options.junit) && !is_check_junit(read_regular_file(options.junit, kMaxJunitBytes).bytes.text()))
         return;
     write_file(options.junit, check_junit_error(options.session.scene, one_line(message)));
 }

@@ -19,8 +19,7 @@ namespace si {
 void BundleExport::start(const Scene& scene, glm::ivec2 size, const std::string& path, bool replace) {
     require_bundle_name(path);
     require_other_bundle(path, scene, state_.settings);
-    std::error_code error;
-    if (!replace && std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+    if (!replace && is_taken(path)) {
         state_.files.replace = Replacement{.path = path, .exported = ExportKind::Bundle};
         return;
     }

@@ -87,8 +87,7 @@ void ConversionPreview::save(const std::string& path, const Scene* scene, bool r
         require_no_input(outputs, std::vector<std::filesystem::path>{state_.files.preset_path, state_.scene_name});
         if (scene) require_no_input(outputs, *scene, state_.files.preset_path);
         require_writable(path);
-        std::error_code error;
-        if (!replace && std::filesystem::exists(std::filesystem::symlink_status(path, error))) {
+        if (!replace && is_taken(path)) {
             shown_->replaces = true;
             shown_->problem =
                 fmt::format("{}: the file exists; press Replace, or choose another name", printable(path));

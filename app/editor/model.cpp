@@ -113,8 +113,7 @@ void EditorModel::export_file(const ExportRequest& wanted, bool replace) {
     const View view = shown_view(wanted.kind);
     check_view_file(view, wanted.path);
     require_writable(wanted.path);
-    std::error_code error;
-    if (!replace && std::filesystem::exists(std::filesystem::symlink_status(wanted.path, error))) {
+    if (!replace && is_taken(wanted.path)) {
         state.files.replace = Replacement{.path = wanted.path, .exported = wanted.kind};
         return;
     }
@@ -245,13 +244,10 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     request(scenes_.undo_step_waits(), [&] { scenes_.show_undo_step(); });
     changed |= work_.fulfil(scenes_, frames_.facts(), requests);
-    const auto require_own = [&](const std::string& path) {
-        if (const Scene* scene = scenes_.scene())
-            require_no_input(std::vector<std::filesystem::path>{path}, *scene, {});
-    };
     request(requests.save_error.has_value(), [&] {
         const std::string path = *std::exchange(requests.save_error, {});
-        require_own(path);
+        if (const Scene* scene = scenes_.scene())
+            require_no_input(std::vector<std::filesystem::path>{path}, *scene, {});
         requests.save_error = path;
     });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });

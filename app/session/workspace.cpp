@@ -137,8 +137,7 @@ Workspace::Workspace(fs::path folder) : folder_(std::move(folder)) {
 /// Returns true if the workspace file may be written.
 bool Workspace::read(WorkspaceData& data) {
     const fs::path path = folder_ / kFile;
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(path, error))) return true;
+    if (!is_taken(path)) return true;
     try {
         const Json json = parse_json_text(read_text_file(path), path.string());
         if (!json.is_object() || json.value("format", Json()) != kWorkspaceFormat ||

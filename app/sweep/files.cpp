@@ -39,7 +39,7 @@ bool is_picture_of_case(const fs::path& path) {
 std::string first_replaced_file(const fs::path& folder) {
     std::error_code error;
     for (const char* name : kNames)
-        if (fs::exists(fs::symlink_status(folder / name, error))) return name;
+        if (is_taken(folder / name)) return name;
     for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
         if (is_picture_of_case(entry.path())) return fmt::format("{}/{}", kPictures, entry.path().filename().string());
     return {};

@@ -3,9 +3,13 @@
 #include <algorithm>
 
 namespace si {
+namespace {
+
+constexpr int kMinTexels = 3;  ///< smallest map whose texels an engine's formulas can count
+
+}  // namespace
 
 MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size) {
-    constexpr int kMinTexels = 3;
     MapFacts facts{.texels = std::max(size.longest(), kMinTexels),
                    .format = settings.map.format,
                    .reversed_z = settings.map.reversed_z};
@@ -27,7 +31,6 @@ MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize s
     if (!light || light->views.empty()) {
         const auto index = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
         const LightSettings& of = settings.lights[index];
-        constexpr int kMinTexels = 3;
         return {.texels = std::max(size.longest(), kMinTexels),
                 .cascades = of.type == LightType::Directional ? of.cascades : 1,
                 .format = settings.map.format,
