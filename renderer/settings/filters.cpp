@@ -18,10 +18,11 @@ constexpr std::string_view kPcfSwept[] = {"pcf2", "pcf3", "pcf3_nearest", "pcf5"
 constexpr std::string_view kSizedSettings[] = {"filter.size"};
 constexpr std::string_view kTentSwept[] = {"tent5", "tent7"};
 constexpr std::string_view kGaussSwept[] = {"gauss5", "gauss7"};
-constexpr std::string_view kDiskSettings[] = {"filter.taps", "filter.radius", "filter.radius_unit", "filter.max_radius",
-                                              "filter.rotate"};
-constexpr std::string_view kPcssSettings[] = {"filter.taps", "filter.rotate", "filter.disk", "filter.blocker_taps",
-                                              "filter.max_radius"};
+constexpr std::string_view kBilinearSettings[] = {"filter.bilinear"};
+constexpr std::string_view kDiskSettings[] = {"filter.taps",       "filter.radius", "filter.radius_unit",
+                                              "filter.max_radius", "filter.rotate", "filter.bilinear"};
+constexpr std::string_view kPcssSettings[] = {"filter.taps",         "filter.rotate",     "filter.disk",
+                                              "filter.blocker_taps", "filter.max_radius", "filter.bilinear"};
 constexpr std::string_view kDpcfSettings[] = {"filter.taps", "filter.rotate", "filter.disk", "filter.max_radius"};
 constexpr std::string_view kSmrtSettings[] = {"filter.rays", "filter.steps", "filter.thickness", "filter.rotate",
                                               "filter.max_radius"};
@@ -49,27 +50,47 @@ constexpr Reach uniform_reach(double texels) {
     return {texels, texels, texels};
 }
 
+/// Returns the largest distance from a comparison's place to the texels that it takes, per axis, in texels.
+double tap_reach(const Filter& row, const Settings& s) {
+    return is_bilinear(row, s) ? 1 : 0.5;
+}
+
 /// Returns the reach of a kernel that samples a disk of filter.radius.
-Reach disk_reach(const Filter&, const Settings& s, double widest_texels) {
+Reach disk_reach(const Filter& row, const Settings& s, double widest_texels) {
     const bool metres = s.filter.radius_unit == RadiusUnit::Metres;
-    return uniform_reach((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
+    const double radius = metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius;
+    return uniform_reach(radius + tap_reach(row, s));
 }
 
 /// Returns the reach of a kernel whose radius follows the penumbra.
-Reach penumbra_reach(const Filter&, const Settings& s, double widest_texels) {
-    return uniform_reach(std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
+Reach penumbra_reach(const Filter& row, const Settings& s, double widest_texels) {
+    const double radius = std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5));
+    return uniform_reach(radius + tap_reach(row, s));
 }
 
 /// Returns the cost of a kernel with one tap for each point of the disk.
 FilterCost disk_cost(const Filter& row, const Settings& s) {
     const int taps = disk_point_count(row, s, s.filter.taps);
-    return {0, taps, taps};
+    return is_bilinear(row, s) ? FilterCost{taps, taps, 4 * taps} : FilterCost{0, taps, taps};
+}
+
+/// Returns the cost of a blocker search and of a disk of comparisons.
+FilterCost pcss_cost(const Filter& row, const Settings& s) {
+    const int searched = disk_point_count(row, s, s.filter.blocker_taps);
+    const FilterCost compared = disk_cost(row, s);
+    return {compared.gathers > 0 ? searched + compared.gathers : 0, searched + compared.sampler_taps,
+            searched + compared.texels};
 }
 
 /// Returns the cost of a kernel whose comparisons each cover two texels along both axes.
 FilterCost paired_cost(const Filter& row, const Settings& s) {
     const int per_axis = taps_across(row, s) / 2 + 1, taps = per_axis * per_axis;
     return {taps, taps, 4 * taps};
+}
+
+/// Returns the cost of single comparisons, or of paired ones with filter.bilinear.
+FilterCost paired_or_single_cost(const Filter& row, const Settings& s) {
+    return is_bilinear(row, s) ? paired_cost(row, s) : Filter::square_cost(row, s);
 }
 
 /// Returns the reach of kernels that bound visibility by mean and variance. The variance of a sloped plane's own depths
@@ -121,10 +142,13 @@ constexpr Filter kFilters[] = {
      .swept = kPcfSwept},
     {.key = "tent3",
      .label = "Tent 3×3",
-     .help = "3x3 nearest comparisons with weights of 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
-     .paper = "Jaehne: Digital Image Processing, on binomial filters",
+     .help = "3x3 nearest comparisons with weights of 1, 2 and 4 sixteenths: softer at its ends than the plain mean. "
+             "With filter.bilinear 4 comparisons of 2x2 texels give a tent 4 texels across.",
+     .paper = "Jaehne: Digital Image Processing, on binomial filters; bilinear: Castano: Shadow Mapping Summary, 2013",
      .file = "filters/tent3.glsl",
-     .size = 3},
+     .size = 3,
+     .settings = kBilinearSettings,
+     .cost = paired_or_single_cost},
     {.key = "tent",
      .label = "Tent",
      .help = "Weights that fall linearly from the middle to 0, filter.size texels across, by (size / 2 + 1)^2 bilinear "
@@ -137,6 +161,16 @@ constexpr Filter kFilters[] = {
      .settings = kSizedSettings,
      .cost = paired_cost,
      .swept = kTentSwept},
+    {.key = "castano5",
+     .label = "Castaño 5×5",
+     .help =
+         "Bilinear comparisons with weights of 1, 3, 4, 3 and 1 twelfths along each axis, in nine fetches: the wide "
+         "PCF of Babylon.js and PlayCanvas.",
+     .paper = "Castano: Shadow Mapping Summary, on the shadows of The Witness, 2013",
+     .file = "filters/castano5.glsl",
+     .size = 5,
+     .bilinear = true,
+     .cost = paired_cost},
     {.key = "gauss",
      .label = "Gauss",
      .help = "Gaussian weights that reach 0 at the ends of filter.size texels, by (size / 2 + 1)^2 bilinear "
@@ -150,8 +184,8 @@ constexpr Filter kFilters[] = {
      .swept = kGaussSwept},
     {.key = "poisson",
      .label = "Poisson disk",
-     .help = "Nearest comparisons at places spread over a disk, which each pixel rotates by its own angle: noise in "
-             "place of steps. Its table has 64 places.",
+     .help = "Comparisons at places spread over a disk, which each pixel rotates by its own angle: noise in place of "
+             "steps. Its table has 64 places.",
      .paper = "Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      .file = "filters/poisson.glsl",
      .uses_disk_table = true,
@@ -161,7 +195,7 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.6}},
     {.key = "vogel",
      .label = "Vogel disk",
-     .help = "Nearest comparisons along a spiral of golden angles, evenly spread for any number of taps up to 4096. "
+     .help = "Comparisons along a spiral of golden angles, evenly spread for any number of taps up to 4096. "
              "Each pixel rotates the spiral by interleaved gradient noise.",
      .paper = "Vogel: A Better Way to Construct the Sunflower Head, Mathematical Biosciences 44, 1979; noise: Jimenez: "
               "Next Generation Post Processing in Call of Duty, SIGGRAPH 2014",
@@ -181,11 +215,7 @@ constexpr Filter kFilters[] = {
      .uses_disk_table = true,
      .settings = kPcssSettings,
      .reach = penumbra_reach,
-     .cost =
-         [](const Filter& row, const Settings& s) {
-             const int taps = disk_point_count(row, s, s.filter.blocker_taps) + disk_point_count(row, s, s.filter.taps);
-             return FilterCost{0, taps, taps};
-         },
+     .cost = pcss_cost,
      .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "dpcf",
      .label = "DPCF",
@@ -378,12 +408,15 @@ int taps_across(const Filter& row, const Settings& settings) {
 }
 
 bool is_bilinear(const Filter& row, const Settings& settings) {
+    if (owns_setting(row, "filter.bilinear")) return settings.filter.bilinear;
     return row.bilinear && !(owns_setting(row, "filter.point") && settings.filter.point);
 }
 
 std::string kernel_label(const Settings& settings) {
     const Filter& row = filter_of(settings);
     const int across = taps_across(row, settings);
+    if (owns_setting(row, "filter.bilinear") && is_bilinear(row, settings))
+        return std::string(row.label) + ", bilinear";
     if (row.size > 0) return std::string(row.label);
     return fmt::format("{} {}×{}{}", row.label, across, across,
                        row.bilinear && !is_bilinear(row, settings) ? " of points" : "");

@@ -77,7 +77,8 @@ struct Filter {
     std::string_view paper;          ///< source
     std::string_view file;           ///< GLSL file below shaders/
     int size = 1;                    ///< texels or bilinear taps per axis of a square kernel; 0: filter.size
-    bool bilinear = false;           ///< each tap blends 2x2 texels, except with filter.point
+    bool bilinear = false;           ///< each tap blends 2x2 texels, except with filter.point; rows that list
+                                     ///< filter.bilinear ignore it
     bool linear = true;              ///< result is a weighted sum of comparisons, so that each tap has a weight
     StoredMoments moments = {};      ///< without names: the kernel compares depths
     bool searches_blockers = false;  ///< first searches casters; without one it returns lit and compares nothing

@@ -437,6 +437,10 @@ constexpr auto kFilter = only_of_maps(std::to_array<Param>({
      .help = "Compares single texels, as the lectures write it by hand: size^2 + 1 grey levels. Off: each comparison "
              "blends 2x2 texels, and edges are without steps.",
      .shader = true},
+    {SI_FIELD(filter.bilinear), .label = "Bilinear taps", .cost = Cost::Program,
+     .help = "Each comparison blends 2x2 texels, as a shadow sampler with linear filtering does in most engines: "
+             "smoother edges, and half a texel more of reach to cover by bias. Off: it takes the nearest texel.",
+     .also = "linear shadow sampler, hardware PCF, sampler2DShadow", .shader = true},
     {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
      .help = "Number of places of the disk that are compared. Few of them show as steps in each edge, or as noise if "

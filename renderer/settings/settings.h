@@ -217,6 +217,7 @@ struct FilterSettings {
     // The members below belong to single kernels: see Filter::settings.
     int size = 3;
     bool point = false;
+    bool bilinear = false;
     int taps = 16;
     double radius = 3;
     RadiusUnit radius_unit = RadiusUnit::Texels;

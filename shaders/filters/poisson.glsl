@@ -1,4 +1,4 @@
-// Nearest comparisons at places spread over a disk, rotated by an angle for each pixel.
+// Comparisons at places spread over a disk, rotated by an angle for each pixel.
 // Uralsky, Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, chapter 17, 2005.
 #include "lib/disk.glsl"
 #include "lib/disk_places.glsl"

@@ -69,19 +69,6 @@ float plane_within_texel(Receiver r, vec2 at) {
 #endif
 }
 
-/// Returns one comparison at a place of the receiver's map, by filter.method: 1 lit, 0 in shadow.
-float compares_lit(Receiver r, vec2 at) {
-    float own = compared_depth(r, at);
-#if BIAS_PER_TEXEL
-    at = texel_centre(at);  // the centre keeps the sampler's rounding from reading a neighbour
-#endif
-#if FILTER_SAMPLER
-    return map_compare_at(at, r.layer, own);
-#else
-    return depth_test(own, map_depth(at, r.layer));
-#endif
-}
-
 /// Returns the comparisons of the four texels around a corner of the receiver's map, in textureGather order.
 vec4 gather_lit(Receiver r, vec2 meet) {
 #if BIAS_PER_TEXEL
@@ -91,5 +78,25 @@ vec4 gather_lit(Receiver r, vec2 meet) {
     return depth_test(own, map_gather(meet, r.layer));
 #else
     return depth_test(r.reference, map_gather(meet, r.layer));
+#endif
+}
+
+/// Returns one comparison at a place of the receiver's map, by filter.method: 1 lit, 0 in shadow. It takes the nearest
+/// texel, or blends 2x2 texels where the kernel is bilinear.
+float compares_lit(Receiver r, vec2 at) {
+#if SAMPLER_BILINEAR && !FILTER_SAMPLER
+    vec2 between = at * MAP_SIZE - 0.5, texel = floor(between), f = between - texel;
+    vec4 lit = gather_lit(r, (texel + 1.0) / MAP_SIZE);
+    return normalised_share(mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y));
+#else
+    float own = compared_depth(r, at);
+#if BIAS_PER_TEXEL
+    at = texel_centre(at);  // the centre keeps the sampler's rounding from reading a neighbour
+#endif
+#if FILTER_SAMPLER
+    return map_compare_at(at, r.layer, own);
+#else
+    return depth_test(own, map_depth(at, r.layer));
+#endif
 #endif
 }

@@ -33,7 +33,7 @@ double area(Density density, double lo, double hi) {
 }
 
 /// Kernels that closed_form() defines. Other rows are tested by their recorded taps alone.
-constexpr std::string_view kDefinedKernels[] = {"hard", "hw2x2", "pcf", "tent3", "tent", "gauss"};
+constexpr std::string_view kDefinedKernels[] = {"hard", "hw2x2", "pcf", "tent3", "tent", "castano5", "gauss"};
 
 /// Returns the weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner:
 /// the area of the kernel's shape above the texel, by its definition.
@@ -50,6 +50,7 @@ std::optional<double> closed_form(const Settings& s, int texel, double centre) {
         return std::max(std::min(hi, 0.5 * width) - std::max(lo, -0.5 * width), 0.0) / width;
     };
     if (kernel == "hard") return nearest(1, [](int) { return 1.0; });
+    if (kernel == "tent3" && s.filter.bilinear) return std::max(2 - std::abs(lo + 0.5), 0.0) / 4;
     if (kernel == "tent3") return nearest(3, [](int i) { return i == 1 ? 0.5 : 0.25; });
     if (kernel == "hw2x2") return box(1);
     if (kernel == "pcf" && s.filter.point) return nearest(n, [&](int) { return 1.0 / n; });
@@ -57,6 +58,12 @@ std::optional<double> closed_form(const Settings& s, int texel, double centre) {
     if (kernel == "tent") {
         const auto tent = [&](double x) { return (1 - std::abs(x) / half) / half; };
         return area(tent, std::max(lo, -half), std::min(hi, 0.0)) + area(tent, std::max(lo, 0.0), std::min(hi, half));
+    }
+    if (kernel == "castano5") {
+        constexpr double kWeights[] = {4, 3, 1, 0, 0};
+        const double away = std::min(std::abs(lo + 0.5), 3.0);
+        const int at = int(away);
+        return (kWeights[at] + (away - at) * (kWeights[at + 1] - kWeights[at])) / 12;
     }
     if (kernel == "gauss") {
         const double end = 0.5 * (n + 1), deviation = 0.4 * end;
@@ -96,6 +103,7 @@ TEST_P(EachSquareKernel, WeighsEachTexelOnceByItsDefinition) {
     s.bias.normal = 0.5;
     s.filter.size = GetParam().size;
     s.filter.point = GetParam().point;
+    s.filter.bilinear = GetParam().bilinear;
     const Filter& filter = filter_of(s);
     const int across = taps_across(filter, s);
     const bool bilinear = is_bilinear(filter, s);
@@ -148,11 +156,12 @@ INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(test::square_k
 // A bilinear comparison weights 2x2 texels by its position: exactly the row's number of comparisons makes the picture.
 TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    for (const char* kernel : {"tent", "gauss"})
+    for (const char* kernel : {"tent", "gauss", "tent3"})
         for (const int size : {5, 6, 7}) {
             Settings s = test::texel_settings(kernel, 128, 0.7);
             s.filter.size = size;
-            const int pairs = size / 2 + 1;
+            s.filter.bilinear = true;
+            const int pairs = taps_across(filter_of(s), s) / 2 + 1;
             EXPECT_EQ(cost_of(s).sampler_taps, pairs * pairs) << kernel << " " << size;
             std::vector<FloatImage> pictures;
             for (const char* method : {"gather", "sampler"}) {
@@ -169,6 +178,76 @@ TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {
             EXPECT_LT(worst, 2.0 / 256) << kernel << " " << size;
             EXPECT_GT(soft, 50);
         }
+}
+
+TEST_F(TapsTest, BilinearDisksOfNoRadiusAreOneBilinearComparison) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const char* bias : {"constant", "receiver-plane"})
+        for (const char* method : {"gather", "sampler"}) {
+            Settings s = test::texel_settings("hw2x2", 128, 0.7);
+            set_setting(s, "bias.kind", bias);
+            set_setting(s, "filter.method", method);
+            const FloatImage one = visibility(scene, s, picture);
+            for (const char* kernel : {"poisson", "vogel"}) {
+                SCOPED_TRACE(fmt::format("{} {} {}", kernel, bias, method));
+                set_setting(s, "filter.kernel", kernel);
+                s.filter.radius = 0;
+                for (const bool bilinear : {true, false}) {
+                    s.filter.bilinear = bilinear;
+                    const FloatImage disk = visibility(scene, s, picture);
+                    int differ = 0;
+                    for (std::size_t i = 0; i < one.data.size(); ++i)
+                        differ += std::abs(one.data[i] - disk.data[i]) > 2.0 / 256;
+                    if (bilinear)
+                        EXPECT_EQ(differ, 0);
+                    else
+                        EXPECT_GT(differ, 50);
+                }
+            }
+        }
+}
+
+TEST_F(TapsTest, BilinearDisksWeighTexelsInReachByGatherAndSampler) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    for (const char* kernel : {"poisson", "vogel", "pcss"}) {
+        SCOPED_TRACE(kernel);
+        Settings s = test::texel_settings(kernel, 128, 0.7);
+        s.filter.bilinear = true;
+        s.filter.max_radius = 6;
+        const double nearest = [&] {
+            Settings other = s;
+            other.filter.bilinear = false;
+            return reach_of(other).bias;
+        }();
+        EXPECT_DOUBLE_EQ(reach_of(s).bias, nearest + 0.5);
+        std::vector<FloatImage> pictures;
+        for (const char* method : {"gather", "sampler"}) {
+            set_setting(s, "filter.method", method);
+            pictures.push_back(visibility(scene, s, {.width = 96, .height = 72}));
+            int checked = 0;
+            for (int y = 20; y < 110; y += 43)
+                for (int x = 13; x < 150; x += 47) {
+                    const Probe p = renderer.probe(scene, s, picture, x, y);
+                    if (!p.hit || p.lights[0].account.receiver.n_dot_l <= 0 || p.lights[0].taps.empty()) continue;
+                    ++checked;
+                    const glm::dvec2 centre = glm::dvec2(p.lights[0].account.receiver.tap) * p.map_size.texels();
+                    double sum = 0;
+                    for (const KernelTap& t : p.lights[0].taps) {
+                        sum += t.weight;
+                        const glm::dvec2 off = glm::abs(glm::dvec2(t.texel) + 0.5 - centre);
+                        if (t.weight > 0) {
+                            EXPECT_LE(std::max(off.x, off.y), reach_of(s).bias + 1e-3);
+                        }
+                    }
+                    EXPECT_NEAR(sum, 1, 1e-5);
+                }
+            EXPECT_GT(checked, 0);
+        }
+        double worst = 0;
+        for (std::size_t i = 0; i < pictures[0].data.size(); ++i)
+            worst = std::max(worst, double(std::abs(pictures[0].data[i] - pictures[1].data[i])));
+        EXPECT_LT(worst, 2.0 / 256) << "samplers position a comparison to 1/256 of a texel";
+    }
 }
 
 TEST_F(TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside) {

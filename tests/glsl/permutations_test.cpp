@@ -204,7 +204,7 @@ std::vector<Axis> axes() {
             axis.choices = {{{key, "false"}}, {{key, "true"}}};
         if (p.key == "filter.method") axis.names.insert("FILTER_SAMPLER");
         if (p.key == "filter.size") axis.names.insert("KERNEL_SIZE");
-        if (p.key == "filter.point") axis.names.insert("SAMPLER_BILINEAR");
+        if (p.key == "filter.point" || p.key == "filter.bilinear") axis.names.insert("SAMPLER_BILINEAR");
         if (p.key == "filter.kernel") {
             axis.names.insert({"KERNEL_SIZE", "SAMPLER_BILINEAR", "FILTER_FILE", "BLUR_COLUMNS"});
             for (const Filter& row : filters()) axis.files.emplace_back(row.file);

@@ -47,12 +47,12 @@ constexpr Group kGroups[] = {
 // Rarely used settings. Their groups fold them away while they have their defaults, until the user unfolds the group or
 // searches.
 constexpr std::string_view kRare[] = {
-    "bias.normal_unit",  "bias.normal_by",    "bias.normal_source",   "bias.raster_slope",
-    "bias.raster_units", "bias.raster_clamp", "filter.method",        "filter.point",
-    "map.wrap",          "map.outside",       "map.far_guard",        "map.face_guard",
-    "map.compare",       "map.blur_texels",   "map.samples",          "map.transform",
-    "map.origin",        "light.red",         "light.green",          "light.blue",
-    "light.snap",        "light.stretch",     "light.cascade_choice",
+    "bias.normal_unit",  "bias.normal_by",    "bias.normal_source", "bias.raster_slope",
+    "bias.raster_units", "bias.raster_clamp", "filter.method",      "filter.point",
+    "filter.bilinear",   "map.wrap",          "map.outside",        "map.far_guard",
+    "map.face_guard",    "map.compare",       "map.blur_texels",    "map.samples",
+    "map.transform",     "map.origin",        "light.red",          "light.green",
+    "light.blue",        "light.snap",        "light.stretch",      "light.cascade_choice",
 };
 
 std::string_view prefix_of(std::string_view key) {
