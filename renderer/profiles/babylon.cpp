@@ -16,7 +16,8 @@ constexpr EngineChoice kBabylonFilters[] = {
     {"NONE", "filter.kernel=hard"},
     {"POISSON", "filter.kernel=poisson filter.taps=4|filter.kernel=poisson|filter.kernel=vogel"},
     {"PCF",
-     "filter.kernel=tent filter.size=5|filter.kernel=tent|filter.kernel=tent3|filter.kernel=hw2x2|"
+     "filter.kernel=castano5|filter.kernel=tent "
+     "filter.size=5|filter.kernel=tent|filter.kernel=tent3|filter.kernel=hw2x2|"
      "filter.kernel=pcf|filter.kernel=gauss"},
     {"PCSS", "filter.kernel=pcss"},
     {"ESM", "filter.kernel=esm"},

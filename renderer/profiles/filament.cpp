@@ -12,8 +12,9 @@ constexpr double kFilamentHalfTexel = 0.5;  ///< of normalBias
 
 constexpr EngineChoice kFilamentTypes[] = {
     {"PCF",
-     "filter.kernel=tent filter.size=3|filter.kernel=tent3|filter.kernel=pcf|filter.kernel=hw2x2|"
-     "filter.kernel=tent|filter.kernel=gauss|filter.kernel=vogel|filter.kernel=poisson"},
+     "filter.kernel=tent3 filter.bilinear=true|filter.kernel=tent filter.size=3|filter.kernel=tent3|"
+     "filter.kernel=pcf|filter.kernel=hw2x2|filter.kernel=tent|filter.kernel=gauss|filter.kernel=vogel|filter.kernel="
+     "poisson"},
     {"VSM", "filter.kernel=evsm2|filter.kernel=vsm|filter.kernel=evsm4"},
     {"DPCF", "filter.kernel=dpcf"},
     {"PCSS", "filter.kernel=pcss"},
@@ -168,10 +169,11 @@ void write_filament(const BiasNumbers& bias, const EngineValues&, const MapFacts
 constexpr std::string_view kFilament19Source =
     "google/filament 1.9: ShadowMap.cpp, ShadowMapManager.cpp (getShadowNormalBias(0)), LightManager.h; measured";
 
-// The weights are (2 - distance) / 4 in texels; those of a Gaussian of size 3 end at the same distance.
+// The weights are (2 - distance) / 4 in texels.
 constexpr EngineChoice kFilament19Types[] = {
     {"PCF",
-     "filter.kernel=gauss filter.size=3|filter.kernel=tent filter.size=3|filter.kernel=tent3|filter.kernel=pcf|"
+     "filter.kernel=tent3 filter.bilinear=true|filter.kernel=gauss filter.size=3|"
+     "filter.kernel=tent filter.size=3|filter.kernel=tent3|filter.kernel=pcf|"
      "filter.kernel=hw2x2|filter.kernel=tent|filter.kernel=gauss|filter.kernel=vogel|filter.kernel=poisson"},
     {"VSM", "filter.kernel=evsm2|filter.kernel=vsm|filter.kernel=evsm4"},
 };

@@ -13,8 +13,11 @@ constexpr double kPlaycanvasHiddenDepth = 1e-4;  ///< at the look-up, share of t
 
 constexpr EngineChoice kPlaycanvasTypes[] = {
     {"SHADOW_PCF1_32F", "filter.kernel=hw2x2|filter.kernel=hard"},
-    {"SHADOW_PCF3_32F", "filter.kernel=tent filter.size=3|filter.kernel=tent3|filter.kernel=pcf|filter.kernel=vogel"},
-    {"SHADOW_PCF5_32F", "filter.kernel=tent filter.size=5|filter.kernel=tent|filter.kernel=gauss"},
+    {"SHADOW_PCF3_32F",
+     "filter.kernel=tent3 filter.bilinear=true|filter.kernel=tent "
+     "filter.size=3|filter.kernel=tent3|filter.kernel=pcf|filter.kernel=vogel"},
+    {"SHADOW_PCF5_32F",
+     "filter.kernel=castano5|filter.kernel=tent filter.size=5|filter.kernel=tent|filter.kernel=gauss"},
     {"SHADOW_VSM_32F", "filter.kernel=evsm2|filter.kernel=vsm"},
     {"SHADOW_PCSS_32F", "filter.kernel=pcss"},
 };

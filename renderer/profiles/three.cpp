@@ -12,7 +12,7 @@ constexpr std::string_view kThreeSource = "npm three@0.187.0: LightShadow.js, sh
 constexpr EngineChoice kThreeTypes[] = {
     {"BasicShadowMap", "filter.kernel=hard"},
     {"PCFShadowMap",
-     "filter.kernel=vogel "
+     "filter.kernel=vogel filter.taps=5 filter.bilinear=true|filter.kernel=vogel "
      "filter.taps=5|filter.kernel=vogel|filter.kernel=hw2x2|filter.kernel=pcf|filter.kernel=poisson|"
      "filter.kernel=tent|filter.kernel=gauss"},
     {"VSMShadowMap",
@@ -55,8 +55,8 @@ constexpr EngineParameter kThreeParameters[] = {
      .standard = 1,
      .min = 0,
      .max = 2,
-     .meaning = "Filter. PCF takes 5 points of Vogel's spiral, each a 2x2 comparison, where this program compares the "
-                "nearest texel. PCFSoft no longer exists.",
+     .meaning = "Filter. PCF takes 5 points of Vogel's spiral, each a comparison of 2x2 texels. PCFSoft no longer "
+                "exists.",
      .source = "npm three@0.187.0: WebGLShadowMap.js",
      .setting = "filter.kernel",
      .choices = kThreeTypes},

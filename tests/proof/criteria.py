@@ -9,7 +9,7 @@ MAX_DIFFERENCE = 0.02     # of a pixel's visibility, for equal
 MAX_EDGE_TEXELS = 1.5
 MIN_NEAR_SHARE = 0.995    # of the pixels around edges, for edges within that distance
 MAX_DARK_SHARE = 0.001    # of a plane's pixels, for no acne
-DARK = 0.5                # visibility below which a pixel is dark
+DARK = 1 - MAX_DIFFERENCE  # visibility below which a pixel is dark
 GRID_STEP = 1.05          # of the grid on which acne is sought
 MAX_ACNE_RATIO = 1.10
 

@@ -60,6 +60,11 @@ class Criteria(unittest.TestCase):
         result = criteria.compare(stripes, stripes, stripes, np.ones((HEIGHT, WIDTH), bool), places())
         self.assertFalse(result["passed"]["interior"])
 
+    def test_a_pixel_of_a_soft_kernel_is_dark_where_a_shade_is_missing(self):
+        mask = np.ones((HEIGHT, WIDTH), np.float32)
+        mask[0, :10], mask[1, :10] = 0.97, 0.985
+        self.assertAlmostEqual(criteria.dark_share(mask), 10 / mask.size)
+
     def test_acne_begins_at_the_last_step_without(self):
         self.assertEqual(criteria.acne_begins({0: 0.2, 1: 0.01, 2: 0.0009, 3: 0}), 2)
         self.assertEqual(criteria.acne_begins({0: 0, 1: 0.01, 2: 0}), 2, "acne comes back below")

@@ -21,12 +21,8 @@ ENGINES = {
         "off": {"bias": 0, "normalBias": 0},
         "acne": [("bias", "bias.constant"), ("normalBias", "bias.normal")],
         "filters": {"PCFShadowMap": {"kernel": {"shadowMap.type": "PCFShadowMap"},
-                                     "settings": {"filter.kernel": "vogel", "filter.taps": 5}}},
-        "known": [
-            ({"filter": "PCFShadowMap"},
-             "three.js blends 2x2 comparisons at each of its five points, and the program compares the nearest texel there. "
-             "Fewer pixels are then more than half dark in three.js, so acne begins at a smaller number."),
-        ],
+                                     "settings": {"filter.kernel": "vogel", "filter.taps": 5,
+                                                  "filter.bilinear": True}}},
         "fits": False,
     },
     "babylon": {
@@ -37,7 +33,7 @@ ENGINES = {
         "off": {"bias": 0, "normalBias": 0},
         "acne": [("bias", "bias.constant"), ("normalBias", "bias.normal")],
         "filters": {"PCF": {"kernel": {"filter": "PCF"},
-                            "settings": {"filter.kernel": "tent", "filter.size": 5}}},
+                            "settings": {"filter.kernel": "castano5"}}},
         "known": [
             ({"parameter": "normalBias", "tilt_deg": 70, "diagonal": False},
              "SwiftShader moves vertices to a grid of 1/16 texel, and so the plane that normalBias has moved sideways. At "
@@ -59,7 +55,7 @@ ENGINES = {
         "off": {"shadowBias": 0, "normalOffsetBias": 0},
         "acne": [("shadowBias", "bias.constant"), ("normalOffsetBias", "bias.normal")],
         "filters": {"SHADOW_PCF3_32F": {"kernel": {"shadowType": "SHADOW_PCF3_32F"},
-                                        "settings": {"filter.kernel": "tent", "filter.size": 3}}},
+                                        "settings": {"filter.kernel": "tent3", "filter.bilinear": True}}},
         "fits": True,
     },
     "ogre": {
@@ -76,15 +72,10 @@ ENGINES = {
         "folder": "filament",
         "reversed": True,
         "kernel": {"shadowType": "PCF"},
-        "settings": {"filter.kernel": "gauss", "filter.size": 3, "map.format": "d16", "map.reversed_z": True},
+        "settings": {"filter.kernel": "tent3", "filter.bilinear": True, "map.format": "d16", "map.reversed_z": True},
         "plane": {},
         "off": {"constantBias": 0, "polygonOffsetSlope": 0, "polygonOffsetConstant": 0},
         "acne": [("constantBias", "bias.constant"), ("polygonOffsetSlope", "bias.raster_slope")],
-        "known": [
-            ({"parameter": parameter},
-             "Filament's weights match no kernel of the program, and its acne is never more than half dark: the search "
-             "counts pixels that are, and finds none.") for parameter in ("constantBias", "polygonOffsetSlope")
-        ],
         "fits": True,
     },
     "godot3": {

@@ -22,7 +22,7 @@ Each engine draws {scenes} scenes and {planes} tilted planes with its own shadow
 | edges: distance between both edges on the map | at most {max_edge:g} texels, on at least {min_near:.1f} % of the pixels around edges |
 | acne begins: smallest number on a grid of 5 % at which fewer than 0.1 % of a plane's pixels are dark | within 10 % |
 
-Pixels without a surface, and those with N·L below {min_n_dot_l:g}, are not compared. An edge that differs by one pixel counts as equal.
+A pixel of a plane is dark where its visibility is below {dark:g}. Pixels without a surface, and those with N·L below {min_n_dot_l:g}, are not compared. An edge that differs by one pixel counts as equal.
 Scenes have a constant of {constant:g} texels and a normal offset of {normal:g} texel before conversion. Masks with alpha are left out, so that leaves are whole rectangles.
 """
 
@@ -98,7 +98,7 @@ def main():
     from prove import CONSTANT_TEXELS, MIN_N_DOT_L, NORMAL_TEXELS, TILTS_DEG
     lines = [HEAD.format(scenes=len(found[0]["scenes"]), planes=2 * len(TILTS_DEG),
                          interior_texels=criteria.INTERIOR_TEXELS, interior_pixels=criteria.INTERIOR_PIXELS,
-                         min_interior=100 * criteria.MIN_INTERIOR_SHARE, max_difference=criteria.MAX_DIFFERENCE,
+                         min_interior=100 * criteria.MIN_INTERIOR_SHARE, max_difference=criteria.MAX_DIFFERENCE, dark=criteria.DARK,
                          min_equal=100 * criteria.MIN_EQUAL_SHARE, max_edge=criteria.MAX_EDGE_TEXELS, min_near=100 * criteria.MIN_NEAR_SHARE,
                          min_n_dot_l=MIN_N_DOT_L, constant=CONSTANT_TEXELS, normal=NORMAL_TEXELS).rstrip(), "",
              "| engine | version | scenes that meet all | planes that meet the bound | largest deviation |",
