@@ -22,6 +22,16 @@ struct AlphaTexture {
     explicit AlphaTexture(const Texture& texture);
     /// Samples alpha in [0,1] at texture coordinates, nearest or bilinear (OpenGL 4.5, section 8.14).
     double sample(const glm::dvec2& uv) const;
+    /// Returns true when sample(uv) is at least `cutoff`. The bounds of the blended texels decide where they can.
+    bool reaches(const glm::dvec2& uv, double cutoff) const;
+
+private:
+    std::uint8_t texel(double x, double y) const;
+    /// Bounds of the alpha of 2x2 texels.
+    struct Bounds {
+        std::uint8_t least, most;
+    };
+    std::vector<Bounds> bounds_;  ///< of each texel, and those to the right and below
 };
 
 /// Alpha test for one mesh with a masked material. Shares the mesh's arrays, so that a trace outlives its scene.

@@ -4,14 +4,25 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "renderer/base/directions.h"
 #include "renderer/base/key.h"
 
 namespace si {
+
+/// Sample point on a light: its place on the unit disk, and its cell.
+struct LightSamplePoint {
+    glm::vec2 disk{0};
+    LightCell cell;
+};
+
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+
+constexpr std::uint32_t kScramblings = 64;
+constexpr std::uint32_t kKept = 1024;  ///< points of each scrambling that are kept; later ones are made anew
 
 /// Maps [-1,1]^2 to the unit disk, preserving areas.
 glm::dvec2 on_disk(double x, double y) {
@@ -22,6 +33,52 @@ glm::dvec2 on_disk(double x, double y) {
     return r * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
+/// Returns the digits of k in base 2, mirrored at the point: the first dimension of the sequence.
+std::uint32_t mirrored_digits(std::uint32_t k) {
+    std::uint32_t out = 0;
+    for (int bit = 0; bit < 32; ++bit) out |= (k >> bit & 1u) << (31 - bit);
+    return out;
+}
+
+/// Returns the second dimension of Sobol's sequence, whose generator matrix is Pascal's triangle modulo 2.
+std::uint32_t sobol_second(std::uint32_t k) {
+    std::uint32_t out = 0;
+    for (std::uint32_t column = 1u << 31; k != 0; k >>= 1, column ^= column >> 1)
+        if (k & 1u) out ^= column;
+    return out;
+}
+
+/// Scrambles the digits of a number in [0, 1): each is flipped or not, by a hash of the digits before it.
+std::uint32_t nested_scramble(std::uint32_t digits, std::uint64_t seed) {
+    std::uint32_t out = 0;
+    for (int bit = 31; bit >= 0; --bit) {
+        const std::uint64_t before = bit == 31 ? 0 : digits >> (bit + 1);
+        const auto flip = std::uint32_t(splitmix64(seed + (std::uint64_t(32 - bit) << 32) + before) & 1u);
+        out |= ((digits >> bit & 1u) ^ flip) << bit;
+    }
+    return out;
+}
+
+LightSamplePoint make_point(std::uint32_t scrambling, std::uint32_t k) {
+    const std::uint64_t seed = splitmix64(scrambling);
+    const std::uint32_t x = nested_scramble(mirrored_digits(k), seed),
+                        y = nested_scramble(sobol_second(k), splitmix64(seed));
+    const auto side = [](std::uint32_t digits) { return 2 * (double(digits) + 0.5) * 0x1p-32 - 1; };
+    return {glm::vec2(on_disk(side(x), side(y))), {std::uint16_t(x >> 16), std::uint16_t(y >> 16)}};
+}
+
+/// Returns the first kKept points of a scrambling.
+const LightSamplePoint* kept_points(std::uint32_t scrambling) {
+    static const std::vector<LightSamplePoint> kept = [] {
+        std::vector<LightSamplePoint> out;
+        out.reserve(kScramblings * kKept);
+        for (std::uint32_t s = 0; s < kScramblings; ++s)
+            for (std::uint32_t i = 0; i < kKept; ++i) out.push_back(make_point(s, i));
+        return out;
+    }();
+    return &kept[std::size_t(scrambling) * kKept];
+}
+
 }  // namespace
 
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings) {
@@ -29,42 +86,49 @@ Emitter emitter_of(const FittedLight& light, const LightSettings& settings) {
     return {light.type, light.position, light.to_light, light.cos_cone_outer, light.range_m, size, light.shadowed};
 }
 
-LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, int parts_per_axis, std::uint64_t pixel)
-    : emitter_(emitter), point_(point_ws), parts_(parts_per_axis), seed_(splitmix64(pixel)) {
+LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel)
+    : emitter_(emitter), point_(point_ws) {
+    const std::uint64_t seed = splitmix64(pixel);
+    scrambling_ = std::uint32_t(seed % kScramblings);
+    points_ = kept_points(scrambling_);
     const glm::dvec3 towards = emitter.direction_from(point_ws, distance_);
+    const glm::dmat3 basis = orthonormal_basis(emitter.type == LightType::Spot ? emitter.to_light : towards);
+    const double angle = 2 * kPi * double(seed >> 32) * 0x1p-32, cosine = std::cos(angle), sine = std::sin(angle);
+    axes_ = {cosine * basis[0] + sine * basis[1], cosine * basis[1] - sine * basis[0], basis[2]};
     if (emitter.type == LightType::Spot) {
-        axes_ = orthonormal_basis(emitter.to_light);
         radius_ = emitter.size;
-        return;
-    }
-    axes_ = orthonormal_basis(towards);
-    if (emitter.type == LightType::Directional) {
+    } else if (emitter.type == LightType::Directional) {
         const double half = 0.5 * std::min(emitter.size, 90.0) * kPi / 180;
         one_minus_cos_ = 2 * std::sin(half) * std::sin(half);
     } else {
         // Inside the sphere, half of all directions.
-        const double sine = distance_ > emitter.size ? emitter.size / distance_ : 1.0;
-        one_minus_cos_ = sine * sine / (1 + std::sqrt(std::max(1 - sine * sine, 0.0)));
+        const double outline = distance_ > emitter.size ? emitter.size / distance_ : 1.0;
+        one_minus_cos_ = outline * outline / (1 + std::sqrt(std::max(1 - outline * outline, 0.0)));
     }
 }
 
-LightRay LightSamples::ray(int x, int y) const {
-    const std::uint64_t bits = splitmix64(seed_ + std::uint64_t(y) * 0x10001 + std::uint64_t(x));
-    const double jitter_x = double(bits >> 32) * 0x1p-32, jitter_y = double(bits & 0xffffffffu) * 0x1p-32;
-    const glm::dvec2 disk = on_disk(2 * (x + jitter_x) / parts_ - 1, 2 * (y + jitter_y) / parts_ - 1);
-    if (emitter_.type == LightType::Spot)
-        return {emitter_.position_ws + radius_ * (disk.x * axes_[0] + disk.y * axes_[1]) - point_, 1};
+LightRay LightSamples::ray(std::uint32_t k) const {
+    const glm::dvec2 disk(k < kKept ? points_[k].disk : make_point(scrambling_, k).disk);
+    if (emitter_.type == LightType::Spot) {
+        const glm::dvec3 towards = emitter_.position_ws + radius_ * (disk.x * axes_[0] + disk.y * axes_[1]) - point_;
+        const double length_m = glm::length(towards);
+        return {towards / length_m, length_m};
+    }
     // Lambert's azimuthal equal-area projection, onto the cap of directions.
     const double h = one_minus_cos_ * glm::dot(disk, disk);
     const glm::dvec2 across = disk * std::sqrt(one_minus_cos_ * (2 - h));
     const glm::dvec3 direction = axes_ * glm::dvec3(across, 1 - h);
-    if (emitter_.type == LightType::Directional) return {direction, std::numeric_limits<double>::infinity()};
+    if (emitter_.type == LightType::Directional) return {direction};
     // Distance to the sphere's near side.
     const double along = distance_ * (1 - h), r2 = emitter_.size * emitter_.size;
     const double beside2 = std::max(distance_ * distance_ - along * along, 0.0);
     const double chord = std::sqrt(std::max(r2 - beside2, 0.0));
-    const double length = distance_ > emitter_.size ? along - chord : along + chord;
-    return {direction * std::max(length, 1e-12 * emitter_.size), 1};
+    const double length_m = distance_ > emitter_.size ? along - chord : along + chord;
+    return {direction, std::max(length_m, 1e-12 * emitter_.size)};
+}
+
+LightCell LightSamples::cell(std::uint32_t k) const {
+    return k < kKept ? points_[k].cell : make_point(scrambling_, k).cell;
 }
 
 }  // namespace si

@@ -40,23 +40,33 @@ struct Emitter {
 /// Returns the ray-traced area light for a light of a frame.
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings);
 
-/// Ray segment from a surface point to a point on a light: `length` times the vector `towards`.
+/// Ray segment from a surface point to a point on a light.
 struct LightRay {
-    glm::dvec3 towards{0};  ///< metres, or unit length and endless for directional lights
-    double length = 1;
+    glm::dvec3 direction{0};  ///< unit
+    double length_m = std::numeric_limits<double>::infinity();
 };
 
-/// Stratified sample points on an area light for one surface point: one jittered sample in each of n x n equal parts.
-/// The seed is fixed by pixel, so that results repeat. Error at an edge falls with (n^2)^(-3/4), against (n^2)^(-1/2)
-/// of independent samples: Mitchell, Consequences of Stratified Sampling in Graphics, SIGGRAPH 1996. Disks use the
-/// concentric map of Shirley and Chiu, A Low Distortion Map Between Disk and Square, 1997; spheres their solid angle.
+/// Cell of a grid on the light that holds a sample point: 16 bits across and down, of which a coarser grid takes the
+/// upper ones.
+struct LightCell {
+    std::uint16_t x = 0, y = 0;
+};
+
+/// Sample points on an area light for one surface point: a (0,2)-sequence (Sobol') under Owen's nested scrambling. Its
+/// first 2^k points have one in each of the 2^k cells of every grid of powers of two, so that a longer run keeps the
+/// points of a shorter one. Error at an edge falls with N^(-3/4), against N^(-1/2) of independent samples: Owen,
+/// Scrambled Net Variance for Integrals of Smooth Functions, 1997; Kollig and Keller, Efficient Multidimensional
+/// Sampling, Eurographics 2002. Each surface point has one of 64 scramblings and a rotation of its own, both fixed by
+/// its pixel, so that results repeat. Disks use the concentric map of Shirley and Chiu, A Low Distortion Map Between
+/// Disk and Square, 1997; spheres their solid angle.
 class LightSamples {
 public:
-    /// Prepares the sample points of one surface point.
-    /// @param parts_per_axis n @param pixel seed of the jitter
-    LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, int parts_per_axis, std::uint64_t pixel);
-    /// Returns the ray from the surface point to the light sample in part (x, y), each below parts_per_axis.
-    LightRay ray(int x, int y) const;
+    /// Prepares the sample points of one surface point. @param pixel seed of scrambling and rotation
+    LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel);
+    /// Returns the ray from the surface point to sample `k`.
+    LightRay ray(std::uint32_t k) const;
+    /// Returns the cell of sample `k`.
+    LightCell cell(std::uint32_t k) const;
 
 private:
     const Emitter& emitter_;
@@ -65,8 +75,8 @@ private:
     double radius_ = 0;         ///< disk radius in metres, or on the unit sphere of directions
     double one_minus_cos_ = 0;  ///< for the half angle of a sphere or of the disk on the sky
     double distance_ = 0;
-    int parts_;
-    std::uint64_t seed_;
+    std::uint32_t scrambling_;
+    const struct LightSamplePoint* points_;  ///< first points of the scrambling
 };
 
 }  // namespace si

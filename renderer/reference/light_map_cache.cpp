@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "shadow-inspector light map\n";
-constexpr std::uint32_t kVersion = 1;  ///< version of the file format
+constexpr std::uint32_t kVersion = 2;  ///< version of the file format
 constexpr std::string_view kExtension = ".lightmap";
 
 /// Header of a light map file, after kMagic. All numbers have the machine's byte order, which the version reveals.

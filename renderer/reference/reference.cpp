@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -19,7 +20,9 @@ constexpr int kTile = 16;  ///< pixels a side: rays of neighbours visit the same
 constexpr std::size_t kTilesInTurn = 8;
 constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
 constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
-constexpr int kFirstParts = 8;
+constexpr int kPenumbraSamples = 64;         ///< samples of pixels in and around penumbrae
+constexpr int kBesideSamples = 256;          ///< samples that must see all of the light or none beside a penumbra
+constexpr int kNeighbourPixels = 2;          ///< distance within which a penumbra asks for these samples
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// Batch of shadow rays; those that need double precision are separate.
@@ -60,6 +63,7 @@ struct RayBatch {
 /// Estimated visible share of the light, and its standard error; NaN: unknown.
 struct Estimate {
     double visibility = 1, error = 0;
+    std::size_t samples = 0, rays = 0;
 };
 
 /// Variance of light samples, estimated from groups of neighbouring samples.
@@ -136,23 +140,27 @@ public:
         return out;
     }
 
-    /// Traces an area light adaptively: few samples everywhere, then four times as many in and next to penumbrae, and
-    /// again where the error is too large.
+    /// Traces an area light adaptively: few samples everywhere, more around penumbrae, and again where the error is
+    /// too large.
     void trace_area(const Workers& workers) {
-        const int most = std::max(1, int(std::sqrt(double(std::max(query_.options.samples, 1)))));
+        first_ = std::clamp(query_.options.first_samples, 1, std::min(most(), kMaxFirst));
         error_.assign(out_.state.size(), 0);
-        parts_.assign(out_.state.size(), 0);
+        used_.assign(out_.state.size(), 0);
+        first_seen_.assign(out_.state.size(), {});
         std::vector<std::uint8_t> wanted(out_.state.size());
         for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = is_traced(out_.state[i]);
-        for (int parts = std::min(kFirstParts, most), level = 0;; parts = std::min(2 * parts, most), ++level) {
-            // Most of the work is in the first two levels.
-            const double lo = level == 0 ? 0 : level == 1 ? 0.4 : 1 - std::exp2(-level - 1.0) * 2;
-            const double hi = parts == most ? 1 : level == 0 ? 0.4 : 1 - std::exp2(-level - 2.0) * 2;
-            sample(parts, wanted, workers.with_progress_range(std::min(lo, hi), hi));
-            if (parts == most) break;
-            wanted = level == 0 ? near_partial() : wanted;
-            for (std::size_t i = 0; i < wanted.size(); ++i)
-                wanted[i] = wanted[i] && (level == 0 || !(error_[i] <= query_.options.noise));
+        sample(wanted, workers.with_progress_range(0, 0.4),
+               [&](std::size_t i, RayBatch& batch) { return first_samples(i, batch); });
+        // Samples of a neighbour may find a penumbra that the own ones missed.
+        double done = 0.4;
+        while (first_ < most()) {
+            wanted = around_penumbrae();
+            if (std::ranges::all_of(wanted, [](std::uint8_t w) { return w == 0; })) break;
+            const double next = done + 0.9 * (1 - done);
+            sample(wanted, workers.with_progress_range(done, next), [&](std::size_t i, RayBatch& batch) {
+                return more_samples(i, wanted[i] == kBeside ? kBesideSamples : kPenumbraSamples, batch);
+            });
+            done = next;
         }
         summarise();
     }
@@ -167,8 +175,15 @@ private:
     std::optional<std::uint32_t> ground_;  ///< index of the ground disc
     std::mutex lock_;
     std::vector<float>& error_ = out_.standard_error.data;
-    std::vector<std::uint16_t> parts_;  ///< samples across the light, by pixel
-    glm::vec3 to_light_{0};             ///< direction to a directional light
+    static constexpr int kMaxFirst = 64;
+    int first_ = 1;                    ///< samples of every pixel
+    std::vector<std::uint32_t> used_;  ///< samples taken, by pixel
+    /// First samples of a pixel, a bit each.
+    struct FirstSeen {
+        std::uint64_t lit = 0, above = 0;
+    };
+    std::vector<FirstSeen> first_seen_;
+    glm::vec3 to_light_{0};  ///< direction to a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
@@ -178,7 +193,7 @@ private:
         int least = std::numeric_limits<int>::max(), most = 0;
         for (std::size_t i = 0; i < error_.size(); ++i) {
             if (out_.state[i] != PixelState::Counted) continue;
-            const int of_pixel = int(parts_[i]) * int(parts_[i]);
+            const int of_pixel = int(used_[i]);
             samples += of_pixel;
             least = std::min(least, of_pixel);
             most = std::max(most, of_pixel);
@@ -295,7 +310,11 @@ private:
         return rises > 0 ? (z - view.curve.near) / rises : std::numeric_limits<double>::infinity();
     }
 
-    void sample(int parts, const std::vector<std::uint8_t>& wanted, const Workers& workers) {
+    int most() const { return std::max(query_.options.samples, 1); }
+
+    /// Estimates the visibility of wanted pixels, each by `estimate`.
+    template <typename Estimated>
+    void sample(const std::vector<std::uint8_t>& wanted, const Workers& workers, Estimated&& estimate) {
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
             thread_local RayBatch batch;
             std::uint64_t rays = 0;
@@ -303,64 +322,151 @@ private:
                 for (int x = x0; x < x1; ++x) {
                     const std::size_t i = index(x, y);
                     if (!wanted[i]) continue;
-                    const Estimate e = sampled(i, parts, batch);
+                    const Estimate e = estimate(i, batch);
                     out_.visibility.data[i] = float(e.visibility);
                     error_[i] = float(e.error);
-                    parts_[i] = std::uint16_t(parts);
-                    rays += batch.size();
+                    used_[i] = std::uint32_t(e.samples);
+                    rays += std::uint64_t(e.rays);
                 }
             const std::lock_guard guard(lock_);
             out_.rays += rays;
         });
     }
 
-    /// Estimates the visible share of the light's part above the surface's horizon.
-    Estimate sampled(std::size_t i, int parts, RayBatch& batch) const {
+    enum class Seen : std::uint8_t {
+        Below,  ///< below the surface's horizon
+        Dark,
+        Lit
+    };
+
+    /// Traces the samples from `first` to `end` - 1 of a pixel. @returns the number of rays
+    std::size_t trace_samples(std::size_t i, const LightSamples& samples, int first, int end, RayBatch& batch,
+                              std::vector<Seen>& seen) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
-        const LightSamples samples(query_.emitter, r.position_ws, parts, i);
-        enum : std::uint8_t { kBelow, kDark, kLit };
-        thread_local std::vector<std::uint8_t> seen;
-        seen.assign(std::size_t(parts) * std::size_t(parts), kBelow);
+        seen.resize(std::size_t(end), Seen::Below);
         batch.clear();
-        for (int y = 0; y < parts; ++y)
-            for (int x = 0; x < parts; ++x) {
-                const LightRay ray = samples.ray(x, y);
-                const double length = glm::length(ray.towards);
-                const glm::dvec3 direction = ray.towards / length;
-                const double cosine = glm::dot(r.normal_ws, direction);
-                if (!(cosine > 0)) continue;
-                batch.add(std::uint32_t(y * parts + x), r, origin, direction, cosine,
-                          length * ray.length * scene_.scale);
-            }
-        batch.trace(scene_, culls_, [](std::uint32_t k, bool occluded) { seen[k] = occluded ? kDark : kLit; });
-        const std::size_t lit = std::size_t(std::count(seen.begin(), seen.end(), kLit));
-        const std::size_t above = lit + std::size_t(std::count(seen.begin(), seen.end(), kDark));
-        const double exact = query_.emitter.size > 0 ? kNaN : 0;  // exact for a light without size
-        if (above == 0) return {out_.hard().data[i], exact};
-        Variance variance;
-        for (int y = 0; y + 1 < parts; y += 2)
-            for (int x = 0; x + 1 < parts; x += 2) {
-                const std::uint8_t* top = &seen[std::size_t(y * parts + x)];
-                const std::array group{top[0], top[1], top[parts], top[parts + 1]};
-                const auto of = [&](std::uint8_t what) { return int(std::count(group.begin(), group.end(), what)); };
-                variance.add(of(kLit), of(kLit) + of(kDark));
-            }
-        const double error = std::isnan(exact) ? variance.standard_error(above) : exact;
-        return {double(lit) / double(above), error};
+        for (int k = first; k < end; ++k) {
+            const LightRay ray = samples.ray(std::uint32_t(k));
+            const double cosine = glm::dot(r.normal_ws, ray.direction);
+            if (cosine > 0) batch.add(std::uint32_t(k), r, origin, ray.direction, cosine, ray.length_m * scene_.scale);
+        }
+        batch.trace(scene_, culls_,
+                    [&](std::uint32_t k, bool occluded) { seen[k] = occluded ? Seen::Dark : Seen::Lit; });
+        return batch.size();
     }
 
-    /// Returns the pixels in penumbra and their neighbours.
-    std::vector<std::uint8_t> near_partial() const {
+    /// Estimates the visible share of the light's part above the surface's horizon.
+    Estimate estimate(std::size_t i, const LightSamples& samples, std::span<const Seen> seen) const {
+        const bool exact = !(query_.emitter.size > 0);  // a light without size
+        const auto lit = std::size_t(std::ranges::count(seen, Seen::Lit));
+        const std::size_t above = lit + std::size_t(std::ranges::count(seen, Seen::Dark));
+        Estimate out{.error = exact ? 0 : kNaN, .samples = seen.size()};
+        if (above == 0) {
+            out.visibility = out_.hard().data[i];
+            return out;
+        }
+        out.visibility = double(lit) / double(above);
+        if (exact || seen.size() < 4) return out;
+        if (lit == 0 || lit == above) {
+            out.error = above < 2 ? kNaN : 0;
+            return out;
+        }
+        // Groups of four cells of the finest grid that has a sample in each cell.
+        const int digits = std::bit_width(seen.size()) - 1, across = (digits + 1) / 2 - 1, down = digits / 2 - 1;
+        thread_local std::vector<std::array<int, 2>> groups;
+        groups.assign(std::size_t{1} << (across + down), {});
+        for (std::size_t k = 0; k < seen.size(); ++k) {
+            if (seen[k] == Seen::Below) continue;
+            const LightCell cell = samples.cell(std::uint32_t(k));
+            auto& group = groups[std::size_t(cell.y >> (16 - down)) << across | std::size_t(cell.x >> (16 - across))];
+            group[0] += seen[k] == Seen::Lit;
+            ++group[1];
+        }
+        Variance variance;
+        for (const auto& [lit_of_group, above_of_group] : groups) variance.add(lit_of_group, above_of_group);
+        out.error = variance.standard_error(above);
+        return out;
+    }
+
+    Estimate first_samples(std::size_t i, RayBatch& batch) {
+        thread_local std::vector<Seen> seen;
+        seen.clear();
+        const LightSamples samples(query_.emitter, receivers_.pixels[i].position_ws, i);
+        const std::size_t rays = trace_samples(i, samples, 0, first_, batch, seen);
+        for (int k = 0; k < first_; ++k) {
+            const std::uint64_t bit = std::uint64_t{1} << k;
+            if (seen[std::size_t(k)] != Seen::Below) first_seen_[i].above |= bit;
+            if (seen[std::size_t(k)] == Seen::Lit) first_seen_[i].lit |= bit;
+        }
+        Estimate out = estimate(i, samples, seen);
+        out.rays = rays;
+        return out;
+    }
+
+    /// Adds samples to the first ones until the error is small enough, or the light is seen to be whole or hidden.
+    /// @param least samples that must see it so
+    Estimate more_samples(std::size_t i, int least, RayBatch& batch) const {
+        thread_local std::vector<Seen> seen;
+        seen.clear();
+        for (int k = 0; k < first_; ++k)
+            seen.push_back(!(first_seen_[i].above >> k & 1u) ? Seen::Below
+                           : first_seen_[i].lit >> k & 1u    ? Seen::Lit
+                                                             : Seen::Dark);
+        const LightSamples samples(query_.emitter, receivers_.pixels[i].position_ws, i);
+        std::size_t rays = 0;
+        for (Estimate out;;) {
+            const int taken = int(seen.size());
+            const int wanted = std::max(kPenumbraSamples, 2 * std::min(taken, most()));
+            const int next = std::min(wanted, most());
+            rays += trace_samples(i, samples, taken, next, batch, seen);
+            out = estimate(i, samples, seen);
+            out.rays = rays;
+            const bool whole = out.visibility == 0 || out.visibility == 1;
+            const bool enough = whole ? next >= least : out.error <= query_.options.noise;
+            if (next == most() || enough) return out;
+        }
+    }
+
+    /// Pixels that need more than their first samples.
+    static constexpr std::uint8_t kNear = 1;    ///< near a penumbra or an edge
+    static constexpr std::uint8_t kBeside = 2;  ///< in a penumbra, or with a neighbour in one
+
+    /// Returns the pixels that have only their first samples although they are in penumbra, or a pixel near them is,
+    /// or lies on the other side of an edge; and those that see all of the light or none by few samples beside a
+    /// penumbra.
+    std::vector<std::uint8_t> around_penumbrae() const {
         std::vector<std::uint8_t> out(out_.state.size(), 0);
         for (int y = 0; y < receivers_.height; ++y)
             for (int x = 0; x < receivers_.width; ++x) {
-                if (!partial(index(x, y))) continue;
-                for (int v = std::max(y - 1, 0); v <= std::min(y + 1, receivers_.height - 1); ++v)
-                    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, receivers_.width - 1); ++u)
-                        out[index(u, v)] = is_traced(out_.state[index(u, v)]);
+                const std::size_t own = index(x, y);
+                if (!is_traced(out_.state[own])) continue;
+                const bool differs = out_.visibility.data[own] != out_.hard().data[own];
+                if (!partial(own) && !differs && !beside_edge(x, y)) continue;
+                for (int v = std::max(y - kNeighbourPixels, 0);
+                     v <= std::min(y + kNeighbourPixels, receivers_.height - 1); ++v)
+                    for (int u = std::max(x - kNeighbourPixels, 0);
+                         u <= std::min(x + kNeighbourPixels, receivers_.width - 1); ++u) {
+                        const std::size_t i = index(u, v);
+                        if (!is_traced(out_.state[i])) continue;
+                        const bool beside = partial(own) && std::max(std::abs(u - x), std::abs(v - y)) <= 1;
+                        const bool missed =
+                            beside && !partial(i) && used_[i] < std::uint32_t(std::min(kBesideSamples, most()));
+                        if (used_[i] > std::uint32_t(first_) && !missed) continue;
+                        out[i] = std::max(out[i], beside ? kBeside : kNear);
+                    }
             }
         return out;
+    }
+
+    /// Returns true when the pixel right of or below a pixel sees another share of the light.
+    bool beside_edge(int x, int y) const {
+        const std::size_t own = index(x, y);
+        const auto differs = [&](std::size_t other) {
+            return is_traced(out_.state[other]) && out_.visibility.data[other] != out_.visibility.data[own];
+        };
+        return (x + 1 < receivers_.width && differs(index(x + 1, y))) ||
+               (y + 1 < receivers_.height && differs(index(x, y + 1)));
     }
 };
 

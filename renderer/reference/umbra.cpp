@@ -12,7 +12,7 @@ namespace si {
 namespace {
 
 constexpr std::size_t kPoints = 8;
-/// Samples of an area light per point: as many as the reference takes at first.
+/// Samples of an area light per point: as many as the reference takes next to penumbrae.
 constexpr int kAreaSamples = 64;
 
 using Points = std::array<glm::dvec3, kPoints>;
@@ -100,7 +100,7 @@ std::vector<std::uint8_t> trace_umbra(const ReferenceScene& scene, const std::ve
     for (const std::size_t k : dark) umbra[tested[k]] = 1;
     if (!area) return umbra;
     query.options.area = true;
-    query.options.samples = std::min(query.options.samples, kAreaSamples);
+    query.options.samples = query.options.first_samples = std::min(query.options.samples, kAreaSamples);
     // Samples on the light depend on a point's place in its image. A row of its own makes them the same in every call.
     const Workers here{.threads = 1};
     parallel_for_blocks(dark.size(), workers.with_progress_range(0.2, 1), [&](std::size_t d) {

@@ -48,8 +48,8 @@ constexpr auto kSourceParams = std::to_array<Param>({
          "same texels per metre: as many as fit, as the pass reports. An edge of a shadow is off by up to 0.7 texels."},
     {SI_FIELD(light_map.samples), .label = "Rays per texel", .min = 1, .max = 1 << 20, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Maximum rays of a texel, over the light's area (light.size): 64 everywhere, then four times as many, and "
-             "again, where noise requires it. A single ray goes to the light's middle, and the shadow is hard."},
+     .help = "Maximum rays of a texel, over the light's area (light.size): 8 everywhere, 64 around penumbrae, and more "
+             "where noise requires it. A single ray goes to the light's middle, and the shadow is hard."},
 });
 static_assert(kSourceParams.size() == member_count<VolumeSettings>() + member_count<ContactSettings>() +
                                           member_count<BlobSettings>() + member_count<LightMapSettings>(),

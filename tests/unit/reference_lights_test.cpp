@@ -144,11 +144,11 @@ TEST(AreaLight, RefinesOnlyPartlyVisibleLights) {
     const auto per_pixel = [](const Penumbra& p) {
         return double(p.reference.rays) / double(p.reference.counted()) - 1;
     };
-    // A tenth of the pixels is in the penumbra; they and their neighbours get 256, the others 64.
-    EXPECT_NEAR(per_pixel(coarse), 64 + 0.1 * 256, 5);
+    // A tenth of the pixels is in the penumbra; they get 64, their neighbours up to 256, the others 8.
+    EXPECT_NEAR(per_pixel(coarse), 0.9 * 8 + 0.1 * 64, 3);
     EXPECT_GT(per_pixel(target), 1.2 * per_pixel(coarse));
     EXPECT_LT(per_pixel(target), 0.95 * per_pixel(fine)) << "some pixels were good enough";
-    EXPECT_NEAR(per_pixel(fine), 64 + 0.1 * (256 + 1024), 25);
+    EXPECT_NEAR(per_pixel(fine), 0.9 * 8 + 0.1 * 1024, 5);
     EXPECT_LT(fine.rms, 0.6 * coarse.rms);
     EXPECT_LT(target.rms, 0.008);
     EXPECT_NEAR(double(target.reference.partial), double(target.partial), 0.1 * double(target.partial));
@@ -167,16 +167,17 @@ TEST(AreaLight, ReportsSamplesAndUncertainty) {
         EXPECT_EQ(one.noise_unknown, one.counted());
         EXPECT_TRUE(std::all_of(one.standard_error.data.begin(), one.standard_error.data.end(),
                                 [](float e) { return std::isnan(e); }));
-        EXPECT_EQ(one.samples.most, 1) << few << " parts do not fill a square of two by two";
-        EXPECT_NE(noise_text(one).find("noise unknown, 1 sample a pixel"), std::string::npos) << noise_text(one);
+        EXPECT_EQ(one.samples.most, few) << "no group of four";
+        const std::string text = few == 1 ? "1 sample a pixel" : std::to_string(few) + " samples a pixel";
+        EXPECT_NE(noise_text(one).find("noise unknown, " + text), std::string::npos) << noise_text(one);
     }
     const Reference fine = at(1000);
     EXPECT_EQ(fine.noise_unknown, 0u);
-    EXPECT_EQ(fine.samples.least, 64) << "what sees all of the light or none";
-    EXPECT_EQ(fine.samples.most, 31 * 31) << "the largest square within what was allowed";
-    // A tenth of the pixels is in the penumbra. Pixels wholly above the horizon send one ray a sample in each round.
-    EXPECT_NEAR(fine.samples.mean, 64 * 0.9 + 0.1 * 961, 12);
-    EXPECT_EQ(at(1024, 1).samples.most, 256);
+    EXPECT_EQ(fine.samples.least, 8) << "what sees all of the light or none";
+    EXPECT_EQ(fine.samples.most, 1000);
+    // A tenth of the pixels is in the penumbra.
+    EXPECT_NEAR(fine.samples.mean, 8 * 0.9 + 0.1 * 1000, 5);
+    EXPECT_EQ(at(1024, 1).samples.most, 256) << "beside a penumbra";
     EXPECT_EQ(fine.standard_error.data[0], 0) << "wholly lit";
     EXPECT_EQ(fine.standard_error.data[399], 0) << "wholly dark";
     EXPECT_GT(fine.standard_error.data[200], 0) << "half";
@@ -202,6 +203,61 @@ TEST(AreaLight, ErrorOfEachPixelHoldsForAnyDivisionOfSamples) {
         // In the mean the squared estimate equals the squared error, or is conservative.
         EXPECT_LT(ratio / double(p.partial), 0.3 * p.rms * p.rms) << samples;
         EXPECT_GT(ratio / double(p.partial), -8 * p.rms * p.rms) << samples;
+    }
+}
+
+// A strip of a disk that a thin bar hides, as the difference of what both of its edges hide.
+TEST(AreaLight, FindsBarsThatHideFewHundredthsOfTheLight) {
+    const double radius_deg = 2, radius_m = kHeight * std::tan(radius_deg * kPi / 180);
+    for (const double width : {0.02, 0.1, 0.5}) {
+        const double half_m = 0.5 * width * radius_m;
+        const Scene scene =
+            test::grey_scene({{"floor", make_plane(8, 8)}, {"bar", make_plane(2 * half_m, 200), moved(0, kHeight, 0)}});
+        const auto geometry = geometry_of(scene);
+        Receivers receivers{.width = 400, .height = 20, .pixels = {}};
+        for (int y = 0; y < receivers.height; ++y)
+            for (int x = 0; x < receivers.width; ++x)
+                receivers.pixels.push_back(
+                    test::floor_receiver({4 * radius_m * (2 * (x + 0.5) / receivers.width - 1), 0, 0.1 * y}, 8));
+        const ReferenceQuery query = query_for(scene, sun({0, 1, 0}, radius_deg), {.area = true});
+        const Reference reference = trace_visibility(ReferenceScene(geometry), receivers, query, {});
+        double squares = 0, largest = 0;
+        for (std::size_t i = 0; i < receivers.pixels.size(); ++i) {
+            const double x = receivers.pixels[i].position_ws.x;
+            const double hidden = disk_share((half_m - x) / radius_m) - disk_share((-half_m - x) / radius_m);
+            const double error = reference.visibility.data[i] - (1 - hidden);
+            squares += error * error;
+            largest = std::max(largest, std::abs(error));
+        }
+        EXPECT_LT(std::sqrt(squares / double(receivers.pixels.size())), query.options.noise) << width;
+        EXPECT_LT(largest, 0.04) << width;
+    }
+}
+
+TEST(AreaLight, SamplesOfAnyRunAreOneInEachCellOfEachGrid) {
+    const Emitter light = sun({0.3, 1, 0.2}, 3);
+    for (const std::uint64_t pixel : {0u, 1u, 77u, 921599u}) {
+        const LightSamples samples(light, {1, 2, 3}, pixel);
+        for (const int digits : {2, 5, 8, 11})
+            for (int across = 0; across <= digits; ++across) {
+                const int down = digits - across;
+                std::vector<int> count(std::size_t{1} << digits, 0);
+                for (std::uint32_t k = 0; k < count.size(); ++k) {
+                    const LightCell cell = samples.cell(k);
+                    ++count[std::size_t(cell.y >> (16 - down)) << across | std::size_t(cell.x >> (16 - across))];
+                }
+                EXPECT_EQ(std::ranges::count(count, 1), std::ptrdiff_t(count.size())) << pixel << " " << across;
+            }
+        double cosine = 1;
+        glm::dvec3 sum(0);
+        for (std::uint32_t k = 0; k < 1024; ++k) {
+            const LightRay ray = samples.ray(k);
+            EXPECT_NEAR(glm::length(ray.direction), 1, 1e-12);
+            cosine = std::min(cosine, glm::dot(ray.direction, light.to_light));
+            sum += ray.direction;
+        }
+        EXPECT_GE(cosine, std::cos(3 * kPi / 180) - 1e-12) << "all on the light";
+        EXPECT_LT(glm::distance(glm::normalize(sum), light.to_light), 1e-3) << "around its middle";
     }
 }
 
