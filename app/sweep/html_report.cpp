@@ -4,12 +4,10 @@
 
 #include <set>
 
+#include "app/report/html_page.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/results.h"
-#include "renderer/base/base64.h"
 #include "renderer/base/command_text.h"
-#include "renderer/base/embedded.h"
-#include "renderer/base/error.h"
 #include "renderer/base/regular_file.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
@@ -21,16 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string asset(const std::string& name) {
-    for (const EmbeddedFile& file : embedded_files())
-        if (file.path == "assets/report/" + name) return std::string(file.text);
-    throw Error(fmt::format("assets/report/{} is not in this program", name));
-}
-
 /// Returns the report's scripts in the order of their dependencies.
 std::string script() {
     std::string text;
-    for (const char* name : {"data.js", "axes.js", "plot.js", "table.js", "page.js"}) text += asset(name);
+    for (const char* name : {"data.js", "axes.js", "plot.js", "table.js", "page.js"}) text += report_asset(name);
     return text;
 }
 
@@ -82,11 +74,12 @@ std::string command_of(const Json& results, const Json& row) {
     return text;
 }
 
-std::string data_uri(const fs::path& file, const char* type) {
+/// Returns a picture file as a data URI; empty without the file.
+std::string picture_uri(const fs::path& file, const char* type) {
     constexpr std::size_t kMaxPictureBytes = std::size_t{16} << 20;
     const ReadResult read = read_regular_file(file, kMaxPictureBytes);
     if (!read.error.empty() || read.bytes.size == 0) return {};
-    return fmt::format("data:{};base64,{}", type, base64(read.bytes.text()));
+    return data_uri(read.bytes.text(), type);
 }
 
 /// Embeds pictures up to the size limit: those of the Pareto front first, then all thumbnails, then all artefact
@@ -98,7 +91,7 @@ Json pictures_json(const Json& results, const fs::path& folder, std::size_t most
     std::size_t used = 0;
     const auto add = [&](const Json& row, const char* field, const char* name, const char* type) {
         if (!row.at(field).is_string() || used >= most_bytes) return;
-        std::string uri = data_uri(folder / row[field].get<std::string>(), type);
+        std::string uri = picture_uri(folder / row[field].get<std::string>(), type);
         if (uri.empty() || used + uri.size() > most_bytes) return;
         used += uri.size();
         pictures[row.at("case").dump()][name] = std::move(uri);
@@ -123,12 +116,6 @@ std::string script_json(const Json& json) {
     return safe;
 }
 
-std::string replaced(std::string text, std::string_view mark, std::string_view by) {
-    const auto at = text.find(mark);
-    if (at == std::string::npos) throw Error(fmt::format("assets/report/page.html lacks {}", mark));
-    return text.replace(at, mark.size(), by);
-}
-
 }  // namespace
 
 std::string report_html(const Json& results, const fs::path& folder, std::size_t max_picture_bytes) {
@@ -140,10 +127,10 @@ std::string report_html(const Json& results, const fs::path& folder, std::size_t
         return Json::array({style.label, fmt::format("#{:02x}{:02x}{:02x}", style.rgb[0], style.rgb[1], style.rgb[2])});
     });
     for (Json& row : data["rows"]) row["command"] = command_of(results, row);
-    std::string page = asset("page.html");
-    page = replaced(page, "@STYLE@", asset("style.css"));
-    page = replaced(page, "@SCRIPT@", script());
-    return replaced(page, "@DATA@", script_json(data));
+    std::string page = report_asset("page.html");
+    page = replaced_mark(page, "@STYLE@", report_asset("style.css"));
+    page = replaced_mark(page, "@SCRIPT@", script());
+    return replaced_mark(page, "@DATA@", script_json(data));
 }
 
 }  // namespace si
