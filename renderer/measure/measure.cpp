@@ -1,5 +1,7 @@
 #include "renderer/measure/measure.h"
 
+#include <utility>
+
 #include "renderer/measure/axes.h"
 #include "renderer/reference/artefact_picture.h"
 
@@ -19,11 +21,12 @@ Classification Measurer::classify(const Scene& scene, const Settings& settings) 
     classified.notes = frame.notes;
     request.force = false;
     const ReferenceOptions reference = reference_options(measured);
-    const MeasuredError error =
+    MeasuredError error =
         measure_error(renderer_, scene, measured, request, measured.view.light, reference, references_, workers_, true);
     classified.error = error.metrics;
     classified.reference = error.traced.reference;
     classified.artefacts = artefact_picture(classified.picture, error.classified, reference.step);
+    classified.classified = std::move(error.classified);
     return classified;
 }
 

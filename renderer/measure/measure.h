@@ -12,12 +12,13 @@ struct Classification {
     ErrorMetrics error;
     std::shared_ptr<const Reference> reference;
     WorkCost cost;
-    int map_resolution = 0;           ///< texels per side, as drawn
-    std::optional<PageFacts> pages;   ///< pages of virtual maps, all drawn again
-    std::vector<FittedLight> lights;  ///< lights of the frame
-    ByteImage picture;                ///< the frame
-    ByteImage artefacts;              ///< the frame in grey with wrong pixels in colour
-    std::vector<std::string> notes;   ///< warnings of the renderer, such as repaired settings
+    int map_resolution = 0;                   ///< texels per side, as drawn
+    std::optional<PageFacts> pages;           ///< pages of virtual maps, all drawn again
+    std::vector<FittedLight> lights;          ///< lights of the frame
+    ByteImage picture;                        ///< the frame
+    ByteImage artefacts;                      ///< the frame in grey with wrong pixels in colour
+    std::vector<ClassifiedPixel> classified;  ///< one per pixel of the reference, top row first
+    std::vector<std::string> notes;           ///< warnings of the renderer, such as repaired settings
 };
 
 /// Sequence of frames under the same settings, drawn to be timed with everything drawn again, a moving camera, or a

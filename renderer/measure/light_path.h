@@ -1,0 +1,94 @@
+// Error, cost and shimmer along a path on which a light moves, while the camera stands still.
+//
+//     LightPath path = straight_path("light.azimuth=0:90,light.elevation=10:60", 12, settings);
+//     LightPathResult r = measure_light_path(renderer, scene, settings, 640, 360, path, {}, {}, report, show);
+//     r.steps[i].error.mae, r.steps[i].change->beyond
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "renderer/measure/measure.h"
+
+namespace si {
+
+/// Step of a path: the settings that move, with their values.
+struct PathPoint {
+    std::vector<std::pair<std::string, std::string>> values;  ///< setting key and value
+    std::optional<double> hour = {};                          ///< solar time of a day's path
+    bool operator==(const PathPoint&) const = default;
+};
+
+/// Path of a light as a list of points.
+struct LightPath {
+    std::string about;  ///< "light.azimuth=0:90" or "the sun at latitude 48, day 172"
+    std::vector<PathPoint> points;
+};
+
+/// Number of steps of a path, unless it is given, and the largest one.
+inline constexpr int kPathSteps = 12;
+inline constexpr int kMaxPathSteps = 1000;
+
+/// Makes a path on which settings of lights move together from their first to their last value, ends included.
+/// @param text "KEY=from:to,KEY=from:to" (the option --along) @param steps number of points, at least 2
+/// @throws UsageError for another form, a key that is no number of a light, one without effect, a value out of range
+LightPath straight_path(std::string_view text, int steps, const Settings& settings);
+
+/// Makes the path of the sun over a day, for view.light. @param text "LATITUDE,DAY" (the option --day): degrees, north
+/// positive; day of the year from 1 @throws UsageError for another form, a polar night, a light that is no sun
+LightPath day_path(std::string_view text, int steps, const Settings& settings);
+
+/// Returns settings at a point of a path.
+Settings settings_at(Settings settings, const PathPoint& point);
+
+/// Change of visibility from one point to the next, over pixels that are counted at both.
+struct PathChange {
+    std::size_t pixels = 0;  ///< counted at both points
+    double drawn = 0;        ///< mean of |V changed by|
+    double reference = 0;    ///< mean of |R changed by|
+    double beyond = 0;       ///< mean of what |V changed by| exceeds |R changed by|: shimmer
+    std::size_t flips = 0;   ///< pixels whose V crosses one half while R stays on its side
+};
+
+/// Compares the visibility of two points with the reference's. @param before,now of one camera and size
+PathChange path_change(const std::vector<ClassifiedPixel>& before, const Reference& reference_before,
+                       const std::vector<ClassifiedPixel>& now, const Reference& reference_now);
+
+/// Measured point of a path.
+struct PathStep {
+    PathPoint point;
+    ErrorMetrics error;
+    WorkCost cost;
+    std::optional<TimeMeasurement> time;
+    std::optional<PathChange> change;  ///< from the point before; none at the first
+};
+
+/// Options of a measurement along a path.
+struct LightPathOptions {
+    bool time = true;              ///< time frames
+    CostCase cost = kDefaultCost;  ///< kind of frames to time
+};
+
+/// Measurements along a path.
+struct LightPathResult {
+    LightPath path;
+    std::vector<PathStep> steps;  ///< the first points of the path while it is measured
+    std::string clock;            ///< clock of the times; empty: not timed
+    CostCase cost = kDefaultCost;
+    /// Returns the index of the step with the largest error; 0 without steps. @param metric whose error
+    std::size_t worst(const Metric& metric) const;
+};
+
+/// Measures every point of a path in order. @param report receives the share done, 0..1, and the point under way
+/// @param show receives the results so far @throws Cancelled, Error
+LightPathResult measure_light_path(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
+                                   int height, const LightPath& path, const LightPathOptions& options,
+                                   const Workers& workers,
+                                   const std::function<void(double, const std::string&)>& report,
+                                   const std::function<void(const LightPathResult&)>& show = {});
+
+}  // namespace si
