@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/command.h"
+#include "app/commands/light_path.h"
 
 namespace si {
 namespace {
@@ -9,14 +10,31 @@ constexpr PictureSize kSmallPicture{640, 360};  ///< for commands that draw many
 
 void add_sweep(CLI::App& app, Run& run) {
     auto& c = add_command(app, run, "sweep",
-                          "Measure error and time over combinations of settings, and report the frontier", run_sweep);
-    SweepOptions& o = c.options;
+                          "Measure error and time over combinations of settings, and report the frontier; or along a "
+                          "path of the light (--along, --day)",
+                          run_path_sweep);
+    PathSweepOptions& o = c.options;
     c.add_session();
     c.add_value("--vary", o.vary, "KEY=VALUES",
                 "A setting and its values: KEY=V1,V2,... or KEY=from:to:step (step *2 doubles) or KEY=* for every "
                 "choice; may be repeated")
-        ->required()
         ->allow_extra_args(false);
+    c.add_value("--along", o.along, "PATH",
+                "Move a light instead: KEY=from:to,KEY=from:to, such as light.azimuth=0:90,light.elevation=10:60. All "
+                "move together; writes path.json, path.csv and path.html");
+    c.add_value("--day", o.day, "LATITUDE,DAY",
+                "Move the sun from sunrise to sunset instead: degrees (north is positive) and day of the year, such as "
+                "48,172. South is +z, east +x");
+    c.app()
+        .add_option("--steps", o.steps,
+                    fmt::format("With --along and --day: number of steps (default {})", kPathSteps))
+        ->type_name("N")
+        ->check(CLI::Range(1, kMaxPathSteps));
+    c.add_value("--error", o.error, "NAME",
+                "With --along and --day: error whose largest value is the worst step, named as in `measure --json` "
+                "(default: mae)");
+    c.add_file_to_write("--worst-preset", o.worst_preset, "F.json",
+                        "With --along and --day: write the settings of the worst step as a preset");
     c.add_output("DIR", "The folder of the results; made if missing. The same command continues an interrupted sweep")
         ->required();
     c.add_size(kSmallPicture, kMeasuredPixelBytes);
@@ -159,7 +177,8 @@ void add_shimmer(CLI::App& app, Run& run) {
 }  // namespace
 
 void add_measure_commands(CLI::App& app, Run& run) {
-    for (const auto add : {add_sweep, add_merge, add_tune, add_plan, add_advise, add_precision, add_shimmer})
+    for (const auto add :
+         {add_sweep, add_merge, add_tune, add_plan, add_advise, add_precision, add_shimmer})
         add(app, run);
 }
 

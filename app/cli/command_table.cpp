@@ -79,6 +79,7 @@ constexpr NamedValues kNamedValues[] = {
     {"", "--view", OfferedWords::Words, view_keys},
     {"", "--set", OfferedWords::Words, setting_keys},
     {"", "--vary", OfferedWords::Words, setting_keys},
+    {"", "--along", OfferedWords::Words, setting_keys},
 };
 
 CommandOption option_row(const CLI::Option& option, const std::string& command) {
