@@ -2,6 +2,7 @@
 
 #include "app/cli/command.h"
 #include "app/commands/light_path.h"
+#include "app/commands/report.h"
 
 namespace si {
 namespace {
@@ -174,11 +175,37 @@ void add_shimmer(CLI::App& app, Run& run) {
     c.add_json();
 }
 
+void add_report(CLI::App& app, Run& run) {
+    auto& c = add_command(app, run, "report",
+                          "Write one page that compares presets on a scene: pictures, wrong pixels, diagnosed pixels, "
+                          "numbers and commands, to attach to a bug",
+                          run_report);
+    ReportOptions& o = c.options;
+    c.add_scene()->required();
+    c.add_value(
+         "--preset", o.presets, "F",
+         "A preset: a file or a built-in one (`list presets`); may be repeated. All are drawn in the view of the "
+         "first one")
+        ->required()
+        ->allow_extra_args(false);
+    c.add_value("--set", o.session.sets, "KEY=VALUE", "Set one setting of all presets; may be repeated")
+        ->allow_extra_args(false);
+    c.add_value("--pixel", o.pixels, "X,Y",
+                "A pixel to diagnose and draw, counted from the top left; may be repeated (default: of each cause, the "
+                "middle of its largest cluster)")
+        ->allow_extra_args(false);
+    c.add_output("F.html", "The page, .html")->required();
+    c.add_size({}, kMeasuredPixelBytes);
+    c.add_area();
+    c.add_cost();
+    c.app().add_flag("!--no-time", o.time, "Measure errors only");
+}
+
 }  // namespace
 
 void add_measure_commands(CLI::App& app, Run& run) {
     for (const auto add :
-         {add_sweep, add_merge, add_tune, add_plan, add_advise, add_precision, add_shimmer})
+         {add_sweep, add_merge, add_tune, add_plan, add_advise, add_precision, add_shimmer, add_report})
         add(app, run);
 }
 

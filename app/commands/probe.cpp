@@ -11,6 +11,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
+#include "app/report/diagnosed_lights.h"
 #include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
 #include "app/report/probe_json.h"
@@ -130,16 +131,6 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d) {
                    d.window_open() ? "" : ": empty");
 }
 
-std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, const Settings& settings,
-                                      const DriverInfo& driver, const ReferenceScene& casters) {
-    std::vector<PixelDiagnosis> out;
-    const auto traits = object_traits(scene, settings);
-    for (const Probe::PerLight& light : probe.lights)
-        out.push_back(diagnose_pixel(probe, light, trace_fragment_reference(casters, probe, light, settings, traits),
-                                     settings, driver));
-    return out;
-}
-
 /// Returns the casters between the probed point and a light that leave nothing in its map.
 std::vector<LostCaster> lost_before(const Session& session, const Probe& probe, const Probe::PerLight& light) {
     return lost_casters_before(session.scene, lost_casters(session.scene, session.settings, light.fitted), light.fitted,
@@ -197,7 +188,7 @@ void run_probe(const ProbeOptions& options) {
     std::shared_ptr<const ReferenceScene> casters;
     if (options.reference && probe.hit) {
         casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
-        found = diagnoses(probe, session.scene, session.settings, renderer.driver(), *casters);
+        found = diagnose_lights(probe, session.scene, session.settings, renderer.driver(), *casters);
     }
     const auto find_fixes = [&] {  // uses the pixel within the pane
         if (options.reference && probe.hit && section.empty()) table = fixes(renderer, session, probe, found);

@@ -1,0 +1,16 @@
+// Diagnoses of a probed pixel for all lights of a scene.
+#pragma once
+
+#include <vector>
+
+#include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/reference/reference_scene.h"
+
+namespace si {
+
+/// Diagnoses the shadow tests of a probed pixel, one for each light of the probe. @param casters ray-tracing hierarchy
+/// over the probed scene
+std::vector<PixelDiagnosis> diagnose_lights(const Probe& probe, const Scene& scene, const Settings& settings,
+                                            const DriverInfo& driver, const ReferenceScene& casters);
+
+}  // namespace si
