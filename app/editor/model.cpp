@@ -50,6 +50,7 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
       work_(state, options.state_folder),
       import_(state, persistence_, scenes_),
       export_(state),
+      report_(state),
       conversion_(state) {
     SessionPlan plan = plan_session(options.session);
     scenes_.set_initial_settings(plan.settings);
@@ -85,6 +86,7 @@ EditorFrame EditorModel::facts() const {
     presets_.fill(f);
     f.importing = import_.facts();
     f.conversion = conversion_.facts();
+    f.report = report_.facts();
     persistence_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
     f.desktop_dialogs = has_desktop_dialog;
@@ -216,6 +218,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     changed |= work_.poll(scenes_.scene());
     changed |= import_.poll();
     changed |= export_.poll();
+    changed |= report_.poll();
     const auto request = [&](bool requested, const auto& what) {
         if (requested) changed |= attempt(state, what);
     };
@@ -235,6 +238,9 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
             [&] { presets_.save(*requests.save_preset, requests.save_about, requests.replace); });
     changed |= import_.fulfil(requests);
     request(requests.export_file.has_value(), [&] { export_file(*requests.export_file, requests.replace); });
+    request(requests.write_report.has_value(),
+            [&] { report_.start(scenes_.require(), picture_size(), *requests.write_report); });
+    if (requests.cancel_report) report_.cancel();
     if (requests.save_conversion) {
         conversion_.save(*requests.save_conversion, scenes_.scene(), requests.replace_conversion);
         changed = true;

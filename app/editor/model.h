@@ -15,6 +15,7 @@
 #include "app/editor/frame_loader.h"
 #include "app/editor/persistence.h"
 #include "app/editor/preset_requests.h"
+#include "app/editor/report_export.h"
 #include "app/editor/scene_loader.h"
 #include "app/editor/session_report.h"
 #include "app/report/views.h"
@@ -67,16 +68,19 @@ public:
     bool drawing_moved() { return frames_.first_picture_moved(); }
     /// Returns true while something is measured in the background.
     bool measuring() const {
-        return work_.busy() || export_.busy() || presets_.pictures().busy() || frames_.facts().readings.tracing_probe;
+        return work_.busy() || export_.busy() || report_.busy() || presets_.pictures().busy() ||
+               frames_.facts().readings.tracing_probe;
     }
     /// Returns true if the next fulfil() has results of a background measurement.
     bool measuring_moved() const {
-        return work_.moved() || export_.moved() || presets_.pictures().moved() || frames_.probe_moved();
+        return work_.moved() || export_.moved() || report_.moved() || presets_.pictures().moved() ||
+               frames_.probe_moved();
     }
     /// Waits until nothing is being measured.
     void finish_measuring() const {
         work_.finish();
         export_.finish();
+        report_.finish();
         presets_.pictures().wait();
         frames_.finish_probe();
     }
@@ -152,6 +156,7 @@ private:
     BackgroundWork work_;
     FrameImport import_;
     BundleExport export_;
+    ReportExport report_;
     ConversionPreview conversion_;
 };
 

@@ -65,6 +65,8 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
         "This frame as a bundle (scene, camera, shadow maps and matrices), picture, map, or an engine's code");
     if (ImGui::MenuItem("Convert…")) state.convert.asked = true;
     plain_tooltip("The shadow settings as code of an engine, a graphics API, C++ or GLSL, to copy or save");
+    if (ImGui::MenuItem("Report…")) state.report.asked = true;
+    plain_tooltip("A page that compares the present settings with pinned ones and presets, to attach to a bug");
     if (ImGui::BeginMenu("Screenshot")) {
         item("of the scene", Command::SceneScreenshot);
         item("of the map", Command::MapScreenshot);

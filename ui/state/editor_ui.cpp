@@ -347,6 +347,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_replace_dialog(state, requests);
     draw_import_dialog(state.import_dialog, frame.importing, state.scene_name, requests);
     draw_convert_dialog(state.convert, frame.conversion, requests);
+    draw_report_dialog(state.report, frame.report, frame, state.pinned.has_value(), state.probe_pixel, requests);
     ImGui::End();
 
     if (keys_wait) {

@@ -28,6 +28,7 @@
 #include "ui/panels/presets.h"
 #include "ui/panels/probe_panel.h"
 #include "ui/panels/reference.h"
+#include "ui/panels/report_dialog.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/scene_view/cameras.h"
@@ -114,6 +115,7 @@ struct EditorState : PictureState {
     TunePanel tune;
     ImprovePanel improve;
     LabPanel lab;
+    ReportDialog report;
     ImportDialog import_dialog;
     ConvertDialog convert;
 };
@@ -158,6 +160,7 @@ struct EditorFrame : ProbeFacts,
     std::optional<DrawingFacts> drawing;
     std::optional<ImportFacts> importing;      ///< frame of another engine that is being imported
     const ConvertFacts* conversion = nullptr;  ///< code for state.convert; null: its dialog is closed
+    ReportFacts report;
     const SweepFacts* sweep = nullptr;
     std::optional<ReferenceFacts> reference;
     const LiveError* error = nullptr;          ///< errors of the shown frame; null: not known
@@ -179,6 +182,7 @@ struct EditorRequests : MapRequests,
                         EffectsRequests,
                         ImproveRequests,
                         LabRequests,
+                        ReportRequests,
                         HealthRequests,
                         ImportRequests,
                         ConvertRequests,

@@ -1,0 +1,52 @@
+// Dialog that writes a report: the present settings beside the pinned ones and presets, as one HTML page.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/panels/presets.h"
+#include "ui/panels/tune_controls.h"
+
+namespace si {
+
+/// State of the dialog.
+struct ReportDialog {
+    bool asked = false;                ///< opens in the next frame
+    bool shown = false;                ///< the dialog is open
+    bool pinned = true;                ///< the pinned settings are in the report, if there are any
+    bool probed = true;                ///< the probed pixel is diagnosed, if there is one; else one of each cause
+    std::vector<std::string> presets;  ///< keys of built-in presets, or paths
+    std::string preset_input;          ///< path of a preset while it is being typed
+    std::string output = "report.html";
+};
+
+/// Data that the dialog shows.
+struct ReportFacts {
+    std::optional<SearchProgress> writing;  ///< none: no report is being made
+    std::string problem;                    ///< why none was written, and what to do; empty: none failed
+    std::string wrote;                      ///< path of the last written report; empty: none
+    bool replaces = false;                  ///< the file of the last request exists; writing again replaces it
+};
+
+/// Request for a report.
+struct ReportRequest {
+    std::string output;  ///< path, .html
+    bool pinned = false;
+    bool replace = false;  ///< a file that exists may be replaced
+    std::vector<std::string> presets;
+    std::optional<glm::ivec2> pixel;  ///< pixel to diagnose; none: one of each cause
+};
+
+/// Requests of the dialog to the application.
+struct ReportRequests {
+    std::optional<ReportRequest> write_report;
+    bool cancel_report = false;
+};
+
+/// Draws the dialog while it is open. @param has_pinned there are pinned settings @param probed the probed pixel
+void draw_report_dialog(ReportDialog& dialog, const ReportFacts& facts, const PresetsFacts& presets, bool has_pinned,
+                        const std::optional<glm::ivec2>& probed, ReportRequests& requests);
+
+}  // namespace si
