@@ -52,6 +52,11 @@ ShimmerFound search_shimmer(const SearchTools& t, const Settings& settings, cons
     return out;
 }
 
+LightPathResult search_light_path(const SearchTools& t, const Settings& settings, const LightPath& path,
+                                  const std::function<void(LightPathResult)>& show) {
+    return measure_light_path(t.renderer, t.scene, settings, t.width, t.height, path, {}, t.workers, t.report, show);
+}
+
 Waste search_waste(const SearchTools& t, const Settings& settings, FrameRequest unforced,
                    const std::function<void(Waste)>& show) {
     unforced.forced = {};
@@ -101,7 +106,8 @@ bool BackgroundWork::poll_found(auto& search) {
 bool BackgroundWork::poll(const Scene* scene) {
     bool ended = poll_tuning(scene);
     const auto poll_each = [&](auto&... searches) { ((ended |= poll_found(searches)), ...); };
-    poll_each(fixes_, pixel_fixes_, advice_, waste_, pipelines_, shimmer_, optimisation_times_, conversion_);
+    poll_each(fixes_, pixel_fixes_, advice_, waste_, pipelines_, shimmer_, optimisation_times_, conversion_,
+              light_path_);
     return ended;
 }
 
@@ -198,6 +204,14 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, const FrameFacts& shown, 
     request(requests.measure_shimmer.has_value(),
             [&] { start(shimmer_, "the first frame", *requests.measure_shimmer, search_shimmer); });
     if (requests.cancel_shimmer) shimmer_.cancel();
+    request(requests.measure_along || requests.measure_day, [&] {
+        const LightPath path = requests.measure_day
+                                   ? day_path(*requests.measure_day, requests.path_steps, state_.settings)
+                                   : straight_path(*requests.measure_along, requests.path_steps, state_.settings);
+        light_path_.forget();
+        start(light_path_, "the first step", path, search_light_path);
+    });
+    if (requests.cancel_path) light_path_.cancel();
     request(requests.measure_conversion, [&] {
         start(conversion_, "tilt of lit pixels", printable(state_.scene_name),
               [](const SearchTools& t, const Settings& settings, const std::string& name) {
@@ -280,6 +294,16 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
         f.shimmer = found->variants;
         f.shimmer_of = found->options;
         f.shimmer_current = shimmer_.subject().measures_like(present);
+    }
+    f.measuring_path = light_path_.progress();
+    f.path = light_path_.found_in(present.scene);
+    if (f.path && !f.path->steps.empty()) {
+        // The path sets the light's direction, so that the shown one does not matter.
+        const auto at_begin = [&](SearchSubject of) {
+            of.settings = settings_at(of.settings, f.path->path.points.front());
+            return of;
+        };
+        f.path_current = at_begin(light_path_.subject()).measures_like(at_begin(present));
     }
     f.sweep = &sweep_.facts();
 }

@@ -19,6 +19,7 @@
 #include "renderer/advise/fixes.h"
 #include "renderer/advise/tuning.h"
 #include "renderer/advise/waste.h"
+#include "renderer/measure/light_path.h"
 #include "renderer/measure/optimisation_times.h"
 #include "ui/state/editor_ui.h"
 
@@ -44,7 +45,7 @@ class BackgroundWork {
     /// Returns references to all background measurements, for calls to each of them.
     auto all() const {
         return std::tie(sweep_, bias_search_, fixes_, pixel_fixes_, optimisation_times_, advice_, waste_, pipelines_,
-                        shimmer_, conversion_);
+                        shimmer_, conversion_, light_path_);
     }
 
 public:
@@ -108,6 +109,8 @@ private:
     EditorSearch<std::vector<PipelineError>> pipelines_{"The comparison of precision was cancelled"};
     EditorSearch<ShimmerFound> shimmer_{"The measurement of shimmer was cancelled; its results so far stay"};
     EditorSearch<MeasuredConversion> conversion_{"The measurement for the conversion was cancelled"};
+    EditorSearch<LightPathResult> light_path_{
+        "The measurement along the light's path was cancelled; its results so far stay"};
 };
 
 }  // namespace si

@@ -151,6 +151,7 @@ EditorRequests UiHarness::frame() {
         if (effects.effects.empty()) facts.effects = effects_;
         static_cast<ImproveFacts&>(facts) = advice;
         static_cast<LabFacts&>(facts) = lab;
+        static_cast<LightStripFacts&>(facts) = light_strip;
         facts.report = report;
         facts.health = health;
         static_cast<ImportedFacts&>(facts) = imported;

@@ -64,6 +64,7 @@ public:
     EffectsFacts effects;  ///< effects to show; an empty list is replaced by the made-up frame's
     ImproveFacts advice;
     LabFacts lab;
+    LightStripFacts light_strip;
     ReportFacts report;
     const NumericHealth* health = nullptr;
     const MemoryReport* memory = nullptr;

@@ -128,7 +128,13 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     tab(state, BottomTab::Compare, [&] {
         draw_compare(state.compare, state.settings, state.pinned, state.scene_name, frame.comparison, frame, requests);
     });
-    tab(state, BottomTab::Frontier, [&] { draw_frontier(state.sweep, state.settings, frame.sweep, requests); });
+    tab(state, BottomTab::Frontier, [&] {
+        draw_light_strip(state.light_strip, state.settings, frame, requests);
+        draw_frontier(state.sweep, state.settings, frame.sweep, requests);
+    });
+    if (requests.save_worst)
+        open_file_dialog(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
+                         "The step with the largest error along a path of the light");
     tab(state, BottomTab::Improve, [&] { draw_improve_panel(state, frame, requests); });
     tab(state, BottomTab::Lab,
         [&] { draw_lab(state.lab, state.settings, frame.scene, frame.result, frame, requests); });

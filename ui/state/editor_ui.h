@@ -23,6 +23,7 @@
 #include "ui/panels/imported_panel.h"
 #include "ui/panels/improve_panel.h"
 #include "ui/panels/lab_panel.h"
+#include "ui/panels/light_strip.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/objects_panel.h"
 #include "ui/panels/presets.h"
@@ -115,6 +116,7 @@ struct EditorState : PictureState {
     TunePanel tune;
     ImprovePanel improve;
     LabPanel lab;
+    LightStripPanel light_strip;
     ReportDialog report;
     ImportDialog import_dialog;
     ConvertDialog convert;
@@ -142,6 +144,7 @@ struct EditorFrame : ProbeFacts,
                      EffectsFacts,
                      ImproveFacts,
                      LabFacts,
+                     LightStripFacts,
                      HealthFacts,
                      ImportedFacts {
     const FrameResult* result = nullptr;
@@ -182,6 +185,7 @@ struct EditorRequests : MapRequests,
                         EffectsRequests,
                         ImproveRequests,
                         LabRequests,
+                        LightStripRequests,
                         ReportRequests,
                         HealthRequests,
                         ImportRequests,
