@@ -3,6 +3,7 @@
 #include "app/cli/command.h"
 #include "app/commands/light_path.h"
 #include "app/commands/report.h"
+#include "renderer/measure/shadow_time.h"
 
 namespace si {
 namespace {
@@ -27,8 +28,7 @@ void add_sweep(CLI::App& app, Run& run) {
                 "Move the sun from sunrise to sunset instead: degrees (north is positive) and day of the year, such as "
                 "48,172. South is +z, east +x");
     c.app()
-        .add_option("--steps", o.steps,
-                    fmt::format("With --along and --day: number of steps (default {})", kPathSteps))
+        .add_option("--steps", o.steps, fmt::format("With --along and --day: number of steps (default {})", kPathSteps))
         ->type_name("N")
         ->check(CLI::Range(1, kMaxPathSteps));
     c.add_value("--error", o.error, "NAME",
@@ -47,6 +47,7 @@ void add_sweep(CLI::App& app, Run& run) {
         .add_option("--frames", o.timing.frames, "Timed frames of a case in a round (default 3)")
         ->check(CLI::Range(1, 1'000));
     c.add_area();
+    o.cost = kFrontierCost;
     c.add_cost();
     c.app().add_flag_callback(
         "--no-time", [&o] { o.timing.on = false; }, "Measure errors and costs only");

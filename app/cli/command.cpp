@@ -91,7 +91,7 @@ void CommandParser::add_cost() {
     };
     app_.add_option_function<std::string>(
             "--cost", parse,
-            fmt::format("Kind of frames to time: {} (default: {})", cost_keys(), cost_row(kDefaultCost).key))
+            fmt::format("Kind of frames to time: {} (default: {})", cost_keys(), cost_row(options_->cost).key))
         ->type_name("FRAMES");
 }
 

@@ -74,6 +74,11 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     return plan;
 }
 
+/// Formats a difference of times with its interval: "4.1 ms (3.9 to 4.4)".
+std::string difference_text(const Spread& ms) {
+    return fmt::format("{:.2f} ms ({:.2f} to {:.2f})", ms.median, ms.median_low, ms.median_high);
+}
+
 Json plan_json(const Session& session, const PlanOptions& options, const Planned& plan, const DriverInfo& driver) {
     const SavedTimes* saved = plan.saved ? &*plan.saved : nullptr;
     Json json = {{"format", "shadow-inspector-plan"}, {"version", 1},
@@ -82,6 +87,13 @@ Json plan_json(const Session& session, const PlanOptions& options, const Planned
     json["effects"] = effects_json(plan.effects, saved);
     json["savings"] = optimisations_json(saved);
     json["frame_ms"] = saved ? Json(saved->frame.total_ms.median) : Json();
+    const auto put = [&](const std::string& name, const std::optional<Spread>& ms) {
+        json[name] = ms ? Json(ms->median) : Json();
+        json[name + "_low"] = ms ? Json(ms->median_low) : Json();
+        json[name + "_high"] = ms ? Json(ms->median_high) : Json();
+    };
+    put("shadow_ms", saved ? saved->shadow_ms : std::nullopt);
+    put("forced_more_ms", saved ? saved->forced_more_ms : std::nullopt);
     json["rounds"] = saved ? Json(saved->rounds) : Json();
     json["clock"] = saved ? Json(saved->frame.clock) : Json();
     json["waste"] = plan.waste ? waste_json(*plan.waste) : Json();
@@ -104,6 +116,9 @@ void run_plan(const PlanOptions& options) {
         fmt::print("{}", json_text(plan_json(session, options, plan, renderer.driver())));
     } else {
         print_effects(plan.effects, plan.saved ? &*plan.saved : nullptr);
+        if (plan.saved && plan.saved->shadow_ms && plan.saved->forced_more_ms)
+            fmt::print("\nshadow: {} of the frame; with every effect forced the frame costs {} more\n",
+                       difference_text(*plan.saved->shadow_ms), difference_text(*plan.saved->forced_more_ms));
         if (plan.saved)
             fmt::print(
                 "\n{} {} a frame with all its passes; medians of {} alternating rounds, with their 95 % "

@@ -315,6 +315,9 @@ bool EditorSweep::update(const EditorState& state) {
     facts_.view =
         frontier_view(results_ ? results_->rows : std::vector<SweepRow>{}, present_ && followed_ ? &*present_ : nullptr,
                       facts_.cost, state.sweep.error, before.is ? &before.is->numbers : nullptr);
+    if (results_) add_base(facts_.view.plot, *results_, facts_.cost);
+    for (PlotSpot& spot : facts_.view.plot.spots)
+        if (spot.kind == PlotSpot::Kind::Pinned && before.pinned) spot.label = "A";
     seen_cost_ = state.sweep.cost;
     seen_error_ = state.sweep.error;
     fresh_ = false;

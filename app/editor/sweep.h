@@ -104,8 +104,8 @@ private:
     std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen
     bool opened_ = false;           ///< the shown sweep was read from a folder
     std::string seen_cost_, seen_error_;
-    CostCase seen_timed_ = kDefaultCost;
-    CostCase swept_cost_ = kDefaultCost;  ///< kind of frames timed by the shown sweep
+    CostCase seen_timed_ = kFrontierCost;
+    CostCase swept_cost_ = kFrontierCost;  ///< kind of frames timed by the shown sweep
     std::optional<PinnedSettings> seen_pinned_;
     Settings compared_;  ///< settings last compared with the sweep's
     std::string compared_scene_;

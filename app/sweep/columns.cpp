@@ -41,6 +41,20 @@ Column time_column(const char* field, const char* of, const char* label, const c
             .noise_value = [=](const CaseNumbers& n) { return n.time ? ((*n.time).*spread).noise() : kNone; }};
 }
 
+/// Makes a column of a time of the shadows.
+Column shadow_column(const char* of, const char* label, const char* help, Spread ShadowTime::*spread) {
+    const std::string group = std::string("shadow.") + of;
+    return {.key = group + ".median",
+            .label = label,
+            .unit = "ms",
+            .help = help,
+            .value = [=](const CaseNumbers& n) { return n.shadow ? ((*n.shadow).*spread).median : kNone; },
+            .noise = group + ".noise",
+            .noise_value = [=](const CaseNumbers& n) { return n.shadow ? ((*n.shadow).*spread).noise() : kNone; },
+            .bound = group,
+            .bounded = [=](const CaseNumbers& n) { return n.shadow ? &((*n.shadow).*spread) : nullptr; }};
+}
+
 template <typename Number>
 Column cost_column(const char* field, const char* label, const char* unit, const char* help, Number WorkCost::*number) {
     return {.key = std::string("cost.") + field,
@@ -60,6 +74,32 @@ std::vector<Column> make_columns() {
                    .help = "4: the causes of docs/accuracy.md. Other meanings do not compare.",
                    .value = [](const CaseNumbers& n) { return n.error ? double(kErrorMeaning) : kNone; },
                    .better = Better::Neither});
+    all.push_back(shadow_column("moving_ms", "Time of the shadow while the light moves",
+                                "Maps, preparation and look-ups: the frame minus the same frame without shadows, in "
+                                "alternation.",
+                                &ShadowTime::moving_ms));
+    all.push_back(shadow_column("still_ms", "Time of the shadow under a still light",
+                                "The camera moves and maps are kept: the frame minus the same frame without shadows, "
+                                "in alternation.",
+                                &ShadowTime::still_ms));
+    const auto forced = [](const CaseNumbers& n) {
+        return n.shadow && n.shadow->forced_ms ? &*n.shadow->forced_ms : nullptr;
+    };
+    all.push_back({.key = "shadow.forced_ms.median",
+                   .label = "Time of the shadow with every effect forced",
+                   .unit = "ms",
+                   .help = "As while the light moves, with all optimisations off: all work is drawn that they skip.",
+                   .value = [=](const CaseNumbers& n) { return forced(n) ? forced(n)->median : kNone; },
+                   .noise = "shadow.forced_ms.noise",
+                   .noise_value = [=](const CaseNumbers& n) { return forced(n) ? forced(n)->noise() : kNone; },
+                   .bound = "shadow.forced_ms",
+                   .bounded = forced});
+    all.push_back({.key = "shadow.of_base",
+                   .label = "Multiple of the base",
+                   .unit = "\u00d7",
+                   .help = "Time of the shadow while the light moves, over that of the hard kernel with 1024 texels. "
+                           "None within the noise.",
+                   .value = [](const CaseNumbers& n) { return n.shadow ? n.shadow->of_base : kNone; }});
     all.push_back(time_column("median", "total_ms", "Time of a frame", "Median over the frames of whole rounds.",
                               &T::total_ms, &Spread::median));
     all.push_back(time_column("p95", "total_ms", "Time of a frame, 95 %", "Nineteen frames of twenty take less.",
@@ -103,10 +143,17 @@ const Column* find_column(std::string_view key) {
 }
 
 std::string label_of(const Column& column, CostCase cost) {
-    return column.unit == "ms" ? column.label + " " + std::string(cost_row(cost).when) : column.label;
+    return column.unit == "ms" && column.bound.empty() ? column.label + " " + std::string(cost_row(cost).when)
+                                                       : column.label;
+}
+
+bool is_bound(const Column& column, const CaseNumbers& numbers) {
+    const Spread* time = column.bounded ? column.bounded(numbers) : nullptr;
+    return time && below_noise(*time);
 }
 
 double plotted_value(const Column& column, const CaseNumbers& numbers) {
+    if (is_bound(column, numbers)) return time_or_bound(*column.bounded(numbers));
     return distance_from_best(column.better, column.value(numbers));
 }
 

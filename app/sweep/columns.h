@@ -18,7 +18,13 @@ struct Column {
     Better better = Better::Less;                     ///< direction of improvement; plots show distance_from_best()
     std::string noise = {};  ///< key of the field that holds the noise; smaller differences are none; empty: exact
     std::function<double(const CaseNumbers&)> noise_value = {};
+    std::string bound = {};  ///< group of the field `below_noise`; such a value is plotted as its upper bound
+    std::function<const Spread*(const CaseNumbers&)> bounded = {};  ///< distribution of the value; null: not measured
 };
+
+/// Keys of the columns with the time of the shadows: while the light moves, and while only the camera does.
+inline constexpr const char* kMovingShadowColumn = "shadow.moving_ms.median";
+inline constexpr const char* kStillShadowColumn = "shadow.still_ms.median";
 
 /// Lists all columns of sweep results: error metrics first, then times and costs.
 std::span<const Column> columns();
@@ -31,6 +37,8 @@ std::string label_of(const Column& column, CostCase cost);
 /// Returns the number that a plot shows for a column: the distance of its value from the best one, so that less is
 /// better. NaN if the value was not measured, or has no best one (Better::Neither).
 double plotted_value(const Column& column, const CaseNumbers& numbers);
+/// Returns true when a column's value does not differ from 0 by more than its noise, so that only a bound is known.
+bool is_bound(const Column& column, const CaseNumbers& numbers);
 /// Returns the noise of a column's value. Differences below the noise have no meaning.
 double noise_of(const Column& column, const CaseNumbers& numbers);
 

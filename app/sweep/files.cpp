@@ -9,11 +9,13 @@
 #include <array>
 
 #include "app/base/output.h"
+#include "app/report/frontier_svg.h"
 #include "app/report/report.h"
 #include "app/session/presets.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/html_report.h"
 #include "app/sweep/journal.h"
+#include "app/sweep/measured_cases.h"
 #include "renderer/base/error.h"
 
 namespace si {
@@ -24,9 +26,10 @@ namespace fs = std::filesystem;
 constexpr const char* kResultsFile = "results.json";
 constexpr const char* kTableFile = "results.csv";
 constexpr const char* kReportFile = "report.html";
+constexpr const char* kPlotFile = "frontier.svg";
 constexpr const char* kPictures = "pictures";
 /// Names of the files in a sweep's folder.
-constexpr std::array kNames = {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile};
+constexpr std::array kNames = {kResultsFile, kTableFile, kReportFile, kPlotFile, kBasePreset, kJournalFile};
 
 /// Returns true for file names that picture_path() and artefacts_path() make.
 bool is_picture_of_case(const fs::path& path) {
@@ -57,7 +60,11 @@ SweepResults write_sweep_files(const fs::path& folder, const SweepState& state, 
     const SweepSpec spec = spec_from_json(state.spec);
     save_preset({.about = "What all cases of a sweep have in common", .scene = spec.scene, .settings = spec.base},
                 folder / kBasePreset);
-    write_regular_file(folder / kReportFile, report_html(json, folder));
+    const FrontierPlot plot = frontier_plot(results);
+    const auto number = [&](std::size_t of) { return results.rows[of].number; };
+    write_regular_file(folder / kPlotFile, frontier_svg(plot, {.number = number}));
+    const std::string picture = plot.cases.empty() ? "" : frontier_svg(plot, {.in_page = true, .number = number});
+    write_regular_file(folder / kReportFile, report_html(json, folder, picture));
     return results;
 }
 
@@ -135,12 +142,18 @@ std::string frontier_text(const SweepResults& results) {
     for (const SweepRow& row : results.rows)
         if (std::find(results.frontier.begin(), results.frontier.end(), row.number) != results.frontier.end())
             on.push_back(&row);
-    std::stable_sort(on.begin(), on.end(),
-                     [&](const SweepRow* a, const SweepRow* b) { return x->value(a->numbers) < x->value(b->numbers); });
-    std::string text = fmt::format("{:>16} {:>12}  case (Pareto front)\n",
-                                   fmt::format("{} [{}]", label_of(*x, results.cost), x->unit), y->label);
+    std::stable_sort(on.begin(), on.end(), [&](const SweepRow* a, const SweepRow* b) {
+        return plotted_value(*x, a->numbers) < plotted_value(*x, b->numbers);
+    });
+    std::string text = knee_sentence(frontier_plot(results));
+    if (!text.empty()) text += "\n";
+    const std::string unit = x->unit == "ms" ? std::string(time_unit(results.clock)) : x->unit;
+    text += fmt::format("{:>16} {:>12}  case (Pareto front)\n",
+                        fmt::format("{} [{}]", label_of(*x, results.cost), unit), y->label);
     for (const SweepRow* row : on) {
-        text += fmt::format("{:>16.4g} {:>12.4g} ", x->value(row->numbers), y->value(row->numbers));
+        const std::string cost =
+            fmt::format("{}{:.4g}", is_bound(*x, row->numbers) ? "< " : "", plotted_value(*x, row->numbers));
+        text += fmt::format("{:>16} {:>12.4g} ", cost, y->value(row->numbers));
         for (const auto& [key, value] : row->settings) text += fmt::format(" {}={}", key, value);
         text += '\n';
     }

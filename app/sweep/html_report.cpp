@@ -34,7 +34,8 @@ Json columns_json(CostCase cost) {
                 {"unit", c.unit},
                 {"help", c.help},
                 {"plotted", kPlotted[std::size_t(c.better)]},
-                {"noise", c.noise}};
+                {"noise", c.noise},
+                {"bound", c.bound}};
     });
 }
 
@@ -118,7 +119,8 @@ std::string script_json(const Json& json) {
 
 }  // namespace
 
-std::string report_html(const Json& results, const fs::path& folder, std::size_t max_picture_bytes) {
+std::string report_html(const Json& results, const fs::path& folder, const std::string& picture,
+                        std::size_t max_picture_bytes) {
     Json data = results;
     data["columns"] = columns_json(parse_cost(results.value("timed", "forced")));
     data["setting_info"] = setting_info(results.at("axes"));
@@ -129,6 +131,7 @@ std::string report_html(const Json& results, const fs::path& folder, std::size_t
     for (Json& row : data["rows"]) row["command"] = command_of(results, row);
     std::string page = report_asset("page.html");
     page = replaced_mark(page, "@STYLE@", report_asset("style.css"));
+    page = replaced_mark(page, "@PICTURE@", picture);
     page = replaced_mark(page, "@SCRIPT@", script());
     return replaced_mark(page, "@DATA@", script_json(data));
 }

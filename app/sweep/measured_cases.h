@@ -8,12 +8,21 @@ namespace si {
 
 /// Lists the columns of sweep results that may be axes of the frontier plot, in order. @param cost kind of frames that
 /// the times belong to
-std::vector<MeasuredColumn> measured_columns(CostCase cost = kDefaultCost);
+std::vector<MeasuredColumn> measured_columns(CostCase cost = kFrontierCost);
 
 /// Converts a row of sweep results to a dot of the frontier plot.
 MeasuredCase measured_case(const SweepRow& row);
 /// Converts numbers measured outside a sweep (present or pinned settings) to a dot of the frontier plot.
 MeasuredCase measured_case(const CaseNumbers& numbers);
+
+/// Makes the data of a sweep's frontier plot: a line a kernel through its resolutions. Failed rows are left out.
+/// @param cost, error keys of the columns on the axes @param timed kind of frames that the times belong to
+FrontierPlot frontier_plot(const std::vector<SweepRow>& rows, const std::string& cost, const std::string& error,
+                           CostCase timed = kFrontierCost);
+/// Makes the data of a sweep's frontier plot, with the base of cost multiples, at the axes of the results.
+FrontierPlot frontier_plot(const SweepResults& results);
+/// Adds the base of cost multiples to a frontier plot, if results of the column `cost` are known for it.
+void add_base(FrontierPlot& plot, const SweepResults& results, const std::string& cost);
 
 /// Makes the frontier plot of a sweep: dots, Pareto front and advice. Failed rows are left out.
 /// @param present numbers of the present settings; null: none

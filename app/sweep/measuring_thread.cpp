@@ -231,6 +231,7 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
         numbers.cost = classified.cost;
         publish(numbers, "", false);
         numbers.time = bench.measurer->time(*p.scene, p.settings, p.cost);
+        numbers.shadow = measure_shadow_time(*bench.measurer, *p.scene, p.settings, wanted.stop.get_token());
         publish(numbers, "", true);
     } catch (const Cancelled&) {
     } catch (const std::exception& e) {

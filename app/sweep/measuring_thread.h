@@ -31,7 +31,7 @@ public:
         std::shared_ptr<const Scene> scene;
         Settings settings;
         int width = 0, height = 0;
-        CostCase cost = kDefaultCost;  ///< kind of frames to time
+        CostCase cost = kFrontierCost;  ///< kind of frames to time
     };
     /// Starts a sweep and cancels the present one. @param scene the scene of the first case, copied @param as the scene
     /// settings (index, animation, time, placement) of that pose

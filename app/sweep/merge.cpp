@@ -49,6 +49,8 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
                                     first_name, name));
         for (const RunInfo& run : part.runs)
             if (!merged.run(run.id)) merged.runs.push_back(run);
+        for (const Turn& turn : part.base_turns)
+            if (!knows(merged.base_turns, turn)) merged.base_turns.push_back(turn);
         merged.notes.insert(merged.notes.end(), part.notes.begin(), part.notes.end());
         for (const auto& [number, c] : part.cases) {
             CaseState& known = merged.cases[number];
@@ -69,6 +71,8 @@ std::vector<Json> missing_lines(const SweepState& known, const SweepState& more)
     std::vector<Json> lines;
     for (const RunInfo& run : more.runs)
         if (!known.run(run.id)) lines.push_back(run_line(run));
+    for (const Turn& turn : more.base_turns)
+        if (!knows(known.base_turns, turn)) lines.push_back(base_turn_line(turn));
     static const CaseState kNothing;
     for (const auto& [number, c] : more.cases) {
         const auto it = known.cases.find(number);

@@ -8,6 +8,7 @@
 
 #include "app/report/fixes_json.h"
 #include "app/report/measure_json.h"
+#include "app/sweep/base_case.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/measured_cases.h"
 
@@ -24,12 +25,31 @@ std::string first_with_numbers(const std::vector<SweepRow>& rows, std::initializ
 }
 
 void find_frontier(SweepResults& results) {
-    results.x = first_with_numbers(results.rows, {"time.total_ms.median", "cost.bytes_touched"});
+    const char* shadow = results.cost == CostCase::Light    ? kMovingShadowColumn
+                         : results.cost == CostCase::Camera ? kStillShadowColumn
+                                                            : "time.total_ms.median";
+    results.x = first_with_numbers(results.rows, {shadow, "time.total_ms.median", "cost.bytes_touched"});
     results.y = first_with_numbers(results.rows, {"error.mae"});
     for (const FrontierView::Mark& mark : frontier_view(results.rows, nullptr, results.x, results.y).marks) {
         if (mark.on) results.frontier.push_back(results.rows[mark.of].number);
         if (mark.tied) results.tied.push_back(results.rows[mark.of].number);
     }
+}
+
+/// Finds the shadow time of the base, and each case's multiple of it.
+void find_base(SweepResults& results, const SweepState& state, const SweepPlan& plan, const RankedRounds& ranked) {
+    results.base_case = base_number(spec_from_json(state.spec).base, plan);
+    if (results.base_case) {
+        for (const SweepRow& row : results.rows)
+            if (row.number == *results.base_case) results.base = row.numbers.shadow;
+    } else if (const ShadowSamples shadow = ranked_shadow(state.base_turns, ranked); !shadow.moving_ms.empty()) {
+        results.base = summarise_shadow(shadow);
+    }
+    if (!results.base) return;
+    for (SweepRow& row : results.rows)
+        if (row.numbers.shadow)
+            row.numbers.shadow->of_base = time_ratio(row.numbers.shadow->moving_ms, results.base->moving_ms);
+    results.base->of_base = time_ratio(results.base->moving_ms, results.base->moving_ms);
 }
 
 Json run_json(const RunInfo& run, int ranked_rounds) {
@@ -52,9 +72,31 @@ Json row_json(const SweepRow& row) {
     json["error"] = n.error ? error_json(n.error->metrics, n.error->noise) : Json();
     json["cost"] = n.cost ? cost_json(*n.cost) : Json();
     json["time"] = n.time ? time_json(*n.time) : Json();
+    json["shadow"] = n.shadow ? shadow_json(*n.shadow) : Json();
     json["notes"] = row.notes;
     json["picture"] = row.failed.empty() ? Json(picture_path(row.number)) : Json();
     json["artefacts"] = row.failed.empty() ? Json(artefacts_path(row.number)) : Json();
+    return json;
+}
+
+/// Converts the readings of the frontier: knee, steps, best cases within multiples of the base's cost.
+Json readings_json(const FrontierPlot& plot, const SweepResults& results) {
+    const std::vector<Dot> dots = dots_of(plot);
+    const std::vector<std::size_t> front = strict_front(dots);
+    const auto number = [&](std::size_t i) { return results.rows[plot.cases[i].of].number; };
+    const auto knee = knee_of(dots, front);
+    Json json = {{"knee", knee ? Json(number(*knee)) : Json()}, {"sentence", knee_sentence(plot)}};
+    json["steps"] = json_list(front_steps(dots, front), [&](const FrontStep& step) -> Json {
+        const bool ratio =
+            !plot.cases[step.from].bound && !plot.cases[step.to].bound && std::isfinite(step.cost_factor);
+        return {{"from", number(step.from)},
+                {"to", number(step.to)},
+                {"cost_factor", ratio ? Json(step.cost_factor) : Json()},
+                {"error_reduction", step.error_reduction}};
+    });
+    json["best"] = json_list(best_rows(plot), [&](const BestRow& row) -> Json {
+        return {{"of_base", row.multiple}, {"case", row.best ? Json(number(*row.best)) : Json()}};
+    });
     return json;
 }
 
@@ -72,6 +114,22 @@ std::string csv_cell(const std::string& text) {
 }
 
 }  // namespace
+
+namespace {
+Json shadow_spread_json(const Spread& time) {
+    Json json = spread_json(time);
+    json["below_noise"] = below_noise(time);
+    return json;
+}
+
+}  // namespace
+
+Json shadow_json(const ShadowTime& time) {
+    return {{"moving_ms", shadow_spread_json(time.moving_ms)},
+            {"still_ms", shadow_spread_json(time.still_ms)},
+            {"forced_ms", time.forced_ms ? shadow_spread_json(*time.forced_ms) : Json()},
+            {"of_base", std::isfinite(time.of_base) ? Json(time.of_base) : Json()}};
+}
 
 RankedRounds rounds_like(const SweepState& state, const RunInfo& like) {
     std::map<std::pair<std::string, int>, std::set<std::size_t>> drawn;
@@ -109,6 +167,13 @@ TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds) {
     return samples;
 }
 
+ShadowSamples ranked_shadow(const std::vector<Turn>& turns, const RankedRounds& rounds) {
+    ShadowSamples samples;
+    for (const Turn& turn : turns)
+        if (rounds.contains({turn.run, turn.round})) samples.add(turn.shadow);
+    return samples;
+}
+
 std::string picture_path(std::size_t n) {
     return fmt::format("pictures/{:04}.jpg", n);
 }
@@ -142,9 +207,12 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
             const RunInfo& run = *state.run(ranked.begin()->first);
             row.numbers.time->clock = out.clock = run.clock;
             row.numbers.time->cost = out.cost = run.cost;
+            if (const ShadowSamples shadow = ranked_shadow(c.turns, ranked); !shadow.moving_ms.empty())
+                row.numbers.shadow = summarise_shadow(shadow);
         }
         out.rows.push_back(std::move(row));
     }
+    find_base(out, state, plan, ranked);
     const RunInfo* run =
         ranked.empty() ? (state.runs.empty() ? nullptr : &state.runs.back()) : state.run(ranked.begin()->first);
     out.renderer = run ? run->renderer : "";
@@ -170,7 +238,15 @@ Json results_json(const SweepResults& results) {
     json["timed"] = cost_row(results.cost).key;
     json["rounds"] = results.rounds;
     json["runs"] = json_list(results.runs, [](const auto& run) { return run_json(run.first, run.second); });
+    json["base"] = Json();
+    if (results.base) {
+        json["base"] = {{"settings", changes_json(base_case({}).values)}};
+        json["base"]["case"] = results.base_case ? Json(*results.base_case) : Json();
+        json["base"]["shadow"] = shadow_json(*results.base);
+    }
     json["frontier"] = {{"x", results.x}, {"y", results.y}, {"cases", results.frontier}, {"tied", results.tied}};
+    const FrontierPlot plot = frontier_plot(results);
+    json["frontier"].update(readings_json(plot, results));
     json["rows"] = json_list(results.rows, row_json);
     return json;
 }

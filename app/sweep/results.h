@@ -26,6 +26,9 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 /// Collects the time samples of one case in rounds whose times are comparable (see ranked_rounds()).
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 
+/// Collects the shadow times of turns in rounds whose times are comparable.
+ShadowSamples ranked_shadow(const std::vector<Turn>& turns, const RankedRounds& rounds);
+
 /// Result of a case that was finished or has failed.
 struct SweepRow {
     std::size_t number = 0;                                     ///< number of the case in the plan
@@ -46,6 +49,8 @@ struct SweepResults {
     std::size_t rounds = 0;
     std::vector<std::pair<RunInfo, int>> runs;  ///< each run with the number of its ranked rounds
     std::string x, y;                           ///< keys of the columns that the plot begins with
+    std::optional<ShadowTime> base;             ///< shadow time of base_case()
+    std::optional<std::size_t> base_case;       ///< the plan's case that draws the same; nullopt: none
     std::vector<std::size_t> frontier, tied;    ///< numbers of cases on the Pareto front, and tied with it
     std::vector<SweepRow> rows;                 ///< by number
 };
@@ -55,6 +60,10 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan);
 
 /// Converts results to JSON (results.json). Numbers that are not finite become null when it is written.
 nlohmann::ordered_json results_json(const SweepResults& results);
+
+/// Converts the time of the shadows to JSON {moving_ms, still_ms, forced_ms, of_base}; a ratio within the noise is
+/// null.
+nlohmann::ordered_json shadow_json(const ShadowTime& time);
 
 /// Formats results as CSV: a header and one line per case (RFC 4180 with plain line breaks).
 std::string results_csv(const SweepResults& results);

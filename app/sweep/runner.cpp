@@ -34,6 +34,9 @@ SweepRunner::SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing,
                          Journal& journal, std::filesystem::path folder)
     : plan_(plan), timing_(timing), meter_(meter), journal_(journal), folder_(std::move(folder)) {
     const auto& known = journal_.state().cases;
+    const Settings common = spec_from_json(journal_.state().spec).base;
+    base_ = base_case(common);
+    times_base_ = !base_number(common, plan_);
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
         if (!shard.contains(i)) continue;
         const auto c = known.find(i);
@@ -105,9 +108,12 @@ void SweepRunner::begin_round() {
         if (!c.is_measured()) continue;
         order_.push_back(number);
         const TimeSamples samples = ranked_samples(c, rounds);
-        all_settled =
-            all_settled && int(samples.total_ms.size()) >= timing_.min_frames && summarise_times(samples).settled;
+        const TimeMeasurement time = summarise_times(samples);
+        const ShadowSamples shadow = ranked_shadow(c.turns, rounds);
+        all_settled = all_settled && int(samples.total_ms.size()) >= timing_.min_frames && time.settled &&
+                      (shadow.moving_ms.empty() || shadow_settled(shadow, time.total_ms.median));
     }
+    if (times_base_ && !order_.empty()) order_.push_back(kBaseCase);
     // Rounds alternate their direction, so that a steady drift affects early and late cases equally.
     if (rounds.size() % 2) std::reverse(order_.begin(), order_.end());
     round_ = int(rounds.size());
@@ -120,12 +126,20 @@ bool SweepRunner::step_timing() {
     if (order_.empty()) return false;
     announce_run();
     const std::size_t number = order_[turn_++];
-    const SweepCase& c = plan_.cases[number];
+    const bool is_base = number == kBaseCase;
+    const SweepCase& c = is_base ? base_ : plan_.cases[number];
     const auto start = Clock::now();
     progress_.current = c.id;
     Turn turn{round_, run_, {}};
-    const std::string why = why_failed([&] { turn.samples = meter_.time(c, timing_.frames, timing_.cost); });
-    journal_.add(why.empty() ? turn_line(number, turn) : failure_line(number, why));
+    const std::string why = why_failed([&] {
+        CaseTimes times = meter_.time(c, timing_.frames, timing_.cost);
+        turn.samples = std::move(times.frames);
+        turn.shadow = std::move(times.shadow);
+    });
+    if (is_base)
+        why.empty() ? journal_.add(base_turn_line(turn)) : void(times_base_ = false);
+    else
+        journal_.add(why.empty() ? turn_line(number, turn) : failure_line(number, why));
     turns_s_ += std::chrono::duration<double>(Clock::now() - start).count();
     ++turns_;
     progress_.done = turn_;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "app/sweep/base_case.h"
 #include "app/sweep/journal.h"
 
 namespace si {
@@ -10,6 +11,12 @@ namespace si {
 /// Error, cost and pictures of one case of a sweep.
 struct DrawnCase : CaseFacts {
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
+};
+
+/// Timed frames of one case in one round, with the times of its shadows.
+struct CaseTimes {
+    TimeSamples frames;
+    ShadowSamples shadow = {};
 };
 
 /// Interface that measures cases of a sweep. The program uses RenderedCases; tests use fakes.
@@ -20,8 +27,9 @@ public:
     virtual RunInfo run() = 0;
     /// Measures error and cost of a case. @throws std::exception: the case has failed
     virtual DrawnCase facts(const SweepCase& c) = 0;
-    /// Times `frames` frames of a case after warm-up frames. @throws std::exception: the case has failed
-    virtual TimeSamples time(const SweepCase& c, int frames, CostCase cost) = 0;
+    /// Times `frames` frames of a case after warm-up frames, and as many pairs of frames with and without shadows.
+    /// @throws std::exception: the case has failed
+    virtual CaseTimes time(const SweepCase& c, int frames, CostCase cost) = 0;
 };
 
 /// Progress of a sweep: phase, steps done, and the seconds left.
@@ -69,7 +77,9 @@ private:
     std::filesystem::path folder_;
     std::vector<std::size_t> todo_;   ///< cases whose facts or pictures are missing, in order
     std::size_t next_ = 0;            ///< index into todo_
-    std::vector<std::size_t> order_;  ///< order of the cases in the present round
+    SweepCase base_;                  ///< base_case()
+    bool times_base_ = false;         ///< the base is none of the cases, so that it has a turn of its own
+    std::vector<std::size_t> order_;  ///< order of the cases in the present round; kBaseCase: the base
     std::size_t turn_ = 0;            ///< index into order_
     int round_ = -1;
     std::string run_;

@@ -30,9 +30,11 @@ DrawnCase RenderedCases::facts(const SweepCase& c) {
     return facts;
 }
 
-TimeSamples RenderedCases::time(const SweepCase& c, int frames, CostCase cost) {
+CaseTimes RenderedCases::time(const SweepCase& c, int frames, CostCase cost) {
     const CaseSessions::Prepared prepared = sessions_.prepare(c.sets());
-    return measurer_.time(prepared.scene, prepared.settings, frames, cost);
+    CaseTimes times;
+    times.shadow = time_shadow(measurer_, prepared.scene, prepared.settings, frames, cost, &times.frames);
+    return times;
 }
 
 RunningSweep::RunningSweep(Inputs inputs, Renderer& renderer, const Workers& workers)

@@ -19,7 +19,7 @@ public:
         : measurer_(measurer), driver_(driver), sessions_(sessions) {}
     RunInfo run() override;
     DrawnCase facts(const SweepCase& c) override;
-    TimeSamples time(const SweepCase& c, int frames, CostCase cost) override;
+    CaseTimes time(const SweepCase& c, int frames, CostCase cost) override;
 
 private:
     Measurer& measurer_;

@@ -9,6 +9,7 @@
 #include "app/session/session.h"
 #include "renderer/measure/axes.h"
 #include "renderer/measure/frame_costs.h"
+#include "renderer/measure/shadow_time.h"
 #include "renderer/settings/earlier.h"
 
 namespace si {
@@ -27,10 +28,10 @@ Shard parse_shard(std::string_view text);
 /// Timing options of a sweep. Rounds go on until every case's time has settled (time_sampler.h), up to a limit.
 struct SweepTiming {
     bool on = true;
-    CostCase cost = kDefaultCost;  ///< kind of frames to time
-    int rounds = 10;               ///< largest number of rounds
-    int frames = 3;                ///< timed frames per case and round, after one warm-up frame
-    int min_frames = 5;            ///< smallest number of frames of a case before its time can count as settled
+    CostCase cost = kFrontierCost;  ///< kind of frames to time
+    int rounds = 10;                ///< largest number of rounds
+    int frames = 3;                 ///< timed frames per case and round, after one warm-up frame
+    int min_frames = 5;             ///< smallest number of frames of a case before its time can count as settled
 };
 
 /// Specification of a sweep: scene, settings, axes and picture size.

@@ -45,6 +45,12 @@ Turn turn_of(const Json& line) {
     if (turn.samples.wall_ms.empty()) turn.samples.wall_ms.resize(turn.samples.total_ms.size());
     if (turn.samples.wall_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
     if (turn.samples.maps_ms.size() != turn.samples.total_ms.size()) throw Error("unequal numbers of frames");
+    if (const auto shadow = line.find("shadow"); shadow != line.end()) {
+        turn.shadow.moving_ms = shadow->at("moving_ms").get<std::vector<double>>();
+        turn.shadow.still_ms = shadow->at("still_ms").get<std::vector<double>>();
+        turn.shadow.forced_ms = shadow->value("forced_ms", std::vector<double>());
+        if (turn.shadow.moving_ms.size() != turn.shadow.still_ms.size()) throw Error("unequal numbers of frames");
+    }
     return turn;
 }
 
@@ -136,6 +142,8 @@ void SweepState::apply(const Json& line) {
     } else if (line.contains("turn")) {
         Turn turn = turn_of(line);
         case_of(line, "turn").turns.push_back(std::move(turn));
+    } else if (line.contains("base_turn")) {
+        base_turns.push_back(turn_of(line));
     } else if (line.contains("run")) {
         const RunInfo info = run_of(line["run"]);
         if (!run(info.id)) runs.push_back(info);
@@ -209,17 +217,35 @@ Json failure_line(std::size_t case_number, const std::string& why) {
     return {{"failed", case_number}, {"why", why}};
 }
 
-Json turn_line(std::size_t case_number, const Turn& turn) {
+namespace {
+
+/// Makes a line of timed frames. @param of member that tells whose they are @param number its value
+Json turn_line_of(const char* of, const Json& number, const Turn& turn) {
     const auto pass_json = [](const auto& pass) -> Json {
         return {{"name", pass.name}, {"gpu_ms", milliseconds(pass.gpu_ms)}, {"cpu_ms", milliseconds(pass.cpu_ms)}};
     };
-    return {{"turn", case_number},
-            {"round", turn.round},
-            {"run", turn.run},
-            {"total_ms", milliseconds(turn.samples.total_ms)},
-            {"maps_ms", milliseconds(turn.samples.maps_ms)},
-            {"wall_ms", milliseconds(turn.samples.wall_ms)},
-            {"passes", json_list(turn.samples.passes, pass_json)}};
+    Json line = {{of, number},
+                 {"round", turn.round},
+                 {"run", turn.run},
+                 {"total_ms", milliseconds(turn.samples.total_ms)},
+                 {"maps_ms", milliseconds(turn.samples.maps_ms)},
+                 {"wall_ms", milliseconds(turn.samples.wall_ms)}};
+    if (!turn.shadow.moving_ms.empty())
+        line["shadow"] = {{"moving_ms", milliseconds(turn.shadow.moving_ms)},
+                          {"still_ms", milliseconds(turn.shadow.still_ms)},
+                          {"forced_ms", milliseconds(turn.shadow.forced_ms)}};
+    line["passes"] = json_list(turn.samples.passes, pass_json);
+    return line;
+}
+
+}  // namespace
+
+Json turn_line(std::size_t case_number, const Turn& turn) {
+    return turn_line_of("turn", case_number, turn);
+}
+
+Json base_turn_line(const Turn& turn) {
+    return turn_line_of("base_turn", true, turn);
 }
 
 }  // namespace si

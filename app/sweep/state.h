@@ -10,6 +10,7 @@
 #include "app/base/json_text.h"
 #include "app/sweep/spec.h"
 #include "renderer/base/error.h"
+#include "renderer/measure/shadow_time.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/reference/metrics.h"
 
@@ -22,6 +23,7 @@ struct Turn {
     int round = 0;
     std::string run;
     TimeSamples samples;
+    ShadowSamples shadow = {};  ///< empty in journals from before shadow times
 };
 
 /// Error metrics with the noise of the reference.
@@ -35,6 +37,7 @@ struct CaseNumbers {
     std::optional<CaseErrors> error;
     std::optional<WorkCost> cost;
     std::optional<TimeMeasurement> time;
+    std::optional<ShadowTime> shadow = {};
 };
 
 /// Error and cost of one case of a sweep.
@@ -86,6 +89,7 @@ struct SweepState {
     std::string plan;             ///< plan_key()
     std::vector<RunInfo> runs;
     std::map<std::size_t, CaseState> cases;   ///< by number in the plan
+    std::vector<Turn> base_turns;             ///< of base_case(), where it is none of the plan's cases
     std::size_t case_count = kMaxSweepCases;  ///< number of cases in the plan; case numbers are below it
     std::vector<std::string> notes;           ///< faults of the journal, which are ignored
 
@@ -112,6 +116,8 @@ nlohmann::ordered_json facts_line(std::size_t case_number, const CaseFacts& fact
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
 /// Makes the journal line that records timed frames of a case.
 nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
+/// Makes the journal line that records timed frames of base_case().
+nlohmann::ordered_json base_turn_line(const Turn& turn);
 
 /// Number of crashes after which a case counts as failed.
 inline constexpr int kMaxBegins = 3;

@@ -29,7 +29,7 @@ function fieldAt(row, key) {
 function settingAxis(key) {
   const info = DATA.setting_info[key] || {};
   return { key: "setting:" + key, label: info.label || key, unit: info.unit || "", help: info.help || "",
-    plotted: "as_is", noise: "" };
+    plotted: "as_is", noise: "", bound: "" };
 }
 const isNumeric = text => text !== "" && Number.isFinite(Number(text));
 const NUMERIC_SETTINGS = DATA.axes.filter(a => a.values.every(isNumeric)).map(a => settingAxis(a.key));
@@ -38,8 +38,13 @@ const COLUMNS = new Map([...DATA.columns, ...NUMERIC_SETTINGS].map(c => [c.key, 
 function rawNumber(row, key) {
   return key.startsWith("setting:") ? Number(row.settings[key.slice(8)]) : fieldAt(row, key);
 }
+/** Whether only an upper bound of a number is known. */
+function isBound(row, key) {
+  const group = COLUMNS.get(key).bound;
+  return !!group && group.split(".").reduce((at, part) => (at ? at[part] : null), row)?.below_noise === true;
+}
 function plotted(row, key) {
-  const value = rawNumber(row, key);
+  const value = isBound(row, key) ? Math.max(0, fieldAt(row, COLUMNS.get(key).bound + ".median_high")) : rawNumber(row, key);
   switch (COLUMNS.get(key).plotted) {
     case "absolute": return Math.abs(value);
     case "lacking_to_one": return Math.max(0, 1 - value);
@@ -58,7 +63,7 @@ function dotsOf(rows, x, y) {
     return field ? fieldAt(row, field) || 0 : 0;
   };
   return rows.map(row => ({ row, cost: plotted(row, x), error: plotted(row, y), costNoise: noise(row, x),
-    errorNoise: noise(row, y), on: false, tied: false }))
+    errorNoise: noise(row, y), bound: isBound(row, x), on: false, tied: false }))
     .filter(d => Number.isFinite(d.cost) && Number.isFinite(d.error));
 }
 

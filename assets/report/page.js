@@ -165,6 +165,8 @@ function start() {
     state.hovered = dot && dot.row;
     details();
   });
+  for (const mark of document.querySelectorAll("#picture .case"))
+    mark.addEventListener("click", () => choose(ROWS.find(row => row.case === Number(mark.dataset.case))));
   plot.addEventListener("pointerleave", () => { state.hovered = null; details(); });
   plot.addEventListener("click", e => { const dot = nearestDot(dots, plot, e); if (dot) choose(dot.row); });
   byId("columns").append(...DATA.columns.filter(c => ROWS.some(row => Number.isFinite(rawNumber(row, c.key))))

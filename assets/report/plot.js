@@ -64,7 +64,8 @@ function drawFrontier(svg, dots, xColumn, yColumn, series, chosen) {
     const i = series(d.row);
     const mark = make("path", { d: seriesShape(i), transform: "translate(" + d.px + " " + d.py + ")",
       class: "dot" + (d.on ? "" : " beaten") + (d.row === chosen ? " chosen" : ""), "data-case": d.row.case });
-    if (d.on) mark.style.fill = seriesColour(i);
+    if (d.on && d.bound) mark.style.fill = "var(--page)", mark.style.stroke = seriesColour(i);
+    else if (d.on) mark.style.fill = seriesColour(i);
     if (d.row === chosen && !d.on) mark.style.fill = seriesColour(i), mark.style.fillOpacity = 1;
     svg.append(mark);
     if (d.tied) svg.append(make("circle", { cx: d.px, cy: d.py, r: 9.5, class: "tie" }));

@@ -40,6 +40,10 @@ TimedFrames::TimedFrames(Renderer& renderer, const Scene& scene, const Settings&
     }
 }
 
+void TimedFrames::switch_off(OptimisationSet optimisations) {
+    for (Frame& frame : frames_) frame.request.forced = optimisations;
+}
+
 FrameResult TimedFrames::draw_next() {
     const Frame& frame = frames_[next_++ % frames_.size()];
     return renderer_.render(scene_, frame.settings, frame.request);

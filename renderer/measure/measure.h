@@ -30,6 +30,8 @@ public:
     /// @throws Error, Cancelled
     TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request, CostCase cost,
                 ReferenceCache& references, const Workers& workers);
+    /// Switches optimisations off in all frames, so that the work that they skip is drawn.
+    void switch_off(OptimisationSet optimisations);
     /// Draws the next timed frame and returns its pass times.
     FrameResult draw_next();
     /// Draws untimed frames until cached results are valid again. Call after other settings were drawn.

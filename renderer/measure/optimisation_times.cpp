@@ -4,24 +4,10 @@
 #include <cmath>
 
 #include "renderer/measure/frame_costs.h"
+#include "renderer/measure/shadow_time.h"
 #include "renderer/scene/animation.h"
 
 namespace si {
-namespace {
-
-/// Computes the distribution of differences of either sign, as spread_of() expects positive times.
-Spread spread_of_differences(std::vector<double> values) {
-    if (values.empty()) return {};
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    const double shift = 2 * (*most - *least) - *least;
-    for (double& v : values) v += shift;
-    Spread s = spread_of(std::move(values));
-    for (double* v : {&s.median, &s.p95, &s.low, &s.high, &s.median_low, &s.median_high}) *v -= shift;
-    return s;
-}
-
-}  // namespace
-
 const Spread* SavedTimes::saved_ms(Optimisation optimisation) const {
     for (const SavedTime& time : optimisations)
         if (time.optimisation == optimisation) return &time.ms;
@@ -114,7 +100,7 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
         else
             again.push_back(optimisation);
     if (!is_animated(scene, settings.scene.animation)) std::erase(kept, Optimisation::StaticCasterCache);
-    const double parts = double(again.size() + kept.size());
+    const double parts = double(again.size() + kept.size() + 1);
     const auto report_part = [&](double from, double count, double share) {
         if (report) report(parts > 0 ? (from + count * share) / parts : share);
     };
@@ -147,6 +133,17 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
         saved.optimisations.push_back(
             time_optimisations_alternating(one, rounds, draw_moment, report_one, show_so_far).front());
     }
+    const Settings plain = without_shadows(settings);
+    const auto draw_kind = [&](int kind) {
+        require_going_on();
+        request.forced = kind == 1 ? OptimisationSet::all() : OptimisationSet{};
+        return drawn_ms(renderer.render(scene, kind == 2 ? plain : settings, request));
+    };
+    for (int kind = 2; kind >= 0; --kind) draw_kind(kind);  // compiles programs and touches memory
+    const auto kinds = time_rounds(rounds, 3, draw_kind);
+    saved.forced_more_ms = spread_of_differences(differences(kinds[1], kinds[0]));
+    saved.shadow_ms = spread_of_differences(differences(kinds[0], kinds[2]));
+    report_part(parts - 1, 1, 1);
     saved.frame = summarise_times(samples);
     return saved;
 }

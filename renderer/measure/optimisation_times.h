@@ -27,8 +27,10 @@ struct SavedTime {
 /// Time that each optimisation saves in one frame, measured one by one, with the time of the whole frame.
 struct SavedTimes {
     std::vector<SavedTime> optimisations;
-    TimeMeasurement frame;  ///< frames with all optimisations, every pass drawn again
-    int rounds = 0;         ///< pairs of frames per optimisation
+    TimeMeasurement frame;                 ///< frames with all optimisations, every pass drawn again
+    int rounds = 0;                        ///< pairs of frames per optimisation
+    std::optional<Spread> shadow_ms = {};  ///< part of the frame that its shadows cost: minus the same without shadows
+    std::optional<Spread> forced_more_ms = {};  ///< what the frame costs more with all optimisations off
 
     /// Returns the time that an optimisation saves, in milliseconds; null: not measured.
     const Spread* saved_ms(Optimisation optimisation) const;

@@ -41,6 +41,7 @@ TEST(PlanCommand, PrintsEffectsWithReasonsAndTimesOnlyIfMeasured) {
     EXPECT_EQ(effect_of(plan, "numeric health")["state"], "not called for");
     EXPECT_EQ(plan["savings"].size(), kOptimisations);
     EXPECT_TRUE(plan["waste"].is_null());
+    EXPECT_TRUE(plan["shadow_ms"].is_null() && plan["forced_more_ms"].is_null());
     const Json without_caster = plan_of("--set light.cast=false");
     EXPECT_EQ(effect_of(without_caster, "shadow map 0 (directional)")["reason"], "light.cast is off.");
     const ProcessResult text = run_program("plan boxes --size 64x48");
@@ -52,6 +53,11 @@ TEST(PlanCommand, MeasuresTheNamedEffects) {
     const Json plan = plan_of("--measure --rounds 4 --set light.cast=false --set shading.separate_visibility=true");
     EXPECT_EQ(plan["rounds"], 4);
     EXPECT_GT(plan["frame_ms"], 0);
+    for (const std::string ms : {"shadow_ms", "forced_more_ms"}) {
+        ASSERT_TRUE(plan[ms].is_number()) << ms;
+        EXPECT_LE(plan[ms + "_low"], plan[ms]);
+        EXPECT_GE(plan[ms + "_high"], plan[ms]);
+    }
     const Json& skipped = effect_of(plan, "look-ups of light 0");
     EXPECT_EQ(skipped["saving"], "uncalled");
     ASSERT_TRUE(skipped["saved_ms"].is_number());

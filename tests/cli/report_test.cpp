@@ -31,7 +31,7 @@ struct PlausibleMeter : FakeMeter {
         m.signed_mean = -texels * 5 / n;
         return f;
     }
-    TimeSamples time(const SweepCase& c, int frames, CostCase) override {
+    CaseTimes time(const SweepCase& c, int frames, CostCase) override {
         timed.push_back(c.id);
         const double n = c.settings.map.resolution, ms = 30 + n * n * 4e-6 + 12 * c.settings.filter.kernel;
         TimeSamples s;
@@ -40,7 +40,7 @@ struct PlausibleMeter : FakeMeter {
             s.maps_ms.push_back(ms * 0.3);
         }
         s.clock = "finished wall time (CPU rasteriser)";
-        return s;
+        return {s};
     }
 };
 
@@ -149,7 +149,7 @@ TEST(ReportPage, PicturesStayWithinTheirLimit) {
     FakeMeter meter;
     sweep.run(meter, 8);
     const std::string all = report_html(sweep.results(), sweep.folder),
-                      none = report_html(sweep.results(), sweep.folder, 10);
+                      none = report_html(sweep.results(), sweep.folder, {}, 10);
     EXPECT_NE(all.find("data:image/jpeg;base64,anBn"), std::string::npos);
     EXPECT_EQ(none.find("data:image/jpeg"), std::string::npos);
     fs::remove_all(sweep.folder / "pictures");

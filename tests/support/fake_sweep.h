@@ -46,7 +46,7 @@ struct FakeMeter : CaseMeter {
         return f;
     }
     /// Returns `frames` made-up times of a sweep case, milliseconds.
-    TimeSamples time(const SweepCase& c, int frames, CostCase) override {
+    CaseTimes time(const SweepCase& c, int frames, CostCase) override {
         timed.push_back(c.id);
         TimeSamples s;
         for (int i = 0; i < frames; ++i) {
@@ -55,7 +55,7 @@ struct FakeMeter : CaseMeter {
             s.maps_ms.push_back(1);
         }
         s.clock = "clock";
-        return s;
+        return {s};
     }
 };
 

@@ -162,7 +162,7 @@ TEST(EditorSweep, CasesWithoutTimesArePlottedOverAnotherCost) {
     request.axes = {"filter.kernel=hard,hw2x2,pcf3,pcf5", "map.resolution=64:2048:*2", "bias.slope=0,1,2"};
     s.ask([&](EditorRequests& a) { a.start_sweep = request; });
     const std::string chosen = s.state().sweep.cost;
-    ASSERT_EQ(chosen, "time.total_ms.median");
+    ASSERT_EQ(chosen, "shadow.moving_ms.median");
     ASSERT_NO_FATAL_FAILURE(s.wait_for_cases());
     ASSERT_FALSE(s.facts().timing) << "too fast for this test";
     EXPECT_EQ(s.facts().view.marks.size(), s.facts().cases.size()) << "shown as they come";

@@ -72,7 +72,10 @@ TEST_F(Window, FrontierDotIsClicked) {
     glm::ivec2 first{-1};
     for (int x = 0; x < 900 && first.x < 0; ++x)
         for (int y = 500; y < 718 && first.x < 0; ++y)
-            if (is_dot(shown, x, y) && is_dot(shown, x + 3, y)) first = {x + 3, y};
+            // Strokes of labels in the same colour are thinner than a dot.
+            if (is_dot(shown, x, y) && is_dot(shown, x + 4, y) && is_dot(shown, x, y + 4) &&
+                is_dot(shown, x + 4, y + 4) && is_dot(shown, x + 2, y + 2))
+                first = {x + 2, y + 2};
     ASSERT_GE(first.x, 0) << "no dot of the frontier is drawn";
     click(first.x, first.y);
     const nlohmann::json settings = saved();

@@ -52,12 +52,13 @@ TEST(Sweep, MeasuresEachCaseOnceAndTimesAllInRounds) {
 TEST(Sweep, RoundsEndWhenAllTimesAreStable) {
     const FakeSweep f(fresh_test_folder());
     struct Calm : FakeMeter {
-        TimeSamples time(const SweepCase& c, int frames, CostCase) override {
+        CaseTimes time(const SweepCase& c, int frames, CostCase) override {
             drift = 1;
-            return timed.push_back(c.id), TimeSamples{std::vector<double>(std::size_t(frames), 7),
-                                                      std::vector<double>(std::size_t(frames), 1),
-                                                      {},
-                                                      "clock"};
+            timed.push_back(c.id);
+            return {{std::vector<double>(std::size_t(frames), 7),
+                     std::vector<double>(std::size_t(frames), 1),
+                     {},
+                     "clock"}};
         }
     } meter;
     f.run(meter, 10'000, {.rounds = 50});
@@ -533,10 +534,14 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
         samples.total_ms.push_back(ms);
         samples.maps_ms.push_back(ms / 4);
     }
-    const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summarise_times(samples)};
+    ShadowTime shadow =
+        summarise_shadow({.moving_ms = {4, 5, 6}, .still_ms = {1, 2, 3}, .forced_ms = {5, 6, 7}, .bursts = {}});
+    shadow.of_base = 1.5;
+    const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summarise_times(samples), .shadow = shadow};
     const OrderedJson row = {{"error", error_json(c.error.metrics, c.error.noise)},
                              {"cost", cost_json(c.cost)},
-                             {"time", time_json(*numbers.time)}};
+                             {"time", time_json(*numbers.time)},
+                             {"shadow", shadow_json(shadow)}};
     std::size_t compared = 0;
     for (const Column& column : columns()) {
         const double said = column.value(numbers), held = number_at(row, column.key);
@@ -589,6 +594,98 @@ TEST(Sweep, JournalsWithoutFrameKindCountAsForced) {
     f.run(light, 10'000, {.cost = CostCase::Light, .rounds = 1});
     EXPECT_EQ(f.results()["timed"], "light");
     EXPECT_EQ(f.results()["rounds"], 1);
+}
+
+/// Meter whose shadows take 1 ms per 256 texels, a quarter of it under a still light, with noise of 2 %.
+struct ShadowMeter : FakeMeter {
+    CaseTimes time(const SweepCase& c, int frames, CostCase cost) override {
+        CaseTimes times = FakeMeter::time(c, frames, cost);
+        for (int i = 0; i < frames; ++i) {
+            const double ms = c.settings.map.resolution / 256.0 * (1 + 0.02 * (i % 3 - 1));
+            times.shadow.moving_ms.push_back(ms);
+            times.shadow.still_ms.push_back(0.25 * ms);
+            times.shadow.forced_ms.push_back(3 * ms);
+        }
+        return times;
+    }
+};
+
+TEST(Sweep, ShadowTimesAndTheBaseSurviveTheJournal) {
+    for (const int steps : {0, 9, 17, 100}) {
+        const FakeSweep f(fresh_test_folder());
+        ShadowMeter first, second;
+        second.run_id = "second";
+        f.run(first, steps);
+        f.run(second);
+        const OrderedJson r = f.results();
+        EXPECT_EQ(r["frontier"]["x"], kMovingShadowColumn) << steps;
+        EXPECT_EQ(r["timed"], "light") << "frames in which the light moves are the default";
+        for (const OrderedJson& row : r["rows"]) {
+            const double n = std::stod(row["settings"]["map.resolution"].get<std::string>());
+            EXPECT_NEAR(number_at(row, "shadow.moving_ms.median"), n / 256, 1e-9);
+            EXPECT_NEAR(number_at(row, "shadow.still_ms.median"), n / 1024, 1e-9);
+            EXPECT_NEAR(number_at(row, "shadow.forced_ms.median"), 3 * n / 256, 1e-9);
+            EXPECT_NEAR(number_at(row, "shadow.of_base"), n / 1024, 1e-9);
+            EXPECT_EQ(row["shadow"]["moving_ms"]["below_noise"], false);
+        }
+        const int base = r["base"]["case"];
+        EXPECT_EQ(r["rows"][std::size_t(base)]["settings"],
+                  (OrderedJson{{"map.resolution", "1024"}, {"filter.kernel", "hard"}}));
+        EXPECT_NE(results_csv(f.measured())
+                      .find(",shadow.moving_ms.median,shadow.still_ms.median,shadow.forced_ms.median,shadow.of_base,"),
+                  std::string::npos);
+    }
+}
+
+TEST(Sweep, BaseOutsideTheCasesIsTimedInTheSameRounds) {
+    FakeSweep f(fresh_test_folder());
+    f.axes = {parse_axis("map.resolution=256,512"), parse_axis("filter.kernel=pcf3")};
+    f.plan = plan_sweep(Settings{}, f.axes);
+    f.spec.axes = f.axes;
+    ShadowMeter first, second;
+    second.run_id = "second";
+    f.run(first, 2 + 3 + 2);
+    f.run(second);
+    EXPECT_EQ(std::ranges::count(first.timed, "filter.kernel=hard map.resolution=1024"), 2) << "each round has it once";
+    EXPECT_EQ(std::ranges::count(second.timed, "filter.kernel=hard map.resolution=1024"), 3);
+    const OrderedJson r = f.results();
+    EXPECT_EQ(r["rows"].size(), 2u) << "the base is no case";
+    EXPECT_TRUE(r["base"]["case"].is_null());
+    EXPECT_NEAR(number_at(r["base"], "shadow.moving_ms.median"), 4, 1e-9);
+    EXPECT_NEAR(number_at(r["rows"][0], "shadow.of_base"), 0.25, 1e-9);
+    EXPECT_EQ(r["frontier"]["best"][0]["of_base"], 1);
+    EXPECT_EQ(r["frontier"]["best"][0]["case"], 1) << "both cost less than the base";
+    // Merging repeated runs keeps the base's turns.
+    const SweepState state = read_journal(f.folder);
+    const SweepState merged = merge_sweeps({{"a", state}, {"b", state}});
+    EXPECT_EQ(merged.base_turns.size(), state.base_turns.size());
+    SweepState empty;
+    empty.spec = state.spec;
+    const std::vector<OrderedJson> lines = missing_lines(empty, state);
+    EXPECT_EQ(std::ranges::count_if(lines, [](const OrderedJson& l) { return l.contains("base_turn"); }),
+              std::ptrdiff_t(state.base_turns.size()));
+}
+
+TEST(Sweep, TimesBelowTheirNoiseAreBoundsWithoutARatio) {
+    const FakeSweep f(fresh_test_folder());
+    struct : ShadowMeter {
+        CaseTimes time(const SweepCase& c, int frames, CostCase cost) override {
+            CaseTimes times = ShadowMeter::time(c, frames, cost);
+            if (c.settings.map.resolution == 256)
+                for (std::size_t i = 0; i < times.shadow.moving_ms.size(); ++i)
+                    times.shadow.moving_ms[i] = i % 2 ? -0.75 : 0.5;
+            return times;
+        }
+    } meter;
+    f.run(meter);
+    const OrderedJson r = f.results();
+    const OrderedJson& row = r["rows"][0];
+    EXPECT_EQ(row["shadow"]["moving_ms"]["below_noise"], true);
+    EXPECT_TRUE(row["shadow"]["of_base"].is_null());
+    const std::string text = frontier_text(f.measured());
+    EXPECT_NE(text.find("< "), std::string::npos) << text;
+    for (const OrderedJson& step : r["frontier"]["steps"])
+        EXPECT_TRUE((step["from"] != 0 && step["to"] != 0) || step["cost_factor"].is_null());
 }
 
 TEST(Columns, ArePlottedWithLessAsBetter) {

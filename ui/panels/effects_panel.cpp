@@ -249,9 +249,23 @@ void fold_row(EffectsPanel& panel, std::span<const Effect> effects, Room room) {
     wrapped_tooltip(names);
 }
 
+/// Explains what all optimisations save together, and what the shadow takes of the frame.
+std::string forced_frame_text(const SavedTimes& saved) {
+    const auto times = [](const Spread& ms) {
+        return fmt::format("{} ms ({} to {})", digits_text(ms.median), digits_text(ms.median_low),
+                           digits_text(ms.median_high));
+    };
+    std::string text = fmt::format("With every effect forced the frame costs {} more than its {} ms.",
+                                   times(*saved.forced_more_ms), digits_text(saved.frame.total_ms.median));
+    if (saved.shadow_ms) text += fmt::format(" Its shadows take {} of it.", times(*saved.shadow_ms));
+    return text;
+}
+
 /// Draws the costs of all passes together, in the row that does not scroll.
 /// @param clock meaning of the times; it stands where the rows have their reasons
-void sum_row(const FrameResult& result, std::span<const Effect> effects, const std::string& clock, Room room) {
+/// @param saved measured times; null: none @param current they are of the shown settings
+void sum_row(const FrameResult& result, std::span<const Effect> effects, const std::string& clock, Room room,
+             const SavedTimes* saved, bool current) {
     PassCost sum;
     for (const Effect& effect : effects)
         if (const PassInfo* pass = pass_of(result, effect); pass && pass->state == PassState::Drawn) {
@@ -267,6 +281,10 @@ void sum_row(const FrameResult& result, std::span<const Effect> effects, const s
     if (room == Room::Least) wrapped_tooltip(clock);
     cost_cells(sum);
     ImGui::PopFont();
+    if (saved && saved->forced_more_ms && ImGui::TableSetColumnIndex(index_of(Column::Saved))) {
+        right_aligned(fmt::format("{:.2f}", saved->forced_more_ms->median), current ? theme::text() : theme::muted());
+        wrapped_tooltip(forced_frame_text(*saved));
+    }
     if (!ImGui::TableSetColumnIndex(index_of(Column::Why))) return;
     const std::string shown = beginning_that_fits(clock, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
     ImGui::TextDisabled("%s", shown.c_str());
@@ -322,7 +340,7 @@ void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResul
     const Room room = room_of(ImGui::GetContentRegionAvail().x / ImGui::GetFontSize());
     if (ImGui::BeginTable("effects", kColumns, flags, {0, -footer})) {
         header(room);
-        sum_row(*result, facts.effects, clock_text(*result, driver), room);
+        sum_row(*result, facts.effects, clock_text(*result, driver), room, facts.saved, facts.saved_times_current);
         int id = 0;
         for (const Effect& effect : facts.effects) {
             ImGui::PushID(id++);

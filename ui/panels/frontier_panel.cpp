@@ -318,6 +318,20 @@ void draw_advice(SweepPanel& panel, Settings& settings, const SweepFacts& facts,
     draw_before(facts, cost, error);
 }
 
+/// Writes the sentence on the knee, with the best cases for multiples of the base's cost as its tooltip.
+void draw_knee(const FrontierPlot& plot) {
+    const std::string sentence = knee_sentence(plot);
+    if (sentence.empty()) return;
+    wrapped_text(sentence);
+    std::string best;
+    for (const BestRow& row : best_rows(plot))
+        best += fmt::format("{}{:g} × base: {}", best.empty() ? "" : "\n", row.multiple,
+                            row.best ? plot.cases[*row.best].name() : "nothing costs so little");
+    if (!best.empty())
+        wrapped_tooltip(fmt::format("Best cases by cost\n{}\nBase: {}, {}", best, plot.base_name,
+                                    plot_cost_text(plot, *plot.base_cost, false)));
+}
+
 void draw_state(const SweepFacts& facts, SweepRequests& requests) {
     if (!facts.problem.empty()) coloured_wrapped("The sweep ended: " + facts.problem, theme::error());
     if (facts.other_scene) {
@@ -396,9 +410,9 @@ void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* show
             ImGui::TextDisabled(facts.running ? "The first cases are being measured."
                                               : "Sweep over settings to see which pay for their time.");
         } else {
+            draw_knee(facts.view.plot);
             const ImVec2 size = ImGui::GetContentRegionAvail();
-            const FrontierPlotResult r =
-                draw_frontier_plot(facts, is_bytes(*cost), panel.chosen, {size.x, std::max(size.y, em * 6)});
+            const FrontierPlotResult r = draw_frontier_plot(facts, panel.chosen, {size.x, std::max(size.y, em * 6)});
             if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
             if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
             if (r.clicked) apply_case(panel, settings, facts.cases[*r.clicked]);

@@ -8,6 +8,8 @@
 
 #include "renderer/measure/frame_costs.h"
 #include "renderer/measure/frontier.h"
+#include "renderer/measure/frontier_drawing.h"
+#include "renderer/measure/shadow_time.h"
 
 namespace si {
 
@@ -40,12 +42,14 @@ struct FrontierView {
     struct Mark {
         std::size_t of = 0;  ///< index in the cases
         Dot dot;
-        bool on = false;    ///< it lies on the frontier: no case is better in both
-        bool tied = false;  ///< a better case exists, but within noise
+        bool on = false;     ///< it lies on the frontier: no case is better in both
+        bool tied = false;   ///< a better case exists, but within noise
+        bool bound = false;  ///< the cost is an upper bound, below its noise
     };
     std::vector<Mark> marks;
     std::optional<Dot> present;  ///< SweepFacts::present
     std::optional<Dot> before;   ///< SweepFacts::before
+    FrontierPlot plot;           ///< the same as a drawing's data; PlotCase::of is Mark::of
     FrontierAdvice advice;       ///< better cases than the present settings, as indices of marks
 };
 
@@ -90,13 +94,13 @@ struct SweepPanel {
         {"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}, {"bias.slope", "0,1,2"}};
     int width = 480;  ///< pixels of the picture that is measured
     int height = 270;
-    bool area = false;                          ///< compares with an area light instead of a point
-    CostCase timed = kDefaultCost;              ///< kind of frames that are timed
-    bool follow = true;                         ///< measures the present settings while the panel is shown
-    std::string cost = "time.total_ms.median";  ///< key of the cost axis
-    std::string error = "error.mae";            ///< key of the error axis
-    std::optional<int> chosen;                  ///< number of the case that was clicked last
-    std::string folder = "sweep";               ///< folder that results are saved to and opened from
+    bool area = false;                             ///< compares with an area light instead of a point
+    CostCase timed = kFrontierCost;                ///< kind of frames that are timed
+    bool follow = true;                            ///< measures the present settings while the panel is shown
+    std::string cost = "shadow.moving_ms.median";  ///< key of the cost axis
+    std::string error = "error.mae";               ///< key of the error axis
+    std::optional<int> chosen;                     ///< number of the case that was clicked last
+    std::string folder = "sweep";                  ///< folder that results are saved to and opened from
 };
 
 /// Request for a sweep: axes, picture size and kind of frames.
@@ -104,7 +108,7 @@ struct SweepRequest {
     std::vector<std::string> axes;  ///< "KEY=VALUES"
     int width = 0, height = 0;
     bool area = false;
-    CostCase timed = kDefaultCost;
+    CostCase timed = kFrontierCost;
 };
 
 /// Requests of the panel Frontier.

@@ -1,4 +1,4 @@
-// Plot of error over cost: a dot a case, the frontier as a stair, and the present settings.
+// Plot of error over cost, painted from its drawing (renderer/measure/frontier_drawing.h).
 #pragma once
 
 #include <imgui.h>
@@ -16,9 +16,9 @@ struct FrontierPlotResult {
     bool present_hovered = false;
 };
 
-/// Draws the frontier plot. The caller draws the names of the axes. Returns its mouse input. @param bytes true: costs
-/// are bytes
+/// Draws the frontier plot, with the table of best cases below it where there is room. The caller draws the names of
+/// the axes and the sentence on the knee. Returns its mouse input.
 /// @param chosen the number of the case that gets a ring @param size the size in pixels, counted from the cursor
-FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size);
+FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int> chosen, ImVec2 size);
 
 }  // namespace si

@@ -1,0 +1,126 @@
+#include "renderer/measure/shadow_time.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "renderer/measure/measure.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+constexpr double kSettledShare = 0.05, kSettledOfFrame = 0.02;
+constexpr int kMaxBursts = 8, kBurstPairs = 3;
+
+int source_without_shadows() {
+    const auto rows = sources();
+    return int(std::ranges::find(rows, std::string_view("none"), &Source::key) - rows.begin());
+}
+
+}  // namespace
+
+Settings without_shadows(Settings settings) {
+    const int none = source_without_shadows();
+    for (LightSettings& light : settings.lights) light.source = none;
+    return settings;
+}
+
+void ShadowSamples::add(const ShadowSamples& more) {
+    const std::size_t before = moving_ms.size();
+    if (more.bursts.empty() && !more.moving_ms.empty()) bursts.push_back(before);
+    for (const std::size_t first : more.bursts) bursts.push_back(before + first);
+    moving_ms.insert(moving_ms.end(), more.moving_ms.begin(), more.moving_ms.end());
+    still_ms.insert(still_ms.end(), more.still_ms.begin(), more.still_ms.end());
+    forced_ms.insert(forced_ms.end(), more.forced_ms.begin(), more.forced_ms.end());
+}
+
+Spread spread_of_differences(std::vector<double> values, std::span<const std::size_t> bursts) {
+    if (values.empty()) return {};
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    // spread_of() expects positive times.
+    const double shift = 20 * (*most - *least) - *least;
+    for (double& v : values) v += shift;
+    Spread s = spread_of(std::move(values), bursts);
+    for (double* v : {&s.median, &s.p95, &s.low, &s.high, &s.median_low, &s.median_high}) *v -= shift;
+    return s;
+}
+
+bool below_noise(const Spread& time) {
+    return time.samples < 2 || time.median_low <= 0;
+}
+
+double time_or_bound(const Spread& time) {
+    return below_noise(time) ? std::max(time.median_high, 0.0) : time.median;
+}
+
+double time_ratio(const Spread& time, const Spread& base) {
+    if (below_noise(time) || below_noise(base)) return std::numeric_limits<double>::quiet_NaN();
+    return time.median / base.median;
+}
+
+ShadowTime summarise_shadow(const ShadowSamples& samples) {
+    ShadowTime time{.moving_ms = spread_of_differences(samples.moving_ms, samples.bursts),
+                    .still_ms = spread_of_differences(samples.still_ms, samples.bursts)};
+    if (!samples.forced_ms.empty() && samples.forced_ms.size() == samples.moving_ms.size())
+        time.forced_ms = spread_of_differences(samples.forced_ms, samples.bursts);
+    return time;
+}
+
+bool shadow_settled(const ShadowSamples& samples, double frame_ms) {
+    const Spread moving = spread_of_differences(samples.moving_ms, samples.bursts);
+    if (moving.bursts < kMinBursts) return false;
+    return moving.noise() <= std::max(kSettledShare * moving.median, kSettledOfFrame * frame_ms);
+}
+
+std::vector<std::vector<double>> time_rounds(int rounds, int kinds, const std::function<double(int)>& draw_ms) {
+    std::vector<std::vector<double>> ms(static_cast<std::size_t>(kinds));
+    for (int round = 0; round < rounds; ++round)
+        for (int i = 0; i < kinds; ++i) {
+            const int kind = round % 2 == 0 ? i : kinds - 1 - i;
+            ms[std::size_t(kind)].push_back(draw_ms(kind));
+        }
+    return ms;
+}
+
+std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) out.push_back(a[i] - b[i]);
+    return out;
+}
+
+ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
+                          TimeSamples* frames, const std::stop_token& stop) {
+    const Settings plain = without_shadows(settings);
+    const auto timed = [&](CostCase moves, bool forced) {
+        TimedFrames kinds[] = {measurer.frames(scene, settings, moves), measurer.frames(scene, plain, moves),
+                               measurer.frames(scene, settings, moves)};
+        kinds[2].switch_off(OptimisationSet::all());
+        const int count = forced ? 3 : 2;
+        for (int i = count - 1; i >= 0; --i) kinds[i].warm_up();
+        return time_rounds(pairs, count, [&](int kind) {
+            if (stop.stop_requested()) throw Cancelled();
+            const FrameResult frame = kinds[kind].draw_next();
+            if (kind == 0 && frames && moves == cost) frames->add(frame);
+            return drawn_ms(frame);
+        });
+    };
+    if (frames && cost == CostCase::Forced) frames->add(measurer.time(scene, settings, pairs, cost));
+    const auto moving = timed(CostCase::Light, true), still = timed(CostCase::Camera, false);
+    return {.moving_ms = differences(moving[0], moving[1]),
+            .still_ms = differences(still[0], still[1]),
+            .forced_ms = differences(moving[2], moving[1]),
+            .bursts = {}};
+}
+
+ShadowTime measure_shadow_time(Measurer& measurer, const Scene& scene, const Settings& settings,
+                               const std::stop_token& stop) {
+    ShadowSamples samples;
+    TimeSamples frames;
+    for (int burst = 0; burst < kMaxBursts; ++burst) {
+        samples.add(time_shadow(measurer, scene, settings, kBurstPairs, kFrontierCost, &frames, stop));
+        if (shadow_settled(samples, lower_quantile(frames.total_ms, 0.5, 0))) break;
+    }
+    return summarise_shadow(samples);
+}
+
+}  // namespace si
