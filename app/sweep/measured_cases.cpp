@@ -13,12 +13,20 @@
 namespace si {
 namespace {
 
+constexpr const char* kKernel = "filter.kernel";
+constexpr const char* kResolution = "map.resolution";
+
 /// Formats a varied setting with its label and shown value: "Kernel: PCF 3×3".
 std::pair<std::string, std::string> words(const std::string& key, const std::string& value) {
     const auto ref = find_setting(key);
     if (!ref) return {key, value};
     Settings settings;
     settings.light_count = std::max(settings.light_count, ref->light + 1);
+    if (key == kKernel) {
+        set_setting(settings, key, value);
+        const bool single = settings.filter.point && filter_of(settings).bilinear;
+        return {std::string(ref->param->label), kernel_label(settings) + (single ? ", single texels" : "")};
+    }
     return {std::string(ref->param->label), shown_value(settings, *ref, parse_value(*ref, value))};
 }
 
@@ -36,9 +44,6 @@ int family_of(const Filter& kernel) {
     if (!kernel.square() && !kernel.noise.taps.empty()) return 2;
     return kernel.square() && kernel.size == 1 ? 0 : 1;
 }
-
-constexpr const char* kKernel = "filter.kernel";
-constexpr const char* kResolution = "map.resolution";
 
 /// Varied settings of a frontier plot: those that lines differ in, and the one that runs along a line.
 struct LineAxes {

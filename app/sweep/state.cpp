@@ -48,7 +48,7 @@ Turn turn_of(const Json& line) {
     if (const auto shadow = line.find("shadow"); shadow != line.end()) {
         turn.shadow.moving_ms = shadow->at("moving_ms").get<std::vector<double>>();
         turn.shadow.still_ms = shadow->at("still_ms").get<std::vector<double>>();
-        turn.shadow.forced_ms = shadow->value("forced_ms", std::vector<double>());
+        turn.shadow.forced_more_ms = shadow->value("forced_more_ms", std::vector<double>());
         if (turn.shadow.moving_ms.size() != turn.shadow.still_ms.size()) throw Error("unequal numbers of frames");
     }
     return turn;
@@ -233,7 +233,7 @@ Json turn_line_of(const char* of, const Json& number, const Turn& turn) {
     if (!turn.shadow.moving_ms.empty())
         line["shadow"] = {{"moving_ms", milliseconds(turn.shadow.moving_ms)},
                           {"still_ms", milliseconds(turn.shadow.still_ms)},
-                          {"forced_ms", milliseconds(turn.shadow.forced_ms)}};
+                          {"forced_more_ms", milliseconds(turn.shadow.forced_more_ms)}};
     line["passes"] = json_list(turn.samples.passes, pass_json);
     return line;
 }

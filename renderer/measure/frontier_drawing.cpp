@@ -33,10 +33,6 @@ constexpr PlotColour kColours[] = {
 };
 static_assert(std::size(kColours) == kPlotInks);
 
-PlotInk family_ink(int family) {
-    return PlotInk(int(PlotInk::Family0) + std::clamp(family, 0, kPlotFamilies - 1));
-}
-
 /// Returns the corners of a family's shape, so that families differ without colour.
 std::vector<dvec2> shape(int family, dvec2 at, double radius) {
     const auto ring = [&](int corners, double turn, double inner) {
@@ -83,14 +79,19 @@ double estimated_width(std::string_view text, double size, bool strong) {
     return ems * size * (strong ? 1.12 : 1.0);
 }
 
+/// Largest cost and error within the axes, as a multiple of the front's largest.
+constexpr double kMostOfFront = 4;
+
 /// Logarithmic scale from values to pixels. Values of zero or less stand at its lower end.
 struct Scale {
     double low = 0.1, high = 1, from = 0, to = 1;
     bool zero = false;
     double start() const { return from + (zero ? std::copysign(26.0, to - from) : 0.0); }
+    /// Returns the pixel of a value; values beyond an end stand at it.
     double at(double value) const {
         if (!(value > 0)) return from + std::copysign(10.0, to - from);
-        return start() + std::log(value / low) / std::log(high / low) * (to - start());
+        const double share = std::clamp(std::log(value / low) / std::log(high / low), 0.0, 1.0);
+        return start() + share * (to - start());
     }
 };
 
@@ -100,10 +101,18 @@ Scale scale_of(const std::vector<double>& values, double from, double to, double
     for (const double v : values) {
         if (!std::isfinite(v)) continue;
         s.zero = s.zero || v <= 0;
-        if (v > 0) low = std::min(low, v), high = std::max(high, v);
+        if (v <= 0) continue;
+        low = std::min(low, v);
+        high = std::max(high, v);
     }
-    if (!(high > 0)) low = 0.1, high = 1;
-    if (high < 1.3 * low) low /= 1.15, high *= 1.15;
+    if (!(high > 0)) {
+        low = 0.1;
+        high = 1;
+    }
+    if (high < 1.3 * low) {
+        low /= 1.15;
+        high *= 1.15;
+    }
     // The pads are pixels: the values span what is left between them.
     const double span = std::abs(to - s.start()), inner = std::max(span - pad_from - pad_to, 0.3 * span);
     const double decades = std::log(high / low) / inner;
@@ -234,9 +243,15 @@ private:
             costs.push_back(d.cost);
             errors.push_back(d.error);
         };
-        for (const Dot& d : dots_) add(d);
+        for (const std::size_t i : front_) {
+            most_cost_ = std::max(most_cost_, kMostOfFront * dots_[i].cost);
+            most_error_ = std::max(most_error_, kMostOfFront * dots_[i].error);
+        }
+        for (const Dot& d : dots_)
+            if (inside(d)) add(d);
         for (const PlotSpot& s : plot_.spots) add(s.dot);
-        for (const Dot& d : plot_.forced) add(d);
+        for (const Dot& d : plot_.forced)
+            if (inside(d)) add(d);
         if (page_.titles) y += small_ * 1.3;
         title_y_ = y - small_ * 0.35;
         box_.lo.y = y + 2;
@@ -248,9 +263,14 @@ private:
         for (const double t : ticks(y_, 7, false)) numbers = std::max(numbers, width_of(tick_text(t, false), small_));
         box_.lo.x = numbers + 10;
         box_.hi.x = page_.width - 3;
-        x_ = scale_of(costs, box_.lo.x, box_.hi.x, 1.1 * label, label);
+        double first = 0.5 * label;
+        if (!front_.empty()) first = width_of(plot_.cases[front_[0]].name(), small_, true) + 1.2 * page_.em;
+        x_ = scale_of(costs, box_.lo.x, box_.hi.x, std::min(first, 0.3 * page_.width), label);
         return box_.hi.y + small_ * (page_.titles ? 3.0 : 1.5);
     }
+
+    /// Returns true for points within the axes: they end some way beyond the front.
+    bool inside(const Dot& d) const { return d.cost <= most_cost_ && d.error <= most_error_; }
 
     void draw_axes() {
         const int across = std::max(2, int((box_.hi.x - box_.lo.x) / (5.5 * page_.em)));
@@ -270,6 +290,11 @@ private:
         if (y_.zero)
             words(PlotInk::Muted, {box_.lo.x - 5, y_.at(0) + small_ * 0.35}, "0", small_, false, PlotMark::Anchor::End);
         line(PlotInk::Beaten, {{box_.lo.x, box_.lo.y}, {box_.lo.x, box_.hi.y}, {box_.hi.x, box_.hi.y}}, 1);
+        const auto outside = std::ranges::count_if(dots_, [&](const Dot& d) { return !inside(d); });
+        if (outside > 0 && page_.titles)
+            words(PlotInk::Muted, {box_.hi.x - 2, title_y_},
+                  fmt::format("{} case{} beyond the axes", outside, outside == 1 ? "" : "s"), small_, false,
+                  PlotMark::Anchor::End);
         if (!page_.titles) return;
         words(PlotInk::Text, {2, title_y_}, plot_.error_title + " (log scale; lower is better)", small_);
         std::string cost = plot_.cost_title;
@@ -279,9 +304,11 @@ private:
     }
 
     void draw_forced() {
-        if (plot_.forced.empty()) return;
+        const auto within = [&](const Dot& d) { return inside(d); };
+        if (std::ranges::none_of(plot_.forced, within)) return;
         std::vector<dvec2> path;
         for (const std::size_t i : strict_front(plot_.forced)) {
+            if (!inside(plot_.forced[i])) continue;
             const dvec2 p = at(plot_.forced[i]);
             if (!path.empty()) path.push_back({p.x, path.back().y});
             path.push_back(p);
@@ -317,6 +344,7 @@ private:
 
     void draw_case(std::size_t i, PlotInk ink, bool of_front_line) {
         const PlotCase& c = plot_.cases[i];
+        if (!inside(c.dot)) return;
         const dvec2 p = at(c.dot);
         const bool on = std::ranges::find(front_, i) != front_.end();
         const double r = page_.em * (on ? 0.42 : of_front_line ? 0.26 : 0.18);
@@ -506,6 +534,7 @@ private:
         for (const bool on : {true, false})
             for (const auto& [name, l] : lines_) {
                 const std::size_t end = l.cases.back();
+                if (!inside(dots_[end])) continue;
                 const bool end_named = std::ranges::find(front_, end) != front_.end() && named_[name];
                 if (l.on_front != on || end_named) continue;
                 const PlotInk ink = on ? family_ink(plot_.cases[end].family) : PlotInk::Muted;
@@ -561,6 +590,7 @@ private:
     std::vector<Dot> dots_;
     std::vector<std::size_t> front_;
     double small_, title_y_ = 0;
+    double most_cost_ = 0, most_error_ = 0;  ///< ends of the axes
     Box box_;
     Scale x_, y_;
     std::map<std::string, KernelLine> lines_;
@@ -570,6 +600,10 @@ private:
 };
 
 }  // namespace
+
+PlotInk family_ink(int family) {
+    return PlotInk(std::size_t(PlotInk::Family0) + std::size_t(std::clamp(family, 0, kPlotFamilies - 1)));
+}
 
 const PlotColour& plot_colour(PlotInk ink) {
     return kColours[std::size_t(ink)];

@@ -55,6 +55,9 @@ struct FrontierPlot {
 enum class PlotInk { Paper, Text, Muted, Grid, Beaten, Front, Spot, Family0 };
 inline constexpr std::size_t kPlotInks = std::size_t(PlotInk::Family0) + kPlotFamilies;
 
+/// Returns the role of a family's marks. @param family below kPlotFamilies
+PlotInk family_ink(int family);
+
 /// Colour of a mark's role: sRGB on a light and on a dark background.
 struct PlotColour {
     std::array<std::uint8_t, 3> on_light, on_dark;

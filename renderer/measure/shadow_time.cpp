@@ -31,7 +31,7 @@ void ShadowSamples::add(const ShadowSamples& more) {
     for (const std::size_t first : more.bursts) bursts.push_back(before + first);
     moving_ms.insert(moving_ms.end(), more.moving_ms.begin(), more.moving_ms.end());
     still_ms.insert(still_ms.end(), more.still_ms.begin(), more.still_ms.end());
-    forced_ms.insert(forced_ms.end(), more.forced_ms.begin(), more.forced_ms.end());
+    forced_more_ms.insert(forced_more_ms.end(), more.forced_more_ms.begin(), more.forced_more_ms.end());
 }
 
 Spread spread_of_differences(std::vector<double> values, std::span<const std::size_t> bursts) {
@@ -61,8 +61,13 @@ double time_ratio(const Spread& time, const Spread& base) {
 ShadowTime summarise_shadow(const ShadowSamples& samples) {
     ShadowTime time{.moving_ms = spread_of_differences(samples.moving_ms, samples.bursts),
                     .still_ms = spread_of_differences(samples.still_ms, samples.bursts)};
-    if (!samples.forced_ms.empty() && samples.forced_ms.size() == samples.moving_ms.size())
-        time.forced_ms = spread_of_differences(samples.forced_ms, samples.bursts);
+    if (samples.forced_more_ms.empty()) return time;
+    // Both parts are uncertain: the interval of the sum is the sum of the intervals.
+    Spread forced = spread_of_differences(samples.forced_more_ms);
+    for (double Spread::*v :
+         {&Spread::median, &Spread::p95, &Spread::low, &Spread::high, &Spread::median_low, &Spread::median_high})
+        forced.*v += time.moving_ms.*v;
+    time.forced_ms = forced;
     return time;
 }
 
@@ -91,25 +96,31 @@ std::vector<double> differences(const std::vector<double>& a, const std::vector<
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
                           TimeSamples* frames, const std::stop_token& stop) {
     const Settings plain = without_shadows(settings);
-    const auto timed = [&](CostCase moves, bool forced) {
-        TimedFrames kinds[] = {measurer.frames(scene, settings, moves), measurer.frames(scene, plain, moves),
-                               measurer.frames(scene, settings, moves)};
-        kinds[2].switch_off(OptimisationSet::all());
-        const int count = forced ? 3 : 2;
-        for (int i = count - 1; i >= 0; --i) kinds[i].warm_up();
-        return time_rounds(pairs, count, [&](int kind) {
+    // Kinds: 0 with shadows, 1 without, 2 with all optimisations off.
+    const auto timed = [&](CostCase moves, int rounds, int second, TimeSamples* add_to) {
+        TimedFrames with = measurer.frames(scene, settings, moves),
+                    other = measurer.frames(scene, second == 1 ? plain : settings, moves);
+        if (second == 2) other.switch_off(OptimisationSet::all());
+        other.draw_next();
+        with.draw_next();
+        // Maps that are kept have been drawn once; where the light moves there are none.
+        if (moves == CostCase::Camera) with.draw_next();
+        return time_rounds(rounds, 2, [&](int kind) {
             if (stop.stop_requested()) throw Cancelled();
-            const FrameResult frame = kinds[kind].draw_next();
-            if (kind == 0 && frames && moves == cost) frames->add(frame);
+            const FrameResult frame = (kind == 0 ? with : other).draw_next();
+            if (kind == 0 && add_to) add_to->add(frame);
             return drawn_ms(frame);
         });
     };
     if (frames && cost == CostCase::Forced) frames->add(measurer.time(scene, settings, pairs, cost));
-    const auto moving = timed(CostCase::Light, true), still = timed(CostCase::Camera, false);
-    return {.moving_ms = differences(moving[0], moving[1]),
-            .still_ms = differences(still[0], still[1]),
-            .forced_ms = differences(moving[2], moving[1]),
-            .bursts = {}};
+    const auto moving = timed(CostCase::Light, pairs, 1, cost == CostCase::Light ? frames : nullptr);
+    const auto still = timed(CostCase::Camera, pairs, 1, cost == CostCase::Camera ? frames : nullptr);
+    const auto forced = timed(CostCase::Light, 1, 2, nullptr);
+    ShadowSamples samples{.moving_ms = differences(moving[0], moving[1]),
+                          .still_ms = differences(still[0], still[1]),
+                          .forced_more_ms = differences(forced[1], forced[0]),
+                          .bursts = {}};
+    return samples;
 }
 
 ShadowTime measure_shadow_time(Measurer& measurer, const Scene& scene, const Settings& settings,

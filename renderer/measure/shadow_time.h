@@ -24,10 +24,10 @@ Settings without_shadows(Settings settings);
 
 /// Differences of frame times with and without shadows, milliseconds, one per pair of frames.
 struct ShadowSamples {
-    std::vector<double> moving_ms;    ///< the light of view.light moves: maps, preparation and look-ups
-    std::vector<double> still_ms;     ///< the camera moves and maps are kept; as many as `moving_ms`
-    std::vector<double> forced_ms;    ///< as `moving_ms` with all optimisations off; as many, or none
-    std::vector<std::size_t> bursts;  ///< index of the first pair of each burst
+    std::vector<double> moving_ms;       ///< the light of view.light moves: maps, preparation and look-ups
+    std::vector<double> still_ms;        ///< the camera moves and maps are kept; as many as `moving_ms`
+    std::vector<double> forced_more_ms;  ///< what the frame costs more with all optimisations off; any number
+    std::vector<std::size_t> bursts;     ///< index of the first pair of each burst
     /// Appends other differences as bursts of their own.
     void add(const ShadowSamples& more);
 };
@@ -63,8 +63,8 @@ std::vector<std::vector<double>> time_rounds(int rounds, int kinds, const std::f
 /// Returns the differences a - b of the times of one round each.
 std::vector<double> differences(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Measures `pairs` rounds of frames with a moving light (with shadows, without, and with all optimisations off), and
-/// as many with a moving camera (with shadows and without).
+/// Measures `pairs` pairs of frames with and without shadows with a moving light, as many with a moving camera, and one
+/// pair with all optimisations on and off.
 /// @param frames receives the frames with shadows of the kind `cost`; null: not wanted @throws Error, Cancelled
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
                           TimeSamples* frames, const std::stop_token& stop = {});

@@ -78,7 +78,7 @@ struct Panel {
 
 /// Returns the place of the dot of "pcf5", the front's most accurate case.
 glm::vec2 accurate_dot() {
-    const auto& c = plot_colour(PlotInk(int(PlotInk::Family0) + 1)).on_dark;
+    const auto& c = plot_colour(family_ink(1)).on_dark;
     const std::vector<glm::vec2> dots = dots_of_colour(IM_COL32(c[0], c[1], c[2], 255));
     EXPECT_FALSE(dots.empty()) << "no dot of the family is drawn";
     const auto lowest = std::ranges::max_element(dots, {}, &glm::vec2::y);

@@ -209,6 +209,15 @@ TEST(FrontierDrawing, BoundsAreOpenAndHaveNoRatio) {
     EXPECT_EQ(all.find("2 \u00d7 cost, \u221250 %"), std::string::npos) << "a ratio to a bound means nothing";
 }
 
+TEST(FrontierDrawing, AxesEndBeyondTheFront) {
+    FrontierPlot plot = three_kernels();
+    plot.cases[7].dot.cost = 1000;
+    const FrontierDrawing drawing = frontier_drawing(plot, {});
+    EXPECT_EQ(drawing.cases.size(), plot.cases.size() - 1);
+    EXPECT_TRUE(
+        std::ranges::any_of(drawing.marks, [](const PlotMark& m) { return m.text == "1 case beyond the axes"; }));
+}
+
 TEST(FrontierDrawing, EmptyPlotsAndSinglesAreDrawn) {
     EXPECT_TRUE(frontier_drawing({}, {}).cases.empty());
     EXPECT_EQ(knee_sentence({}), "");
@@ -259,12 +268,12 @@ TEST(ShadowTime, NegativeIntervalsStayNegative) {
 TEST(ShadowTime, SettlesByItsShareOrTheFrames) {
     ShadowSamples samples;
     for (int burst = 0; burst < 3; ++burst)
-        samples.add({.moving_ms = {10, 10.1, 9.9}, .still_ms = {1, 1, 1}, .forced_ms = {}, .bursts = {}});
+        samples.add({.moving_ms = {10, 10.1, 9.9}, .still_ms = {1, 1, 1}, .forced_more_ms = {}, .bursts = {}});
     EXPECT_EQ(samples.bursts, (std::vector<std::size_t>{0, 3, 6}));
     EXPECT_TRUE(shadow_settled(samples, 10));
     ShadowSamples wild;
     for (int burst = 0; burst < 3; ++burst)
-        wild.add({.moving_ms = {1.0 + burst}, .still_ms = {1}, .forced_ms = {}, .bursts = {}});
+        wild.add({.moving_ms = {1.0 + burst}, .still_ms = {1}, .forced_more_ms = {}, .bursts = {}});
     EXPECT_FALSE(shadow_settled(wild, 10));
     EXPECT_TRUE(shadow_settled(wild, 1000)) << "within 2 % of the frame";
     EXPECT_FALSE(shadow_settled({}, 1000));

@@ -535,7 +535,7 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
         samples.maps_ms.push_back(ms / 4);
     }
     ShadowTime shadow =
-        summarise_shadow({.moving_ms = {4, 5, 6}, .still_ms = {1, 2, 3}, .forced_ms = {5, 6, 7}, .bursts = {}});
+        summarise_shadow({.moving_ms = {4, 5, 6}, .still_ms = {1, 2, 3}, .forced_more_ms = {5, 6, 7}, .bursts = {}});
     shadow.of_base = 1.5;
     const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summarise_times(samples), .shadow = shadow};
     const OrderedJson row = {{"error", error_json(c.error.metrics, c.error.noise)},
@@ -604,7 +604,7 @@ struct ShadowMeter : FakeMeter {
             const double ms = c.settings.map.resolution / 256.0 * (1 + 0.02 * (i % 3 - 1));
             times.shadow.moving_ms.push_back(ms);
             times.shadow.still_ms.push_back(0.25 * ms);
-            times.shadow.forced_ms.push_back(3 * ms);
+            times.shadow.forced_more_ms.push_back(2 * c.settings.map.resolution / 256.0);
         }
         return times;
     }
