@@ -13,7 +13,7 @@ namespace {
 
 using glm::dvec2;
 
-constexpr PlotColour kColours[] = {
+constexpr PlotColour kPlotColours[] = {
     {{255, 255, 255}, {22, 24, 29}},     // paper
     {{22, 24, 29}, {236, 238, 242}},     // text
     {{85, 91, 102}, {169, 176, 188}},    // muted
@@ -31,7 +31,7 @@ constexpr PlotColour kColours[] = {
     {{110, 68, 38}, {214, 170, 134}},
     {{84, 104, 122}, {180, 196, 208}},
 };
-static_assert(std::size(kColours) == kPlotInks);
+static_assert(std::size(kPlotColours) == kPlotInks);
 
 /// Returns the corners of a family's shape, so that families differ without colour.
 std::vector<dvec2> shape(int family, dvec2 at, double radius) {
@@ -606,7 +606,7 @@ PlotInk family_ink(int family) {
 }
 
 const PlotColour& plot_colour(PlotInk ink) {
-    return kColours[std::size_t(ink)];
+    return kPlotColours[std::size_t(ink)];
 }
 
 std::vector<Dot> dots_of(const FrontierPlot& plot) {
