@@ -94,7 +94,7 @@ std::vector<Column> make_columns() {
                    .noise_value = [=](const CaseNumbers& n) { return forced(n) ? forced(n)->noise() : kNone; },
                    .bound = "shadow.forced_ms",
                    .bounded = forced});
-    all.push_back({.key = "shadow.of_base",
+    all.push_back({.key = kOfBaseColumn,
                    .label = "Multiple of the base",
                    .unit = "\u00d7",
                    .help = "Time of the shadow while the light moves, over that of the hard kernel with 1024 texels. "

@@ -24,6 +24,7 @@ struct Column {
 
 /// Keys of the columns with the time of the shadows: while the light moves, and while only the camera does.
 inline constexpr const char* kMovingShadowColumn = "shadow.moving_ms.median";
+inline constexpr const char* kOfBaseColumn = "shadow.of_base";
 inline constexpr const char* kStillShadowColumn = "shadow.still_ms.median";
 
 /// Lists all columns of sweep results: error metrics first, then times and costs.

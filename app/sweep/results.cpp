@@ -253,9 +253,12 @@ Json results_json(const SweepResults& results) {
 
 std::string results_csv(const SweepResults& results) {
     std::vector<const Column*> used;
+    // Ratios within the noise have no value. Their column stays, so that the header does not depend on the noise.
+    const auto measured = [](const Column& column, const SweepRow& row) {
+        return std::isfinite(column.value(row.numbers)) || (column.key == kOfBaseColumn && row.numbers.shadow);
+    };
     for (const Column& column : columns())
-        if (std::any_of(results.rows.begin(), results.rows.end(),
-                        [&](const SweepRow& row) { return std::isfinite(column.value(row.numbers)); }))
+        if (std::ranges::any_of(results.rows, [&](const SweepRow& row) { return measured(column, row); }))
             used.push_back(&column);
     std::string text = "case";
     const auto add = [&text](std::string_view cell) { text.append(1, ',').append(cell); };

@@ -59,7 +59,8 @@ TEST(Profiles, DrawTheEnginesNumbers) {
     const std::string none = picture("--profile three", "none.png");
     const std::string some = picture("--profile three --set engine.bias=-0.002", "some.png");
     const std::string same = picture(
-        "--set map.format=d24 --set filter.kernel=vogel --set filter.taps=5 --set filter.radius=1 --set "
+        "--set map.format=d24 --set filter.kernel=vogel --set filter.taps=5 --set filter.bilinear=true --set "
+        "filter.radius=1 --set "
         "caster.cull=front --set bias.kind=constant --set bias.unit=depth --set bias.constant=0.002 --set "
         "bias.normal=0",
         "same.png");

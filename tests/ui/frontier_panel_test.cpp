@@ -161,7 +161,9 @@ TEST(FrontierPanel, BytesHaveReadableUnits) {
     for (std::size_t i = 0; i < std::size(costs); ++i) {
         facts.view.marks[i].dot.cost = costs[i];
         facts.view.marks[i].dot.cost_noise = 0;
+        facts.view.plot.cases.at(i).dot.cost = costs[i];
     }
+    facts.view.plot.bytes = true;
     facts.view.present->cost = 25.1e6;
     facts.view.present->cost_noise = 0;
     facts.view.advice.better = 1;
@@ -182,10 +184,10 @@ TEST(FrontierPanel, MissingMeasurementsAreNamedInASentence) {
     p.ui.sweep->cost = "cost.bytes_touched";
     p.ui.sweep->running = true;
     p.ui.frames(3);
-    EXPECT_TRUE(p.ui.drawn().shows("Not measured yet: time of a frame"));
+    EXPECT_TRUE(p.ui.drawn().shows("Not measured yet: time of the shadow while the light moves"));
     p.ui.sweep->running = false;
     p.ui.frames(3);
-    EXPECT_TRUE(p.ui.drawn().shows("Not measured: time of a frame"));
+    EXPECT_TRUE(p.ui.drawn().shows("Not measured: time of the shadow while the light moves"));
     EXPECT_TRUE(p.ui.drawn().find(U"×", 1)) << "one between width and height, one for each axis";
 }
 
@@ -213,9 +215,9 @@ TEST(FrontierPanel, RequestsASweepOfTheTypedAxes) {
     p.ui.state.sweep.height = 64;
     const auto press_sweep = [&] {
         p.ui.frames(2);
-        // The button stands below the line with "Vary another".
+        // The button stands below the heading of the light path and the line with "Vary another".
         std::optional<SweepRequest> request;
-        for (float y = 545; y < 640 && !request; y += 6) {
+        for (float y = 570; y < 660 && !request; y += 6) {
             p.ui.move({60, y});
             p.ui.frames(2);
             request = p.ui.click_here().start_sweep;
@@ -239,7 +241,7 @@ TEST(FrontierPanel, RunningSweepCanBeCancelled) {
     p.ui.sweep->seconds_left = 75;
     p.ui.state.sweep.axes = {{"bias.slope", "0,1"}};
     bool cancelled = false;
-    for (float y = 545; y < 640 && !cancelled; y += 6) {
+    for (float y = 570; y < 660 && !cancelled; y += 6) {
         p.ui.move({30, y});
         p.ui.frames(2);
         const EditorRequests requests = p.ui.click_here();

@@ -19,6 +19,7 @@
 #include "ui/widgets/combo.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
+#include "ui/widgets/quantity_text.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -325,7 +326,7 @@ void draw_knee(const FrontierPlot& plot) {
     wrapped_text(sentence);
     std::string best;
     for (const BestRow& row : best_rows(plot))
-        best += fmt::format("{}{:g} × base: {}", best.empty() ? "" : "\n", row.multiple,
+        best += fmt::format("{}{} × base: {}", best.empty() ? "" : "\n", quantity_text(row.multiple),
                             row.best ? plot.cases[*row.best].name() : "nothing costs so little");
     if (!best.empty())
         wrapped_tooltip(fmt::format("Best cases by cost\n{}\nBase: {}, {}", best, plot.base_name,
@@ -412,7 +413,7 @@ void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* show
         } else {
             draw_knee(facts.view.plot);
             const ImVec2 size = ImGui::GetContentRegionAvail();
-            const FrontierPlotResult r = draw_frontier_plot(facts, panel.chosen, {size.x, std::max(size.y, em * 6)});
+            const FrontierPlotResult r = draw_frontier_plot(facts, panel.chosen, {size.x, std::max(size.y, em * 5)});
             if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
             if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
             if (r.clicked) apply_case(panel, settings, facts.cases[*r.clicked]);

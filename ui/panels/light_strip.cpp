@@ -77,11 +77,11 @@ void request_path(const LightStripPanel& panel, const Settings& settings, LightS
     const auto light = std::size_t(std::max(shown_light(settings), 0));
     requests.path_steps = panel.steps;
     if (panel.day)
-        requests.measure_day = fmt::format("{:g},{}", panel.latitude, panel.day_of_year);
+        requests.measure_day = fmt::format("{},{}", panel.latitude, panel.day_of_year);
     else
-        requests.measure_along = fmt::format(
-            "{}={:g}:{:g},{}={:g}:{:g}", light_setting_key(light, "azimuth"), panel.azimuth_from, panel.azimuth_to,
-            light_setting_key(light, "elevation"), panel.elevation_from, panel.elevation_to);
+        requests.measure_along =
+            fmt::format("{}={}:{},{}={}:{}", light_setting_key(light, "azimuth"), panel.azimuth_from, panel.azimuth_to,
+                        light_setting_key(light, "elevation"), panel.elevation_from, panel.elevation_to);
 }
 
 /// Draws the plot with a mark at the present light and one at the worst step. A press or drag sets the light.
