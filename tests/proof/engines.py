@@ -6,7 +6,6 @@ plane: parameters with which a single plane casts on itself.
 off: parameters of the bias with values that add none.
 acne: parameters of the bias, each with the setting of the inspector from which its number is converted.
 filters: other filters, by name, under which the first parameter of acne is proved at 45 degrees.
-known: searches that do not meet the bound, by what the row has, each with the reason. The page shows them as not met.
 resolution_factor: factor of the maps' width for an engine that fits a wide box of the light; without it 1.
 reversed: True for an engine whose matrix stores reversed depth.
 fits: True for an engine that chooses the light's box by itself, and reports it in facts.json.
@@ -34,17 +33,12 @@ ENGINES = {
         "acne": [("bias", "bias.constant"), ("normalBias", "bias.normal")],
         "filters": {"PCF": {"kernel": {"filter": "PCF"},
                             "settings": {"filter.kernel": "castano5"}}},
-        "known": [
-            ({"parameter": "normalBias", "tilt_deg": 70, "diagonal": False},
-             "SwiftShader moves vertices to a grid of 1/16 texel, and so the plane that normalBias has moved sideways. At "
-             "70 degrees that takes two steps of the grid of 5 %, which is 10.3 %."),
-        ],
         "about": "Casters move inwards by `normalBias`, where the program moves the look-up: thin casters lose width, "
                  "and rods of two texels vanish. Maps hold 32-bit floats (`new ShadowGenerator(size, light, true)`). The "
                  "default 16-bit floats round depths to 2^-11 of the depth range, so acne begins at a larger number. The "
                  "shaders read maps of the filters NONE, POISSON and ESM by a `sampler2D` without precision. A driver of "
-                 "OpenGL ES may then read 16 bits, with the same effect: Mesa does. These pictures are by SwiftShader, "
-                 "which reads 32 bits.",
+                 "OpenGL ES may then read 16 bits, with the same effect: Mesa does. These pictures are by Mesa's desktop "
+                 "OpenGL, which reads 32 bits.",
         "fits": True,
     },
     "playcanvas": {

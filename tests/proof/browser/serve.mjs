@@ -64,11 +64,13 @@ const server = createServer((request, response) => {
 
 server.listen(0, '127.0.0.1', () => {
     const url = `http://127.0.0.1:${server.address().port}/page.html`;
-    // gl-egl is Mesa, whose grid of vertices is 1/256 of a pixel; that of SwiftShader is 1/16.
+    // gl-egl is Mesa's OpenGL ES; gl is its desktop OpenGL, which needs an X display. The browser's own rasteriser,
+    // SwiftShader, is switched off: its grid of vertices is 1/16 of a pixel, that of Mesa 1/256.
     const angle = process.env.SI_PROOF_ANGLE ?? 'gl-egl';
+    const platform = angle === 'gl' ? ['--ozone-platform=x11'] : [];
     browser = spawn('chromium', ['--headless', '--no-sandbox', '--use-gl=angle', `--use-angle=${angle}`,
-        '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run', '--disable-background-networking',
-        '--disable-component-update', '--disable-sync', '--enable-logging=stderr', '--v=0',
+        ...platform, '--disable-software-rasterizer', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
+        '--disable-background-networking', '--disable-component-update', '--disable-sync', '--enable-logging=stderr', '--v=0',
         `--user-data-dir=${profile}`, url], { stdio: ['ignore', 'ignore', 'pipe'] });
     browser.stderr.on('data', (text) => { consoleText += text; });
     browser.on('error', (error) => finish(1, `chromium: ${error.message}`));
