@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "renderer/base/key.h"
 #include "renderer/reference/ray_scenes.h"
 #include "renderer/reference/umbra_cache.h"
 
@@ -125,7 +126,8 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
                     .reference = {},
                     .runs = {},
                     .query = std::make_shared<ReferenceQuery>(task.query),
-                    .umbra = std::make_shared<UmbraCache>()};
+                    .umbra = std::make_shared<UmbraCache>(),
+                    .version = next_version()};
         known.reference = timed(out.trace_ms, [&] {
             return std::make_shared<Reference>(
                 trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9)));
@@ -143,6 +145,7 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
     out.runs = references_.front().runs;
     out.query = references_.front().query;
     out.umbra = references_.front().umbra;
+    out.version = references_.front().version;
     return out;
 }
 

@@ -7,6 +7,7 @@
 //     traced.reference->visibility.at(x, y);
 #pragma once
 
+#include <cstdint>
 #include <list>
 #include <memory>
 
@@ -54,6 +55,7 @@ struct TracedReference {
     std::shared_ptr<const ShadowRuns> runs;
     std::shared_ptr<const ReferenceQuery> query;      ///< sizes of its views may be those of an earlier frame
     std::shared_ptr<UmbraCache> umbra;                ///< memory of umbra_of()
+    std::uint64_t version = 0;                        ///< unique per content of reference and runs, by next_version()
     double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
@@ -80,6 +82,7 @@ private:
         std::shared_ptr<const ShadowRuns> runs;
         std::shared_ptr<const ReferenceQuery> query;
         std::shared_ptr<UmbraCache> umbra;
+        std::uint64_t version = 0;
     };
     std::list<Known> references_;  ///< latest first
 };

@@ -46,6 +46,22 @@ TEST_F(SourcesTest, EveryRowHasTextsAndConsistentNeeds) {
     }
 }
 
+// A search changes the bias many times under one reference.
+TEST_F(SourcesTest, AnotherBiasUploadsTheReferenceNoSecondTime) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene);
+    const auto state = [&] {
+        FrameRequest request = small_request({.colour = false, .classified = true});
+        const FrameResult f = render_with_reference(renderer, scene, s, request, cache, workers, ReferenceOptions{});
+        return f.pass("reference uploaded")->state;
+    };
+    EXPECT_EQ(state(), PassState::Drawn);
+    s.bias.constant += 1;
+    EXPECT_EQ(state(), PassState::Cached);
+    s.lights[0].azimuth += 10;
+    EXPECT_EQ(state(), PassState::Drawn) << "another light has another reference";
+}
+
 SI_TEST_IS(Repeated, SourcesTest, OnlyShadowMapsDrawMaps);
 // For each source visibility lies in [0,1] at every pixel. Maps are drawn only for the source "map", and the plan
 // gives the reason.
