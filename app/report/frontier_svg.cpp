@@ -57,7 +57,8 @@ std::string ink_rules(bool dark) {
     std::string out;
     for (std::size_t i = 0; i < kPlotInks; ++i) {
         const std::string ink = ink_class(PlotInk(i)), c = colour(PlotInk(i));
-        out += fmt::format("#frontier-picture .{}{{fill:{}}}#frontier-picture .l.{}{{fill:none;stroke:{}}}", ink, c, ink, c);
+        out += fmt::format("#frontier-picture .{}{{fill:{}}}#frontier-picture .l.{}{{fill:none;stroke:{}}}", ink, c,
+                           ink, c);
     }
     return out + fmt::format("#frontier-picture .h{{stroke:{}}}", colour(PlotInk::Paper));
 }
@@ -76,6 +77,14 @@ std::string hover_of(const PlotPlace& place, const PlotCase& c, const FrontierPl
 
 }  // namespace
 
+std::string frontier_svg_style(bool in_page) {
+    return fmt::format(
+        "{}#frontier-picture .h{{paint-order:stroke;stroke-width:3;stroke-linejoin:round}}"
+        "#frontier-picture .w{{visibility:hidden}}#frontier-picture .case:hover .w{{visibility:visible}}"
+        "{}@media screen and (prefers-color-scheme:dark){{{}}}",
+        ink_rules(false), in_page ? "" : "#frontier-picture text{cursor:default}", ink_rules(true));
+}
+
 std::string frontier_svg(const FrontierDrawing& d, const FrontierPlot& plot, const FrontierSvgOptions& options) {
     const std::string size = options.in_page ? ""
                                              : fmt::format(
@@ -83,13 +92,11 @@ std::string frontier_svg(const FrontierDrawing& d, const FrontierPlot& plot, con
                                                    "width=\"{}\" height=\"{}\" ",
                                                    decimal(std::ceil(d.width)), decimal(std::ceil(d.height)));
     std::string out = fmt::format(
-        "<svg id=\"frontier-picture\" {}viewBox=\"0 0 {} {}\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
-        "role=\"img\">\n<title>{}</title>\n<style>{}#frontier-picture "
-        ".h{{paint-order:stroke;stroke-width:3;stroke-linejoin:round}}"
-        "#frontier-picture .w{{visibility:hidden}}#frontier-picture .case:hover .w{{visibility:visible}}"
-        "{}@media screen and (prefers-color-scheme:dark){{{}}}</style>\n",
+        "<svg id=\"frontier-picture\" {}viewBox=\"0 0 {} {}\" font-family=\"Helvetica, Arial, 'Liberation Sans', "
+        "sans-serif\" "
+        "role=\"img\">\n<title>{}</title>\n<style>{}</style>\n",
         size, decimal(std::ceil(d.width)), decimal(std::ceil(d.height)), xml_text(knee_sentence(plot)),
-        ink_rules(false), options.in_page ? "" : "#frontier-picture text{cursor:default}", ink_rules(true));
+        frontier_svg_style(options.in_page));
     if (!options.in_page)
         out += fmt::format("<rect class=\"{}\" width=\"100%\" height=\"100%\"/>\n", ink_class(PlotInk::Paper));
     for (const PlotMark& m : d.marks) out += svg_mark(m);

@@ -16,6 +16,8 @@ struct FrontierSvgOptions {
     std::function<std::size_t(std::size_t)> number = {};
 };
 
+/// Returns the text of the style element in a frontier plot: the same for all plots.
+std::string frontier_svg_style(bool in_page);
 /// Formats a drawing of the frontier as self-contained SVG without external fonts, scripts or files. Equal drawings
 /// give equal bytes. Whiskers and names of cases show under the mouse.
 std::string frontier_svg(const FrontierDrawing& drawing, const FrontierPlot& plot,

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace si {
 
@@ -16,8 +17,10 @@ std::string replaced_mark(std::string text, std::string_view mark, std::string_v
 std::string data_uri(std::string_view bytes, const char* type);
 
 /// Makes a page without scripts (assets/report/still.html) whose Content-Security-Policy allows embedded pictures and
-/// its own style sheet, named by hash.
+/// style sheets named by hash: its own, and those of style elements in the body.
 /// @param title text of the title, escaped here @param body HTML of the page, in which all foreign text is escaped
-std::string still_page(const std::string& title, const std::string& body);
+/// @param body_styles whole texts of the body's style elements
+std::string still_page(const std::string& title, const std::string& body,
+                       const std::vector<std::string>& body_styles = {});
 
 }  // namespace si

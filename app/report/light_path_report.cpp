@@ -174,7 +174,6 @@ std::string light_path_html(const LightPathReport& report) {
                   .x_label = is_day(report) ? "solar time, hours" : "step of the path",
                   .y_label = {},
                   .points = {},
-                  .line = true,
                   .x_whole = !is_day(report),
                   .x_from_zero = !is_day(report),
                   .mark = worst};

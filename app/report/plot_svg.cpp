@@ -11,7 +11,6 @@ namespace si {
 namespace {
 
 constexpr double kWidth = 720, kHeight = 300, kLeft = 76, kRight = 18, kTop = 14, kBottom = 46;
-constexpr double kLetter = 7;  ///< mean width of a letter, units of the picture
 
 /// Linear axis from values to places in the picture.
 struct Axis {
@@ -26,14 +25,6 @@ Axis axis_over(double least, double most, double begin, double end) {
 
 bool is_shown(const PlotPoint& p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
-}
-
-/// Formats the label of a point on the side where it has room.
-std::string point_label(const PlotPoint& p, double x, double y) {
-    if (p.label.empty()) return {};
-    const bool left = x + 10 + kLetter * double(p.label.size()) > kWidth - kRight;
-    return fmt::format("<text class=\"label{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", left ? " end" : "",
-                       left ? x - 9 : x + 9, std::max(y - 7, kTop + 8), xml_text(p.label));
 }
 
 }  // namespace
@@ -58,8 +49,7 @@ std::string plot_svg(const Plot& plot) {
         y1 = std::max(y1, p.y);
     }
     if (!(x1 >= x0)) return "<p>Nothing was measured.</p>\n";
-    const double room = plot.line ? 1 : 1.08;
-    const Axis x = axis_over(x0, x1 * (plot.x_from_zero ? room : 1), kLeft, kWidth - kRight);
+    const Axis x = axis_over(x0, x1, kLeft, kWidth - kRight);
     const Axis y = axis_over(0, y1 * 1.08, kHeight - kBottom, kTop);
     std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">\n", kWidth, kHeight,
                                   xml_text(plot.title));
@@ -79,21 +69,17 @@ std::string plot_svg(const Plot& plot) {
                        kHeight - 8, xml_text(plot.x_label));
     svg += fmt::format("<text class=\"middle\" transform=\"translate(16 {:.1f}) rotate(-90)\">{}</text>\n",
                        0.5 * (kTop + kHeight - kBottom), xml_text(plot.y_label));
-    std::string line, dots, labels;
+    std::string line, dots;
     for (std::size_t i = 0; i < plot.points.size(); ++i) {
         const PlotPoint& p = plot.points[i];
         if (!is_shown(p)) continue;
         const double px = x.place(p.x), py = y.place(p.y);
         line += fmt::format("{}{:.1f},{:.1f}", line.empty() ? "" : " ", px, py);
-        labels += point_label(p, px, py);
-        const char* const kind = plot.mark == i ? "worst" : p.beaten ? "point beaten" : "point";
-        dots += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>\n", kind, px, py,
-                            plot.mark == i ? 6
-                            : plot.line    ? 2.5
-                                           : 5);
+        const bool marked = plot.mark == i;
+        dots += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>\n", marked ? "worst" : "point",
+                            px, py, marked ? 6 : 2.5);
     }
-    if (plot.line) svg += "<polyline class=\"curve\" points=\"" + line + "\"/>\n";
-    return svg + dots + labels + "</svg>\n";
+    return svg + "<polyline class=\"curve\" points=\"" + line + "\"/>\n" + dots + "</svg>\n";
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Small plots for pages without scripts: points or a line over two linear axes, as inline SVG.
+// Small plots for pages without scripts: a line over two linear axes, as inline SVG.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,13 @@ namespace si {
 /// Point of a plot. A value that is not finite leaves the point out.
 struct PlotPoint {
     double x = 0, y = 0;
-    std::string label = {};  ///< text beside the point, from anywhere; empty: none
-    bool beaten = false;     ///< drawn in grey
 };
 
 /// Data of a plot.
 struct Plot {
     std::string title;                ///< text for readers who cannot see the picture
     std::string x_label, y_label;     ///< names of the axes with their units
-    std::vector<PlotPoint> points;    ///< in order of x for a line
-    bool line = false;                ///< joins the points
+    std::vector<PlotPoint> points;    ///< in order of x
     bool x_whole = false;             ///< values across are whole numbers, such as steps
     bool x_from_zero = true;          ///< the axis across begins at 0; else at the least x
     std::optional<std::size_t> mark;  ///< index of the point that stands out

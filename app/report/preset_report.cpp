@@ -80,6 +80,30 @@ private:
     std::shared_ptr<const ReferenceScene> casters_;
 };
 
+/// Times all subjects and the base of costs in turns.
+/// @param step receives the share done, 0..1, an upper bound of the work
+void time_subjects(Measurer& measurer, Scene& scene, PresetReport& report, const std::stop_token& stop,
+                   const std::function<void(double)>& step) {
+    std::vector<Settings> timed;
+    for (const ReportSubject& subject : report.subjects) timed.push_back(subject.settings);
+    timed.push_back(timed.front());
+    set_settings(timed.back(), base_of_costs());
+    constexpr double kUsualTurns = 4;
+    double bursts = 0;
+    const std::vector<TurnTimes> times = time_in_turns(timed.size(), [&](std::size_t i, TurnTimes& to) {
+        step(std::min(bursts++ / (kUsualTurns * double(timed.size())), 0.99));
+        hide_objects(scene, hidden_paths(timed[i]));
+        to.shadow.add(time_shadow(measurer, scene, timed[i], kBurstPairs, report.cost, &to.frames, stop));
+    });
+    report.base = summarise_shadow(times.back().shadow);
+    for (std::size_t i = 0; i < report.cases.size(); ++i) {
+        report.cases[i].time = summarise_times(times[i].frames);
+        report.cases[i].shadow = summarise_shadow(times[i].shadow);
+        report.cases[i].shadow.of_base = time_ratio(report.cases[i].shadow.moving_ms, report.base->moving_ms);
+    }
+    report.clock = times.front().frames.clock;
+}
+
 }  // namespace
 
 ReportSubject preset_subject(const Scene& scene, const Settings& shown, const SessionOptions& options,
@@ -110,18 +134,17 @@ PresetReport measure_report(Renderer& renderer, Scene scene, const std::string& 
     report.renderer = renderer.driver().renderer;
     report.subjects = std::move(subjects);
     Measurer measurer(renderer, size.x, size.y, workers);
-    const double count = double(report.subjects.size());
+    const double count = double(report.subjects.size()), measured = options.time ? 0.5 : 1;
     for (const ReportSubject& subject : report.subjects) {
         const auto step = [&](double share, const char* what) {
             if (workers.stop.stop_requested()) throw Cancelled();
-            progress((double(report.cases.size()) + share) / count, fmt::format("{}: {}", subject.name, what));
+            progress(measured * (double(report.cases.size()) + share) / count,
+                     fmt::format("{}: {}", subject.name, what));
         };
         hide_objects(scene, hidden_paths(subject.settings));
         ReportedCase reported;
         step(0, "error");
         reported.classified = measurer.classify(scene, subject.settings);
-        step(0.4, "time");
-        if (options.time) reported.time = measurer.time(scene, subject.settings, options.cost);
         reported.pixels = pixels_to_diagnose(reported.classified, options);
         if (!reported.pixels.empty()) {
             PixelReporter reporter(renderer, scene, subject.settings, size, workers);
@@ -130,9 +153,11 @@ PresetReport measure_report(Renderer& renderer, Scene scene, const std::string& 
                 reporter.diagnose(pixel);
             }
         }
-        if (reported.time) report.clock = reported.time->clock;
         report.cases.push_back(std::move(reported));
     }
+    if (options.time)
+        time_subjects(measurer, scene, report, workers.stop,
+                      [&](double share) { progress(measured + (1 - measured) * share, "times, in turns"); });
     return report;
 }
 

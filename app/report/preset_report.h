@@ -9,6 +9,7 @@
 
 #include "app/session/session.h"
 #include "renderer/measure/measure.h"
+#include "renderer/measure/shadow_time.h"
 
 namespace si {
 
@@ -39,7 +40,8 @@ struct ReportedPixel {
 /// Measurements of one subject.
 struct ReportedCase {
     Classification classified;
-    std::optional<TimeMeasurement> time;
+    std::optional<TimeMeasurement> time;  ///< of whole frames
+    ShadowTime shadow = {};               ///< time of the shadows; known where `time` is
     std::vector<ReportedPixel> pixels;
 };
 
@@ -60,9 +62,11 @@ struct PresetReport {
     std::string renderer, clock;
     std::vector<ReportSubject> subjects;
     std::vector<ReportedCase> cases;  ///< one a subject
+    std::optional<ShadowTime> base;   ///< of base_of_costs(), timed in the same turns; nullopt: nothing was timed
 };
 
-/// Measures the subjects one after the other: error, time, pictures, and diagnoses of pixels under view.light.
+/// Measures error, pictures, and diagnoses of pixels under view.light, one subject after the other. Then times all of
+/// them and the base of costs in turns, so that a change of the machine's speed meets all alike.
 /// @param scene posed for all subjects; objects that a subject hides are hidden for it alone
 /// @param progress receives the share done, 0..1, and the present step @throws Cancelled, Error
 PresetReport measure_report(Renderer& renderer, Scene scene, const std::string& scene_name,

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "app/base/output.h"
+#include "app/report/frontier_svg.h"
 #include "app/report/html_page.h"
-#include "app/report/plot_svg.h"
 #include "app/report/preset_report.h"
 #include "app/report/xml_text.h"
 #include "app/session/preset_diff.h"
@@ -14,6 +14,8 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/frontier.h"
 #include "renderer/reference/artefact_picture.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -48,12 +50,52 @@ std::string number_row(const std::string& label, const std::string& help, const 
     return row + "</tr>\n";
 }
 
+/// Returns the name of the base of costs: "Hard (nearest), 1024²".
+std::string base_name() {
+    Settings base;
+    set_settings(base, base_of_costs());
+    return fmt::format("{}, {}²", filter_of(base).label, base.map.resolution);
+}
+
 /// Returns a value of each case. @param of function of a ReportedCase
 template <class Of>
 auto each_case(const PresetReport& report, const Of& of) {
     std::vector<decltype(of(report.cases.front()))> out;
     for (const ReportedCase& c : report.cases) out.push_back(of(c));
     return out;
+}
+
+/// Formats the rows of the shadows' times: under a moving and a still light, and as multiples of the base.
+std::string shadow_time_rows(const PresetReport& report) {
+    const auto row = [&](const char* label, const char* help, Spread ShadowTime::*of) {
+        std::vector<std::string> texts;
+        std::vector<double> times;
+        for (const ReportedCase& c : report.cases) {
+            const Spread& t = c.shadow.*of;
+            const std::string unit(time_unit(report.clock));
+            const bool bound = below_noise(t);
+            texts.push_back(bound ? fmt::format("< {} {}", digits_text(time_or_bound(t)), unit)
+                                  : fmt::format("{} {} ({} to {})", digits_text(t.median), unit,
+                                                digits_text(t.median_low), digits_text(t.median_high)));
+            times.push_back(bound ? std::numeric_limits<double>::quiet_NaN() : t.median);
+        }
+        return number_row(label, help, texts, times, false);
+    };
+    std::string html =
+        row("Time of the shadows, the light moves",
+            "A frame in which this light moves minus the same frame without shadows: median, with its 95 % interval",
+            &ShadowTime::moving_ms);
+    std::vector<std::string> texts;
+    std::vector<double> multiples;
+    for (const ReportedCase& c : report.cases) {
+        texts.push_back(std::isnan(c.shadow.of_base) ? "–" : fmt::format("{:.2f} ×", c.shadow.of_base));
+        multiples.push_back(c.shadow.of_base);
+    }
+    html +=
+        number_row(fmt::format("As a multiple of {}", base_name()), "Timed in the same turns", texts, multiples, true);
+    return html + row("Time of the shadows, the light is still",
+                      "A frame in which the camera moves and maps are kept, minus the same frame without shadows",
+                      &ShadowTime::still_ms);
 }
 
 std::string number_table(const PresetReport& report) {
@@ -88,6 +130,7 @@ std::string number_table(const PresetReport& report) {
                            std::vector<double>(pixels.begin(), pixels.end()), false);
     }
     if (!report.clock.empty()) {
+        html += shadow_time_rows(report);
         std::vector<std::string> texts;
         std::vector<double> medians;
         for (const ReportedCase& c : report.cases) {
@@ -106,24 +149,42 @@ std::string number_table(const PresetReport& report) {
     return html + "</tbody></table></div>\n";
 }
 
-std::string frontier_part(const PresetReport& report) {
-    if (report.clock.empty()) return {};
-    Plot plot{.title = "Error over time of each preset",
-              .x_label = fmt::format("time of a frame {}, {}", cost_row(report.cost).when, time_unit(report.clock)),
-              .y_label = "mean error of visibility"};
-    std::vector<Dot> dots;
-    for (const ReportedCase& c : report.cases)
-        dots.push_back({.cost = c.time->total_ms.median,
-                        .error = c.classified.error.mae,
-                        .cost_noise = c.time->total_ms.noise(),
-                        .error_noise = 0});
-    const std::vector<bool> on = frontier(dots);
-    std::string names;
-    for (std::size_t i = 0; i < dots.size(); ++i) {
-        plot.points.push_back({dots[i].cost, dots[i].error, report.subjects[i].name, !on[i]});
-        if (on[i]) names += (names.empty() ? "" : ", ") + report.subjects[i].name;
+FrontierPlot plot_of_presets(const PresetReport& report) {
+    FrontierPlot plot{.cases = {},
+                      .spots = {},
+                      .forced = {},
+                      .cost_title = "time of the shadows in a frame in which the light moves",
+                      .error_title = "mean error of visibility",
+                      .cost_unit = std::string(time_unit(report.clock)),
+                      .base_cost = {},
+                      .base_name = base_name(),
+                      .whole = true};
+    for (std::size_t i = 0; i < report.cases.size(); ++i) {
+        const ShadowTime& time = report.cases[i].shadow;
+        const double error = report.cases[i].classified.error.mae;
+        plot.cases.push_back({.of = i,
+                              .line = report.subjects[i].name,
+                              .place = {},
+                              .family = int(i) % kPlotFamilies,
+                              .dot = {.cost = time_or_bound(time.moving_ms),
+                                      .error = error,
+                                      .cost_noise = time.moving_ms.noise(),
+                                      .error_noise = 0},
+                              .bound = below_noise(time.moving_ms)});
+        if (time.forced_ms) plot.forced.push_back({.cost = time_or_bound(*time.forced_ms), .error = error});
     }
-    return "<section>\n<h2>Error over time</h2>\n<figure class=\"plot\">\n" + plot_svg(plot) +
+    if (!below_noise(report.base->moving_ms)) plot.base_cost = report.base->moving_ms.median;
+    return plot;
+}
+
+std::string frontier_part(const PresetReport& report) {
+    if (!report.base) return {};
+    const FrontierPlot plot = plot_of_presets(report);
+    const std::vector<bool> on = frontier(dots_of(plot));
+    std::string names;
+    for (std::size_t i = 0; i < on.size(); ++i)
+        if (on[i]) names += (names.empty() ? "" : ", ") + report.subjects[i].name;
+    return "<section>\n<h2>Error over time</h2>\n<figure class=\"plot\">\n" + frontier_svg(plot, {.in_page = true}) +
            fmt::format(
                "<figcaption>No other preset here beats in both, beyond noise: {}. Clock: {}; {}.</figcaption>\n",
                xml_text(names), xml_text(report.clock), xml_text(report.renderer)) +
@@ -261,7 +322,7 @@ std::string preset_report_html(const PresetReport& report) {
     body += "</header>\n<main>\n" + frontier_part(report) + "<section>\n<h2>Numbers</h2>\n" + number_table(report) +
             "</section>\n" + difference_part(report);
     for (std::size_t i = 0; i < report.cases.size(); ++i) body += case_part(report, i);
-    return still_page(title, body + command_part(report) + "</main>");
+    return still_page(title, body + command_part(report) + "</main>", {frontier_svg_style(true)});
 }
 
 }  // namespace si

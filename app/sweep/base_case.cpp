@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "renderer/measure/shadow_time.h"
 #include "renderer/settings/param.h"
 
 namespace si {
 
 SweepCase base_case(const Settings& common) {
-    SweepCase base{.values = {{"filter.kernel", "hard"}, {"map.resolution", "1024"}}, .starts = {}, .settings = common};
+    SweepCase base{.values = base_of_costs(), .starts = {}, .settings = common};
     set_settings(base.settings, base.values);
     base.id = "filter.kernel=hard map.resolution=1024";
     return base;

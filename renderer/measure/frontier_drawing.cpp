@@ -269,8 +269,8 @@ private:
         return box_.hi.y + small_ * (page_.titles ? 3.0 : 1.5);
     }
 
-    /// Returns true for points within the axes: they end some way beyond the front.
-    bool inside(const Dot& d) const { return d.cost <= most_cost_ && d.error <= most_error_; }
+    /// Returns true for points within the axes.
+    bool inside(const Dot& d) const { return plot_.whole || (d.cost <= most_cost_ && d.error <= most_error_); }
 
     void draw_axes() {
         const int across = std::max(2, int((box_.hi.x - box_.lo.x) / (5.5 * page_.em)));
@@ -313,6 +313,7 @@ private:
             if (!path.empty()) path.push_back({p.x, path.back().y});
             path.push_back(p);
         }
+        if (path.size() < 2) return;
         line(PlotInk::Muted, path, 1.2, true, 0.6);
         words(PlotInk::Muted, path.back() + dvec2(4, -4), "all forced", small_);
         taken_.push_back({path.back() + dvec2(2, -4 - small_), path.back() + dvec2(60, 0)});

@@ -49,6 +49,7 @@ struct FrontierPlot {
     bool bytes = false;               ///< costs are bytes
     std::optional<double> base_cost;  ///< cost of the base of multiples; nullopt: unknown or within noise
     std::string base_name;            ///< "Hard (nearest), 1024²"
+    bool whole = false;               ///< the axes hold all cases; else they end some way beyond the front
 };
 
 /// Role of a mark in a frontier plot; the mark's colour follows from the role.

@@ -10,7 +10,7 @@ namespace si {
 namespace {
 
 constexpr double kSettledShare = 0.05, kSettledOfFrame = 0.02;
-constexpr int kMaxBursts = 8, kBurstPairs = 3;
+constexpr int kMaxTurns = 8;
 
 int source_without_shadows() {
     const auto rows = sources();
@@ -18,6 +18,12 @@ int source_without_shadows() {
 }
 
 }  // namespace
+
+const std::vector<std::pair<std::string, std::string>>& base_of_costs() {
+    static const std::vector<std::pair<std::string, std::string>> base = {{"filter.kernel", "hard"},
+                                                                          {"map.resolution", "1024"}};
+    return base;
+}
 
 Settings without_shadows(Settings settings) {
     const int none = source_without_shadows();
@@ -123,15 +129,27 @@ ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings
     return samples;
 }
 
+std::vector<TurnTimes> time_in_turns(std::size_t count, const std::function<void(std::size_t, TurnTimes&)>& burst) {
+    std::vector<TurnTimes> times(count);
+    const auto settled = [](const TurnTimes& t) {
+        return shadow_settled(t.shadow, lower_quantile(t.frames.total_ms, 0.5, 0));
+    };
+    for (int turn = 0; turn < kMaxTurns; ++turn) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = turn % 2 == 0 ? k : count - 1 - k;
+            burst(i, times[i]);
+        }
+        if (std::ranges::all_of(times, settled)) break;
+    }
+    return times;
+}
+
 ShadowTime measure_shadow_time(Measurer& measurer, const Scene& scene, const Settings& settings,
                                const std::stop_token& stop) {
-    ShadowSamples samples;
-    TimeSamples frames;
-    for (int burst = 0; burst < kMaxBursts; ++burst) {
-        samples.add(time_shadow(measurer, scene, settings, kBurstPairs, kFrontierCost, &frames, stop));
-        if (shadow_settled(samples, lower_quantile(frames.total_ms, 0.5, 0))) break;
-    }
-    return summarise_shadow(samples);
+    const std::vector<TurnTimes> times = time_in_turns(1, [&](std::size_t, TurnTimes& to) {
+        to.shadow.add(time_shadow(measurer, scene, settings, kBurstPairs, kFrontierCost, &to.frames, stop));
+    });
+    return summarise_shadow(times.front().shadow);
 }
 
 }  // namespace si

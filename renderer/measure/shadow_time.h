@@ -6,18 +6,23 @@
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/measure/frame_costs.h"
 #include "renderer/measure/frontier.h"
+#include "renderer/measure/time_sampler.h"
 
 namespace si {
 
 class Measurer;
-struct TimeSamples;
 
 /// Kind of frames whose shadow time is the cost axis of the frontier: the light moves, so that its maps are drawn.
 inline constexpr CostCase kFrontierCost = CostCase::Light;
+
+/// Returns the settings, as keys with values, of the base of all multiples of costs: the hard kernel, 1024 texels.
+const std::vector<std::pair<std::string, std::string>>& base_of_costs();
 
 /// Returns the settings of the same frame without shadows: every light has the source "none". Shading stays.
 Settings without_shadows(Settings settings);
@@ -68,6 +73,20 @@ std::vector<double> differences(const std::vector<double>& a, const std::vector<
 /// @param frames receives the frames with shadows of the kind `cost`; null: not wanted @throws Error, Cancelled
 ShadowSamples time_shadow(Measurer& measurer, const Scene& scene, const Settings& settings, int pairs, CostCase cost,
                           TimeSamples* frames, const std::stop_token& stop = {});
+
+/// Times of one of several settings that are measured in turns.
+struct TurnTimes {
+    ShadowSamples shadow;
+    TimeSamples frames;  ///< frames with shadows
+};
+
+/// Measures several settings in turns, until all have settled or after 8 turns. Every other turn goes in reversed
+/// order.
+/// @param burst a function that adds a burst of pairs to the times of the settings of an index
+std::vector<TurnTimes> time_in_turns(std::size_t count, const std::function<void(std::size_t, TurnTimes&)>& burst);
+
+/// Number of pairs in a burst of time_in_turns().
+inline constexpr int kBurstPairs = 3;
 
 /// Measures the shadow time of one set of settings in bursts, until it has settled or after 8 of them.
 /// @throws Error, Cancelled

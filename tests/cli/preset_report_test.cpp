@@ -76,13 +76,30 @@ TEST(PresetReport, CommandsReproduceWhatThePageShows) {
     EXPECT_NE(html.find("map.resolution: 256"), std::string::npos) << "differences of settings";
 }
 
+// The plot is the one of sweeps. The times of the shadows stand in the table, as multiples of one base.
+TEST(PresetReport, ShowsTheTimeOfTheShadows) {
+    const fs::path folder = fresh_test_folder();
+    const ProcessResult r =
+        run_program(Words("report boxes --preset acne --preset tent --size 96x64 --pixel 48,40 -o r.html"), folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const std::string html = file_bytes(folder / "r.html");
+    const std::size_t plot = html.find("<svg id=\"frontier-picture\"");
+    ASSERT_NE(plot, html.npos);
+    std::size_t cases = 0;
+    for (std::size_t at = plot; (at = html.find("class=\"case\"", at)) != html.npos; ++at) ++cases;
+    EXPECT_EQ(cases, 2u);
+    for (const char* row : {"Time of the shadows, the light moves", "As a multiple of Hard (nearest), 1024\u00b2",
+                            "Time of the shadows, the light is still"})
+        EXPECT_NE(html.find(row), html.npos) << row;
+}
+
 TEST(PresetReport, HostileNamesStayTexts) {
     const fs::path folder = fresh_test_folder();
     const std::string name = std::string(kHostile) + ".json";
     write_preset(folder / name, "</title><script>alert(2)</script>\u202e", R"({"map.resolution":256})");
     write_preset(folder / "plain.json", kHostile, R"({"map.resolution":512})");
     const ProcessResult r = run_program(Words{"report", "boxes", "--preset", name, "--preset", "plain.json", "--size",
-                                              "96x64", "--pixel", "48,40", "--no-time", "-o", "r.html"},
+                                              "96x64", "--pixel", "48,40", "-o", "r.html"},
                                         folder);
     ASSERT_EQ(r.code, 0) << r.err;
     const std::string html = file_bytes(folder / "r.html");

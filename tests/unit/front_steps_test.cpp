@@ -9,6 +9,8 @@
 
 #include "renderer/measure/frontier_drawing.h"
 #include "renderer/measure/shadow_time.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -216,6 +218,20 @@ TEST(FrontierDrawing, AxesEndBeyondTheFront) {
     EXPECT_EQ(drawing.cases.size(), plot.cases.size() - 1);
     EXPECT_TRUE(
         std::ranges::any_of(drawing.marks, [](const PlotMark& m) { return m.text == "1 case beyond the axes"; }));
+    plot.whole = true;
+    EXPECT_EQ(frontier_drawing(plot, {}).cases.size(), plot.cases.size());
+}
+
+TEST(FrontierDrawing, ALineOfForcedFramesHasTwoPoints) {
+    const auto named = [](const FrontierPlot& plot) {
+        return std::ranges::any_of(frontier_drawing(plot, {}).marks,
+                                   [](const PlotMark& m) { return m.text == "all forced"; });
+    };
+    FrontierPlot plot = three_kernels();
+    plot.forced = {{.cost = 4, .error = 0.02}};
+    EXPECT_FALSE(named(plot)) << "a name without a line points at nothing";
+    plot.forced.push_back({.cost = 6, .error = 0.01});
+    EXPECT_TRUE(named(plot));
 }
 
 TEST(FrontierDrawing, EmptyPlotsAndSinglesAreDrawn) {
@@ -241,6 +257,42 @@ TEST(ShadowTime, IsTheDifferenceOfAlternatingFrames) {
     const std::vector<double> shadow = differences(ms[0], ms[1]);
     EXPECT_EQ(shadow, (std::vector<double>{4, 6, 4, 6})) << "drift falls on both orders alike";
     EXPECT_DOUBLE_EQ(spread_of_differences(shadow).median, 5);
+}
+
+TEST(ShadowTime, SettingsAreTimedInTurnsUntilAllHaveSettled) {
+    // The first settles after kMinBursts bursts, the second after five.
+    std::vector<std::size_t> order;
+    std::vector<int> bursts(2);
+    const std::vector<TurnTimes> times = time_in_turns(2, [&](std::size_t i, TurnTimes& to) {
+        order.push_back(i);
+        const double far = i == 1 && ++bursts[1] < 5 ? 8 : 0;
+        ShadowSamples burst{
+            .moving_ms = {10 - far, 10, 10 + far}, .still_ms = {1, 1, 1}, .forced_more_ms = {}, .bursts = {}};
+        if (far == 0 && i == 1)
+            for (int more = 0; more < 40; ++more) burst.moving_ms.push_back(10);
+        to.shadow.add(burst);
+        to.frames.total_ms.insert(to.frames.total_ms.end(), 3, 20);
+    });
+    ASSERT_GE(order.size(), 8u);
+    EXPECT_EQ(std::vector<std::size_t>(order.begin(), order.begin() + 8),
+              (std::vector<std::size_t>{0, 1, 1, 0, 0, 1, 1, 0}));
+    EXPECT_LT(order.size(), 16u) << "ends before the last turn";
+    EXPECT_EQ(times[0].shadow.moving_ms.size(), times[0].frames.total_ms.size());
+    // Times that never settle end after eight turns.
+    int turns = 0;
+    time_in_turns(1, [&](std::size_t, TurnTimes& to) {
+        to.shadow.add({.moving_ms = {turns % 2 ? 1.0 : 100.0}, .still_ms = {0}, .forced_more_ms = {}, .bursts = {}});
+        to.frames.total_ms.push_back(20);
+        ++turns;
+    });
+    EXPECT_EQ(turns, 8);
+}
+
+TEST(ShadowTime, TheBaseIsTheHardKernelAt1024Texels) {
+    Settings s;
+    set_settings(s, base_of_costs());
+    EXPECT_EQ(filter_of(s).key, "hard");
+    EXPECT_EQ(s.map.resolution, 1024);
 }
 
 TEST(ShadowTime, BelowItsNoiseItIsABound) {
