@@ -330,7 +330,7 @@ void start_editor(const EditOptions& o) {
     require_distinct(e.screenshot, "--screenshot", e.report, "--report");
     require_no_input(std::vector{e.screenshot, e.report},
                      std::vector<std::filesystem::path>{o.session.scene, o.session.preset});
-    tab_named(e.tab);
+    page_named(e.tab);
     if (!o.probe.empty()) std::tie(e.probe_x, e.probe_y) = parse_pixel(o.probe, o.size, "--probe");
     e.session = o.session;
     e.welcome = o.session.scene.empty() && o.session.preset.empty() && e.sweep.empty() && e.tab.empty();
@@ -355,8 +355,8 @@ EditOptions& add_edit(CLI::App& app, Run& run) {
     c.add_value("--probe", c.options.probe, "X,Y", "Probe this pixel of the scene's picture at the start");
     c.app().add_option(
         "--tab", o.tab,
-        "The tab in front at the start: effects, probe, error, objects, compare, frontier, improve, lab, "
-        "numbers or log");
+        "The tab in front at the start: settings, objects, lights, pixel (or probe), improve, error, frontier, "
+        "effects, compare, imported, lab, numbers or log");
     c.add_value("--theme", o.theme, "T", "dark or light (default: the theme chosen last)")
         ->check(one_of({"dark", "light"}));
     c.add_value("--sweep", o.sweep, "DIR", "Show the sweep in this folder in the tab frontier");

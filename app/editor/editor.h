@@ -23,7 +23,7 @@ struct EditorOptions {
     bool size_given = false;         ///< true: `width` and `height` give the window's size; false: the last session's
     double scale = 0;  ///< scale of text and widgets; 0: from the monitor, or from the screenshot's height
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
-    std::string tab;                 ///< tab in front at the start; empty: effects
+    std::string tab;                 ///< page in front at the start; empty: settings
     std::string theme;               ///< dark or light; empty: as kept, or dark
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
     bool welcome = false;            ///< show the welcome at the first start
@@ -34,8 +34,8 @@ struct EditorOptions {
     std::optional<std::chrono::milliseconds> frame_patience;
 };
 
-/// Parses the name of a bottom tab, as --tab gives it ("probe"). @throws UsageError that lists the names
-BottomTab tab_named(const std::string& name);
+/// Parses the name of a page, as --tab gives it ("pixel"). @throws UsageError that lists the names
+Page page_named(const std::string& name);
 
 /// Runs the editor until its window is closed, or (headless) its screenshot is written. Returns remarks about the first
 /// scene. @throws Error without display or OpenGL 4.5, or when the screenshot's scene or an output file fails

@@ -29,12 +29,11 @@ double steady_seconds() {
 
 }  // namespace
 
-BottomTab tab_named(const std::string& name) {
+Page page_named(const std::string& name) {
     std::string names;
-    for (int i = 0; i < kBottomTabs; ++i) {
-        const std::string key = lower_ascii(kTabLabels[i]);
-        if (key == name || name.empty()) return BottomTab(i);
-        names += (names.empty() ? "" : ", ") + key;
+    for (const PageRow& row : kPageTable) {
+        if (name.empty() || row.key == name || row.other_key == name) return row.page;
+        names += (names.empty() ? "" : ", ") + std::string(row.key);
     }
     throw UsageError(fmt::format("--tab {}: it is one of {}", name, names));
 }
@@ -61,13 +60,13 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     if (!options.preset.empty()) state.files.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
-        state.window.open_tab = BottomTab::Probe;
+        state.window.open_page = Page::Pixel;
     }
-    if (!options.tab.empty()) state.window.open_tab = tab_named(options.tab);
+    if (!options.tab.empty()) state.window.open_page = page_named(options.tab);
     if (!options.sweep.empty()) {
         state.sweep.folder = options.sweep.string();
         work_.open_sweep(options.sweep);
-        state.window.open_tab = BottomTab::Frontier;
+        state.window.open_page = Page::Frontier;
     }
     presets_.start(std::move(plan), {});
 }

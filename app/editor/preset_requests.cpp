@@ -146,7 +146,7 @@ bool PresetRequestHandler::compare() {
     const auto compared = [&] { return comparison() ? std::optional(comparison()->with) : std::nullopt; };
     const std::optional<CompareWith> before = compared();
     const bool picture_comparison = state_.comparison.view != ComparisonView::Off && !state_.comparison.reference;
-    shows_comparison_ = scene && (state_.tab == BottomTab::Compare || picture_comparison);
+    shows_comparison_ = scene && (state_.shows(Page::Compare) || picture_comparison);
     if (shows_comparison_) load_comparison(*scene);
     return std::exchange(unsaved_, unsaved) != unsaved || before != compared();
 }

@@ -66,13 +66,13 @@ bool EditorReadBack::update(Renderer& renderer, const Scene& scene, const Pictur
         if (image) bytes += array_bytes(image->data);
     if (bytes != held_.bytes()) held_ = TrackedMemory("numbers read back", bytes);
     changed |= diagnosis_.update(facts_.probe.get(), probed, scene, state.settings, renderer.driver());
-    changed |= diagnosis_.update_sections(facts_.probe.get(), state.settings, state.tab == BottomTab::Probe);
+    changed |= diagnosis_.update_sections(facts_.probe.get(), state.settings, state.shows(Page::Pixel));
     return changed || probed;
 }
 
 bool EditorReadBack::update_lost(const Scene& scene, const PictureState& state, const FrameResult& result) {
     const int light = shown_light(state.settings);
-    if (state.tab != BottomTab::Objects || light < 0 || !is_due(lost_of_)) return false;
+    if (!state.shows(Page::Objects) || light < 0 || !is_due(lost_of_)) return false;
     facts_.lost_casters = lost_casters(scene, state.settings, result.lights[std::size_t(light)]);
     return !facts_.lost_casters.empty();
 }

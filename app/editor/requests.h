@@ -11,7 +11,7 @@ namespace si {
 /// Adds an error to the log and brings the log to the front.
 inline void report(EditorState& state, const std::string& error) {
     state.log.add(LogKind::Error, error);
-    state.window.open_tab = BottomTab::Log;
+    state.window.open_page = Page::Log;
 }
 
 /// Runs the work and reports what it throws. Returns true: the editor has to be drawn again.

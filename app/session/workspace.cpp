@@ -30,6 +30,7 @@ template <class Data, class Visit>
 void visit_members(Data& d, const Visit& visit) {
     visit("layout", "settings_width", d.layout.settings_width, 4, 400);
     visit("layout", "bottom_height", d.layout.bottom_height, 4, 400);
+    visit("layout", "strip_open", d.layout.strip_open);
     visit("layout", "map_share", d.layout.map_share, 0.05, 0.95);
     visit("layout", "map_height", d.layout.map_height, 0.05, 0.95);
     visit("layout", "map_inset", d.layout.map_inset, 4, 400);

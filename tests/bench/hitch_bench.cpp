@@ -197,15 +197,9 @@ void pin_and_change(Hands& h) {
     h.state().settings.bias.normal += 1;
 }
 /// Shows a tab as a click does.
-Tool::Step open_tab(BottomTab tab) {
-    return [tab](Hands& h) { h.state().window.open_tab = tab; };
+Tool::Step open_page(Page page) {
+    return [page](Hands& h) { h.state().window.open_page = page; };
 }
-
-constexpr std::pair<const char*, BottomTab> kTabs[] = {
-    {"effects", BottomTab::Effects}, {"probe", BottomTab::Probe},     {"error", BottomTab::Error},
-    {"objects", BottomTab::Objects}, {"compare", BottomTab::Compare}, {"frontier", BottomTab::Frontier},
-    {"improve", BottomTab::Improve}, {"lab", BottomTab::Lab},         {"numbers", BottomTab::Numbers},
-    {"log", BottomTab::Log}};
 
 std::vector<Tool> all_tools() {
     constexpr int kF11 = 300;  // as the window feeds it (GLFW)
@@ -252,10 +246,10 @@ std::vector<Tool> all_tools() {
         press_key("map_view", 'M'),
         press_key("scene_alone", kF11),
     };
-    for (const auto& [name, tab] : kTabs)
-        all.push_back({.name = fmt::format("tab_{}", name),
-                       .steps = {open_tab(tab)},
-                       .tab = tab == BottomTab::Effects ? "log" : ""});
+    for (const PageRow& row : kPageTable)
+        all.push_back({.name = fmt::format("tab_{}", row.key),
+                       .steps = {open_page(row.page)},
+                       .tab = row.page == Page::Settings ? "lights" : ""});
     return all;
 }
 
@@ -347,9 +341,9 @@ void editor_overhead(benchmark::State& state) {
     };
     for (auto _ : state) {
         Renderer alone;
-        for (const auto& [name, tab] : kTabs) {
-            hands.state().window.open_tab = tab;
-            hands.state().probe_pixel = tab == BottomTab::Probe ? std::optional(glm::ivec2(300, 200)) : std::nullopt;
+        for (const PageRow& row : kPageTable) {
+            hands.state().window.open_page = row.page;
+            hands.state().probe_pixel = row.page == Page::Pixel ? std::optional(glm::ivec2(300, 200)) : std::nullopt;
             hands.settle();
             idle.push_back(taken([&] { hands.frame(); }));
             std::vector<double> own;
@@ -365,7 +359,7 @@ void editor_overhead(benchmark::State& state) {
             }
             over.push_back(median(own));
             worst = std::max(worst, over.back());
-            state.counters[fmt::format("tab_{}_ms", name)] = over.back();
+            state.counters[fmt::format("tab_{}_ms", row.key)] = over.back();
         }
         state.SetIterationTime(median(over) / 1000);
     }

@@ -33,7 +33,7 @@ const std::string kGroupOfLight(sizeof(int), '\0');
 TEST(DiagnosisPanel, ShowsAFixOnlyOnceItWasTried) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.window.open_tab = BottomTab::Probe;
+    ui.state.window.open_page = Page::Pixel;
     ui.diagnoses = {acne_diagnosis()};
     ui.frames(5);
     ASSERT_TRUE(ui.last_requests.find_fixes) << "the search begins by itself";
@@ -51,7 +51,7 @@ TEST(DiagnosisPanel, ShowsAFixOnlyOnceItWasTried) {
     ui.fixes = {.running = {}, .table = &table, .pixel = ui.state.probe_pixel, .current = true};
     ui.frames(3);
     const Settings before = ui.state.settings;
-    ui.click(ui.find("Probe", kGroupOfLight, "Fix: least bias, slope"));
+    ui.click(ui.find("/pixel_", kGroupOfLight, "Fix: least bias, slope"));
     EXPECT_EQ(ui.state.settings.bias.slope, 4.5);
     ui.frames(3);
     EXPECT_EQ(ui.state.history.undo(), before);
@@ -61,7 +61,7 @@ TEST(DiagnosisPanel, ShowsAFixOnlyOnceItWasTried) {
     ui.state.settings = before;
     ui.frames(3);
     EXPECT_EQ(ui.lacking({"No fix among 1 changes that were tried"}), "");
-    EXPECT_FALSE(ui.find("Probe", kGroupOfLight, "Fix: least bias, slope"));
+    EXPECT_FALSE(ui.find("/pixel_", kGroupOfLight, "Fix: least bias, slope"));
 }
 
 TEST(SuggestedFixes, ShowLabelsAndTheirEquivalentBias) {
@@ -83,7 +83,7 @@ TEST(DiagnosisPanel, DrawsDuringReferenceTracingAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
-        ui.state.window.open_tab = BottomTab::Probe;
+        ui.state.window.open_page = Page::Pixel;
         ui.tracing_probe = true;
         ui.frames(4);
         ui.tracing_probe = false;
@@ -101,11 +101,14 @@ TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     ASSERT_TRUE(ui.last_requests.tune);
     EXPECT_FALSE(ui.last_requests.tune->max_error || ui.last_requests.tune->max_ms);
 
-    const auto limits = ui.find("/rows_", "bias", "Tune...");
-    ASSERT_TRUE(limits);
-    ui.state.tune = {{.bound_error = true, .bound_ms = true, .max_error = 0.02, .max_ms = 7}, true};
-    ui.click(*limits);
-    ui.click(ui.find("##Popup", "", "Search"));
+    ui.state.window.open_page = Page::Settings;
+    ui.frames(3);
+    ui.click(ui.find("/rows_", "bias", "Tune..."));
+    ui.frames(3);
+    static_cast<LimitFields&>(ui.state.improve) = {
+        .bound_error = true, .bound_ms = true, .max_error = 0.02, .max_ms = 7};
+    ui.state.improve.area = true;
+    ui.click(ui.find("found", "", "Tune"));
     ASSERT_TRUE(ui.last_requests.tune);
     EXPECT_EQ(ui.last_requests.tune->max_error, 0.02);
     EXPECT_EQ(ui.last_requests.tune->max_ms, 7);
@@ -114,8 +117,8 @@ TEST(TuneControls, ButtonsRequestAndCancelASearch) {
     ui.tuning = SearchProgress{"Normal offset: 2 texels", 0.4, 12};
     ui.frames(2);
     EXPECT_EQ(ui.lacking({"40 %, 12 s left"}), "");
-    EXPECT_FALSE(ui.find("/rows_", "bias", "Auto bias")) << "one search at a time";
-    ui.click(ui.find("/rows_", "bias", "Cancel"));
+    EXPECT_FALSE(ui.find("found", "", "Tune")) << "one search at a time";
+    ui.click(ui.find("found", "", "Cancel##tune"));
     EXPECT_TRUE(ui.last_requests.cancel_tune);
 }
 
@@ -127,7 +130,7 @@ TEST(TuneControls, SearchIsDisabledWithoutAMap) {
     for (const char* label : {"Auto bias", "Tune..."}) {
         ui.click(ui.find("/rows_", "bias", label));
         EXPECT_FALSE(ui.last_requests.tune) << label;
-        EXPECT_FALSE(ui.find("##Popup", "", "Search"));
+        EXPECT_TRUE(ui.state.shows(Page::Settings)) << label;
     }
 }
 
@@ -160,7 +163,7 @@ TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
         }
     ASSERT_TRUE(found);
     EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
-    state.window.open_tab = BottomTab::Probe;  // begins the search for a fix
+    state.window.open_page = Page::Pixel;  // begins the search for a fix
     editor.frames(3);
     editor.settle();
     const FixSearch search = editor.facts().pixel_fixes;

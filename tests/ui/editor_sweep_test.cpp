@@ -189,7 +189,7 @@ TEST(EditorSweep, SavedAndOpenedSweepIsTheSame) {
     EditorOptions options = boxes();
     options.sweep = folder / "out";
     Swept s(options);
-    EXPECT_EQ(s.state().tab, BottomTab::Frontier);
+    EXPECT_TRUE(s.state().shows(Page::Frontier));
     EXPECT_EQ(s.facts().cases.size(), 4u);
     EXPECT_EQ(s.facts().view.marks.size(), 4u);
     EXPECT_EQ(s.state().sweep.width, 64);

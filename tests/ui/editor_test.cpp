@@ -38,7 +38,7 @@ TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     const auto [width, height] = GetParam();
     HeadlessEditor editor(editor_options("boxes", {"view.overlay=depth-difference"}, {width, height}));
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
-    editor.model().state.window.open_tab = BottomTab::Probe;
+    editor.model().state.window.open_page = Page::Pixel;
     editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read at the mouse position
     editor.settle();
     const ByteImage picture = editor.picture();
@@ -152,7 +152,7 @@ TEST(Editor, UnreadableFileIsALineInTheLog) {
     EXPECT_EQ(state.log.lines().back().kind, LogKind::Error);
     EXPECT_NE(editor.last_line().find("broken_preset.json"), std::string::npos);
     editor.settle();
-    EXPECT_EQ(state.tab, BottomTab::Log);
+    EXPECT_TRUE(state.shows(Page::Log));
     EXPECT_EQ(state.settings, before);
     EXPECT_EQ(state.scene_name, "boxes");
     ASSERT_TRUE(editor.facts().result) << "the editor goes on with the scene it had";
@@ -189,7 +189,7 @@ TEST(Editor, ProbeMarksItsTexelInTheMap) {
     ASSERT_TRUE(facts.probe);
     EXPECT_TRUE(facts.probe->hit);
     ASSERT_EQ(facts.probe->lights.size(), 1u);
-    EXPECT_EQ(editor.state().tab, BottomTab::Probe);
+    EXPECT_TRUE(editor.state().shows(Page::Pixel));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ const std::vector<Effect>& made_up_effects() {
 
 TEST(EffectsPanel, ShowsStateReasonAndSavingOfEachEffect) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     ui.effects.effects = made_up_effects();
     EXPECT_TRUE(ui.frames(4).want_effects);
     EXPECT_EQ(ui.lacking({"drawn", "not needed", "cached", "shadow map 0", "It casts.", "light.7.cast is off."}), "");
@@ -56,7 +56,7 @@ TEST(EffectsPanel, ShowsStateReasonAndSavingOfEachEffect) {
 
 TEST(EffectsPanel, FoldsWhatNothingNeedsIntoOneLine) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     ui.effects.effects = made_up_effects();
     ui.frames(4);
     EXPECT_EQ(ui.lacking({"It casts.", "Kept.", "light.7.cast is off.", "1 more: nothing needs it"}), "");
@@ -74,10 +74,10 @@ TEST(EffectsPanel, FoldsWhatNothingNeedsIntoOneLine) {
 
 TEST(EffectsPanel, OneBoxRunsEverything) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     ui.effects.effects = made_up_effects();
     ui.frames(4);
-    ui.click(ui.find("Effects_", "", "Run everything###force savings"));
+    ui.click(ui.find("effects_", "", "Run everything###force savings"));
     ui.frames(2);
     ui.click(ui.find("##Popup", "", "Everything"));
     for (std::size_t i = 0; i < kOptimisations; ++i)
@@ -90,7 +90,7 @@ TEST(EffectsPanel, OneBoxRunsEverything) {
 
 TEST(EffectsPanel, TimesAreReadableAboveTheirBars) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     ui.effects.effects = made_up_effects();
     ui.frames(4);
     const auto number = ui.drawn().find(U"1.50", 1);  // the first is the sum's
@@ -105,7 +105,7 @@ TEST(EffectsPanel, TimesAreReadableAboveTheirBars) {
 
 TEST(EffectsPanel, MeasurementShowsTheTimeLeft) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     ui.effects.effects = made_up_effects();
     ui.effects.measuring_optimisations = SearchProgress{"alternating frames", 0.4, 90};
     ui.frames(4);
@@ -114,7 +114,7 @@ TEST(EffectsPanel, MeasurementShowsTheTimeLeft) {
 
 TEST(EffectsPanel, NarrowWindowDropsSavingsThenReasons) {
     const auto shown = [](UiHarness& ui) {
-        ui.state.window.open_tab = BottomTab::Effects;
+        ui.state.window.open_page = Page::Effects;
         ui.effects.effects = made_up_effects();
         ui.frames(4);
         EXPECT_TRUE(ui.drawn().shows("look-ups of light 7"));
@@ -144,7 +144,7 @@ TEST(EffectsPanel, ReasonsAreReadableInASmallWindow) {
     for (const int width : {1280, 1600}) {
         UiHarness ui(width, 2600);
         ui.state.layout = {.bottom_height = 130};
-        ui.state.window.open_tab = BottomTab::Effects;
+        ui.state.window.open_page = Page::Effects;
         std::vector<Effect> effects = made_up_effects();
         const std::string longest =
             "Its maps are as they were, since nothing that they depend on has changed: neither casters nor the light, "
@@ -161,7 +161,7 @@ TEST(EffectsPanel, ReasonsAreReadableInASmallWindow) {
 
 TEST(EffectsPanel, TimesOfSkippedPassesAreGreyAndFramesAreALine) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     std::vector<Effect> effects = made_up_effects();
     ui.effects.effects = effects;
     ui.state.times = {.scene = ui.scene.name, .pass_ms = {{"shading", 7.75}}};
@@ -206,7 +206,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsOnEveryTab) {
     EXPECT_TRUE(times.pass_ms.empty());
 
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Log;
+    ui.state.window.open_page = Page::Log;
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().shows("frame 1.50 ms, no map drawn"));
     EXPECT_FALSE(ui.drawn().shows("last timed"));
@@ -214,7 +214,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsOnEveryTab) {
 
 TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     ui.effects.effects = made_up_effects();
     ui.frames(4);
     const Settings before = ui.state.settings;
@@ -239,7 +239,7 @@ TEST(EffectsPanel, CheckboxForcesAnOptimisationOffAndResetRestoresIt) {
 
 TEST(EffectsPanel, RequestsAndCancelsAMeasurement) {
     UiHarness ui(1900, 1000);
-    ui.state.window.open_tab = BottomTab::Effects;
+    ui.state.window.open_page = Page::Effects;
     ui.frames(4);
     ui.click(ui.find("bottom", "", "Measure what is saved"));
     EXPECT_TRUE(ui.last_requests.measure_saved_times);
@@ -263,10 +263,10 @@ TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
     const Effect* objects = shown_effect(editor.facts(), "panel: objects lost to culling");
     ASSERT_TRUE(objects);
     EXPECT_EQ(objects->state, EffectState::NotNeeded);
-    state.window.open_tab = BottomTab::Log;
+    state.window.open_page = Page::Log;
     editor.settle();
     EXPECT_TRUE(editor.facts().effects.empty());
-    state.window.open_tab = BottomTab::Effects;
+    state.window.open_page = Page::Effects;
     editor.settle();
     EXPECT_TRUE(shown_effect(editor.facts(), "depth blur"));
     EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";

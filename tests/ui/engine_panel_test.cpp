@@ -76,7 +76,7 @@ TEST(EnginePanel, FixesNameTheEnginesNumber) {
     table.candidates = 1;
     table.refused = 4;
     ui.fixes = {.running = {}, .table = &table, .pixel = {}, .current = true};
-    ui.state.window.open_tab = BottomTab::Improve;
+    ui.state.window.open_page = Page::Improve;
     ui.frames(4);
     EXPECT_EQ(ui.lacking({"more normal offset", "in three.js: set normalBias to", "4 more: the chosen engine lacks"}),
               "");
@@ -89,7 +89,7 @@ TEST(EnginePanel, TooltipsOfSettingsSayTheConversion) {
     UiHarness ui(1280, 720);
     ui.state.settings_panel.search = "normalBias";
     ui.frames(3);
-    constexpr glm::vec2 kFirstLabel{965, 115};
+    constexpr glm::vec2 kFirstLabel{965, 142};
     ui.move(kFirstLabel);
     ui.frames(60);
     EXPECT_EQ(ui.lacking({"three.js normalBias (m)", "texels"}), "");

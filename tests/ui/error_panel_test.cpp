@@ -55,7 +55,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
     for (const auto& [width, height, scale] :
          {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.25f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
-        ui.state.window.open_tab = BottomTab::Error;
+        ui.state.window.open_page = Page::Error;
         ui.state.layout.bottom_height = 17.2f;
         for (int variant = 0; variant < 4; ++variant) {
             ui.reference = made_up_reference();
@@ -72,7 +72,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
             }
             if (variant == 3) ui.state.settings.truth.area = true;
             ui.frames(4);
-            ASSERT_EQ(ui.state.tab, BottomTab::Error);
+            ASSERT_TRUE(ui.state.shows(Page::Error));
             bool seen = false;
             for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
                 const std::string_view name(w->Name);
@@ -101,7 +101,7 @@ int opacity_of(const UiHarness& ui, std::u32string_view text) {
 
 TEST(ErrorPanel, KeepsNumbersInGreyAndEveryClickWhileRaysAreTraced) {
     UiHarness ui(1600, 900);
-    ui.state.window.open_tab = BottomTab::Error;
+    ui.state.window.open_page = Page::Error;
     ui.state.layout.bottom_height = 17.2f;
     ui.reference = made_up_reference();
     ui.error = made_up_error();
@@ -125,7 +125,7 @@ TEST(ErrorPanel, KeepsNumbersInGreyAndEveryClickWhileRaysAreTraced) {
     EXPECT_EQ(ui.lacking({"42 %, 2 min left", "of an earlier picture"}), "");
     ui.click({before->x, before->y});
     EXPECT_EQ(ui.state.artefact_tour.cause, Artefact::Acne) << "a click on a cause counts";
-    ui.click(ui.find("Error_", "", "Next artefact"));
+    ui.click(ui.find("error_", "", "Next artefact"));
     EXPECT_NE(ui.state.artefact_tour.waits_for, 0) << "it waits for the rays";
     // Without any picture before, the table has its place already.
     ui.earlier_error.reset();
@@ -137,7 +137,7 @@ TEST(ErrorPanel, KeepsNumbersInGreyAndEveryClickWhileRaysAreTraced) {
 TEST(ErrorPanel, LongTextEndsInAnEllipsis) {
     for (const int width : {1280, 1920}) {
         UiHarness ui(width, 900);
-        ui.state.window.open_tab = BottomTab::Error;
+        ui.state.window.open_page = Page::Error;
         ui.state.layout.bottom_height = 17.2f;
         ui.reference = made_up_reference();
         ui.error = made_up_error();
@@ -158,9 +158,9 @@ TEST(ErrorPanel, LongTextEndsInAnEllipsis) {
 TEST(ErrorPanel, RequestsNumbersOnlyWhileShown) {
     UiHarness ui(1280, 720);
     EXPECT_FALSE(ui.frames(3).want_error);
-    ui.state.window.open_tab = BottomTab::Error;
+    ui.state.window.open_page = Page::Error;
     EXPECT_TRUE(ui.frames(3).want_error);
-    ui.state.window.open_tab = BottomTab::Log;
+    ui.state.window.open_page = Page::Log;
     EXPECT_FALSE(ui.frames(3).want_error);
     set_setting(ui.state.settings, "view.overlay", "artefacts");
     EXPECT_TRUE(ui.frames(2).want_error) << "for the legend";

@@ -49,10 +49,10 @@ FixTable made_up_fixes() {
 TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     const FixTable table = made_up_fixes();
     UiHarness ui(1600, 900);
-    ui.state.window.open_tab = BottomTab::Improve;
-    ui.state.layout.bottom_height = 32;
+    open_improve(ui.state, ImproveMode::Picture);
+    ui.state.layout.map_place = MapSpot::Hidden;
     ui.frames(4);
-    ui.click(ui.find("controls", "", "Find fixes"));
+    ui.click(ui.find("found", "", "Find fixes"));
     ASSERT_TRUE(ui.last_requests.find_fixes);
     EXPECT_FALSE(ui.last_requests.find_fixes->pixel) << "of the picture";
 
@@ -69,7 +69,7 @@ TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     }
     ui.state.layout.light_theme = false;
     ui.frames(2);
-    ui.click(ui.find("controls", "", "Cancel##cures"));
+    ui.click(ui.find("found", "", "Cancel##cures"));
     EXPECT_TRUE(ui.last_requests.cancel_fixes);
 
     ui.fixes = {.running = {}, .table = &table, .pixel = {}, .current = true};
@@ -82,15 +82,23 @@ TEST(FixesPanel, ShowsFixesAndAppliesARowAsOneUndoStep) {
     ui.click(ui.find("found", "", "Close##cures"));
     EXPECT_TRUE(ui.last_requests.forget_fixes);
     const Settings before = ui.state.settings;
-    // The row spans the table; its name is below the button.
-    const auto button = ui.find("found", "", "Close##cures");
-    ASSERT_TRUE(button);
-    bool applied = false;
-    for (float y = 2; y < 50 && !applied; ++y) {
-        ui.click({button->x - 60, button->y + y * 8});
-        applied = ui.state.settings.bias.constant == 2.5;
-    }
-    ASSERT_TRUE(applied);
+    const auto first = [&](const char* label) {
+        return ui.find("found", [=](ImGuiID seed) {
+            const int row = 0;
+            return ImHashStr(label, 0, ImHashData(&row, sizeof row, ImHashStr("cures", 0, seed)));
+        });
+    };
+    ui.click(first("Fix: least bias"));
+    ASSERT_TRUE(ui.state.tried) << "seen before it is applied";
+    EXPECT_EQ(ui.state.tried->settings.bias.constant, 2.5);
+    EXPECT_EQ(ui.state.settings, before);
+    EXPECT_EQ(ui.state.comparison.view, ComparisonView::Swipe);
+    ui.click(first("Fix: least bias"));
+    EXPECT_FALSE(ui.state.tried) << "again: hidden";
+    ui.click(first("Fix: least bias"));
+    ui.click(first("Apply"));
+    EXPECT_EQ(ui.state.settings.bias.constant, 2.5);
+    EXPECT_FALSE(ui.state.tried);
     ui.frames(3);
     EXPECT_EQ(ui.state.history.undo(), before);
 
@@ -115,14 +123,14 @@ TEST(TunedBiases, AreShownSideBySideAndTakenByAButton) {
     };
     add("normal-offset", {.constant = 0, .slope = 0, .normal = 3}, 325.4, 321, 0.034);
     add("constant", {.constant = 9, .slope = 0, .normal = 0}, 700, 654, 0);
-    ui.state.window.open_tab = BottomTab::Improve;
-    ui.state.layout.bottom_height = 32;
+    open_improve(ui.state, ImproveMode::Picture);
+    ui.state.layout.settings_width = 40;
     ui.frames(5);
     EXPECT_EQ(ui.lacking({"Normal offset", "Constant", "325 *", "321", "654", "34 mm"}), "");
     EXPECT_FALSE(ui.prints("of other settings"));
     const Settings before = ui.state.settings;
     const auto second = [&](const char* label) {
-        return ui.find("controls", [=](ImGuiID seed) {
+        return ui.find("found", [=](ImGuiID seed) {
             const int row = 1;
             return ImHashStr(label, 0, ImHashData(&row, sizeof row, ImHashStr("tuned", 0, seed)));
         });
@@ -147,7 +155,7 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     TestEditor editor(editor_options(
         "boxes", {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "map.resolution=512"}, {960, 600}));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Error;
+    model.state.window.open_page = Page::Error;
     model.state.layout.bottom_height = 27;
     editor.settle();
     ASSERT_TRUE(model.facts().error);
@@ -169,7 +177,7 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     EXPECT_FALSE(search.running);
     ASSERT_TRUE(search.table);
     EXPECT_TRUE(search.current);
-    model.state.window.open_tab = BottomTab::Improve;
+    open_improve(model.state, ImproveMode::Picture);
     editor.frames(5);  // columns adapt to their content
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "cures_table.png", editor.picture());
     EditorRequests narrower = same_size;
@@ -183,7 +191,7 @@ TEST(EditorFixesTest, SearchesInTheBackgroundAndTheFirstRowReachesItsFigure) {
     const Trial first = *search.table->fix();
     EXPECT_GT(double(first.cured), 0.8 * double(wrong));
     apply_trial(model.state, first);
-    model.state.window.open_tab = BottomTab::Error;
+    model.state.window.open_page = Page::Error;
     editor.settle();
     EXPECT_FALSE(model.state.predicted);
     const std::string both =

@@ -71,7 +71,7 @@ struct Panel {
     UiHarness ui;
     explicit Panel(int width = 1280, int height = 720, float scale = 1) : ui(width, height, scale) {
         ui.sweep = made_up_sweep();
-        ui.state.window.open_tab = BottomTab::Frontier;
+        ui.state.window.open_page = Page::Frontier;
         ui.frames(4);
     }
 };
@@ -87,7 +87,7 @@ glm::vec2 accurate_dot() {
 
 TEST(FrontierPanel, ClickOnADotAppliesItsSettingsAndIsUndone) {
     Panel p;
-    ASSERT_EQ(p.ui.state.tab, BottomTab::Frontier);
+    ASSERT_TRUE(p.ui.state.shows(Page::Frontier));
     const Settings before = p.ui.state.settings;
     p.ui.click(accurate_dot());
     p.ui.frames(3);
@@ -257,7 +257,7 @@ TEST(FrontierPanel, CurrentSettingsAreMeasuredOnlyWhileShown) {
     p.ui.state.sweep.follow = false;
     EXPECT_FALSE(p.ui.frame().want_present);
     p.ui.state.sweep.follow = true;
-    p.ui.state.window.open_tab = BottomTab::Log;
+    p.ui.state.window.open_page = Page::Log;
     p.ui.frames(3);
     EXPECT_FALSE(p.ui.frame().want_present);
 }

@@ -32,7 +32,7 @@ NumericHealth made_up_health() {
 TEST(NumbersPanel, RequestsNumbersOnlyWhileShownAndReportsFiniteOnes) {
     UiHarness ui(1900, 1000);
     EXPECT_FALSE(ui.frames(3).want_health);
-    ui.state.window.open_tab = BottomTab::Numbers;
+    ui.state.window.open_page = Page::Numbers;
     EXPECT_TRUE(ui.frames(4).want_health);
     EXPECT_EQ(ui.lacking({"Searching"}), "");
     NumericHealth sound;
@@ -46,7 +46,7 @@ TEST(NumbersPanel, RequestsNumbersOnlyWhileShownAndReportsFiniteOnes) {
 TEST(NumbersPanel, ListsHoldersOfMemory) {
     UiHarness ui(1900, 1000);
     EXPECT_FALSE(ui.frames(3).want_memory);
-    ui.state.window.open_tab = BottomTab::Numbers;
+    ui.state.window.open_page = Page::Numbers;
     EXPECT_TRUE(ui.frames(4).want_memory);
     MemoryReport memory;
     memory.process = {.resident = 321u << 20, .peak = 654u << 20, .heap = 100u << 20, .heap_free = 33u << 20};
@@ -55,7 +55,7 @@ TEST(NumbersPanel, ListsHoldersOfMemory) {
     ui.frames(2);
     EXPECT_EQ(ui.lacking({"321 MiB resident", "654 MiB at most", "131 MiB held by name", "33 MiB free"}), "");
     EXPECT_FALSE(ui.prints("shadow maps 128 MiB 256 MiB 2 things")) << "open at once";
-    ui.click(ui.find("Numbers", "", "###memory"));
+    ui.click(ui.find("numbers", "", "###memory"));
     ui.frames(2);
     EXPECT_EQ(ui.lacking({"shadow maps 128 MiB 256 MiB 2 things", "scenes 3.0 MiB 3.0 MiB 1 thing"}), "");
 }
@@ -64,12 +64,12 @@ TEST(NumbersPanel, ClickShowsTheTexelInTheMapOrProbesThePixel) {
     UiHarness ui(1300, 800);
     const NumericHealth health = made_up_health();
     ui.health = &health;
-    ui.state.window.open_tab = BottomTab::Numbers;
+    ui.state.window.open_page = Page::Numbers;
     ui.state.settings.view.map_source = MapSource::Camera;
     ui.frames(4);
     EXPECT_EQ(ui.lacking({"a variance below 0", "shadow map of light 0", "3 texels", "40,7", "100,20", "-0.5", "NaN"}),
               "");
-    const auto row = ui.find("Numbers", "findings", "a variance below 0###finding 0");
+    const auto row = ui.find("numbers", "findings", "a variance below 0###finding 0");
     ASSERT_TRUE(row);
     ui.click(*row);
     EXPECT_EQ(ui.state.settings.view.map_source, MapSource::Light);

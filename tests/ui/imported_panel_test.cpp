@@ -29,7 +29,7 @@ void show_comparison(UiHarness& ui, const ComparedMap& map, double scale_m) {
     ui.maps_imported = true;
     ui.imported = {
         .compared_map = &map, .compared_picture = {1, 8, 8}, .compared_scale_m = scale_m, .comparison_problem = {}};
-    ui.state.window.open_tab = BottomTab::Imported;
+    ui.state.window.open_page = Page::Imported;
     ui.frames(4);
 }
 
@@ -37,7 +37,7 @@ TEST(ImportedPanel, ComparesOnlyImportedMapsAndOnlyWhileShown) {
     UiHarness ui(1900, 1000);
     ui.maps_imported = true;
     EXPECT_FALSE(ui.frames(3).want_map_comparison);
-    ui.state.window.open_tab = BottomTab::Imported;
+    ui.state.window.open_page = Page::Imported;
     EXPECT_TRUE(ui.frames(4).want_map_comparison);
     EXPECT_TRUE(ui.prints("Comparing ..."));
     ui.maps_imported = false;
@@ -59,7 +59,7 @@ TEST(ImportedPanel, ShowsNumbersGateAndPicture) {
     for (const auto& [picture, label] : {std::pair{ImportedPicture::Drawn, "Ours"},
                                          {ImportedPicture::Imported, "Theirs"},
                                          {ImportedPicture::Difference, "Difference"}}) {
-        ui.click(ui.find("Imported", "", label));
+        ui.click(ui.find("imported", "", label));
         EXPECT_EQ(ui.state.imported_picture, picture);
     }
 }
@@ -67,26 +67,26 @@ TEST(ImportedPanel, ShowsNumbersGateAndPicture) {
 TEST(ImportedPanel, TheEnginesBiasIsEntered) {
     UiHarness ui(1900, 1000);
     ui.maps_imported = true;
-    ui.state.window.open_tab = BottomTab::Imported;
+    ui.state.window.open_page = Page::Imported;
     ui.frames(4);
-    EXPECT_FALSE(ui.find("Imported", "map.bundle_bias", "##value")) << "there is no bundle";
+    EXPECT_FALSE(ui.find("imported", "map.bundle_bias", "##value")) << "there is no bundle";
     ui.state.settings.map.bundle = "frame.bundle";
     ui.frames(3);
     EXPECT_EQ(ui.lacking({"Bundle's maps", "Engine's bias", "The engine's bias is unknown: no verdict speaks"}), "");
-    EXPECT_FALSE(ui.find("Imported", "bias.constant", "##value"));
-    ui.click(ui.find("Imported", "map.bundle_bias", "##value"));
+    EXPECT_FALSE(ui.find("imported", "bias.constant", "##value"));
+    ui.click(ui.find("imported", "map.bundle_bias", "##value"));
     ui.frames(2);
     ui.click(ui.find_choice(index_of(BundleBiasSource::Entered), "entered here"));
     EXPECT_EQ(ui.state.settings.map.bundle_bias, BundleBiasSource::Entered);
     ui.frames(2);
     EXPECT_FALSE(ui.prints("The engine's bias is unknown"));
     for (const char* key : {"bias.kind", "bias.unit", "bias.constant", "bias.slope", "bias.normal"})
-        EXPECT_TRUE(ui.find("Imported", key, "##value")) << key;
+        EXPECT_TRUE(ui.find("imported", key, "##value")) << key;
     ui.state.settings.map.bundle_maps = BundleMaps::Drawn;
     ui.maps_imported = false;
     ui.frames(2);
     EXPECT_TRUE(ui.prints("This program draws the maps of the bundle's lights"));
-    EXPECT_TRUE(ui.find("Imported", "map.bundle_maps", "##value")) << "the way back";
+    EXPECT_TRUE(ui.find("imported", "map.bundle_maps", "##value")) << "the way back";
 }
 
 TEST(ImportedPanel, SwitchesLeaveTexelsOut) {
@@ -94,10 +94,10 @@ TEST(ImportedPanel, SwitchesLeaveTexelsOut) {
     const ComparedMap map = made_up_comparison("Root/Box");
     show_comparison(ui, map, 1);
     EXPECT_EQ(ui.state.imported_left_out, ImportedLeftOut{});
-    ui.click(ui.find("Imported", "", "No masked"));
+    ui.click(ui.find("imported", "", "No masked"));
     EXPECT_EQ(ui.state.imported_left_out, (ImportedLeftOut{.masked = true, .border = false}));
-    ui.click(ui.find("Imported", "", "No border"));
-    ui.click(ui.find("Imported", "", "No masked"));
+    ui.click(ui.find("imported", "", "No border"));
+    ui.click(ui.find("imported", "", "No masked"));
     EXPECT_EQ(ui.state.imported_left_out, (ImportedLeftOut{.masked = false, .border = true}));
 }
 

@@ -1,5 +1,6 @@
 // Tests of the panel Improve: requests of its buttons, displayed figures, and undo of applied advice.
 #include <gtest/gtest.h>
+#include <imgui_internal.h>
 
 #include <filesystem>
 
@@ -37,32 +38,37 @@ protected:
     AdviceReport report = made_up_advice();
 
     void SetUp() override {
-        ui.state.window.open_tab = BottomTab::Improve;
-        ui.state.layout.bottom_height = 32;
+        ui.state.layout.map_place = MapSpot::Hidden;
+        ui.state.layout.settings_width = 40;
+        aim(ImproveMode::Cheaper);
+        ASSERT_TRUE(ui.state.shows(Page::Improve));
+    }
+    void aim(ImproveMode mode) {
+        open_improve(ui.state, mode);
         ui.frames(4);
-        ASSERT_EQ(ui.state.tab, BottomTab::Improve);
     }
 };
 
 TEST_F(ImprovePanelTest, RequestsAdviceAndTheAutopilotWithItsBounds) {
-    ui.click(ui.find("controls", "", "Advice"));
+    ui.click(ui.find("found", "", "Advice"));
     ASSERT_TRUE(ui.last_requests.find_advice);
     EXPECT_FALSE(ui.last_requests.find_advice->max_error);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Camera);
+    aim(ImproveMode::Limits);
     ui.state.improve.max_error = 0.02;
     ui.state.improve.bound_ms = true;
     ui.state.improve.max_ms = 5;
     ui.state.improve.cost = CostCase::Light;
     ui.frames(2);
     EXPECT_EQ(ui.lacking({"while the light moves"}), "");
-    ui.click(ui.find("controls", "", "Autopilot"));
+    ui.click(ui.find("found", "", "Autopilot"));
     EXPECT_EQ(ui.last_requests.find_advice->max_error, 0.02);
     EXPECT_EQ(ui.last_requests.find_advice->max_ms, 5);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Light);
     ui.advice.advising = SearchProgress{"pcf5 at 512", 0.4, 90};
     ui.frames(2);
     EXPECT_EQ(ui.lacking({"40 %, 2 min left"}), "");
-    ui.click(ui.find("controls", "", "Cancel"));
+    ui.click(ui.find("found", "", "Cancel"));
     EXPECT_TRUE(ui.last_requests.cancel_advice);
 }
 
@@ -75,20 +81,77 @@ TEST_F(ImprovePanelTest, ShowsFiguresAndAppliesAsOneUndoStep) {
               "");
     EXPECT_FALSE(ui.prints("this was hoped")) << "folded away";
     const Settings before = ui.state.settings;
-    bool applied = false;
-    for (float y = 440; y < 890 && !applied; y += 7)
-        for (float x = 455; x < 600 && !applied; x += 14) {
-            ui.click({x, y});
-            applied = ui.state.settings.map.resolution == 512;
-            if (!applied && !(ui.state.settings == before)) {
-                ui.state.settings = before;
-                ui.frames(3);
-            }
-        }
-    ASSERT_TRUE(applied);
+    const auto of_first_row = [&](const char* label) {
+        return ui.find("found", [=](ImGuiID seed) {
+            const int row = 0;
+            return ImHashStr(label, 0, ImHashData(&row, sizeof row, ImHashStr("advice", 0, seed)));
+        });
+    };
+    ui.click(of_first_row("###show"));
+    ui.frames(2);
+    ASSERT_TRUE(ui.state.tried) << "seen before it is applied";
+    EXPECT_EQ(ui.state.tried->settings.map.resolution, 512);
+    EXPECT_EQ(ui.state.settings, before);
+    EXPECT_EQ(ui.state.comparison.view, ComparisonView::Swipe);
+    ui.click(of_first_row("###show"));
+    ui.frames(2);
+    EXPECT_FALSE(ui.state.tried) << "again: hidden";
+    ui.click(of_first_row("###show"));
+    ui.click(of_first_row("Apply"));
+    ui.frames(2);
+    EXPECT_FALSE(ui.state.tried);
+    EXPECT_EQ(ui.state.settings.map.resolution, 512);
     EXPECT_EQ(ui.state.settings.filter.kernel, 0);
     ui.frames(3);
     EXPECT_EQ(ui.state.history.undo(), before) << "both settings in one step";
+}
+
+TEST_F(ImprovePanelTest, HasOneAimForEverySearch) {
+    const auto shows = [&](const char* label) { return ui.find("found", "", label).has_value(); };
+    for (const auto& [aims, mode, search] : {std::tuple{"Fix the picture", ImproveMode::Picture, "Find fixes"},
+                                             {"Cheaper, same look", ImproveMode::Cheaper, "Advice"},
+                                             {"Within x ms", ImproveMode::Limits, "Autopilot"},
+                                             {"Fix this pixel", ImproveMode::Pixel, "Next wrong pixel"}}) {
+        ui.click(ui.find("improve_", "", aims));
+        ui.frames(3);
+        EXPECT_EQ(ui.state.improve.mode, mode);
+        EXPECT_TRUE(shows(search)) << aims;
+    }
+    EXPECT_FALSE(shows("Advice"));
+    // The buttons at other places lead here.
+    for (const auto& [label, mode] : {std::pair{"Tune...", ImproveMode::Limits}, {"Auto bias", ImproveMode::Picture}}) {
+        ui.state.window.open_page = Page::Settings;
+        ui.frames(3);
+        ui.click(ui.find("/rows_", "bias", label));
+        ui.frames(3);
+        EXPECT_TRUE(ui.state.shows(Page::Improve)) << label;
+        EXPECT_EQ(ui.state.improve.mode, mode) << label;
+    }
+    EXPECT_TRUE(ui.last_requests.tune) << "Auto bias begins at once, as before";
+    ui.state.window.open_page = Page::Frontier;
+    ui.frames(3);
+    ui.click(ui.find("editor/bottom", "", "Advice\u2026"));
+    ui.frames(3);
+    EXPECT_EQ(ui.state.improve.mode, ImproveMode::Cheaper);
+}
+
+TEST_F(ImprovePanelTest, PreviewEndsWhenSettingsChange) {
+    ui.advice.advice = &report;
+    ui.advice.advice_current = true;
+    ui.frames(3);
+    const auto show = ui.find("found", [](ImGuiID seed) {
+        const int row = 0;
+        return ImHashStr("###show", 0, ImHashData(&row, sizeof row, ImHashStr("advice", 0, seed)));
+    });
+    ui.click(show);
+    ui.frames(2);
+    ASSERT_TRUE(ui.state.tried);
+    ui.frames(5);
+    EXPECT_TRUE(ui.state.tried) << "it stays";
+    ui.state.settings.lights[0].azimuth += 5;
+    ui.frames(2);
+    EXPECT_FALSE(ui.state.tried);
+    EXPECT_EQ(ui.state.comparison.view, ComparisonView::Off);
 }
 
 TEST_F(ImprovePanelTest, MarksAdviceForOtherSettings) {
@@ -99,6 +162,7 @@ TEST_F(ImprovePanelTest, MarksAdviceForOtherSettings) {
 }
 
 TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
+    aim(ImproveMode::Limits);
     AutopilotResult flight;
     flight.goals_met = true;
     flight.summary = "hard at 512 holds it";
@@ -132,10 +196,9 @@ TEST_F(ImprovePanelTest, ShowsResultAndDroppedEffectsOfTheAutopilot) {
 
 TEST(ImproveWaste, IsRequestedAndShowsItsRows) {
     UiHarness ui{1600, 1600};
-    ui.state.window.open_tab = BottomTab::Improve;
-    ui.state.layout.bottom_height = 60;
+    open_improve(ui.state, ImproveMode::Cheaper);
     ui.frames(4);
-    ui.click(ui.find("controls", "", "Find waste"));
+    ui.click(ui.find("found", "", "Find waste"));
     EXPECT_TRUE(ui.last_requests.find_waste);
     Waste waste;
     waste.tried = {{.name = "map of light 0", .changes = true, .read = 0.25, .triangles = 30},
@@ -148,7 +211,7 @@ TEST(ImproveWaste, IsRequestedAndShowsItsRows) {
                           "10 of 40 triangles drawn into maps are waste (25.0 %)"}),
               "");
     EXPECT_FALSE(ui.prints("of other settings"));
-    ui.click(ui.find("controls", "", "Cancel##waste"));
+    ui.click(ui.find("found", "", "Cancel##waste"));
     EXPECT_TRUE(ui.last_requests.cancel_waste);
     ui.advice.wasting.reset();
     ui.advice.waste_current = false;
@@ -160,7 +223,7 @@ TEST(ImproveWaste, IsRequestedAndShowsItsRows) {
 TEST(EditorWasteTest, SearchesInTheBackgroundAndChangesNothing) {
     TestEditor editor(editor_options("boxes", {"map.resolution=256"}));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Improve;
+    model.state.window.open_page = Page::Improve;
     editor.settle();
     EditorRequests request = editor.requests();
     request.find_waste = true;
@@ -184,8 +247,7 @@ SI_TEST_IS(Slow, EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing);
 TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     TestEditor editor(editor_options("boxes", {"map.resolution=256"}));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Improve;
-    model.state.layout.bottom_height = 27;
+    open_improve(model.state, ImproveMode::Cheaper);
     editor.settle();
     const EditorRequests same_size = editor.requests();
     EditorRequests request = same_size;

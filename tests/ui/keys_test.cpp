@@ -140,7 +140,7 @@ TEST_F(Keys, PageDownOnlyOpensAPreset) {
     for (const char* key : {"one", "two"}) ui.presets.emplace_back().key = key;
     ui.frames(2);
     ImGui::SetWindowFocus("editor");
-    const auto search = ui.find("editor/settings", "search", "##text");
+    const auto search = ui.find("/settings_", "search", "##text");
     ASSERT_TRUE(search);
     ui.click(*search + glm::vec2(0, 60));  // a click among the settings
     const ImGuiID focused = ImGui::GetCurrentContext()->NavId;
@@ -150,7 +150,7 @@ TEST_F(Keys, PageDownOnlyOpensAPreset) {
     EXPECT_TRUE(ImGui::GetCurrentContext()->NavDisableHighlight);
 }
 
-/// Returns the top-level part of the window that has the keyboard: "editor/settings".
+/// Returns the top-level part of the window that has the keyboard: "editor/inspector".
 std::string focused_part() {
     const ImGuiWindow* window = ImGui::GetCurrentContext()->NavWindow;
     const std::string name = window ? window->Name : "";
@@ -163,7 +163,7 @@ TEST_F(Keys, F6GivesTheKeyboardToEachPanelAndShowsIt) {
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.keyboard.probe_has_arrows = true;
     ui.frames(2);
-    for (const char* part : {"editor/top", "editor/scene", "editor/bottom", "editor/settings", "editor/status"}) {
+    for (const char* part : {"editor/top", "editor/scene", "editor/bottom", "editor/inspector", "editor/status"}) {
         key(295);
         ui.frames(2);
         EXPECT_EQ(focused_part(), part);
@@ -174,11 +174,41 @@ TEST_F(Keys, F6GivesTheKeyboardToEachPanelAndShowsIt) {
     key(295);
     ImGui::GetIO().KeyShift = false;
     ui.frames(2);
-    EXPECT_EQ(focused_part(), "editor/settings");
+    EXPECT_EQ(focused_part(), "editor/inspector");
     key(299);  // F10
     ui.frames(2);
     EXPECT_EQ(focused_part(), "editor/top");
     EXPECT_NE(ImGui::GetCurrentContext()->NavId, 0u);
+}
+
+TEST_F(Keys, CombosOpenAndChooseByKeyboard) {
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    ui.state.layout = {.map_place = MapSpot::Hidden};
+    ui.frames(2);
+    ui.state.keyboard.wanted = WindowPart::Inspector;
+    ui.frames(3);
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    const auto key_of = [](ImGuiKey key) { return ImGui::GetKeyIndex(key); };
+    const auto combo = [] {
+        const ImGuiWindow* const rows = UiHarness::window("/rows_");
+        const ImGuiID table = ImHashStr("rows", 0, ImHashStr("filter", 0, rows->ID));
+        return ImHashStr("##value", 0, ImHashStr("filter.kernel", 0, table));
+    };
+    const int before = settings().filter.kernel;
+    for (int i = 0; i < 40 && g.NavId != combo(); ++i) {
+        key(key_of(ImGuiKey_DownArrow));
+        ui.frames(2);
+    }
+    ASSERT_EQ(g.NavId, combo()) << "the arrows do not reach it";
+    key(key_of(ImGuiKey_Space));
+    ui.frames(3);
+    ASSERT_EQ(g.OpenPopupStack.Size, 1);
+    key(key_of(ImGuiKey_DownArrow));
+    ui.frames(2);
+    key(key_of(ImGuiKey_Space));
+    ui.frames(3);
+    EXPECT_EQ(g.OpenPopupStack.Size, 0);
+    EXPECT_NE(settings().filter.kernel, before);
 }
 
 TEST_F(Keys, CtrlFSearchesTheSettings) {
@@ -191,6 +221,17 @@ TEST_F(Keys, CtrlFSearchesTheSettings) {
     ui.type("bias");
     EXPECT_EQ(ui.state.settings_panel.search, "bias");
     EXPECT_FALSE(ui.state.window.maximised);
+    ui.key(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    // From another tab, too.
+    ui.state.window.open_page = Page::Objects;
+    ui.frames(3);
+    ImGui::GetIO().KeyCtrl = true;
+    key('F');
+    ImGui::GetIO().KeyCtrl = false;
+    ui.frames(4);
+    EXPECT_TRUE(ui.state.shows(Page::Settings));
+    ui.type("x");
+    EXPECT_NE(ui.state.settings_panel.search.find('x'), std::string::npos);
 }
 
 TEST_F(Keys, CtrlAndADigitOpenATab) {
@@ -200,8 +241,31 @@ TEST_F(Keys, CtrlAndADigitOpenATab) {
         key('0' + (tab + 1) % 10);
         ImGui::GetIO().KeyCtrl = false;
         ui.frames(3);
-        EXPECT_EQ(ui.state.tab, BottomTab(tab));
+        EXPECT_TRUE(ui.state.shows(first_pages()[std::size_t(tab)])) << tab;
         EXPECT_EQ(settings().view.overlay, overlay);
+    }
+}
+
+TEST_F(Keys, JOpensAndClosesTheStrip) {
+    for (const bool open : {true, false}) {
+        key('J');
+        ui.frames(3);
+        EXPECT_EQ(ui.state.layout.strip_open, open);
+        EXPECT_EQ(ui.state.strip_page.has_value(), open);
+    }
+    ui.state.window.maximised = Panel::Scene;
+    key('J');
+    ui.frames(3);
+    EXPECT_TRUE(ui.state.strip_page) << "it is seen";
+}
+
+TEST_F(Keys, IOpensImproveAndChoosesItsNextAim) {
+    ui.state.improve.mode = ImproveMode::Cheaper;
+    for (const ImproveMode mode : {ImproveMode::Cheaper, ImproveMode::Limits, ImproveMode::Pixel}) {
+        key('I');
+        ui.frames(3);
+        EXPECT_TRUE(ui.state.shows(Page::Improve));
+        EXPECT_EQ(ui.state.improve.mode, mode);
     }
 }
 

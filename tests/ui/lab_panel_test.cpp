@@ -14,10 +14,10 @@ protected:
     UiHarness ui{1900, 1000};
 
     void SetUp() override {
-        ui.state.window.open_tab = BottomTab::Lab;
+        ui.state.window.open_page = Page::Lab;
         ui.state.layout.bottom_height = 32;
         ui.frames(4);
-        ASSERT_EQ(ui.state.tab, BottomTab::Lab);
+        ASSERT_TRUE(ui.state.shows(Page::Lab));
     }
 };
 
@@ -56,7 +56,7 @@ TEST_F(LabPanelTest, ButtonsRequestMeasurements) {
 TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     TestEditor editor;
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Lab;
+    model.state.window.open_page = Page::Lab;
     model.state.layout.bottom_height = 27;
     editor.settle();
     EditorRequests request = editor.requests();

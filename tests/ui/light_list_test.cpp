@@ -246,7 +246,7 @@ TEST(LightList, ComparisonsNameTheLight) {
     ComparisonFacts other{.with = ui.state.compare, .settings = ui.state.settings};
     other.settings.lights[1].azimuth += 10;
     ui.comparison = other;
-    ui.state.window.open_tab = BottomTab::Compare;
+    ui.state.window.open_page = Page::Compare;
     ui.frames(4);
     EXPECT_TRUE(ui.drawn().shows("Light 1 (key)"));
 }

@@ -183,7 +183,7 @@ TEST(Loading, FailureKeepsTheSceneAndIsALineInTheLog) {
     EXPECT_EQ(l.shown(), "plane");
     EXPECT_EQ(last_line(l.editor), "city.gltf: it is broken; mend it");
     EXPECT_EQ(l.state.log.lines().back().kind, LogKind::Error);
-    EXPECT_EQ(l.state.tab, BottomTab::Log);
+    EXPECT_TRUE(l.state.shows(Page::Log));
     EXPECT_TRUE(l.model.facts().result);
     EXPECT_FALSE(l.facts());
 }
@@ -274,7 +274,7 @@ TEST(Loading, FailedFirstSceneLeavesAWorkingEditor) {
     EditorModel& model = editor.model();
     EXPECT_EQ(model.facts().problem, "city.gltf: it is broken; mend it");
     EXPECT_EQ(model.state.log.lines().back().kind, LogKind::Error);
-    EXPECT_EQ(model.state.tab, BottomTab::Log);
+    EXPECT_TRUE(model.state.shows(Page::Log));
     EXPECT_FALSE(model.facts().result);
     EXPECT_THROW(model.require_scene(), Error);
     // Keys and buttons that need a scene have no effect.

@@ -196,7 +196,7 @@ TEST(MapViewer, CameraDepthIsShownInItsOwnAspectRatio) {
 TEST(MapViewer, LostCastersAreReported) {
     WideEditor editor({"caster.cull=front"});
     EXPECT_TRUE(editor.facts().lost_casters.empty()) << "sought for a panel that is hidden";
-    editor.state().window.open_tab = BottomTab::Objects;
+    editor.state().window.open_page = Page::Objects;
     editor.settle_wide();
     ASSERT_FALSE(editor.facts().lost_casters.empty()) << "the floor has no back";
     const Scene& scene = *editor.facts().scene;

@@ -18,7 +18,7 @@ namespace {
 class ObjectsPanel : public testing::Test {
 protected:
     explicit ObjectsPanel(int width = 1280) : ui(width, 900) {
-        ui.state.window.open_tab = BottomTab::Objects;
+        ui.state.window.open_page = Page::Objects;
         ui.state.layout.bottom_height = 34;
         ui.frames(4);
     }

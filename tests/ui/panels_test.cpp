@@ -19,7 +19,7 @@ namespace si::test {
 namespace {
 
 // Positions at 1280 x 720: the search field, and the first row below its group's heading.
-constexpr glm::vec2 kSearch{1040, 56}, kFirstLabel{965, 115}, kFirstValue{1170, 115}, kPicture{200, 250};
+constexpr glm::vec2 kSearch{1040, 83}, kFirstLabel{965, 142}, kFirstValue{1170, 142}, kPicture{200, 250};
 constexpr float kCheckbox = 1091;  // left end of the column of values, which checkboxes use too
 
 const std::string kObjectPath = "Root/Box";
@@ -132,19 +132,18 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
     int drawn = 0;
     // A choice meets one tab by default, and all tabs in the full product.
     std::size_t choice = 0;
-    const std::vector<BottomTab> tabs = {BottomTab::Effects, BottomTab::Probe,   BottomTab::Error,
-                                         BottomTab::Objects, BottomTab::Compare, BottomTab::Frontier,
-                                         BottomTab::Improve, BottomTab::Log};
+    std::vector<Page> pages;
+    for (const PageRow& row : kPageTable) pages.push_back(row.page);
     for (const SettingRef& ref : every_setting()) {
         for (const Value& value : values_of(ref)) {
             ui.state.settings = Settings{};
             set_value(ui.state.settings, ref, value);
             sanitise(ui.state.settings);
-            for (const BottomTab tab : test::portion(tabs, tabs.size(), choice++)) {
-                ui.state.window.open_tab = tab;
+            for (const Page page : test::portion(pages, pages.size(), choice++)) {
+                ui.state.window.open_page = page;
                 ui.state.probe_pixel = glm::ivec2(3, 4);
                 ui.frames(2);
-                ASSERT_EQ(ui.state.tab, tab);
+                ASSERT_TRUE(ui.state.shows(page));
                 ++drawn;
             }
             EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 2000) << setting_key(ref);
@@ -311,7 +310,7 @@ TEST(Panels, TooltipHidesNoOtherSetting) {
     for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
         const std::string_view name(w->Name);
         if (w->WasActive && (w->Flags & ImGuiWindowFlags_Tooltip)) tip = w;
-        if (name.starts_with("editor/settings_")) settings = w;
+        if (name.starts_with("editor/inspector_")) settings = w;
     }
     ASSERT_TRUE(tip && settings);
     EXPECT_LE(tip->Pos.x + tip->Size.x, settings->Pos.x);
@@ -479,7 +478,7 @@ TEST(Panels, ClickProbesAndDragOrbitsTheCamera) {
     ui.frames(3);
     ui.click(kPicture);
     EXPECT_TRUE(ui.state.probe_pixel);
-    EXPECT_EQ(ui.state.tab, BottomTab::Probe);
+    EXPECT_TRUE(ui.state.shows(Page::Pixel));
     EXPECT_EQ(ui.state.settings.camera.source, CameraSource::Automatic) << "a click moved the camera";
     const auto probed = ui.state.probe_pixel;
     ui.drag(kPicture, kPicture + glm::vec2(60, 25));
@@ -560,7 +559,7 @@ TEST(Panels, GreyScaleEndsAreDraggedInTheHistogram) {
 TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     UiHarness ui(kWidth, kHeight);
     ui.lost_casters = {{.object = 2, .by = LostBy::Culling, .cull = Cull::Front, .triangles = 2}};
-    ui.state.window.open_tab = BottomTab::Objects;
+    ui.state.window.open_page = Page::Objects;
     ui.frames(5);
     const std::string path = ui.scene.nodes[std::size_t(ui.scene.objects[2].node)].path;
     ui.click(ui.find("bottom", "", "Cast from both sides"));
@@ -572,7 +571,7 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
 TEST(Panels, BlendedCastersAreNamedAndCastByAButton) {
     UiHarness ui(kWidth, kHeight);
     ui.lost_casters = {{.object = 2, .by = LostBy::Blending, .triangles = 2}};
-    ui.state.window.open_tab = BottomTab::Objects;
+    ui.state.window.open_page = Page::Objects;
     ui.frames(5);
     ui.click(ui.find("bottom", "", "Blended ones cast"));
     EXPECT_EQ(ui.state.settings.caster.blend, BlendCasters::Mask);
@@ -581,7 +580,7 @@ TEST(Panels, BlendedCastersAreNamedAndCastByAButton) {
 
 TEST(Panels, ObjectListEditsOneObjectAtATime) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.window.open_tab = BottomTab::Objects;
+    ui.state.window.open_page = Page::Objects;
     const std::string other = ui.scene.nodes[std::size_t(ui.scene.objects[1].node)].path;
     ui.state.settings.objects[other].cull = ObjectCull::Back;
     ui.frames(3);
@@ -606,7 +605,7 @@ TEST(Panels, ObjectListEditsOneObjectAtATime) {
 
 TEST(Panels, UnchangedObjectsLeaveNoTraceInTheSettings) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.window.open_tab = BottomTab::Objects;
+    ui.state.window.open_page = Page::Objects;
     ui.frames(5);
     EXPECT_TRUE(ui.state.settings.objects.empty());
 }

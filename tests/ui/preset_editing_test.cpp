@@ -89,7 +89,7 @@ TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     open();
     const std::vector<BuiltinPreset> all = builtin_presets();
     ASSERT_GT(all.size(), 30u);
-    state().window.maximised = Panel::Tabs;  // each panel has tests of its own
+    state().window.maximised = Panel::Strip;  // each panel has tests of its own
     int walked = 0;
     for (const BuiltinPreset& p : all) {
         press(kPageDown);
@@ -239,7 +239,7 @@ TEST_F(PresetEditing, DifferencesAreAppliedSinglyAndUndone) {
     large.height = 720;
     open(large);
     state().compare = {CompareKind::Preset, "acne"};
-    state().window.open_tab = BottomTab::Compare;
+    state().window.open_page = Page::Compare;
     editor_->settle();
     const EditorFrame facts = model().facts();
     ASSERT_TRUE(facts.comparison);

@@ -325,9 +325,9 @@ TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
             if (is_text(p)) set_value(other, ref, "key");
         }
         ui.comparison = ComparisonFacts{ui.state.compare, other, "plane", {}};
-        ui.state.window.open_tab = BottomTab::Compare;
+        ui.state.window.open_page = Page::Compare;
         ui.frames(3);
-        ASSERT_EQ(ui.state.tab, BottomTab::Compare);
+        ASSERT_TRUE(ui.state.shows(Page::Compare));
         EXPECT_EQ(ui.state.settings, Settings{}) << "drawing changed something";
     }
     ui.comparison->problem = "/a/one.json: no such file";

@@ -22,19 +22,20 @@ TEST(PrintedText, OfEveryTabEqualsItsSource) {
         .current = true, .rays = 1'000'000, .noise = "noise 0.0031, 64 samples a pixel", .width = 8, .height = 8};
     ui.error = LiveError{};
     ui.map_facts = MapPlots{};
-    for (int i = 0; i < kBottomTabs; ++i) {
-        const auto tab = BottomTab(i);
-        ui.state.window.open_tab = tab;
+    ui.state.probe_panel.lists_numbers = true;
+    for (int i = 0; i < kPages; ++i) {
+        const auto page = Page(i);
+        ui.state.window.open_page = page;
         ui.frames(4);
         const std::u32string text = ui.printed();
-        EXPECT_GT(text.size(), 300u) << int(tab);
-        if (tab == BottomTab::Probe) {
+        EXPECT_GT(text.size(), 300u) << i;
+        if (page == Page::Pixel) {
             EXPECT_TRUE(holds(text, U"N\u00b7L0.60000"));
         }
-        if (tab == BottomTab::Effects) {
+        if (page == Page::Effects) {
             EXPECT_TRUE(holds(text, U"shadowmap0"));
         }
-        if (tab == BottomTab::Error) {
+        if (page == Page::Error) {
             EXPECT_TRUE(holds(text, U"noise0.0031"));
         }
     }

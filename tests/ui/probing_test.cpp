@@ -217,13 +217,13 @@ TEST(Probing, HoveredArtefactIsNamed) {
 TEST(ArtefactTour, VisitsClustersAndProbesThem) {
     Probing editor({"bias.kind=constant", "bias.constant=0", "bias.normal=0", "filter.kernel=hard"});
     EditorState& state = editor.state();
-    // The tab *Error* stays open during a tour. The tab *Probe* would search a fix for each place.
-    state.window.open_tab = BottomTab::Error;
+    // The tab *Error* stays open during a tour. The tab *Pixel* would search a fix for each place.
+    state.window.open_page = Page::Error;
     editor.settle();
     const Settings before = state.settings;
     editor.key('X');
     editor.settle();
-    EXPECT_EQ(state.tab, BottomTab::Error);
+    EXPECT_TRUE(state.shows(Page::Error));
     const ArtefactTour& tour = state.artefact_tour;
     ASSERT_GT(tour.of.spots.size(), 1u);
     for (std::size_t i = 1; i < tour.of.spots.size(); ++i)
@@ -257,16 +257,16 @@ TEST(ArtefactTour, VisitsClustersAndProbesThem) {
     same.camera = before.camera;
     EXPECT_EQ(same, before) << "it moves the camera and nothing else";
     EXPECT_EQ(state.history.undo(), before) << "one step";
-    state.window.open_tab = BottomTab::Log;
+    state.window.open_page = Page::Log;
     editor.frames(3);
-    EXPECT_EQ(state.tab, BottomTab::Log);
+    EXPECT_TRUE(state.shows(Page::Log));
     editor.key('X');
-    EXPECT_EQ(state.tab, BottomTab::Probe) << "other tabs make way for the place";
+    EXPECT_TRUE(state.shows(Page::Pixel)) << "other tabs make way for the place";
 }
 
 TEST(ArtefactTour, SwatchSelectsTheCauseAndShowsIt) {
     UiHarness ui(1600, 900);
-    ui.state.window.open_tab = BottomTab::Error;
+    ui.state.window.open_page = Page::Error;
     ui.state.layout.bottom_height = 17;
     ui.reference = ReferenceFacts{.current = true, .wanted = true};
     LiveError e;

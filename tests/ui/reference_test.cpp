@@ -55,7 +55,7 @@ TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     EXPECT_FALSE(editor.model().facts().reference->wanted);
 
     EditorState& state = editor.model().state;
-    state.window.open_tab = BottomTab::Error;
+    state.window.open_page = Page::Error;
     editor.settle();
     const auto error = [&] { return editor.model().facts().error; };
     ASSERT_TRUE(error());
@@ -94,7 +94,7 @@ TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     EXPECT_FALSE(editor.model().facts().reference->current);
     editor.settle();
     EXPECT_TRUE(error());
-    state.window.open_tab = BottomTab::Effects;
+    state.window.open_page = Page::Effects;
     editor.settle();
     EXPECT_FALSE(error());
     expect_calm(editor);
@@ -106,7 +106,7 @@ TEST(EditorReference, CancelHoldsUntilAChange) {
     for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
         sets.push_back(set);
     HeadlessEditor editor(options(sets));
-    editor.model().state.window.open_tab = BottomTab::Error;
+    editor.model().state.window.open_page = Page::Error;
     ASSERT_NO_FATAL_FAILURE(cancel_tracing(editor));
     EXPECT_FALSE(editor.model().facts().error);
     editor.model().state.settings.truth.area = false;
@@ -152,7 +152,7 @@ TEST(EditorReference, KeepsEarlierViewsOfTheSameCastersOnly) {
     sets.push_back("camera.source=manual");
     HeadlessEditor editor(options(sets));
     EditorState& state = editor.model().state;
-    state.window.open_tab = BottomTab::Error;
+    state.window.open_page = Page::Error;
     state.comparison = {.view = ComparisonView::SideBySide, .reference = false};
     editor.settle();
     EXPECT_GE(receivers_held(), others + 1);
@@ -175,7 +175,7 @@ TEST(EditorReference, ViewThatComesBackNeedsNoRays) {
     sets.push_back("camera.source=manual");
     HeadlessEditor editor(options(sets));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Error;
+    model.state.window.open_page = Page::Error;
     editor.settle();
     ASSERT_TRUE(model.facts().error);
     const ErrorMetrics before = model.facts().error->metrics;
@@ -200,7 +200,7 @@ TEST(EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture) {
         sets.push_back(set);
     HeadlessEditor editor(options(sets));
     EditorModel& model = editor.model();
-    model.state.window.open_tab = BottomTab::Error;
+    model.state.window.open_page = Page::Error;
     constexpr double kSomeRays = 0.2;  // the share of the work before the rays to the light
     double progress = 0;
     for (int i = 0; i < 5000 && progress <= kSomeRays; ++i) {
@@ -211,10 +211,10 @@ TEST(EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture) {
     ASSERT_GT(progress, kSomeRays);
     const glm::dvec2 origin = model.state.viewport.view->origin, size = model.state.viewport.view->size;
     for (int click = 0; click < 100; ++click) {
-        const auto tab = BottomTab(click % kBottomTabs);
-        model.state.window.open_tab = tab;
+        const auto page = Page(click % kPages);
+        model.state.window.open_page = page;
         for (int frame = 0; frame < 3; ++frame) editor.frame();
-        ASSERT_EQ(model.state.tab, tab);
+        ASSERT_TRUE(model.state.shows(page));
         ASSERT_TRUE(model.tracing()) << "click " << click;
         ASSERT_GE(model.facts().reference->progress, progress) << "click " << click;
         progress = model.facts().reference->progress;
@@ -228,7 +228,7 @@ TEST(EditorReference, SavesAllNumbers) {
     const std::filesystem::path file = kOut / "editor_error.json";
     std::filesystem::remove(file);
     HeadlessEditor editor(options(kNoBias));
-    editor.model().state.window.open_tab = BottomTab::Error;
+    editor.model().state.window.open_page = Page::Error;
     editor.settle();
     EditorRequests save = editor.frame();
     save.save_error = file.string();
@@ -387,7 +387,7 @@ TEST(EditorPictureComparison, PinIsFlickeredAndCompared) {
     state.comparison.at = 0.5f;
     editor.settle();
     write_png(kOut / "editor_pin_swipe.png", editor.picture());
-    state.window.open_tab = BottomTab::Compare;
+    state.window.open_page = Page::Compare;
     editor.settle();
     ASSERT_TRUE(editor.model().facts().comparison);
     EXPECT_EQ(editor.model().facts().comparison->settings.map.resolution, 128);

@@ -80,7 +80,7 @@ TEST(Screenshot, SectionDrawingIsSavedAsPngAndSvg) {
     editor.frames(3);
     EXPECT_NE(editor.last_line().find("click a pixel"), std::string::npos);
     state.probe_pixel = glm::ivec2(state.viewport.wanted_size.x / 2, state.viewport.wanted_size.y * 3 / 4);
-    state.window.open_tab = BottomTab::Probe;
+    state.window.open_page = Page::Pixel;
     editor.settle();
     state.shots.next = Shot::Drawing;
     editor.frames(3);

@@ -40,7 +40,7 @@ Section step_of_shadow() {
 TEST(SectionView, IsNextToTheVerdictAndIsLaidOutOnce) {
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.window.open_tab = BottomTab::Probe;
+    ui.state.window.open_page = Page::Pixel;
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
     EXPECT_TRUE(ui.prints("needs 0.6 texels of bias"));
@@ -52,7 +52,7 @@ TEST(SectionView, IsNextToTheVerdictAndIsLaidOutOnce) {
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
     EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn + 1) << "another pixel";
-    ui.state.window.open_tab = BottomTab::Log;
+    ui.state.window.open_page = Page::Log;
     ui.frames(3);
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
@@ -64,9 +64,9 @@ TEST(SectionView, ExplainsTheHoveredMark) {
     for (const bool fills : {false, true}) {  // the window
         SCOPED_TRACE(fills);
         UiHarness ui(1600, fills ? 600 : 900);
-        if (fills) ui.state.window.maximised = Panel::Tabs;
+        if (fills) ui.state.window.maximised = Panel::Inspector;
         ui.state.probe_pixel = glm::ivec2(3, 4);
-        ui.state.window.open_tab = BottomTab::Probe;
+        ui.state.window.open_page = Page::Pixel;
         ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
         ui.frames(5);
         EXPECT_FALSE(ui.prints("one step per texel"));
@@ -126,7 +126,7 @@ TEST(SectionView, LeavesTheVerdictItsSpaceAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{3840, 2160, 2.0f}, {1280, 720, 1.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
-        ui.state.window.open_tab = BottomTab::Probe;
+        ui.state.window.open_page = Page::Pixel;
         ui.state.settings.light_count = 3;
         ui.sections = std::make_shared<const std::vector<Section>>(3, step_of_shadow());
         ui.frames(4);
@@ -139,7 +139,7 @@ TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     TestEditor editor(
         editor_options("boxes", {"bias.kind=constant", "bias.normal=0", "bias.constant=4", "map.resolution=512"}));
     EditorState& state = editor.state();
-    state.window.open_tab = BottomTab::Log;
+    state.window.open_page = Page::Log;
     state.layout = kWideLayout;
     editor.settle();
     state.probe_pixel = glm::ivec2(200, 150);
@@ -147,7 +147,7 @@ TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     ASSERT_TRUE(editor.facts().probe && editor.facts().probe->hit);
     EXPECT_FALSE(editor.facts().sections) << "nobody looks";
     EXPECT_EQ(state.probe_panel.section_views.drawn, 0);
-    state.window.open_tab = BottomTab::Probe;
+    state.window.open_page = Page::Pixel;
     editor.settle();
     const Sections shown = editor.model().facts().sections;
     ASSERT_TRUE(shown && shown->size() == 1);

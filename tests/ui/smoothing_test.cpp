@@ -96,7 +96,7 @@ TEST_F(EditorSmoothing, PausesDuringMeasurementsAndContinues) {
 
 TEST_F(EditorSmoothing, IsNotCountedInFrameTimes) {
     editor.settle();
-    ASSERT_EQ(model.state.tab, BottomTab::Effects) << "which times frames";
+    ASSERT_TRUE(model.state.shows(Page::Effects)) << "which times frames";
     model.state.settings.lights[0].azimuth += 1;
     editor.frame();
     editor.frame();

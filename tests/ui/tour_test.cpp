@@ -164,7 +164,7 @@ TEST_P(Tour, SelectionHoverAndPanes) {
     open("stage", {"view.overlay=depth-difference"});
     ASSERT_FALSE(facts().scene->objects.empty());
     state().selection.first = "Stage/Wall";
-    state().window.open_tab = BottomTab::Objects;
+    state().window.open_page = Page::Objects;
     editor_->mouse.at = middle();
     editor_->settle();
     ASSERT_TRUE(state().viewport.hovered_pixel);
@@ -182,7 +182,7 @@ TEST_P(Tour, SelectionHoverAndPanes) {
 TEST_P(Tour, TheMapDownToItsTexels) {
     open("boxes", {"map.resolution=512"});
     state().probe_pixel = glm::ivec2(facts().result->colour.width / 2, facts().result->colour.height / 2);
-    state().window.open_tab = BottomTab::Probe;
+    state().window.open_page = Page::Pixel;
     editor_->settle();
     ASSERT_TRUE(facts().probe && facts().probe->hit);
     const glm::ivec2 texel = facts().probe->lights[0].texel;
@@ -200,7 +200,7 @@ TEST_P(Tour, TheMapDownToItsTexels) {
 TEST_P(Tour, Comparison) {
     open("boxes", {"bias.kind=constant", "bias.constant=3", "bias.normal=3", "map.wrap=repeat", "filter.kernel=hard",
                    "light.azimuth=20"});
-    state().window.open_tab = BottomTab::Compare;
+    state().window.open_page = Page::Compare;
     state().compare = {CompareKind::Preset, "acne"};
     editor_->settle();
     ASSERT_TRUE(facts().comparison);

@@ -103,6 +103,23 @@ TEST(Workspace, MembersOfWrongTypeKeepTheirDefaults) {
     EXPECT_TRUE(w.take_remarks().empty());
 }
 
+/// A layout of an earlier version had one strip, which was always open, and no inspector.
+TEST(Workspace, LayoutOfAnEarlierVersionKeepsItsSizesAndAClosedStrip) {
+    const fs::path folder = fresh_test_folder();
+    std::ofstream(folder / "workspace.json")
+        << R"({"format":"shadow-inspector-workspace","version":1,"layout":{"settings_width":30,"bottom_height":27,
+               "map_place":1,"light_theme":true}})";
+    Workspace w(folder);
+    EXPECT_EQ(w.data().layout, (EditorLayout{.settings_width = 30,
+                                             .bottom_height = 27,
+                                             .strip_open = false,
+                                             .map_place = MapSpot::NextToScene,
+                                             .light_theme = true}));
+    w.change([](WorkspaceData& d) { d.layout.strip_open = true; });
+    EXPECT_TRUE(Workspace(folder).data().layout.strip_open);
+    EXPECT_TRUE(w.take_remarks().empty());
+}
+
 TEST(Workspace, UnwritableFolderIsOnlyAWarning) {
     const fs::path folder = fresh_test_folder();
     std::ofstream(folder / "file") << "no folder";

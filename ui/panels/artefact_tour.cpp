@@ -13,6 +13,7 @@
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/editor_ui.h"
+#include "ui/state/quick_changes.h"
 
 namespace si {
 namespace {
@@ -82,7 +83,7 @@ void go_to_spot(EditorState& state, const EditorFrame& frame, std::size_t at) {
     state.probe_pixel = spot.pixel;
     state.probe_anchor = ProbeAnchor{spot.position_ws, spot.normal_ws, state.scene_name, spot.pixel};
     state.keyboard.probe_has_arrows = true;
-    if (state.tab != BottomTab::Error) state.window.open_tab = BottomTab::Probe;
+    if (!state.shows(Page::Error)) show_pixel(state);
     tour.left = state.settings;
     tour.scene = state.scene_name;
     state.log.add(LogKind::Info, "At " + artefact_tour_text(state));

@@ -1,4 +1,4 @@
-// State of the group Engine in the settings' column: parameters of another engine.
+// State of the group Engine in the tab Settings: parameters of another engine.
 #pragma once
 
 #include "renderer/profiles/engine_wording.h"

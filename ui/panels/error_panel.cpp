@@ -185,7 +185,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     same_line_if_fits(em * 4);
     save_button(state, frame, requests);
     same_line_if_fits(button_width("Improve..."));
-    if (ImGui::Button("Improve...")) state.window.open_tab = BottomTab::Improve;
+    if (ImGui::Button("Improve...")) open_improve(state, ImproveMode::Picture);
     plain_tooltip("Fixes of the picture, the least bias, and settings that it can do without: tab Improve");
     const std::string tour = artefact_tour_text(state), status = reference_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;

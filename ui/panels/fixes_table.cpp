@@ -9,6 +9,7 @@
 
 #include "renderer/advise/fixes.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/measure/axes.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "ui/state/shortcuts.h"
@@ -34,40 +35,58 @@ std::string about(const Trial& t, const FixTable& table) {
             fmt::format("this pixel: visibility {:.2f}, {:.2f} is right\n", t.pixel->visibility, t.pixel->reference);
     if (t.ms)
         text += fmt::format("time {} ms a frame, noise {} ms\n", signed_text(t.ms->value), digits_text(t.ms->noise));
-    return text + fmt::format("A click applies it; {} takes it back.", key_text(Command::Undo));
+    return text + "A click shows it right of the line in the picture; again: hides it.";
 }
 
-void row(const Trial& t, const FixTable& table, bool current, FixRequests& requests) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
+/// Shown and present settings, for the rows of a list.
+struct Shown {
+    const FixTable& table;
+    const Settings& settings;
+    const Settings* tried;
+    bool current;  ///< the rows belong to the present settings
+};
+
+/// Draws a tried change in two lines: its name, then its button with its numbers. Returns true at a click that hides
+/// the shown row.
+bool row(const Trial& t, const Shown& shown, FixRequests& requests) {
     const std::string name = t.candidate.shown_name();
-    if (!t.is_drawn()) return ImGui::TextDisabled("%s: not tried, %s", name.c_str(), t.candidate.untried.c_str());
-    ImGui::BeginDisabled(!current);
-    const std::string label = (t.why_not.empty() ? "Fix: " : "") + name;
-    if (ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) requests.apply_fix = &t;
+    if (!t.is_drawn()) {
+        coloured_wrapped(fmt::format("{}: not tried, {}", name, t.candidate.untried), theme::muted());
+        return false;
+    }
+    bool hide = false;
+    ImGui::BeginDisabled(!shown.current);
+    const bool seen = shown.current && is_tried(shown.settings, shown.tried, t.changes);
+    if (ImGui::Selectable(((t.why_not.empty() ? "Fix: " : "") + name).c_str(), seen)) {
+        hide = seen;
+        if (!seen) requests.show_fix = &t;
+    }
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", about(t, shown.table).c_str());
+    if (ImGui::SmallButton("Apply")) requests.apply_fix = &t;
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(t, table).c_str());
+    plain_tooltip(fmt::format("Sets it; {} takes it back", key_text(Command::Undo)),
+                  ImGuiHoveredFlags_AllowWhenDisabled);
+    ImGui::SameLine();
+    coloured_wrapped(fmt::format("{} right, {} broken, error {}, {}, maps {}", t.cured, t.broken,
+                                 signed_text(t.added_error()), time_text(t.ms), map_bytes_text(t.map_bytes())),
+                     shown.current ? theme::text() : theme::muted());
     if (const std::string engine = engine_changes_text(t.changes); !engine.empty())
         ImGui::TextDisabled("%s", engine.c_str());
-    const ImU32 plain = current ? theme::text() : theme::muted();
-    text_cell(std::to_string(t.cured), plain);
-    text_cell(std::to_string(t.broken), t.broken == 0 ? theme::muted() : plain);
-    text_cell(signed_text(t.added_error()), plain);
-    text_cell(time_text(t.ms), plain);
-    text_cell(map_bytes_text(t.map_bytes()), plain);
+    return hide;
 }
 
-void rows(const char* id, const FixSearch& search, bool helping, FixRequests& requests) {
-    if (!begin_table(id, ImGuiTableFlags_SizingFixedFit,
-                     {{"change"}, {"right"}, {"broken"}, {"error"}, {"time"}, {"maps"}}))
-        return;
+bool rows(const char* id, const Shown& shown, bool helping, FixRequests& requests) {
+    bool hide = false;
+    ImGui::PushID(id);
     int number = 0;
-    for (const Trial& t : search.table->rows) {
+    for (const Trial& t : shown.table.rows) {
         ImGui::PushID(number++);
-        if (t.helps() == helping) row(t, *search.table, search.current, requests);
+        if (t.helps() == helping) hide |= row(t, shown, requests);
         ImGui::PopID();
     }
-    ImGui::EndTable();
+    ImGui::PopID();
+    return hide;
 }
 
 }  // namespace
@@ -96,24 +115,35 @@ const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel)
     return search.table && search.current && search.pixel == pixel ? search.table->fix() : nullptr;
 }
 
-void draw_fixes_table(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel) {
-    if (!search.table || search.pixel != pixel) return;
+bool is_tried(const Settings& settings, const Settings* tried, ShownChanges changes) {
+    if (!tried) return false;
+    Settings with = settings;
+    set_settings(with, changes);
+    return measured_settings(with) == measured_settings(*tried);
+}
+
+bool draw_fixes_table(const FixSearch& search, const Settings& settings, const Settings* tried, FixRequests& requests,
+                      std::optional<glm::ivec2> pixel) {
+    if (!search.table || search.pixel != pixel) return false;
     const FixTable& table = *search.table;
     if (!search.current)
         ImGui::TextDisabled("of other settings: search again");
     else if (table.fix())
-        ImGui::TextDisabled("%zu pixels are wrong now; %zu of %zu changes tried", table.wrong, table.drawn(),
-                            table.candidates);
+        wrapped_text(fmt::format("{} pixels are wrong now; {} of {} changes tried", table.wrong, table.drawn(),
+                                 table.candidates));
     else
-        ImGui::TextDisabled("No fix among %zu of %zu changes: none %s and makes nothing worse", table.drawn(),
-                            table.candidates, pixel ? "puts this pixel right" : "lowers the error");
-    ImGui::SameLine();
+        wrapped_text(fmt::format("No fix among {} of {} changes: none {} and makes nothing worse", table.drawn(),
+                                 table.candidates, pixel ? "puts this pixel right" : "lowers the error"));
+    same_line_if_fits(button_width("Close"));
     if (ImGui::SmallButton("Close##cures")) (pixel ? requests.forget_pixel_fixes : requests.forget_fixes) = true;
-    if (std::ranges::any_of(table.rows, &Trial::helps)) rows("cures", search, true, requests);
+    const Shown shown{table, settings, tried, search.current};
+    bool hide = false;
+    if (std::ranges::any_of(table.rows, &Trial::helps)) hide |= rows("cures", shown, true, requests);
     const auto others = std::ranges::count_if(table.rows, std::not_fn(&Trial::helps));
     if (others > 0 && ImGui::CollapsingHeader(fmt::format("{} others do not help###others", others).c_str()))
-        rows("others", search, false, requests);
+        hide |= rows("others", shown, false, requests);
     if (table.refused > 0) ImGui::TextDisabled("%zu more: the chosen engine lacks them", table.refused);
+    return hide;
 }
 
 }  // namespace si

@@ -1,8 +1,11 @@
-// Table of fixes. A click on a row applies it.
+// List of fixes. A click on one shows it beside the picture; its button applies it.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
 
 #include "renderer/settings/settings.h"
 #include "ui/panels/tune_controls.h"
@@ -34,6 +37,7 @@ struct FixRequests {
     bool cancel_pixel_fixes = false;
     bool forget_pixel_fixes = false;
     const Trial* apply_fix = nullptr;  ///< apply this row of a table
+    const Trial* show_fix = nullptr;   ///< show this row beside the picture (PictureState::tried)
 };
 
 /// Returns the fix that was found for a pixel under the present settings; null: none, or not yet.
@@ -43,8 +47,16 @@ const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel)
 /// none: the picture @param ready true: there is a picture @param wrong true: some pixel is wrong
 void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                        bool wrong);
-/// Draws the table of fixes found for the pixel or picture, if any. A click on a row requests to apply it.
+/// Draws the list of fixes found for the pixel or picture, if any. A click on a row requests to show it, or to hide it
+/// again; its button requests to apply it.
+/// @param settings present settings @param tried settings that are shown before they are taken; null: none
 /// @param pixel the pixel that the fixes put right; none: the whole picture
-void draw_fixes_table(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel);
+/// @returns true at a click that hides the shown row
+bool draw_fixes_table(const FixSearch& search, const Settings& settings, const Settings* tried, FixRequests& requests,
+                      std::optional<glm::ivec2> pixel);
+
+/// Returns true if `tried` are the settings with these changes.
+bool is_tried(const Settings& settings, const Settings* tried,
+              std::span<const std::pair<std::string, std::string>> changes);
 
 }  // namespace si

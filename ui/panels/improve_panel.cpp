@@ -4,14 +4,19 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/advise/autopilot.h"
+#include "renderer/advise/least_bias.h"
 #include "renderer/advise/waste.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/editor_ui.h"
+#include "ui/state/panels.h"
+#include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/changes_text.h"
 #include "ui/widgets/cost_combo.h"
@@ -24,21 +29,59 @@
 namespace si {
 namespace {
 
-void heading(const char* text) {
+/// Row of the table of aims.
+struct ModeRow {
+    ImproveMode mode;
+    const char* label;
+    const char* help;
+};
+constexpr ModeRow kModes[kImproveModes] = {
+    {ImproveMode::Pixel, "Fix this pixel", "Finds changes that put the probed pixel right and make nothing worse."},
+    {ImproveMode::Picture, "Fix the picture", "Finds the least bias, and changes that put all wrong pixels right."},
+    {ImproveMode::Cheaper, "Cheaper, same look",
+     "Finds what saves time without a larger error, and work whose absence changes no byte of the picture."},
+    {ImproveMode::Limits, "Within x ms",
+     "Finds the most accurate settings within a time, or the cheapest within a mean error."}};
+
+/// Draws the buttons of the aims, two in a row.
+void mode_buttons(ImproveMode& mode) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+    for (const ModeRow& row : kModes) {
+        if (index_of(row.mode) % 2 == 1) ImGui::SameLine(0, gap);
+        if (toggle_button(row.label, mode == row.mode, {width, 0})) mode = row.mode;
+        wrapped_tooltip(fmt::format("{}\n{}", row.help, with_key("Next aim", Command::NextImprovement)));
+    }
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.2f});
-    ImGui::TextDisabled("%s", text);
-    ImGui::Separator();
 }
 
-/// Draws the button that applies several changes as one step of undo.
-void apply_button(Settings& settings, ShownChanges changes, bool current) {
-    ImGui::BeginDisabled(!current || changes.empty());
-    if (ImGui::SmallButton("Apply")) set_settings(settings, changes);
+/// Draws the buttons that apply several changes as one step of undo, and that show them beside the picture before.
+/// @param beside true: both buttons share a line
+void change_buttons(EditorState& state, ShownChanges changes, bool current, bool beside) {
+    const bool possible = current && !changes.empty();
+    ImGui::BeginDisabled(!possible);
+    if (ImGui::SmallButton("Apply")) {
+        set_settings(state.settings, changes);
+        hide_tried(state);
+    }
     ImGui::EndDisabled();
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    wrapped_tooltip(changes_list(settings, changes) + (current
-                                                           ? fmt::format("{} takes it back.", key_text(Command::Undo))
-                                                           : "Of other settings: run again."));
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        wrapped_tooltip(
+            changes_list(state.settings, changes) +
+            (current ? fmt::format("{} takes it back.", key_text(Command::Undo)) : "Of other settings: run again."));
+    if (beside) ImGui::SameLine();
+    ImGui::BeginDisabled(!possible);
+    const bool seen = possible && is_tried(state.settings, state.tried ? &state.tried->settings : nullptr, changes);
+    if (ImGui::SmallButton(seen ? "Hide###show" : "Show###show")) {
+        Settings with = state.settings;
+        set_settings(with, changes);
+        if (seen)
+            hide_tried(state);
+        else
+            show_tried(state, with);
+    }
+    ImGui::EndDisabled();
+    wrapped_tooltip("Draws it right of the line in the picture, before it is applied");
 }
 
 /// Draws the progress of a search under its button Cancel. Returns true at a press of the button.
@@ -58,21 +101,43 @@ void draw_advice_controls(ImprovePanel& panel, bool ready, const ImproveFacts& f
         return;
     }
     choose_cost("Times", panel.cost);
-    ImGui::BeginDisabled(!ready);
-    if (ImGui::Button("Advice")) requests.find_advice = SearchRequest{.cost = panel.cost};
+    if (button_if(ready, "Advice")) requests.find_advice = SearchRequest{.cost = panel.cost};
     wrapped_tooltip(
         "Measures error (against the ray-traced reference) and time of each change that may help, in the background. "
         "Nothing is changed.");
-    ImGui::EndDisabled();
-    ImGui::Spacing();
-    limit_field("Mean error ≤", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.",
+}
+
+/// Draws the limits of error and time, and the two searches within them.
+void draw_limits_controls(EditorState& state, const EditorFrame& frame, const std::string& why_not,
+                          EditorRequests& requests) {
+    ImprovePanel& panel = state.improve;
+    limit_field("Time ≤, ms",
+                "Of a frame of this picture's size, by the clock that the tab Cost names. Without a bound on the error "
+                "the most accurate that is this fast is chosen.",
+                panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
+    limit_field("Mean error ≤", "Mean error of visibility, 0 to 1. The cheapest that is this accurate is chosen.",
                 panel.bound_error, panel.max_error, 1e-6, "%.5f");
-    limit_field(
-        "Time ≤, ms",
-        "Of a frame, in ms of the clock that the tab Effects names: without a bound on the error the most accurate "
-        "effects that keep it.",
-        panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
-    if (button_if(ready && panel.any(), "Autopilot")) requests.find_advice = panel.request();
+    choose_cost("Times", panel.cost);
+    ImGui::Checkbox("Area light (soft shadows)", &panel.area);
+    wrapped_tooltip(
+        "Tune compares with an area light (light.size). Compared with a point or direction, the hardest kernel is "
+        "always the most accurate one.");
+    if (frame.tuning) {
+        draw_tune_progress(*frame.tuning, requests);
+    } else {
+        if (button_if(panel.any() && why_not.empty(), "Tune")) {
+            requests.tune = panel.request();
+            requests.tune->area = panel.area;
+        }
+        plain_tooltip(why_not.empty() ? "Searches kernels and resolutions, each with the bias it needs" : why_not,
+                      ImGuiHoveredFlags_AllowWhenDisabled);
+    }
+    if (frame.advising) {
+        requests.cancel_advice |= search_running(*frame.advising, "Cancel");
+        return;
+    }
+    if (!frame.tuning) ImGui::SameLine();
+    if (button_if(frame.scene && panel.any(), "Autopilot")) requests.find_advice = panel.request();
     wrapped_tooltip(
         "Searches kernels, resolutions and what else the scene leaves open, up to two minutes, in the background.");
 }
@@ -89,7 +154,8 @@ void draw_waste_controls(bool ready, const ImproveFacts& facts, ImproveRequests&
 }
 
 void show_waste(const Waste& waste, bool current) {
-    ImGui::TextDisabled(current ? "%s" : "of other settings: search again\n%s", waste.summary().c_str());
+    if (!current) ImGui::TextDisabled("of other settings: search again");
+    coloured_wrapped(waste.summary(), theme::muted());
     if (waste.stopped) ImGui::TextDisabled("Stopped before all work was left out once.");
     if (!begin_table("waste", 0, {{"verdict", 5}, {"triangles", 6}, {"left out"}})) return;
     for (const WasteTrial& t : waste.tried) {
@@ -102,7 +168,7 @@ void show_waste(const Waste& waste, bool current) {
     ImGui::EndTable();
 }
 
-void findings_list(Settings& settings, const AdviceReport& report, bool current) {
+void findings_list(EditorState& state, const AdviceReport& report, bool current) {
     const ImU32 kColours[] = {theme::error(), theme::warning(), theme::muted()};
     int id = 0;
     for (const Finding& f : report.findings) {
@@ -110,7 +176,7 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
         coloured_wrapped(fmt::format("{}: {}", severity_key(f.severity), f.text), kColours[std::size_t(f.severity)]);
         if (!f.fix.empty()) {
             if (!f.settings.empty()) {
-                apply_button(settings, f.settings, current);
+                change_buttons(state, f.settings, current, true);
                 ImGui::SameLine();
             }
             wrapped_text(f.fix);
@@ -119,10 +185,11 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
     }
 }
 
-void advice_row(Settings& settings, const Trial& t, bool current) {
+void advice_row(EditorState& state, const Trial& t, bool current) {
+    const Settings& settings = state.settings;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (t.why_not.empty()) apply_button(settings, t.changes, current);
+    if (t.why_not.empty()) change_buttons(state, t.changes, current, false);
     text_cell(time_text(t.ms));
     if (t.ms)
         wrapped_tooltip(
@@ -137,32 +204,32 @@ void advice_row(Settings& settings, const Trial& t, bool current) {
         ImGui::TextDisabled("%s", engine.c_str());
 }
 
-void advice_list(Settings& settings, const std::vector<Trial>& list, bool current, const char* id) {
+void advice_list(EditorState& state, const std::vector<Trial>& list, bool current, const char* id) {
     if (list.empty() ||
         !begin_table(id, 0, {{"##apply", 3.4f}, {"time a frame", 6}, {"error", 4.5f}, {"what, and why"}}))
         return;
     int number = 0;
     for (const Trial& t : list) {
         ImGui::PushID(number++);
-        advice_row(settings, t, current);
+        advice_row(state, t, current);
         ImGui::PopID();
     }
     ImGui::EndTable();
 }
 
-void show_report(Settings& settings, const AdviceReport& r, bool current) {
-    ImGui::TextDisabled("Now %s %s, %s ms a frame %s", std::string(r.options.error->label).c_str(),
-                        digits_text(r.before.error).c_str(), digits_text(r.time.total_ms.median).c_str(),
-                        std::string(cost_row(r.options.cost).when).c_str());
+void show_report(EditorState& state, const AdviceReport& r, bool current) {
+    coloured_wrapped(fmt::format("Now {} {}, {} ms a frame {}", r.options.error->label, digits_text(r.before.error),
+                                 digits_text(r.time.total_ms.median), cost_row(r.options.cost).when),
+                     theme::muted());
     if (!current) ImGui::TextDisabled("of other settings: measure again");
     if (r.holds.empty() && !r.fails.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
     if (r.stopped) ImGui::TextDisabled("Stopped before all changes were tried.");
     if (r.refused > 0) ImGui::TextDisabled("%zu more: the chosen engine lacks them", r.refused);
-    advice_list(settings, r.holds, current, "advice");
-    findings_list(settings, r, current);
+    advice_list(state, r.holds, current, "advice");
+    findings_list(state, r, current);
     if (!r.fails.empty() &&
         ImGui::CollapsingHeader(fmt::format("{} tried, do not hold###fails", r.fails.size()).c_str()))
-        advice_list(settings, r.fails, current, "fails");
+        advice_list(state, r.fails, current, "fails");
 }
 
 /// Returns the combinations that a search measured: those within the limits first, then by their error.
@@ -175,7 +242,7 @@ std::vector<const AutopilotCase*> ordered_cases(const AutopilotResult& r) {
 }
 
 /// Draws the table of all combinations that a search measured.
-void combinations_table(Settings& settings, const AutopilotResult& r, bool current) {
+void combinations_table(EditorState& state, const AutopilotResult& r, bool current) {
     if (r.cases.empty() ||
         !begin_table("combinations", 0, {{"##apply", 3.4f}, {"time a frame", 6}, {"error", 5}, {"combination"}}))
         return;
@@ -186,61 +253,115 @@ void combinations_table(Settings& settings, const AutopilotResult& r, bool curre
         ImGui::PushID(number++);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        if (holds && !c->changes.empty()) apply_button(settings, c->changes, current);
+        if (holds && !c->changes.empty()) change_buttons(state, c->changes, current, false);
         text_cell(c->ms ? quantity_text(*c->ms, "ms") : "-", colour);
         text_cell(digits_text(c->classified.error), colour);
         ImGui::TableNextColumn();
-        coloured_wrapped(c->changes.empty() ? "the present settings" : changes_line(settings, c->changes), colour);
+        coloured_wrapped(c->changes.empty() ? "the present settings" : changes_line(state.settings, c->changes),
+                         colour);
         ImGui::PopID();
     }
     ImGui::EndTable();
 }
 
-void show_autopilot(Settings& settings, const AutopilotResult& r, bool running, bool current) {
+void show_autopilot(EditorState& state, const AutopilotResult& r, bool running, bool current) {
     coloured_wrapped(r.summary, r.goals_met || running ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: measure again");
-    if (r.goals_met && !running) apply_button(settings, r.best.changes, current);
+    if (r.goals_met && !running) change_buttons(state, r.best.changes, current, true);
     for (const DroppedEffect& d : r.dropped)
         ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {} with it)", d.key,
                                             d.now, d.before, time_text(d.ms), digits_text(d.error))
                                     .c_str());
     for (const std::string& text : r.untried) ImGui::TextDisabled("%s", text.c_str());
-    if (running) return combinations_table(settings, r, current);
+    if (running) return combinations_table(state, r, current);
     if (!r.cases.empty() &&
         ImGui::CollapsingHeader(fmt::format("{} combinations measured###combinations", r.cases.size()).c_str()))
-        combinations_table(settings, r, current);
+        combinations_table(state, r, current);
+}
+
+void pixel_part(EditorState& state, const EditorFrame& frame, bool ready, EditorRequests& requests) {
+    if (button_if(ready, "Next wrong pixel")) run_command(Command::NextWrongPixels, state, frame, requests);
+    plain_tooltip(with_key("Goes to the next cluster of wrong pixels, and probes it", Command::NextWrongPixels));
+    if (!state.probe_pixel) return wrapped_text("Click the pixel that is wrong.");
+    const auto at = std::ranges::find(frame.diagnoses, std::max(state.settings.view.light, 0), &PixelDiagnosis::light);
+    if (at == frame.diagnoses.end())
+        return wrapped_text(frame.tracing_probe ? "The pixel's reference is being traced …" : "No verdict yet.");
+    strong_text(fmt::format("Pixel {}, {}", state.probe_pixel->x, state.probe_pixel->y));
+    wrapped_text(at->verdict);
+    draw_fixes_button(frame.pixel_fixes, requests, state.probe_pixel, ready, at->wants_fix());
+    const Settings* const tried = state.tried ? &state.tried->settings : nullptr;
+    requests.hide_tried |= draw_fixes_table(frame.pixel_fixes, state.settings, tried, requests, state.probe_pixel);
+}
+
+void picture_part(EditorState& state, const EditorFrame& frame, bool ready, const std::string& why_not,
+                  EditorRequests& requests) {
+    const Settings* const tried = state.tried ? &state.tried->settings : nullptr;
+    strong_text("Least bias");
+    if (frame.tuning) {
+        draw_tune_progress(*frame.tuning, requests);
+    } else {
+        if (button_if(why_not.empty(), "Auto bias")) requests.tune = SearchRequest{};
+        plain_tooltip(why_not.empty()
+                          ? "Compares this picture with the ray-traced reference under every kind of bias, at several\n"
+                            "strengths. The one with the least score is shown right of the line in the picture."
+                          : why_not,
+                      ImGuiHoveredFlags_AllowWhenDisabled);
+        ImGui::SameLine();
+        if (ImGui::Button("No bias")) remove_bias(state.settings);
+        plain_tooltip(with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias));
+    }
+    draw_biases_table(frame, state.settings, tried, requests);
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.3f});
+    strong_text("Wrong pixels");
+    draw_fixes_button(frame.fixes, requests, {}, ready, true);
+    requests.hide_tried |= draw_fixes_table(frame.fixes, state.settings, tried, requests, {});
+}
+
+void cheaper_part(EditorState& state, const EditorFrame& frame, bool ready, EditorRequests& requests) {
+    draw_advice_controls(state.improve, frame.scene != nullptr, frame, requests);
+    if (frame.advice) show_report(state, *frame.advice, frame.advice_current);
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.3f});
+    strong_text("Wasted work");
+    draw_waste_controls(ready, frame, requests);
+    if (frame.waste) show_waste(*frame.waste, frame.waste_current);
+}
+
+void limits_part(EditorState& state, const EditorFrame& frame, const std::string& why_not, EditorRequests& requests) {
+    draw_limits_controls(state, frame, why_not, requests);
+    draw_tuned_result(frame, state.settings, requests);
+    if (frame.autopilot) show_autopilot(state, *frame.autopilot, frame.advising.has_value(), frame.advice_current);
 }
 
 }  // namespace
 
+void open_improve(EditorState& state, ImproveMode mode) {
+    state.improve.mode = mode;
+    state.window.open_page = Page::Improve;
+    if (state.window.maximised && *state.window.maximised != Panel::Inspector) state.window.maximised.reset();
+}
+
 void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
     const bool ready = frame.result && frame.scene;
-    ImGui::BeginChild("controls", {std::clamp(room * 0.4f, em * 20, em * 30), 0}, false);
     const std::string why_not =
         ready ? reason_without_bias(frame.result->lights, state.settings.view.light) : "there is no picture yet";
-    heading("Least bias");
-    draw_tune_controls(state.tune, state.settings, state.tried ? &state.tried->settings : nullptr, frame, why_not,
-                       requests);
-    heading("Wrong pixels of the picture");
-    draw_fixes_button(frame.fixes, requests, {}, ready, true);
-    heading("Time and error");
-    draw_advice_controls(state.improve, frame.scene != nullptr, frame, requests);
-    heading("Wasted work");
-    draw_waste_controls(ready, frame, requests);
-    ImGui::EndChild();
-    ImGui::SameLine(0, em);
+    ImproveMode& mode = state.improve.mode;
+    mode_buttons(mode);
     ImGui::BeginChild("found", {0, 0}, false);
-    draw_fixes_table(frame.fixes, requests, {});
-    if (frame.advice)
-        show_report(state.settings, *frame.advice, frame.advice_current);
-    else if (frame.autopilot)
-        show_autopilot(state.settings, *frame.autopilot, frame.advising.has_value(), frame.advice_current);
-    else if (!frame.advising && !frame.fixes.table && !frame.waste)
-        wrapped_text(
-            "Each button draws and measures changes: Auto bias every kind of bias, Find fixes what puts wrong pixels "
-            "right, Advice what saves time or lowers the error, Find waste what changes no byte of the picture.");
-    if (frame.waste) show_waste(*frame.waste, frame.waste_current);
+    coloured_wrapped(kModes[index_of(mode)].help, theme::muted());
+    switch (mode) {
+        case ImproveMode::Pixel:
+            pixel_part(state, frame, ready, requests);
+            break;
+        case ImproveMode::Picture:
+            picture_part(state, frame, ready, why_not, requests);
+            break;
+        case ImproveMode::Cheaper:
+            cheaper_part(state, frame, ready, requests);
+            break;
+        case ImproveMode::Limits:
+            limits_part(state, frame, why_not, requests);
+            break;
+    }
     ImGui::EndChild();
 }
 

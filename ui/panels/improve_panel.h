@@ -1,9 +1,10 @@
-// The panel Improve: the least bias, fixes of the picture, advice, the autopilot and wasted work. Each change is
-// drawn and measured.
+// The panel Improve: one place for all searches. Each tried change is drawn and measured, and can be seen beside the
+// picture before it is applied.
 #pragma once
 
 #include <optional>
 
+#include "renderer/base/index_of.h"
 #include "ui/panels/tune_controls.h"
 
 namespace si {
@@ -15,8 +16,16 @@ struct AdviceReport;
 struct AutopilotResult;
 struct Waste;
 
-/// State of the panel Improve: largest error and longest frame time that the autopilot may reach.
-struct ImprovePanel : LimitFields {};
+/// Aim of the panel Improve: put the probed pixel right; put all wrong pixels right; make the same picture cheaper;
+/// find the most accurate settings within limits of error and time.
+enum class ImproveMode { Pixel, Picture, Cheaper, Limits };
+inline constexpr int kImproveModes = index_of(ImproveMode::Limits) + 1;
+
+/// State of the panel Improve: its aim, and the limits of a search within limits.
+struct ImprovePanel : LimitFields {
+    ImproveMode mode = ImproveMode::Picture;
+    bool area = false;  ///< the search for kernel and resolution compares with an area light instead of a point
+};
 
 /// Data that the panel Improve shows: progress and last results of advice, autopilot and the search
 /// for waste.
@@ -38,6 +47,8 @@ struct ImproveRequests {
     bool cancel_waste = false;
 };
 
+/// Brings the panel Improve to the front, with an aim.
+void open_improve(EditorState& state, ImproveMode mode);
 /// Draws the panel Improve.
 void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 

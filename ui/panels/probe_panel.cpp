@@ -1,4 +1,4 @@
-// Panel Probe: the shadow test of one pixel, step by step.
+// Panel Pixel: the shadow test of one pixel, step by step.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,6 +8,7 @@
 #include "renderer/advise/fixes.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/fixes_table.h"
 #include "ui/panels/section_view.h"
@@ -47,10 +48,26 @@ bool begin_fitted_table(const char* id, int columns) {
     return ImGui::BeginTable(id, columns, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings);
 }
 
-void verdict(const std::string& text) {
-    ImGui::PushFont(theme::strong());
+/// Draws a verdict at 1.3 times the usual size, with a chip before it. @param chip colour that the overlay Artefacts
+/// gives the pixel's cause; 0: no chip
+void verdict(const std::string& text, ImU32 chip) {
+    ImGui::PushFont(theme::verdict());
+    if (chip) {
+        const float em = ImGui::GetFontSize(), side = std::round(em * 0.7f);
+        const ImVec2 at = ImGui::GetCursorScreenPos(), lo(at.x, at.y + std::round((em - side) / 2));
+        ImGui::GetWindowDrawList()->AddRectFilled(lo, {lo.x + side, lo.y + side}, chip, em * 0.12f);
+        ImGui::Dummy({side, em});
+        ImGui::SameLine(0, em * 0.35f);
+    }
     wrapped_text(text);
     ImGui::PopFont();
+}
+
+/// Returns the colour that the overlay Artefacts gives the cause of a pixel's error; 0: it is right.
+ImU32 cause_colour(const PixelDiagnosis& d) {
+    for (const ArtefactStyle& style : artefact_styles())
+        if (style.artefact == d.cause().artefact) return theme::rgb(style.rgb);
+    return 0;
 }
 
 /// Draws the button that shows or hides the texels around the probed one as quads in the scene.
@@ -219,7 +236,7 @@ void fix_line(EditorState& state, const EditorFrame& frame) {
 }
 
 void classification(const Probe::PerLight& p, const PixelDiagnosis* d, EditorState& state, const EditorFrame& frame) {
-    verdict(d ? d->verdict : p.verdict);
+    verdict(d ? d->verdict : p.verdict, d ? cause_colour(*d) : 0);
     if (d)
         coloured_wrapped(p.verdict, theme::muted());
     else if (frame.tracing_probe)
@@ -256,17 +273,16 @@ const PixelDiagnosis* diagnosis_of(const EditorFrame& frame, int light) {
     return at == frame.diagnoses.end() ? nullptr : &*at;
 }
 
-/// Draws all numbers that the verdict depends on.
-void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Probe::PerLight& p) {
+/// Draws fixes, kernel taps and, folded, all numbers that the verdict depends on.
+void reasons(EditorState& state, const EditorFrame& frame, const Probe::PerLight& p) {
     const PixelDiagnosis* const d = diagnosis_of(frame, p.light);
     // Fixes belong to the light whose shadows are measured.
-    const bool fixes = d && d->wants_fix() && p.light == state.settings.view.light;
-    if (fixes) {
-        draw_fixes_button(frame.pixel_fixes, requests, state.probe_pixel, frame.result && frame.scene, true);
+    if (d && d->wants_fix() && p.light == state.settings.view.light) {
+        if (ImGui::Button("More fixes…")) open_improve(state, ImproveMode::Pixel);
+        plain_tooltip("Draws and measures each change that may put this pixel right: tab Improve");
         same_line_if_fits(button_width("Hide stored-depth quads"));
     }
     slabs_button(state.settings, p, frame.result ? frame.result->map_size : MapSize());
-    if (fixes) draw_fixes_table(frame.pixel_fixes, requests, state.probe_pixel);
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;
     blocks.block(em * 15, [&] {
@@ -274,32 +290,57 @@ void reasons(EditorState& state, const EditorFrame& frame, EditorRequests& reque
         ImGui::SameLine();
         draw_tap_key();
     });
+    if (state.probe_panel.lists_numbers) ImGui::SetNextItemOpen(true);
+    ImGui::PushFont(theme::strong());
+    const bool open = ImGui::CollapsingHeader("Numbers");
+    if (ImGui::IsItemToggledOpen()) state.probe_panel.lists_numbers = open;
+    ImGui::PopFont();
+    if (!open) return;
+    BlockFlow numbers;
     // A diagnosis that is still to come keeps its place, so that the blocks after it do not move.
     if (!d && frame.tracing_probe)
-        blocks.block(em * 20, [] { ImGui::TextDisabled("Needed bias, have, occluder: being traced …"); });
-    if (d && d->reference.state == PixelState::Counted) blocks.block(em * 20, [&] { reference_column(*d); });
-    if (faces_light(p.account.receiver.n_dot_l)) blocks.block(em * 20, [&] { bias_terms(p.account); });
-    blocks.block(em * 33, [&] { depths(p); });
-    blocks.block(em * 36, [&] { space(p); });
+        numbers.block(em * 20, [] { ImGui::TextDisabled("Needed bias, have, occluder: being traced …"); });
+    if (d && d->reference.state == PixelState::Counted) numbers.block(em * 20, [&] { reference_column(*d); });
+    if (faces_light(p.account.receiver.n_dot_l)) numbers.block(em * 20, [&] { bias_terms(p.account); });
+    numbers.block(em * 33, [&] { depths(p); });
+    numbers.block(em * 36, [&] { space(p); });
 }
 
 /// Draws the verdict of one light's shadow test.
 void heading(EditorState& state, const EditorFrame& frame, const Probe::PerLight& p) {
     if (p.casts) return classification(p, diagnosis_of(frame, p.light), state, frame);
-    verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(state.settings, p.light))
-                              : p.verdict);
+    verdict(
+        p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(state.settings, p.light)) : p.verdict,
+        0);
 }
 
-/// Returns the width of the drawing left of the verdict, pixels; 0: too narrow for both.
+bool has_section(const Sections& sections, std::size_t light) {
+    return sections && light < sections->size() && (*sections)[light].shadowed;
+}
+
+/// Returns the width of the drawing left of the verdict, pixels; 0: the panel is too narrow for both.
 float section_width(const Sections& sections, std::size_t light, float room) {
     const float em = ImGui::GetFontSize();
-    if (!sections || light >= sections->size() || !(*sections)[light].shadowed || room < em * 58) return 0;
+    if (!has_section(sections, light) || room < em * 58) return 0;
     return std::clamp(0.42f * room, em * 28, em * 56);
+}
+
+/// Draws the cross-section of the light whose shadows are measured. A click makes it as large as the window.
+void first_section(EditorState& state, const EditorFrame& frame, std::size_t light, ImVec2 size) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    draw_section_view(state.probe_panel.section_views, frame.sections, light, size);
+    state.shots.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
+    if (ImGui::IsItemClicked()) toggle_maximised(state, Panel::Inspector);
+    if (!ImGui::BeginPopupContextItem("drawing")) return;
+    if (ImGui::MenuItem(state.window.maximised ? "Small again (click)" : "As large as the window (click)"))
+        toggle_maximised(state, Panel::Inspector);
+    if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shots.next = Shot::Drawing;
+    ImGui::EndPopup();
 }
 
 }  // namespace
 
-void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+void draw_probe(EditorState& state, const EditorFrame& frame) {
     if (!state.probe_pixel)
         return ImGui::TextDisabled("Click a surface in the scene to see its shadow test written out.");
     const Probe* probe = frame.probe;
@@ -313,10 +354,10 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
     if (!probe->hit) return ImGui::Text("Pixel %d, %d: background.", probe->x, probe->y);
     const bool hidden = frame.anchor_place == AnchorPlace::Hidden;
     const std::string where =
-        fmt::format("{}Pixel {}, {}   {}   position {} m   normal {}", hidden ? "Hidden, in its place:   " : "",
-                    probe->x, probe->y, probe->object, vec(probe->position_ws, 4), vec(probe->normal_ws, 4));
+        fmt::format("{}Pixel {}, {}   {}", hidden ? "Hidden, in its place:   " : "", probe->x, probe->y, probe->object);
     ImGui::TextDisabled("%s", beginning_that_fits(where, ImGui::GetContentRegionAvail().x, ImGui::GetFont()).c_str());
-    wrapped_tooltip(where);
+    wrapped_tooltip(
+        fmt::format("{}\nposition {} m\nnormal {}", where, vec(probe->position_ws, 4), vec(probe->normal_ws, 4)));
     if (probe->lights.empty()) return;
     // The light whose shadows are measured comes first: its drawing and, next to it, its verdict, which do not scroll.
     const std::size_t first =
@@ -324,16 +365,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float drawn = section_width(frame.sections, first, room.x);
     if (drawn > 0) {
-        const ImVec2 at = ImGui::GetCursorScreenPos(), size(drawn, std::min(room.y, 0.75f * drawn));
-        draw_section_view(state.probe_panel.section_views, frame.sections, first, size);
-        state.shots.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
-        if (ImGui::IsItemClicked()) toggle_maximised(state, Panel::Tabs);
-        if (ImGui::BeginPopupContextItem("drawing")) {
-            if (ImGui::MenuItem(state.window.maximised ? "Small again (click)" : "As large as the window (click)"))
-                toggle_maximised(state, Panel::Tabs);
-            if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shots.next = Shot::Drawing;
-            ImGui::EndPopup();
-        }
+        first_section(state, frame, first, {drawn, std::min(room.y, 0.75f * drawn)});
         ImGui::SameLine(0, ImGui::GetFontSize());
         ImGui::BeginGroup();
     }
@@ -345,15 +377,19 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
         const std::size_t i = k == 0 ? first : k <= first ? k - 1 : k;
         const Probe::PerLight& light = probe->lights[i];
         ImGui::PushID(light.light);
+        const float em = ImGui::GetFontSize(), width = std::min(ImGui::GetContentRegionAvail().x, em * 56);
         if (k > 0) {
             ImGui::Separator();
-            const float width = section_width(frame.sections, i, 1e6f);
-            if (width > 0 && drawn > 0)
-                draw_section_view(state.probe_panel.section_views, frame.sections, i,
-                                  {std::min(width, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize() * 15});
             heading(state, frame, light);
         }
-        if (light.casts) reasons(state, frame, requests, light);
+        if (has_section(frame.sections, i) && width >= em * 12) {
+            const ImVec2 size(width, std::min(0.75f * width, em * 20));
+            if (k > 0)
+                draw_section_view(state.probe_panel.section_views, frame.sections, i, size);
+            else if (drawn <= 0)
+                first_section(state, frame, i, size);
+        }
+        if (light.casts) reasons(state, frame, light);
         ImGui::PopID();
     }
     ImGui::EndChild();

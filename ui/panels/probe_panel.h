@@ -1,4 +1,4 @@
-// The panel Probe: facts about the probed pixel.
+// The panel Pixel: facts about the probed pixel.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct PixelDiagnosis;
 /// Cross-sections of the probed pixel, one for each of its lights.
 using Sections = std::shared_ptr<const std::vector<Section>>;
 
-/// Data that the panel Probe shows about the probed pixel: shadow test, diagnoses and cross-sections.
+/// Data that the panel Pixel shows about the probed pixel: shadow test, diagnoses and cross-sections.
 struct ProbeFacts {
     const Probe* probe = nullptr;  ///< shadow test of state.probe_pixel; null: not known
     AnchorPlace anchor_place = AnchorPlace::Seen;
@@ -43,10 +43,11 @@ struct SectionViews {
     int drawn = 0;  ///< number of drawings made so far
 };
 
-/// State of the panel Probe: its drawings, and a fix that waits for the pixel's verdict.
+/// State of the panel Pixel: its drawings, and a fix that waits for the pixel's verdict.
 struct ProbePanel {
     SectionViews section_views;
-    bool fix_waits = false;  ///< the fix was requested before it was found
+    bool fix_waits = false;      ///< the fix was requested before it was found
+    bool lists_numbers = false;  ///< the numbers of the shadow test are unfolded
     /// Probed pixel, scene, picture size and settings for which a fix was searched.
     struct Searched {
         glm::ivec2 pixel{0}, size{0};

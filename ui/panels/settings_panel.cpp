@@ -12,8 +12,9 @@
 #include "renderer/settings/idle_reason.h"
 #include "ui/panels/engine_panel.h"
 #include "ui/panels/lights_panel.h"
-#include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
+#include "ui/state/quick_changes.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
 #include "ui/widgets/theme.h"
@@ -170,6 +171,32 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
     ImGui::GetWindowDrawList()->AddText({from, corner.y + padding}, theme::muted(), text.c_str());
 }
 
+/// Draws the buttons of the bias: both searches open in the panel Improve.
+void bias_buttons(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    const std::string why_not = frame.result && frame.scene
+                                    ? reason_without_bias(frame.result->lights, state.settings.view.light)
+                                    : "there is no picture yet";
+    const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+    const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
+    const bool narrow = room - others < button_width("Auto bias");
+    ImGui::BeginDisabled(!why_not.empty());
+    ImGui::BeginGroup();
+    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) {
+        if (!frame.tuning) requests.tune = SearchRequest{};
+        open_improve(state, ImproveMode::Picture);
+    }
+    wrapped_tooltip("Tries every kind of bias, and shows the best beside the picture before it is taken: tab Improve");
+    if (!narrow) ImGui::SameLine();
+    if (ImGui::Button("No bias")) remove_bias(state.settings);
+    plain_tooltip(with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias));
+    ImGui::SameLine();
+    if (ImGui::Button("Tune...")) open_improve(state, ImproveMode::Limits);
+    plain_tooltip("Kernel and resolution, too, within limits of error and time: tab Improve");
+    ImGui::EndGroup();
+    ImGui::EndDisabled();
+    if (!why_not.empty()) plain_tooltip(why_not, ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
 void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Group& group) {
     const Rows rows = rows_of(state, group.prefix);
     if (rows.shown.empty() && rows.folded.empty()) return;
@@ -195,13 +222,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
         setting_row(state.settings, ref, names);
     }
     if (table) ImGui::EndTable();
-    if (group.prefix == "bias" && !filtered) {
-        const std::string why_not = frame.result && frame.scene
-                                        ? reason_without_bias(frame.result->lights, state.settings.view.light)
-                                        : "there is no picture yet";
-        draw_tune_controls(state.tune, state.settings, state.tried ? &state.tried->settings : nullptr, frame, why_not,
-                           requests);
-    }
+    if (group.prefix == "bias" && !filtered) bias_buttons(state, frame, requests);
     ImGui::PopID();
 }
 
@@ -210,6 +231,26 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
 std::string_view setting_group_label(std::string_view prefix) {
     const auto at = std::ranges::find(kGroups, prefix, &Group::prefix);
     return at == std::end(kGroups) ? prefix : at->label;
+}
+
+void draw_lights_page(EditorState& state, const EditorFrame& frame) {
+    draw_lights(state.lights, state.settings, state.log, frame.result);
+    const int light = shown_light(state.settings);
+    if (light < 0) return ImGui::TextDisabled("The scene has no light.");
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.1f});
+    ImGui::BeginChild("rows", {0, 0}, false);
+    strong_text(light_title(state.settings, light).c_str());
+    if (begin_rows("light")) {
+        for (const Param& p : params()) {
+            const SettingRef ref{&p, light, {}};
+            if (p.scope != Scope::Light || !unused_setting_reason(state.settings, ref).empty()) continue;
+            NamedValues names = view_choices(state.settings, frame.result, p.key);
+            if (names.empty()) names = scene_choices(frame.scene, p.key);
+            setting_row(state.settings, ref, names);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::EndChild();
 }
 
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {

@@ -1,4 +1,4 @@
-// State of the settings' column.
+// State of the tab Settings.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// State of the column that lists all settings: search and folded groups.
+/// State of the tab that lists all settings: search and folded groups.
 struct SettingsPanel {
     std::string search;
     bool focus_search = false;                    ///< the next frame puts the keyboard into the search field

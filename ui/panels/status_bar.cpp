@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMessageSeconds = 20;  ///< time for which a message without a problem is shown
 
-/// Returns the times of the last timed frame. Frames are timed while the tab Effects is shown.
+/// Returns the times of the last timed frame. Frames are timed while the page Effects is shown.
 std::string cost_text(const FrameTimes& times) {
     if (times.frames.empty()) return {};
     const auto number = [](double t) { return fmt::format("{:.{}f}", t, t < 10 ? 2 : t < 100 ? 1 : 0); };
@@ -80,7 +80,7 @@ void draw_status_bar(EditorState& state, const EditorFrame& frame) {
     ImGui::InvisibleButton("last message",
                            {std::max(std::min(text_width(text, font) + em, free), 1.0f), status_bar_height()});
     wrapped_tooltip(last.text + "\nA click opens the log.");
-    if (ImGui::IsItemClicked()) state.window.open_tab = BottomTab::Log;
+    if (ImGui::IsItemClicked()) state.window.open_page = Page::Log;
 }
 
 }  // namespace si

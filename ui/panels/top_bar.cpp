@@ -49,7 +49,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     item("Back to the saved preset", Command::RevertPreset);
     plain_tooltip(fmt::format("Reads {} again; undo gives all back", state.files.preset_path));
     ImGui::Separator();
-    if (ImGui::MenuItem("Compare with a preset…")) state.window.open_tab = BottomTab::Compare;
+    if (ImGui::MenuItem("Compare with a preset…")) state.window.open_page = Page::Compare;
     if (ImGui::MenuItem("Reset all to the scene's own settings")) requests.reset_all = true;
     plain_tooltip("The program's defaults with what the scene suggests over them; undo gives all back");
     item("Copy command line", Command::CopyCommandLine);
@@ -121,7 +121,7 @@ void view_menu(EditorState& state, const char* label) {
     if (ImGui::MenuItem("Dark theme", nullptr, !layout.light_theme)) layout.light_theme = false;
     if (ImGui::MenuItem("Light theme", nullptr, layout.light_theme)) layout.light_theme = true;
     ImGui::Separator();
-    constexpr std::pair<const char*, MapSpot> kSpots[] = {{"Map above the settings", MapSpot::AboveSettings},
+    constexpr std::pair<const char*, MapSpot> kSpots[] = {{"Map above the inspector", MapSpot::AboveSettings},
                                                           {"Map beside the scene", MapSpot::NextToScene},
                                                           {"Map in the scene's corner", MapSpot::Inset},
                                                           {"No map", MapSpot::Hidden}};
@@ -130,11 +130,14 @@ void view_menu(EditorState& state, const char* label) {
                             layout.map_place == spot))
             layout.map_place = spot;
     ImGui::Separator();
-    constexpr std::pair<const char*, Panel> kPanels[] = {
-        {"Scene alone", Panel::Scene}, {"Map alone", Panel::Map}, {"Tabs alone", Panel::Tabs}};
+    constexpr std::pair<const char*, Panel> kPanels[] = {{"Scene alone", Panel::Scene},
+                                                         {"Map alone", Panel::Map},
+                                                         {"Strip alone", Panel::Strip},
+                                                         {"Inspector alone", Panel::Inspector}};
     for (const auto& [name, which] : kPanels)
         if (ImGui::MenuItem(name, key_text(Command::MaximisePanel))) toggle_maximised(state, which);
     ImGui::Separator();
+    ImGui::MenuItem("Strip of plots and tables", key_text(Command::ToggleStrip), &layout.strip_open);
     ImGui::MenuItem("Desktop's file dialogs", nullptr, &layout.desktop_dialogs);
     plain_tooltip("Files are chosen in the desktop's own dialog where it has one, else in the editor's");
     if (ImGui::MenuItem("Reset layout"))
@@ -149,7 +152,7 @@ void view_menu(EditorState& state, const char* label) {
 /// Draws the menu of all steps of undo; a click goes to a step.
 void steps_menu(EditorState& state) {
     const float em = ImGui::GetFontSize();
-    menu_button("Steps", "steps", "What was changed, step by step; a click goes there", em * 24);
+    menu_button("History", "steps", "What was changed, step by step; a click goes there", em * 24);
     ImGui::SetNextWindowSizeConstraints({em * 12, 0}, {em * 24, em * 30});
     if (!ImGui::BeginPopup("steps")) return;
     const std::vector<std::string> names = state.history.names();
@@ -200,11 +203,11 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
         if (hint_button("Redo", key_text(Command::Redo), state.history.can_redo())) redo(state);
     });
     bar.space(close);
-    bar.item("", button_width("Steps"), [&](float) { steps_menu(state); });
+    bar.item("", button_width("History"), [&](float) { steps_menu(state); });
     bar.space(em);
-    bar.item("", button_width("Compare"), [&](float) {
-        if (hint_button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
-            state.window.open_tab = BottomTab::Compare;
+    bar.item("", button_width("Settings diff"), [&](float) {
+        if (hint_button("Settings diff", "What differs from the scene's own settings, the defaults or a preset"))
+            state.window.open_page = Page::Compare;
     });
     bar.space(em);
     bar.item("", button_width("Save"), [&](float) {

@@ -8,9 +8,7 @@
 #include "renderer/advise/tuning.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/filters.h"
-#include "ui/state/quick_changes.h"
 #include "ui/state/shortcuts.h"
-#include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/text.h"
@@ -18,36 +16,15 @@
 namespace si {
 namespace {
 
-void limits_popup(TunePanel& panel, TuneRequests& requests) {
-    if (!ImGui::BeginPopup("tune limits")) return;
-    ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
-    limit_field("Mean error ≤", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
-                panel.bound_error, panel.max_error, 1e-6, "%.5f");
-    limit_field(
-        "Time ≤, ms",
-        "Of a frame of this picture's size, by the clock that the tab Effects names. Without a bound on the error "
-        "the most accurate that is this fast is chosen.",
-        panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
-    choose_cost("Time", panel.cost);
-    ImGui::Checkbox("Area light (soft shadows)", &panel.area);
-    plain_tooltip(
-        "Compare with an area light (light.size). Compared with a point or direction, the hardest kernel\n"
-        "is always the most accurate one.");
-    if (button_if(panel.any(), "Search")) {
-        requests.tune = panel.request();
-        requests.tune->area = panel.area;
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::EndPopup();
-}
-
 std::string shown_length(double m) {
     return m == 0 ? "0" : metres_text(m);
 }
 
-/// Draws the table of all rows of the bias table that the search tried.
-void biases_table(const FoundBias* found, bool current, Settings& settings, const Settings* tried,
-                  TuneRequests& requests) {
+}  // namespace
+
+void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Settings* tried, TuneRequests& requests) {
+    const FoundBias* const found = shown.tuned;
+    const bool current = shown.tuned_current;
     if (!found || found->tried.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");
     if (!begin_table(
@@ -98,8 +75,6 @@ void biases_table(const FoundBias* found, bool current, Settings& settings, cons
     ImGui::EndTable();
 }
 
-}  // namespace
-
 SearchRequest LimitFields::request() const {
     SearchRequest request{.cost = cost};
     if (bound_error) request.max_error = max_error;
@@ -124,48 +99,23 @@ std::string progress_text(const SearchProgress& progress) {
     return progress.seconds_left > 0 ? fmt::format("{}, {} left", share, seconds_text(progress.seconds_left)) : share;
 }
 
-void draw_tune_controls(TunePanel& panel, Settings& settings, const Settings* tried, const TunePanelFacts& shown,
-                        const std::string& why_not, TuneRequests& requests) {
+void draw_tune_progress(const SearchProgress& progress, TuneRequests& requests) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-    if (shown.tuning) {
-        const std::string text = progress_text(*shown.tuning);
-        progress_bar(shown.tuning->progress, text, std::max(room - button_width("Cancel") - gap, 20.f));
-        plain_tooltip("Trying " + shown.tuning->about);
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel")) requests.cancel_tune = true;
-        plain_tooltip("Stops with what is there");
-        biases_table(shown.tuned, shown.tuned_current, settings, tried, requests);
-        return;
-    }
-    ImGui::BeginDisabled(!why_not.empty());
-    ImGui::BeginGroup();
-    const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
-    const bool narrow = room - others < button_width("Auto bias");
-    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = SearchRequest{};
-    plain_tooltip(
-        "Compares this picture with the ray-traced reference under every kind of bias, at several strengths. Each\n"
-        "appears below as it is measured. The one with the least score is shown right of the line in the picture.\n"
-        "Take sets it.");
-    if (!narrow) ImGui::SameLine();
-    if (ImGui::Button("No bias")) remove_bias(settings);
-    plain_tooltip(with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias));
+    progress_bar(progress.progress, progress_text(progress), std::max(room - button_width("Cancel") - gap, 20.f));
+    plain_tooltip("Trying " + progress.about);
     ImGui::SameLine();
-    if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
-    plain_tooltip("Search kernel and resolution, too, within limits of error and time");
-    ImGui::EndGroup();
-    ImGui::EndDisabled();
-    if (!why_not.empty()) plain_tooltip(why_not, ImGuiHoveredFlags_AllowWhenDisabled);
-    limits_popup(panel, requests);
+    if (ImGui::Button("Cancel##tune")) requests.cancel_tune = true;
+    plain_tooltip("Stops with what is there");
+}
+
+void draw_tuned_result(const TunePanelFacts& shown, Settings& settings, TuneRequests& requests) {
     const Settings* const found = shown.tuned_current ? shown.tuned_result : nullptr;
-    if (found && (found->filter != settings.filter || found->map.resolution != settings.map.resolution)) {
-        if (ImGui::Button("Take kernel, resolution and bias")) {
-            apply_tuning(settings, *found);
-            requests.hide_tried = true;
-        }
-        plain_tooltip(
-            fmt::format("{} at {}², {}", kernel_label(*found), found->map.resolution, bias_text(found->bias)));
+    if (!found || (found->filter == settings.filter && found->map.resolution == settings.map.resolution)) return;
+    if (ImGui::Button("Take kernel, resolution and bias")) {
+        apply_tuning(settings, *found);
+        requests.hide_tried = true;
     }
-    biases_table(shown.tuned, shown.tuned_current, settings, tried, requests);
+    plain_tooltip(fmt::format("{} at {}², {}", kernel_label(*found), found->map.resolution, bias_text(found->bias)));
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Controls of the search for the smallest bias: buttons, limits, progress, results.
+// Parts of the search for the smallest bias: limits, progress, results.
 #pragma once
 
 #include <optional>
@@ -36,11 +36,6 @@ struct LimitFields {
 /// value
 void limit_field(const char* label, const char* about, bool& on, double& value, double least, const char* format);
 
-/// State of the controls of the bias search.
-struct TunePanel : LimitFields {
-    bool area = false;  ///< compares with an area light instead of a point
-};
-
 /// Progress of a background search or measurement.
 struct SearchProgress {
     std::string about;        ///< attempt under way
@@ -66,12 +61,14 @@ struct TuneRequests {
     bool hide_tried = false;                ///< end that
 };
 
-/// Draws the controls of the bias search: buttons, limits, progress and results. A click on a result requests to show
-/// it; its button takes it.
-/// @param settings changed by a result's button
+/// Draws the progress of the bias search with a button that cancels it.
+void draw_tune_progress(const SearchProgress& progress, TuneRequests& requests);
+/// Draws the table of biases that the search tried. A click on a row requests to show it; its button takes it.
+/// @param settings changed by a row's button
 /// @param tried settings that are shown before they are taken; null: none
-/// @param why_not reason why no search is possible; empty: a search is possible
-void draw_tune_controls(TunePanel& panel, Settings& settings, const Settings* tried, const TunePanelFacts& shown,
-                        const std::string& why_not, TuneRequests& requests);
+void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Settings* tried, TuneRequests& requests);
+/// Draws the button that takes kernel, resolution and bias of a finished search within limits. Draws nothing if the
+/// search changed the bias alone.
+void draw_tuned_result(const TunePanelFacts& shown, Settings& settings, TuneRequests& requests);
 
 }  // namespace si

@@ -24,12 +24,16 @@ bool is_shown(const EditorState& state, const PictureView& view) {
     return state.settings.view.axes && view.size.x >= kMinPictureWidth * view.ui_scale;
 }
 
-glm::dvec2 middle(const PictureView& view) {
-    return view.origin + view.size - kCorner * view.ui_scale;
+/// Returns the place of the axes: the lower right corner of the picture, above what the open strip covers.
+glm::dvec2 middle(const EditorState& state, const PictureView& view) {
+    const ScreenRect& pictures = state.shots.scene_rect;
+    const double end = pictures.size.y > 0 ? pictures.lo.y + pictures.size.y - state.viewport.covered : 1e9;
+    const glm::dvec2 corner = view.origin + view.size;
+    return glm::dvec2(corner.x, std::min(corner.y, end)) - kCorner * view.ui_scale;
 }
 
 /// Returns the ends of the axes from the farthest to the nearest.
-std::array<AxisEnd, 6> axis_ends(const PictureView& view) {
+std::array<AxisEnd, 6> axis_ends(const EditorState& state, const PictureView& view) {
     std::array<AxisEnd, 6> ends;
     for (int i = 0; i < 6; ++i) {
         AxisEnd& e = ends[std::size_t(i)];
@@ -37,16 +41,16 @@ std::array<AxisEnd, 6> axis_ends(const PictureView& view) {
         e.positive = i % 2 == 0;
         const glm::dvec3 way = (e.positive ? 1.0 : -1.0) * glm::dmat3(1.0)[e.axis];
         const glm::dvec3 seen = glm::transpose(view.camera.axes) * way;
-        e.at = middle(view) + kReach * view.ui_scale * glm::dvec2(seen.x, -seen.y);
+        e.at = middle(state, view) + kReach * view.ui_scale * glm::dvec2(seen.x, -seen.y);
         e.towards = seen.z;
     }
     std::sort(ends.begin(), ends.end(), [](const AxisEnd& a, const AxisEnd& b) { return a.towards < b.towards; });
     return ends;
 }
 
-std::optional<AxisEnd> end_under(const PictureView& view, const glm::dvec2& mouse) {
+std::optional<AxisEnd> end_under(const EditorState& state, const PictureView& view, const glm::dvec2& mouse) {
     std::optional<AxisEnd> found;
-    for (const AxisEnd& e : axis_ends(view))
+    for (const AxisEnd& e : axis_ends(state, view))
         if (glm::distance(e.at, mouse) <= kHit * view.ui_scale) found = e;
     return found;
 }
@@ -59,7 +63,7 @@ void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureVie
     if (!is_shown(state, view)) return;
     if (state.viewport.press_taken || !ImGui::IsItemHovered() || (ImGui::IsItemActive() && !ImGui::IsItemActivated()))
         return;
-    const auto end = end_under(view, mouse);
+    const auto end = end_under(state, view, mouse);
     if (!end) return;
     state.viewport.hovered_axis = "xyz"[end->axis];
     ImGui::SetTooltip("Look along %c from its %s side", "xyz"[end->axis], end -> positive ? "positive" : "negative");
@@ -73,10 +77,10 @@ void draw_gnomon(const EditorState& state, const PicturePainter& p) {
     const PictureView& view = p.view();
     if (!is_shown(state, view)) return;
     ImDrawList& list = p.list();
-    const ImVec2 centre = to_imgui(middle(view));
+    const ImVec2 centre = to_imgui(middle(state, view));
     if (state.viewport.hovered_axis) list.AddCircleFilled(centre, p.px(kReach + 12), IM_COL32(255, 255, 255, 16), 48);
     ImFont* font = theme::small();
-    for (const AxisEnd& e : axis_ends(view)) {
+    for (const AxisEnd& e : axis_ends(state, view)) {
         const double shade = 0.55 + 0.45 * 0.5 * (e.towards + 1);
         const ImU32 colour = faded(theme::kAxes[e.axis], unsigned(255 * shade));
         const ImVec2 at = to_imgui(e.at);

@@ -49,7 +49,8 @@ void show_tried(EditorState& state, const Settings& settings) {
     if (state.tried)
         static_cast<PinnedSettings&>(*state.tried) = {settings, state.scene_name};
     else
-        state.tried = {{settings, state.scene_name}, state.comparison, state.compare};
+        state.tried = {{settings, state.scene_name}, state.comparison, state.compare, {}};
+    state.tried->shown_beside = state.settings;
     state.compare = {CompareKind::Tried, {}};
     state.comparison.reference = false;
     state.comparison.view = ComparisonView::Swipe;
@@ -65,10 +66,11 @@ void hide_tried(EditorState& state) {
 void follow_tried(EditorState& state) {
     if (!state.tried) return;
     Settings present = measured_settings(state.settings);
+    const bool same = present == measured_settings(state.tried->shown_beside);
     const Settings tried = measured_settings(state.tried->settings);
     apply_tuning(present, tried);
-    if (present != tried || state.tried->scene != state.scene_name || state.compare.kind != CompareKind::Tried ||
-        state.comparison.view == ComparisonView::Off)
+    if ((!same && present != tried) || state.tried->scene != state.scene_name ||
+        state.compare.kind != CompareKind::Tried || state.comparison.view == ComparisonView::Off)
         hide_tried(state);
 }
 

@@ -99,7 +99,7 @@ void draw_scene_menu(EditorState& state, const EditorFrame& frame) {
     ImGui::Separator();
     if (object) {
         if (ImGui::MenuItem("Frame", key_text(Command::FrameSelection))) frame_selection(state, frame);
-        if (ImGui::MenuItem("Show in the list")) state.window.open_tab = BottomTab::Objects;
+        if (ImGui::MenuItem("Show in the list")) state.window.open_page = Page::Objects;
         ImGui::Separator();
         object_items(state, frame, paths);
     } else if (ImGui::MenuItem("Frame the whole scene")) {

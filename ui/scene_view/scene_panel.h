@@ -15,6 +15,7 @@ namespace si {
 /// State of the scene picture's panel: marks and pixel under the mouse, gestures under way.
 struct ScenePanel {
     glm::ivec2 wanted_size{0};                ///< pixels of the picture that was requested last
+    float covered = 0;                        ///< height at the picture's lower edge that the open strip covers, pixels
     std::optional<PictureView> view;          ///< placement of the picture in the last frame; none: it was not drawn
     std::optional<glm::ivec2> hovered_pixel;  ///< pixel under the mouse, row 0 at the top
     std::optional<LightHit> hovered_light;    ///< mark or handle of a light under the mouse

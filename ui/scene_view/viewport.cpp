@@ -14,6 +14,7 @@
 #include "ui/scene_view/picture_painter.h"
 #include "ui/scene_view/scene_marks.h"
 #include "ui/state/panels.h"
+#include "ui/state/quick_changes.h"
 #include "ui/state/selection.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/overlay_widget.h"
@@ -107,11 +108,17 @@ struct Panorama {
     PaneGrid grid;  ///< rectangles in pixels of the pictures
     ImVec2 origin;
     float pixels;  ///< pixels of a picture per unit of the screen
+    float end;     ///< y of the screen where the open strip begins to cover the pictures
     ImVec2 lo(int pane) const {
         const glm::vec2 corner = glm::vec2(grid.corner(pane)) / pixels;
         return {origin.x + corner.x, origin.y + corner.y};
     }
     ImVec2 size() const { return {float(grid.width) / pixels, float(grid.height) / pixels}; }
+    /// Returns the lower end of a pane that is not covered.
+    float bottom(int pane) const {
+        const float top = lo(pane).y;
+        return std::max(std::min(top + size().y, end), std::min(top + size().y, top + ImGui::GetFontSize() * 6));
+    }
     /// Returns the pixel of `pane` at a point of the screen; it may lie outside the pane.
     glm::ivec2 pixel(int pane, ImVec2 at) const {
         const ImVec2 corner = lo(pane);
@@ -150,7 +157,7 @@ void steer(EditorState& state, const EditorFrame& frame, EditorRequests& request
     if (released && !state.viewport.press_moved && !taken) {
         state.probe_pixel = pixel;
         state.keyboard.probe_has_arrows = true;
-        state.window.open_tab = BottomTab::Probe;
+        show_pixel(state);
     }
     state.viewport.hovered_pixel = pixel;
     requests.want_links = requests.want_overlay_values = !state.viewport.dragging;
@@ -208,7 +215,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     if (frame.anchor_place != AnchorPlace::Outside) draw_probe_mark(state, result, lo, size);
     draw_readers(state, frame, lo, size);
     const bool widgets = index == overlaid_pane(result);
-    const float bottom = hi.y - (widgets ? legend_widgets_height(state.settings, pane, size) : 0);
+    const float bottom = panes.bottom(index) - (widgets ? legend_widgets_height(state.settings, pane, size) : 0);
     if (pane.overlay > 0 && overlays()[std::size_t(pane.overlay - 1)].names_causes)
         draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
@@ -239,7 +246,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
                               : picture_comparison == ComparisonView::SideBySide ? Panes::Two
                                                                                  : Panes::One;
     const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
-                         origin, pixels};
+                         origin, pixels, origin.y + size.y - state.viewport.covered};
     requests.scene_width = panes.grid.width;
     requests.scene_height = panes.grid.height;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -275,10 +282,11 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
             ImGui::PopID();
         }
     if (const int i = overlaid_pane(*frame.result); i >= 0)
-        draw_legend_widgets(state.settings, frame.result->panes[std::size_t(i)], panes.lo(i).x,
-                            panes.lo(i).y + panes.size().y, panes.size());
+        draw_legend_widgets(state.settings, frame.result->panes[std::size_t(i)], panes.lo(i).x, panes.bottom(i),
+                            panes.size());
     if (const int i = overlaid_pane(*frame.result); i >= 0 && names_views(frame.result->panes[std::size_t(i)]))
-        draw_cascade_bar(state.settings, frame.drawn, *frame.result, {panes.lo(i).x, panes.lo(i).y}, panes.size(),
+        draw_cascade_bar(state.settings, frame.drawn, *frame.result, {panes.lo(i).x, panes.lo(i).y},
+                         {panes.size().x, panes.bottom(i) - panes.lo(i).y},
                          legend_widgets_width(state.settings, frame.result->panes[std::size_t(i)]));
     if (!frame.shader_log.empty())
         draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 2.2f},
@@ -286,7 +294,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     for (int i = 0; i < pictures; ++i)
         if (frame.result->panes[std::size_t(i)].lacks_reference || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);
-            draw_tracing(frame, requests, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
+            draw_tracing(frame, requests, panes.lo(i).x, panes.bottom(i), panes.size().x);
             ImGui::PopID();
         }
     draw_loading(frame, requests, origin.x, origin.y, size.x);

@@ -9,7 +9,9 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/advise/trial.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/settings/param.h"
 #include "ui/panels/log_panel.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/panels.h"
@@ -24,13 +26,11 @@
 namespace si {
 namespace {
 
-constexpr float kPictures = 10;             ///< smallest height of the pictures above the tabs, ems
-constexpr float kAllTabs = 45;              ///< width that fits all tabs, ems
-constexpr float kFrequentSettings = 24.6f;  ///< height that fits the frequently used settings, ems
+constexpr float kPictures = 10;             ///< smallest height of the pictures above the open strip, ems
+constexpr float kFrequentSettings = 24.6f;  ///< height of the inspector that fits the frequently used settings, ems
 constexpr float kMapTexts = 6.2f;           ///< height of the texts above and below the map, ems
 constexpr float kMapPlots = 6.5f;           ///< height of the plots under the map, ems
-constexpr float kWidthLeftOfSettings = 40;  ///< width that settings wider than a third leave, ems
-constexpr float kFindingTexels = 24;        ///< width of the map viewer about a texel of a finding, texels
+constexpr float kWidthLeftOfSettings = 40;  ///< width that an inspector wider than a third leaves, ems
 constexpr float kSplitter = 5;              ///< at scale 1, pixels
 
 /// Requests a screenshot of a part of this frame.
@@ -45,9 +45,8 @@ void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
     else
         state.log.add(LogKind::Info,
                       of == Shot::Map ? with_key("The map is hidden", Command::NextMapPlace) + ": no screenshot of it"
-                      : of == Shot::Drawing
-                          ? std::string("No drawing is shown: click a pixel, and open Probe in a wide window")
-                          : std::string("The scene is hidden: no screenshot of it"));
+                      : of == Shot::Drawing ? std::string("No drawing is shown: click a pixel, and open the tab Pixel")
+                                            : std::string("The scene is hidden: no screenshot of it"));
 }
 
 /// Draws a splitter. A drag sets a member of the layout to `dragged(pixels)`; a double click resets the member.
@@ -73,87 +72,6 @@ void splitter(const char* id, bool vertical, ImVec2 size, EditorLayout& layout, 
         layout.*member = dragged(by);
 }
 
-void tab(EditorState& state, BottomTab which, const auto& draw, const char* label = nullptr) {
-    if (!label) label = kTabLabels[int(which)];
-    const bool asked = state.window.open_tab == which;
-    if (!ImGui::BeginTabItem(label, nullptr, asked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) return;
-    if (!state.window.open_tab || asked) state.tab = which;
-    ImGui::BeginChild(label, {0, 0}, false);
-    draw();
-    ImGui::EndChild();
-    ImGui::EndTabItem();
-}
-
-/// Returns true at a double click on a tab or the row of tabs, except on the arrows that scroll the tabs.
-bool double_click_on_tabs() {
-    const ImGuiTabBar* bar = ImGui::GetCurrentContext()->CurrentTabBar;
-    return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) &&
-           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&  // the active item is the tab
-           bar->BarRect.Contains(ImGui::GetIO().MousePos);
-}
-
-void numbers_tab(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    draw_health(state.settings, state.map.marked_texel, frame.result, frame, requests);
-    if (requests.probe_pixel) state.probe_pixel = requests.probe_pixel;
-    if (const auto& marked = requests.show_texel) {
-        state.map.marked_texel = marked;
-        const glm::vec2 sides(glm::max(frame.result->map_size.sides() >> marked->level, glm::ivec2(1)));
-        state.map.window = {.zoom = std::max(1.0f, std::max(sides.x, sides.y) / kFindingTexels),
-                            .centre = (glm::vec2(marked->texel) + 0.5f) / sides};
-    }
-}
-
-void imported_tab(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    const FittedLight* const light = frame.result ? shown_fitted_light(state.settings, *frame.result) : nullptr;
-    const auto index = std::size_t(std::max(state.settings.view.light, 0));
-    const ImportedMaps* const maps =
-        frame.result && index < frame.result->imported.size() ? frame.result->imported[index].get() : nullptr;
-    draw_imported(state.imported_picture, state.imported_left_out, state.settings, light,
-                  engine_bias(maps, state.settings), state.selection.first, frame, requests);
-    if (requests.select_object) select_objects(state, std::array{*requests.select_object});
-}
-
-void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    // Tabs without room are scrolled and listed, not squeezed.
-    ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
-    if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllTabs)
-        flags |= ImGuiTabBarFlags_TabListPopupButton;
-    if (!ImGui::BeginTabBar("bottom", flags)) return;
-    const auto asked = state.window.open_tab;
-    tab(state, BottomTab::Effects,
-        [&] { draw_effects(state.effects, state.times, frame.result, frame.driver, frame, requests); });
-    tab(state, BottomTab::Probe, [&] { draw_probe(state, frame, requests); });
-    tab(state, BottomTab::Error, [&] { draw_error(state, frame, requests); });
-    tab(state, BottomTab::Objects, [&] { draw_objects(state, frame); });
-    tab(state, BottomTab::Compare, [&] {
-        draw_compare(state.compare, state.settings, state.pinned, state.scene_name, frame.comparison, frame, requests);
-    });
-    tab(state, BottomTab::Frontier, [&] {
-        draw_light_strip(state.light_strip, state.settings, frame, requests);
-        draw_frontier(state.sweep, state.settings, frame.sweep, requests);
-    });
-    if (requests.save_worst)
-        open_file_dialog(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
-                         "The step with the largest error along a path of the light");
-    tab(state, BottomTab::Improve, [&] { draw_improve_panel(state, frame, requests); });
-    tab(state, BottomTab::Lab,
-        [&] { draw_lab(state.lab, state.settings, frame.scene, frame.result, frame, requests); });
-    tab(state, BottomTab::Imported, [&] { imported_tab(state, frame, requests); });
-    tab(state, BottomTab::Numbers, [&] { numbers_tab(state, frame, requests); });
-    const int errors = state.log.unseen_errors();
-    const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
-    if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-    tab(
-        state, BottomTab::Log, [&] { draw_log(state.log, frame.shader_log); }, log.c_str());
-    if (errors > 0) ImGui::PopStyleColor();
-    if (asked == state.tab) state.window.open_tab.reset();
-    requests.redraw |= state.window.open_tab.has_value();
-    requests.want_timing = state.tab == BottomTab::Effects;
-    requests.want_error = state.tab == BottomTab::Error;
-    if (double_click_on_tabs()) toggle_maximised(state, Panel::Tabs);
-    ImGui::EndTabBar();
-}
-
 /// Gives the keyboard to the window that is being drawn, and marks its first widget.
 void focus_this_window() {
     ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -165,7 +83,7 @@ void focus_this_window() {
 
 /// Draws a part of the window with the usual gaps inside; the window itself has none between its parts.
 void child(KeyboardState& keyboard, WindowPart part, ImVec2 size, const auto& draw) {
-    constexpr const char* kIds[kWindowParts] = {"top", "scene", "map", "time", "bottom", "settings", "status"};
+    constexpr const char* kIds[kWindowParts] = {"top", "scene", "map", "time", "bottom", "inspector", "status"};
     const char* const id = kIds[index_of(part)];
     const float em = ImGui::GetFontSize();
     ImGui::BeginChild(
@@ -184,8 +102,8 @@ void child(KeyboardState& keyboard, WindowPart part, ImVec2 size, const auto& dr
 
 /// Draws one of the window's panels.
 void draw_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, Panel which, ImVec2 size) {
-    constexpr WindowPart kParts[] = {WindowPart::Scene, WindowPart::Map, WindowPart::Tabs};
-    constexpr decltype(&bottom_tabs) kDraws[] = {draw_viewport, draw_map_viewer, bottom_tabs};
+    constexpr WindowPart kParts[] = {WindowPart::Scene, WindowPart::Map, WindowPart::Strip, WindowPart::Inspector};
+    constexpr decltype(&draw_strip) kDraws[] = {draw_viewport, draw_map_viewer, draw_strip, draw_inspector};
     child(state.keyboard, kParts[int(which)], size, [&] { kDraws[int(which)](state, frame, requests); });
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.window.hovered_panel = which;
 }
@@ -194,13 +112,14 @@ void draw_panel(EditorState& state, const EditorFrame& frame, EditorRequests& re
 void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
+    state.viewport.covered = 0;
     draw_panel(state, frame, requests, *state.window.maximised, rest);
 }
 
 /// Draws the scene and, if placed there, the map next to it or in it.
 void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
-    const float em = ImGui::GetFontSize();
+    const float em = ImGui::GetFontSize(), covered = state.viewport.covered;
     if (layout.map_place == MapSpot::NextToScene) {
         const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
         draw_panel(state, frame, requests, Panel::Scene, {size.x - map - bar, size.y});
@@ -208,22 +127,22 @@ void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& 
         splitter("map splitter", true, {bar, size.y}, layout, &EditorLayout::map_share,
                  [&](float by) { return std::clamp((map - by) / size.x, 0.1f, 0.85f); });
         ImGui::SameLine();
-        draw_panel(state, frame, requests, Panel::Map, {map, size.y});
+        draw_panel(state, frame, requests, Panel::Map, {map, size.y - covered});
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     draw_panel(state, frame, requests, Panel::Scene, size);
     if (layout.map_place != MapSpot::Inset) return;
-    const float side = std::min(layout.map_inset * em, 0.6f * std::min(size.x, size.y));
+    const float side = std::min(layout.map_inset * em, 0.6f * std::min(size.x, size.y - covered));
     const ImVec2 after = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({corner.x + size.x - side - em, corner.y + size.y - side - em});
+    ImGui::SetCursorScreenPos({corner.x + size.x - side - em, corner.y + size.y - covered - side - em});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::panel());
     draw_panel(state, frame, requests, Panel::Map, {side, side});
     ImGui::PopStyleColor();
     ImGui::SetCursorScreenPos(after);
 }
 
-/// Draws the settings and, if placed there, the map above them.
+/// Draws the inspector and, if placed there, the map above it.
 void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
@@ -240,11 +159,11 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
                  [&](float by) { return std::clamp((map + by) / size.y, 0.1f, 0.9f); });
         size.y -= map + bar;
     }
-    child(state.keyboard, WindowPart::Settings, size, [&] { draw_settings(state, frame, requests); });
+    draw_panel(state, frame, requests, Panel::Inspector, size);
     ImGui::EndGroup();
 }
 
-/// Returns the largest width of the settings' column: half of the window, a third of a narrow one.
+/// Returns the largest width of the inspector: half of the window, a third of a narrow one.
 float most_settings(float width) {
     return std::clamp(width - kWidthLeftOfSettings * ImGui::GetFontSize(), width / 3, width / 2);
 }
@@ -264,15 +183,23 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     ImGui::BeginGroup();
     draw_strips(state, frame, requests, left);
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
-    // In a small window the tabs become lower in favour of the pictures.
+    // The picture keeps its size while the strip opens, closes or is dragged: the strip lies over its lower part.
+    const float closed = closed_strip_height();
+    const float pictures = std::max(rest.y - strips - closed - time, em * 6);
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
-    const float bottom = std::clamp(layout.bottom_height * em, em * 4, most);
-    const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
+    const bool open = layout.strip_open;
+    const float strip = open ? std::clamp(layout.bottom_height * em, em * 4, most) : closed;
+    state.viewport.covered = open ? std::clamp(strip + bar - closed, 0.0f, pictures) : 0;
     pictures_row(state, frame, requests, {left, pictures}, bar);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - state.viewport.covered);
     if (time > 0) child(state.keyboard, WindowPart::Time, {left, time}, [&] { draw_time_bar(state, frame); });
-    splitter("bottom splitter", false, {left, bar}, layout, &EditorLayout::bottom_height,
-             [&](float by) { return std::max((bottom - by) / em, 2.0f); });
-    draw_panel(state, frame, requests, Panel::Tabs, {left, bottom});
+    if (open) {
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + left, corner.y + bar}, theme::panel());
+        splitter("bottom splitter", false, {left, bar}, layout, &EditorLayout::bottom_height,
+                 [&](float by) { return std::max((strip - by) / em, 2.0f); });
+    }
+    draw_panel(state, frame, requests, Panel::Strip, {left, strip});
     ImGui::EndGroup();
     ImGui::SameLine();
     splitter("settings splitter", true, {bar, rest.y}, layout, &EditorLayout::settings_width,
@@ -360,8 +287,11 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
         dispatch_shortcuts(state, frame, requests);
         requests.redraw = true;
     }
-    if (state.tab != BottomTab::Objects || (state.window.maximised && *state.window.maximised != Panel::Tabs))
+    if (!state.shows(Page::Objects) || (state.window.maximised && *state.window.maximised != Panel::Inspector))
         state.objects.hovered.clear();  // the list is hidden, so that no row is hovered
+    const bool strip_drawn = !state.window.maximised || *state.window.maximised == Panel::Strip;
+    requests.want_timing = strip_drawn && state.strip_page == Page::Effects;
+    requests.want_error |= strip_drawn && state.strip_page == Page::Error;
     // The legend of the artefact overlay has pixel counts.
     requests.want_error |= any_pane_shows(state.settings.view, &Overlay::names_causes) || waits;
     assign_arrow_keys(state);
@@ -370,7 +300,15 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     if (shot) take_shot(state, requests, *shot);
     requests.redraw |= state.shots.next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.viewport.wheel_until;
-    if (requests.apply_fix) apply_trial(state, *requests.apply_fix);
+    if (requests.apply_fix) {
+        apply_trial(state, *requests.apply_fix);
+        hide_tried(state);
+    }
+    if (requests.show_fix) {
+        Settings tried = state.settings;
+        set_settings(tried, requests.show_fix->changes);
+        show_tried(state, tried);
+    }
     follow_tried(state);
     check_prediction(state, frame, requests);
     if (requests.hide_tried) hide_tried(state);

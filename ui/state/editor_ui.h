@@ -64,6 +64,7 @@ struct PictureState {
     struct Tried : PinnedSettings {
         PictureComparison comparison_before;  ///< the comparison that they replace
         CompareWith compare_before;
+        Settings shown_beside;  ///< the present settings at that time
     };
     std::optional<Tried> tried;
     /// Measurements that a search promised for settings which were then applied.
@@ -81,9 +82,13 @@ struct PictureState {
     ArtefactRequest artefacts;
     ImportedPicture imported_picture = ImportedPicture::Difference;
     ImportedLeftOut imported_left_out;
-    int active_pane = 0;  ///< pane under the mouse, or where a press began
-    BottomTab tab = BottomTab::Effects;
-    std::optional<FrozenCamera> frozen;  ///< camera that maps are made for while another one moves
+    int active_pane = 0;                   ///< pane under the mouse, or where a press began
+    Page inspector_page = Page::Settings;  ///< page that the inspector shows
+    std::optional<Page> strip_page;        ///< page that the strip below shows; none: the strip is closed
+    std::optional<FrozenCamera> frozen;    ///< camera that maps are made for while another one moves
+
+    /// Returns true while the inspector or the strip shows a page.
+    bool shows(Page page) const { return inspector_page == page || strip_page == page; }
 };
 
 /// State of the editor: the state of each panel, and the state that panels share.
@@ -113,7 +118,6 @@ struct EditorState : PictureState {
     ObjectsPanel objects;
     ProbePanel probe_panel;
     SweepPanel sweep;
-    TunePanel tune;
     ImprovePanel improve;
     LabPanel lab;
     LightStripPanel light_strip;

@@ -20,10 +20,18 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the shadow map with its toolbar, marks and plots.
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the column of all settings, with search.
+/// Draws the inspector on the right: tabs of settings, objects, lights, the probed pixel, and improvements.
+void draw_inspector(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the strip below the pictures: tabs of plots and tables. While it is closed, its tabs alone.
+void draw_strip(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Returns the height of the closed strip, pixels.
+float closed_strip_height();
+/// Draws all settings, with search.
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the list of lights with all settings of the shown light.
+void draw_lights_page(EditorState& state, const EditorFrame& frame);
 /// Draws the probed pixel: its shadow test, verdict and cross-section.
-void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+void draw_probe(EditorState& state, const EditorFrame& frame);
 /// Draws the errors of the shown light's shadows in numbers, by cause.
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the tree of the scene's nodes with their settings.

@@ -54,7 +54,16 @@ bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
     return !frame.probe && frame.anchor_place != AnchorPlace::Outside;
 }
 
+/// Returns true while the panel Improve is shown and puts the probed pixel right.
+bool improves_pixel(const EditorState& state) {
+    return state.shows(Page::Improve) && state.improve.mode == ImproveMode::Pixel;
+}
+
 }  // namespace
+
+void show_pixel(EditorState& state) {
+    if (!improves_pixel(state)) state.window.open_page = Page::Pixel;
+}
 
 void remove_bias(Settings& settings) {
     if (bias_of(settings).gives_needed_bias) set_setting(settings, "bias.kind", "constant");
@@ -126,7 +135,7 @@ void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
 }
 
 void request_pixel_fix(EditorState& state, const EditorFrame& frame, FixRequests& requests) {
-    const bool wanted = state.tab == BottomTab::Probe || state.probe_panel.fix_waits;
+    const bool wanted = state.shows(Page::Pixel) || improves_pixel(state) || state.probe_panel.fix_waits;
     if (!wanted || !state.probe_pixel || !frame.result || !frame.scene || verdict_follows(state, frame)) return;
     const ProbePanel::Searched now{*state.probe_pixel,
                                    {frame.result->colour.width, frame.result->colour.height},

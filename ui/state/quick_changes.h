@@ -10,6 +10,8 @@ struct FixRequests;
 struct EditorFrame;
 struct EditorState;
 
+/// Brings the probed pixel to the front: the tab Pixel, or Improve if that is shown and puts this pixel right.
+void show_pixel(EditorState& state);
 /// Removes all bias: sets constant, slope, normal offset and polygon offset to 0. A bias.kind that computes the needed
 /// bias itself becomes "constant".
 void remove_bias(Settings& settings);
@@ -22,7 +24,7 @@ void scale_resolution(Settings& settings, bool twice);
 void apply_fix(EditorState& state, const EditorFrame& frame);
 /// Applies a fix that apply_fix() has requested, once the verdict is known. Call once a frame.
 void apply_waiting_fix(EditorState& state, const EditorFrame& frame);
-/// Requests the search for a fix of the probed pixel once its verdict is known and wrong, if the panel Probe or a
+/// Requests the search for a fix of the probed pixel once its verdict is known and wrong, if the panel Pixel or a
 /// waiting fix needs it. Call once a frame.
 void request_pixel_fix(EditorState& state, const EditorFrame& frame, FixRequests& requests);
 

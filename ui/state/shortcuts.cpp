@@ -109,10 +109,25 @@ void focus_panel(EditorState& state, int step) {
     keyboard.probe_has_arrows = false;
 }
 
-/// Opens the tab of a digit: 1 is the first tab, 0 the tenth.
+/// Opens the tab of a digit: 1 is the first tab of the inspector, 0 the last of the strip.
 void open_tab_of_digit(const CommandContext& c) {
-    c.state.window.open_tab = BottomTab(c.key == '0' ? 9 : c.key - '1');
-    if (c.state.window.maximised && *c.state.window.maximised != Panel::Tabs) c.state.window.maximised.reset();
+    WindowState& window = c.state.window;
+    const int tab = c.key == '0' ? 9 : c.key - '1';
+    window.open_page = window.pages[std::size_t(tab)];
+    const Panel panel = is_in_inspector(Tab(tab)) ? Panel::Inspector : Panel::Strip;
+    if (window.maximised && *window.maximised != panel) window.maximised.reset();
+}
+
+void toggle_strip(const CommandContext& c) {
+    c.state.layout.strip_open = !c.state.layout.strip_open;
+    c.state.window.maximised.reset();
+}
+
+/// Opens the panel Improve; while it is shown, chooses its next aim.
+void next_improvement(const CommandContext& c) {
+    ImproveMode& mode = c.state.improve.mode;
+    if (c.state.shows(Page::Improve)) mode = next_of(mode, kImproveModes);
+    open_improve(c.state, mode);
 }
 
 void forget_probe(const CommandContext& c) {
@@ -181,8 +196,10 @@ constexpr Shortcut kShortcutTable[] = {
     joined(gesture("double-click a title")),
     joined(row(Command::RestorePanels, mapped("Esc", ImGuiKey_Escape), "all panels", When::OnePanel,
                [](C c) { c.state.window.maximised.reset(); })),
-    row(Command::OpenTab, with_ctrl({.name = "1 to 0", .first = '0', .last = '9'}), "tabs below, from the left",
-        open_tab_of_digit),
+    row(Command::OpenTab, with_ctrl({.name = "1 to 0", .first = '0', .last = '9'}),
+        "tabs: 1 to 5 on the right, 6 to 0 below", open_tab_of_digit),
+    joined(row(Command::ToggleStrip, letter("J"), "open or close those below", toggle_strip)),
+    joined(row(Command::NextImprovement, letter("I"), "Improve; again: its next aim", next_improvement)),
     row(Command::NextPanel, with_shift(key("F6", kF6), Modifier::Up), "keyboard to the next panel",
         [](C c) { focus_panel(c.state, +1); }),
     joined(row(Command::PreviousPanel, with_shift(key("F6", kF6), Modifier::Down), "to the previous one",
@@ -302,7 +319,8 @@ constexpr Shortcut kShortcutTable[] = {
                             [](C c) {
                                 c.state.window.maximised.reset();
                                 c.state.settings_panel.focus_search = true;
-                                c.state.keyboard.focused = WindowPart::Settings;
+                                c.state.window.open_page = Page::Settings;
+                                c.state.keyboard.focused = WindowPart::Inspector;
                             })),
     gesture("Ctrl+click on a slider", "type a value"),
     gesture("Right-click", "reset a setting, or copy it as --set"),

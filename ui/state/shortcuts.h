@@ -29,6 +29,8 @@ enum class Command {
     PreviousPanel,
     FocusMenus,
     OpenTab,
+    ToggleStrip,
+    NextImprovement,
     RestorePanels,
     NextMapPlace,
     NextMapView,

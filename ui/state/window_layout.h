@@ -13,23 +13,81 @@ namespace si {
 enum class MapSpot { AboveSettings, NextToScene, Inset, Hidden };
 
 /// Part of the editor that can fill the whole window.
-enum class Panel { Scene, Map, Tabs };
+enum class Panel { Scene, Map, Strip, Inspector };
 
-/// Tabs of the strip below the pictures.
-enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Improve, Lab, Imported, Numbers, Log };
-inline constexpr int kBottomTabs = index_of(BottomTab::Log) + 1;
-/// Labels of the tabs, by BottomTab.
-inline constexpr const char* kTabLabels[kBottomTabs] = {
-    "Effects", "Probe", "Error", "Objects", "Compare", "Frontier", "Improve", "Lab", "Imported", "Numbers", "Log"};
+/// Tabs of the inspector on the right, then those of the strip below the pictures. Ctrl+1 opens the first, Ctrl+0 the
+/// tenth.
+enum class Tab { Settings, Objects, Lights, Pixel, Improve, Error, Cost, Compare, Lab, Log };
+inline constexpr int kTabs = index_of(Tab::Log) + 1;
+
+/// Contents of the tabs. A tab with two pages has a button for each.
+enum class Page {
+    Settings,
+    Objects,
+    Lights,
+    Pixel,
+    Improve,
+    Error,
+    Frontier,
+    Effects,
+    Compare,
+    Imported,
+    Lab,
+    Numbers,
+    Log
+};
+inline constexpr int kPages = index_of(Page::Log) + 1;
+
+/// Row of the table of pages.
+struct PageRow {
+    Page page;
+    Tab tab;
+    const char* label;           ///< text of the page's button in a tab with two pages
+    const char* key;             ///< name of the option --tab
+    const char* other_key = "";  ///< another name of the option; empty: none
+};
+/// All pages, by Page. The first page of a tab is shown at first.
+inline constexpr PageRow kPageTable[kPages] = {{Page::Settings, Tab::Settings, "Settings", "settings"},
+                                               {Page::Objects, Tab::Objects, "Objects", "objects"},
+                                               {Page::Lights, Tab::Lights, "Lights", "lights"},
+                                               {Page::Pixel, Tab::Pixel, "Pixel", "pixel", "probe"},
+                                               {Page::Improve, Tab::Improve, "Improve", "improve"},
+                                               {Page::Error, Tab::Error, "Error", "error"},
+                                               {Page::Frontier, Tab::Cost, "Frontier", "frontier", "cost"},
+                                               {Page::Effects, Tab::Cost, "Effects", "effects"},
+                                               {Page::Compare, Tab::Compare, "Settings diff", "compare"},
+                                               {Page::Imported, Tab::Compare, "Imported map", "imported"},
+                                               {Page::Lab, Tab::Lab, "Precision, shimmer", "lab"},
+                                               {Page::Numbers, Tab::Lab, "Numbers", "numbers"},
+                                               {Page::Log, Tab::Log, "Log", "log"}};
+/// Labels of the tabs, by Tab.
+inline constexpr const char* kTabLabels[kTabs] = {"Settings", "Objects", "Lights",  "Pixel", "Improve",
+                                                  "Error",    "Cost",    "Compare", "Lab",   "Log"};
+
+/// Returns the tab that holds a page.
+constexpr Tab tab_of(Page page) {
+    return kPageTable[index_of(page)].tab;
+}
+/// Returns true for a tab of the inspector, false for one of the strip.
+constexpr bool is_in_inspector(Tab tab) {
+    return tab <= Tab::Improve;
+}
+/// Returns the first page of each tab, by Tab.
+constexpr std::array<Page, kTabs> first_pages() {
+    std::array<Page, kTabs> pages{};
+    for (int i = kPages - 1; i >= 0; --i) pages[std::size_t(index_of(kPageTable[i].tab))] = kPageTable[i].page;
+    return pages;
+}
 
 /// Places of the splitters, and the theme. The workspace keeps them. Sizes are in ems (heights of the font), so that
 /// they survive a change of scale.
 struct EditorLayout {
-    float settings_width = 24;  ///< width of the settings' column
-    float bottom_height = 13;   ///< height of the tabs below, whichever tab is shown
+    float settings_width = 24;  ///< width of the inspector
+    float bottom_height = 13;   ///< height of the open strip below, whichever tab is shown
+    bool strip_open = false;    ///< the strip below shows a page; else only its tabs
     MapSpot map_place = MapSpot::AboveSettings;
-    float map_height = 0.5f;      ///< share of the settings' column, for AboveSettings
-    float map_share = 0.40f;      ///< share of the width left of the settings, for NextToScene
+    float map_height = 0.5f;      ///< share of the right column, for AboveSettings
+    float map_share = 0.40f;      ///< share of the width left of the inspector, for NextToScene
     float map_inset = 20;         ///< width and height, for Inset
     bool map_plots = true;        ///< histogram and depth curve are drawn under the map
     bool light_theme = false;     ///< else the dark one
@@ -39,18 +97,20 @@ struct EditorLayout {
 
 /// Panels, tabs and popups that are open. Lasts as long as the window.
 struct WindowState {
-    std::optional<Panel> maximised;                          ///< panel that fills the window; none: all are shown
-    Panel hovered_panel = Panel::Scene;                      ///< panel that the mouse was over last
-    std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< tab to bring to the front in the next frame
-    int shown_message = 0;                                   ///< Log::added() of the message in the status bar
-    double message_since = 0;  ///< time at which that message came, seconds of ImGui's clock
+    std::optional<Panel> maximised;                 ///< panel that fills the window; none: all are shown
+    Panel hovered_panel = Panel::Scene;             ///< panel that the mouse was over last
+    std::optional<Page> open_page;                  ///< page to bring to the front in the next frame
+    std::array<Page, kTabs> pages = first_pages();  ///< page of each tab that was shown last, by Tab
+    Tab strip_tab = Tab::Error;                     ///< tab of the strip that was shown last
+    int shown_message = 0;                          ///< Log::added() of the message in the status bar
+    double message_since = 0;                       ///< time at which that message came, seconds of ImGui's clock
     bool show_welcome = false;
     bool show_shortcuts = false;  ///< the overview of mouse and keyboard
     bool had_popup = false;       ///< a menu or dialog was open at the end of the last frame
 };
 
 /// Part of the window that the keyboard can be given to, in the order of F6.
-enum class WindowPart { Menus, Scene, Map, Time, Tabs, Settings, Status };
+enum class WindowPart { Menus, Scene, Map, Time, Strip, Inspector, Status };
 inline constexpr int kWindowParts = index_of(WindowPart::Status) + 1;
 
 /// Returns the part that lies `step` places after another one, 1 or -1, around the window.

@@ -7,7 +7,7 @@
 namespace si::theme {
 namespace {
 
-constexpr float kBodyPixels = 15.0f, kSmallPixels = 13.0f;
+constexpr float kBodyPixels = 15.0f, kSmallPixels = 13.0f, kVerdictPixels = 19.5f;
 
 // Latin, punctuation, super- and subscripts, arrows, mathematics, geometric shapes. Digits are added separately with
 // one width, so that changing numbers do not jitter.
@@ -125,6 +125,7 @@ void load_fonts(float scale) {
     add_font(regular_font(), std::round(kBodyPixels * scale));
     add_font(strong_font(), std::round(kBodyPixels * scale));
     add_font(regular_font(), std::round(kSmallPixels * scale));
+    add_font(strong_font(), std::round(kVerdictPixels * scale));
 }
 
 ImU32 colour(const glm::vec3& rgb) {
@@ -139,6 +140,11 @@ ImFont* strong() {
 ImFont* small() {
     const auto& fonts = ImGui::GetIO().Fonts->Fonts;
     return fonts.Size > 2 ? fonts[2] : fonts[0];
+}
+
+ImFont* verdict() {
+    const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+    return fonts.Size > 3 ? fonts[3] : fonts[0];
 }
 
 void apply_style(float scale) {

@@ -67,7 +67,8 @@ inline ImU32 rgb(const std::array<std::uint8_t, 3>& c) {
     return IM_COL32(c[0], c[1], c[2], 255);
 }
 
-/// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small. Call before the first frame.
+/// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small, [3] verdict. Call before the
+/// first frame.
 void load_fonts(float scale);
 /// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch. Dark until
 /// set_light().
@@ -82,5 +83,7 @@ ImU32 colour(const glm::vec3& rgb);
 ImFont* strong();
 /// Returns the small font, for marks over pictures and plots.
 ImFont* small();
+/// Returns the bold font at 1.3 times the body's size, for the verdict on a pixel.
+ImFont* verdict();
 
 }  // namespace si::theme
