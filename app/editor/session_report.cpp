@@ -49,6 +49,7 @@ void SessionReport::write(const Log& log) {
     Json json = {{"format", "shadow-inspector-session"},
                  {"version", 1},
                  {"frames", frames_},
+                 {"references", traces_},
                  {"driver_messages", {{"count", driver_count_}, {"first", driver_}}},
                  {"errors", errors_json(log)},
                  {"unsound", unsound_.empty() ? Json() : Json(unsound_)},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,12 @@ public:
     }
     /// Counts a frame of the editor.
     void note_frame() { ++frames_; }
+    /// Counts references: a trace that begins, or begins again. @param progress progress of the trace under way, 0..1;
+    /// none: no rays are traced
+    void note_tracing(std::optional<double> progress) {
+        if (progress && (!tracing_ || *progress < *tracing_)) ++traces_;
+        tracing_ = progress;
+    }
     const std::string& unsound() const { return unsound_; }
     /// Samples the process's memory and writes the report when it is due, with the errors of the log.
     /// @param now_s time of a steady clock, seconds @throws Error
@@ -48,7 +55,8 @@ private:
     std::filesystem::path path_;
     std::string unsound_;
     std::vector<std::string> driver_;
-    std::size_t frames_ = 0, driver_count_ = 0;
+    std::size_t frames_ = 0, traces_ = 0, driver_count_ = 0;
+    std::optional<double> tracing_;  ///< progress of the last noted trace
     std::vector<Sample> samples_;
     double began_s_ = -1, due_s_ = 0, every_s_ = 2;
 };
