@@ -247,6 +247,7 @@ TEST_F(Keys, CtrlAndADigitOpenATab) {
 }
 
 TEST_F(Keys, JOpensAndClosesTheStrip) {
+    ui.state.layout.strip_open = false;
     for (const bool open : {true, false}) {
         key('J');
         ui.frames(3);

@@ -346,7 +346,7 @@ void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequ
         ready ? reason_without_bias(frame.result->lights, state.settings.view.light) : "there is no picture yet";
     ImproveMode& mode = state.improve.mode;
     mode_buttons(mode);
-    ImGui::BeginChild("found", {0, 0}, false);
+    ImGui::BeginChild("found", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     coloured_wrapped(kModes[index_of(mode)].help, theme::muted());
     switch (mode) {
         case ImproveMode::Pixel:

@@ -44,7 +44,7 @@ void draw_inspector(EditorState& state, const EditorFrame& frame, EditorRequests
     requests.redraw |= is_page_awaited(window, true);
     if (double_click_on_tabs()) toggle_maximised(state, Panel::Inspector);
     ImGui::EndTabBar();
-    ImGui::BeginChild(kPageTable[index_of(state.inspector_page)].key, {0, 0}, false);
+    ImGui::BeginChild(kPageTable[index_of(state.inspector_page)].key, {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     draw_inspector_page(state, frame, requests);
     ImGui::EndChild();
 }

@@ -238,7 +238,7 @@ void draw_lights_page(EditorState& state, const EditorFrame& frame) {
     const int light = shown_light(state.settings);
     if (light < 0) return ImGui::TextDisabled("The scene has no light.");
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.1f});
-    ImGui::BeginChild("rows", {0, 0}, false);
+    ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     strong_text(light_title(state.settings, light).c_str());
     if (begin_rows("light")) {
         for (const Param& p : params()) {
@@ -262,7 +262,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
     ImGui::Checkbox("Changed", &state.settings_panel.only_changed);
     plain_tooltip("Only settings that differ from their defaults");
     ImGui::Dummy({0, em * 0.1f});
-    ImGui::BeginChild("rows", {0, 0}, false);
+    ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     bool any = false;
     const SceneSettings placed = state.settings.scene;
     std::vector<Group> shown = groups();

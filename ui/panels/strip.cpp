@@ -153,7 +153,8 @@ void draw_strip(EditorState& state, const EditorFrame& frame, EditorRequests& re
     requests.redraw |= height < ImGui::GetFontSize();  // it opens with the next frame
     if (height < ImGui::GetFontSize()) return;
     ImGui::SetCursorScreenPos(corner);
-    ImGui::BeginChild(kPageTable[index_of(*state.strip_page)].key, {room.x, height}, false);
+    ImGui::BeginChild(kPageTable[index_of(*state.strip_page)].key, {room.x, height}, false,
+                      ImGuiWindowFlags_NavFlattened);
     if (!beside) draw_page_buttons(window, window.strip_tab);
     draw_strip_page(state, frame, requests, *state.strip_page);
     ImGui::EndChild();
