@@ -17,9 +17,11 @@ namespace {
 
 class ObjectsPanel : public testing::Test {
 protected:
-    explicit ObjectsPanel(int width = 1280) : ui(width, 900) {
+    /// @param width of the inspector, pixels
+    explicit ObjectsPanel(float width = 915) : ui(1830, 900) {
         ui.state.window.open_page = Page::Objects;
-        ui.state.layout.bottom_height = 34;
+        ui.state.layout.settings_width = width / 15;
+        ui.state.layout.map_place = MapSpot::Hidden;
         ui.frames(4);
     }
     static const ImGuiTable* table() {
@@ -69,11 +71,11 @@ protected:
     UiHarness ui;
 };
 
-struct ObjectsInSmallWindow : ObjectsPanel {
-    ObjectsInSmallWindow() : ObjectsPanel(900) {}
+struct ObjectsInNarrowInspector : ObjectsPanel {
+    ObjectsInNarrowInspector() : ObjectsPanel(595) {}
 };
-struct ObjectsInMinimumWindow : ObjectsPanel {
-    ObjectsInMinimumWindow() : ObjectsPanel(640) {}
+struct ObjectsInUsualInspector : ObjectsPanel {
+    ObjectsInUsualInspector() : ObjectsPanel(24 * 15) {}
 };
 constexpr float kReadableName = 8 * 15;
 
@@ -82,12 +84,12 @@ TEST_F(ObjectsPanel, HasAllColumnsIfTheyFit) {
     EXPECT_EQ(columns(), std::vector<bool>(6, true));
 }
 
-TEST_F(ObjectsInSmallWindow, HideTheTriangleColumnForNames) {
+TEST_F(ObjectsInNarrowInspector, HideTheTriangleColumnForNames) {
     EXPECT_EQ(columns(), (std::vector<bool>{true, false, true, true, true, true}));
     EXPECT_GE(table()->Columns[0].WidthGiven, kReadableName);
 }
 
-TEST_F(ObjectsInMinimumWindow, ShowReadableNames) {
+TEST_F(ObjectsInUsualInspector, ShowReadableNames) {
     EXPECT_EQ(columns(), (std::vector<bool>{true, false, true, false, true, false}));
     EXPECT_GE(table()->Columns[0].WidthGiven, kReadableName);
     EXPECT_LE(table()->Columns[4].MaxX, table()->OuterRect.Max.x) << "the last one is not cut";
@@ -142,7 +144,8 @@ TEST_F(ObjectsPanel, SearchHintNamesExistingObjects) {
 }
 
 TEST_F(ObjectsPanel, SelectionInTheSceneScrollsIntoView) {
-    ui.state.layout.bottom_height = 12;
+    ui.state.layout.map_place = MapSpot::AboveSettings;
+    ui.state.layout.map_height = 0.78f;  // few rows have room
     ui.state.objects.closed_nodes = {"Stage/Fence"};
     ui.frames(4);
     const auto below_fence = [&](const Object& o) {
@@ -157,7 +160,7 @@ TEST_F(ObjectsPanel, SelectionInTheSceneScrollsIntoView) {
     }
     EXPECT_TRUE(ui.state.objects.closed_nodes.empty());
     // Selection in the list scrolls nothing.
-    ui.state.layout.bottom_height = 34;
+    ui.state.layout.map_place = MapSpot::Hidden;
     select_objects(ui.state, std::vector<std::string>{"Stage/Ground"});
     ui.frames(4);
     ui.state.objects.closed_nodes = {"Stage/Fence"};
@@ -337,9 +340,9 @@ TEST_F(ObjectsPanel, HiddenObjectsStayListedAndAButtonShowsThem) {
     hide_objects(ui.scene, {"Stage/Plinth"});
     EXPECT_TRUE(row("Stage/Plinth"));
     EXPECT_FALSE(bounds_of(ui.scene, "Stage/Plinth").empty()) << "F frames it";
-    ui.click(ui.find("bottom", "", "Show all"));
+    ui.click(ui.find("objects_", "", "Show all"));
     EXPECT_TRUE(all_shown(ui.state.settings));
-    EXPECT_FALSE(ui.find("bottom", "", "Show all"));
+    EXPECT_FALSE(ui.find("objects_", "", "Show all"));
 }
 
 TEST_F(SceneMenu, FramesTheObject) {

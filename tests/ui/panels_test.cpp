@@ -562,7 +562,7 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     ui.state.window.open_page = Page::Objects;
     ui.frames(5);
     const std::string path = ui.scene.nodes[std::size_t(ui.scene.objects[2].node)].path;
-    ui.click(ui.find("bottom", "", "Cast from both sides"));
+    ui.click(ui.find("objects_", "", "Cast from both sides"));
     const auto own = ui.state.settings.objects.find(path);
     ASSERT_NE(own, ui.state.settings.objects.end());
     EXPECT_EQ(own->second.cull, ObjectCull::None);
@@ -573,7 +573,7 @@ TEST(Panels, BlendedCastersAreNamedAndCastByAButton) {
     ui.lost_casters = {{.object = 2, .by = LostBy::Blending, .triangles = 2}};
     ui.state.window.open_page = Page::Objects;
     ui.frames(5);
-    ui.click(ui.find("bottom", "", "Blended ones cast"));
+    ui.click(ui.find("objects_", "", "Blended ones cast"));
     EXPECT_EQ(ui.state.settings.caster.blend, BlendCasters::Mask);
     EXPECT_TRUE(ui.state.settings.objects.empty()) << "culling loses nothing";
 }
@@ -581,14 +581,16 @@ TEST(Panels, BlendedCastersAreNamedAndCastByAButton) {
 TEST(Panels, ObjectListEditsOneObjectAtATime) {
     UiHarness ui(kWidth, kHeight);
     ui.state.window.open_page = Page::Objects;
+    ui.frames(3);
+    ui.state.window.maximised = Panel::Inspector;  // all columns have room
     const std::string other = ui.scene.nodes[std::size_t(ui.scene.objects[1].node)].path;
     ui.state.settings.objects[other].cull = ObjectCull::Back;
     ui.frames(3);
     const Settings before = ui.state.settings;
     // Checkboxes are at the right of the list: a click changes one, another click restores it.
     std::set<std::string> changed;
-    for (float y = 540; y < 690; y += 12)
-        for (float x = 775; x < 905; x += 10) {
+    for (float y = 80; y < 240; y += 12)
+        for (float x = 1140; x < 1270; x += 10) {
             ui.click({x, y});
             const Settings after = ui.state.settings;
             if (after == before) continue;

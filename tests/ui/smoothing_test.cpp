@@ -95,6 +95,7 @@ TEST_F(EditorSmoothing, PausesDuringMeasurementsAndContinues) {
 }
 
 TEST_F(EditorSmoothing, IsNotCountedInFrameTimes) {
+    model.state.window.open_page = Page::Effects;
     editor.settle();
     ASSERT_TRUE(model.state.shows(Page::Effects)) << "which times frames";
     model.state.settings.lights[0].azimuth += 1;
