@@ -165,7 +165,8 @@ private:
         std::string text;
         Ink ink;
         Need need;
-        double y = 0;
+        std::vector<std::string> lines{};  ///< the text, broken where the page is too narrow
+        double y = 0;                      ///< middle of the first line
     };
     const Section& s_;
     const SectionPage& page_;
@@ -257,22 +258,27 @@ private:
         if (const auto at = seen(m)) labels_.push_back({*at, std::move(text), ink, need});
     }
 
-    /// Draws a paragraph with line breaks. @return top of the next line, pixels
-    double paragraph(double x, double y, double width, const std::string& text, Ink ink) {
-        std::string line_of_words;
-        const auto flush = [&] {
-            words({x, y + em_}, line_of_words, ink);
-            y += 1.35 * em_;
-            line_of_words.clear();
-        };
+    /// Breaks a text between words into lines of at most `width` pixels; a longer word is not broken.
+    std::vector<std::string> lines_of(const std::string& text, double width) const {
+        std::vector<std::string> lines;
         for (std::size_t i = 0; i < text.size();) {
             const std::size_t end = std::min(text.find(' ', i), text.size());
             const std::string word = text.substr(i, end - i);
-            if (!line_of_words.empty() && width_of(line_of_words + " " + word) > width) flush();
-            line_of_words += (line_of_words.empty() ? "" : " ") + word;
+            if (!lines.empty() && width_of(lines.back() + " " + word) <= width)
+                lines.back() += " " + word;
+            else
+                lines.push_back(word);
             i = end + 1;
         }
-        if (!line_of_words.empty()) flush();
+        return lines;
+    }
+
+    /// Draws a paragraph with line breaks. @return top of the next line, pixels
+    double paragraph(double x, double y, double width, const std::string& text, Ink ink) {
+        for (const std::string& line_of_words : lines_of(text, width)) {
+            words({x, y + em_}, line_of_words, ink);
+            y += 1.35 * em_;
+        }
         return y;
     }
 
@@ -570,8 +576,10 @@ private:
             area({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, ink, 0.35 + 0.65 * step.weight / heaviest);
             line({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}, Ink::Muted, 0.6);
         }
-        words({right_ + 0.8 * em_, y1 - 0.02 * em_},
-              s_.cut.axis == 0 ? "the kernel's taps in this row" : "the kernel's taps in this column", Ink::Muted);
+        const std::string name = s_.cut.axis == 0 ? "taps in this row" : "taps in this column";
+        const double x = right_ + 0.8 * em_;
+        const bool fits = x + width_of("the kernel's " + name) <= page_.width;
+        words({x, y1 - 0.02 * em_}, fits ? "the kernel's " + name : name, Ink::Muted);
     }
 
     void scales() {
@@ -593,28 +601,41 @@ private:
         const std::string scale = stretch_ == 1  ? out_.broken ? "to scale below the break" : "to scale"
                                   : stretch_ > 1 ? fmt::format("depth drawn {:g} times larger", stretch_)
                                                  : fmt::format("depth drawn {:g} times smaller", 1 / stretch_);
-        words({end, y + 0.35 * em_}, scale, Ink::Muted);
-        below_ = y + 0.6 * em_;
+        const bool fits = end + width_of(scale) <= page_.width;
+        const double below = fits ? 0 : 1.25 * em_;
+        words({fits ? end : left_, y + below + 0.35 * em_}, scale, Ink::Muted);
+        below_ = y + below + 0.6 * em_;
     }
 
-    /// Places the labels from top to bottom without overlap.
+    /// Places the labels from top to bottom without overlap. Labels without room in the page's width are broken.
     void place_labels() {
         if (labels_.empty()) return;
         std::stable_sort(labels_.begin(), labels_.end(),
                          [](const Label& a, const Label& b) { return a.at.y < b.at.y; });
+        const double x = right_ + 0.8 * em_;
+        for (Label& l : labels_) l.lines = lines_of(l.text, page_.width - x);
         const double first = top_ + 0.5 * em_, last = bottom_ - 0.3 * em_, least_height = 1.05 * em_;
         const auto room = std::size_t(std::max(std::floor((last - first) / least_height), 0.0)) + 1;
-        while (labels_.size() > room) labels_.erase(std::ranges::max_element(labels_, {}, &Label::need));
-        const double line_height =
-            std::min(1.3 * em_, (last - first) / double(std::max<std::size_t>(labels_.size() - 1, 1)));
+        const auto lines = [&] {
+            std::size_t count = 0;
+            for (const Label& l : labels_) count += l.lines.size();
+            return count;
+        };
+        while (labels_.size() > 1 && lines() > room) labels_.erase(std::ranges::max_element(labels_, {}, &Label::need));
+        const double line_height = std::min(1.3 * em_, (last - first) / double(std::max<std::size_t>(lines() - 1, 1)));
+        const double broken_height = std::min(line_height, 1.15 * em_);  // of lines of the same label
+        const auto height = [&](const Label& l) { return line_height + broken_height * double(l.lines.size() - 1); };
         double y = first;
-        for (Label& l : labels_) y = (l.y = std::max(l.at.y, y)) + line_height;
-        double most = last;
-        for (auto l = labels_.rbegin(); l != labels_.rend(); ++l) most = (l->y = std::min(l->y, most)) - line_height;
-        const double x = right_ + 0.8 * em_;
+        for (Label& l : labels_) y = (l.y = std::max(l.at.y, y)) + height(l);
+        double most = last + line_height;
+        for (auto l = labels_.rbegin(); l != labels_.rend(); ++l) most = l->y = std::min(l->y, most - height(*l));
         for (const Label& l : labels_) {
             line({l.at, {right_ + 0.1 * em_, l.y}, {x - 0.2 * em_, l.y}}, Ink::Muted, 0.5);
-            words({x, l.y + 0.35 * em_}, l.text, l.ink);
+            double base = l.y + 0.35 * em_;
+            for (const std::string& text : l.lines) {
+                words({x, base}, text, l.ink);
+                base += broken_height;
+            }
         }
     }
 

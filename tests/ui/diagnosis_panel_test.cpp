@@ -151,7 +151,7 @@ TEST(EditorDiagnosisTest, ClickedPixelIsDiagnosedAndItsFixCuresIt) {
     EditorState& state = editor.state();
     // Finds a pixel darkened by acne, on a grid over the picture.
     std::optional<PixelDiagnosis> found;
-    for (int y = 100; y < 400 && !found; y += 12)
+    for (int y = 256; y < 556 && !found; y += 12)
         for (int x = 40; x < 500 && !found; x += 12) {
             state.probe_pixel = glm::ivec2(x, y);
             editor.settle();

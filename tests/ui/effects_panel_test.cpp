@@ -259,6 +259,8 @@ const Effect* shown_effect(const EditorFrame& facts, std::string_view name) {
 TEST(EditorEffects, AreComputedOnlyWhileThePanelIsShown) {
     TestEditor editor;
     EditorState& state = editor.state();
+    state.window.open_page = Page::Effects;
+    editor.settle();
     EXPECT_TRUE(shown_effect(editor.facts(), "depth blur"));
     const Effect* objects = shown_effect(editor.facts(), "panel: objects lost to culling");
     ASSERT_TRUE(objects);
@@ -292,6 +294,7 @@ TEST(EditorEffects, NextArtefactIsSearchedOnceAndListed) {
     TestEditor editor(
         editor_options("boxes", {"bias.kind=constant", "bias.constant=0", "bias.normal=0", "view.overlay=artefacts"}));
     EditorState& state = editor.state();
+    state.window.open_page = Page::Effects;
     const auto listed = [&] {
         editor.settle();
         const Effect* e = shown_effect(editor.facts(), "panel: next artefact");
@@ -342,6 +345,8 @@ TEST(EditorEffects, SavingsAreMeasuredInTheBackgroundAndAForcedFrameIsRedrawn) {
         const Effect* e = shown_effect(editor.facts(), "look-ups of light 0");
         return e && e->state == EffectState::NotNeeded;
     };
+    editor.state().window.open_page = Page::Effects;
+    editor.settle();
     EXPECT_TRUE(skipped());
     editor.state().effects.forced = {Optimisation::DeadPasses};
     editor.settle();

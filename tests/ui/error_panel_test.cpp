@@ -76,7 +76,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
             bool seen = false;
             for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
                 const std::string_view name(w->Name);
-                if (!w->WasActive || name.find("/Error_") == std::string_view::npos) continue;
+                if (!w->WasActive || name.find("/error_") == std::string_view::npos) continue;
                 seen = true;
                 EXPECT_LE(w->ContentSize.x, w->InnerRect.GetWidth() + 1) << name << " at " << width << ", " << variant;
                 EXPECT_LE(w->ContentSize.y, w->InnerRect.GetHeight() + 1) << name << " at " << width << ", " << variant;
@@ -211,7 +211,7 @@ TEST(PictureComparison, DragMovesOnlyTheLine) {
     ASSERT_TRUE(ui.state.viewport.view);
     const PictureView view = *ui.state.viewport.view;
     const auto at = [&](double x) {
-        return glm::vec2(view.origin.x + x * view.size.x, view.origin.y + 0.75 * view.size.y);
+        return glm::vec2(view.origin.x + x * view.size.x, view.origin.y + 0.5 * view.size.y);
     };
     const Settings before = ui.state.settings;
     ui.drag(at(0.5), at(0.2));

@@ -191,8 +191,8 @@ TEST_F(Keys, CombosOpenAndChooseByKeyboard) {
     const auto key_of = [](ImGuiKey key) { return ImGui::GetKeyIndex(key); };
     const auto combo = [] {
         const ImGuiWindow* const rows = UiHarness::window("/rows_");
-        const ImGuiID table = ImHashStr("rows", 0, ImHashStr("filter", 0, rows->ID));
-        return ImHashStr("##value", 0, ImHashStr("filter.kernel", 0, table));
+        const ImGuiID group = ImHashStr("rows", 0, ImHashStr("filter", 0, rows->ID));
+        return ImHashStr("##value", 0, ImHashStr("filter.kernel", 0, group));
     };
     const int before = settings().filter.kernel;
     for (int i = 0; i < 40 && g.NavId != combo(); ++i) {

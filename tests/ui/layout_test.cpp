@@ -401,7 +401,39 @@ TEST(Layout, TabWithTwoPagesHasAButtonForEach) {
     }
 }
 
-/// Every tab is readable in full or in a list, at every size and in both themes.
+TEST(Layout, SecondPressOnAButtonBesideTabsMaximisesNothing) {
+    Shown ui(1280, 720);
+    ui.state.window.open_page = Page::Frontier;
+    ui.frames(4);
+    for (const char* label : {"Frontier", "Effects", "\u00d7"}) {
+        const auto at = ui.find("editor/bottom", "", label);
+        ASSERT_TRUE(at) << label;
+        ui.frames(30);
+        ui.click(*at);
+        ui.click(*at);
+        ui.frames(2);
+        EXPECT_FALSE(ui.state.window.maximised) << label;
+    }
+    EXPECT_FALSE(ui.state.layout.strip_open);
+}
+
+TEST(Layout, NoTabOfAClosedStripLooksSelected) {
+    Shown ui(1280, 720);
+    const auto selected = [&] {
+        const ImGuiTabBar& bar = *ImGui::GetCurrentContext()->TabBars.GetByKey(ui.part("bottom")->GetID("bottom"));
+        const ImU32 colour = ImGui::GetColorU32(ImGui::GetStyle().Colors[ImGuiCol_TabActive]);
+        // The line below the tabs has the same colour.
+        return std::ranges::count_if(ui.part("bottom")->DrawList->VtxBuffer, [&](const ImDrawVert& v) {
+            return v.col == colour && v.pos.y >= bar.BarRect.Min.y - 1 && v.pos.y < bar.BarRect.GetCenter().y;
+        });
+    };
+    EXPECT_EQ(selected(), 0);
+    ui.state.layout.strip_open = true;
+    ui.frames(3);
+    EXPECT_GT(selected(), 0);
+}
+
+/// Every tab is readable in full at every size and in both themes.
 TEST(Layout, AllTabsAreThereAtEverySize) {
     for (const auto& [w, h, scale] :
          {std::tuple{800, 600, 1.0f}, {1280, 720, 1.0f}, {1600, 900, 1.0f}, {2560, 1440, 1.0f}, {2560, 1440, 2.0f}})
@@ -418,10 +450,8 @@ TEST(Layout, AllTabsAreThereAtEverySize) {
                 EXPECT_GE(ui.state.viewport.view->size.y - ui.state.viewport.covered, 10 * 15 * scale - 40) << w;
             }
             ui.frames(2);
-            for (const char* label : kTabLabels) {
-                const bool narrow = w == 800;  // there is a list, too
-                EXPECT_TRUE(narrow || ui.drawn().shows(label)) << label << " at " << w << " x " << h;
-            }
+            for (const char* label : kTabLabels)
+                EXPECT_TRUE(ui.drawn().shows(label)) << label << " at " << w << " x " << h;
         }
 }
 

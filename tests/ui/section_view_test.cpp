@@ -142,7 +142,7 @@ TEST(EditorSection, IsComputedOnceAndOnlyWhileShown) {
     state.window.open_page = Page::Log;
     state.layout = kWideLayout;
     editor.settle();
-    state.probe_pixel = glm::ivec2(200, 150);
+    state.probe_pixel = glm::ivec2(170, 230);
     editor.settle();
     ASSERT_TRUE(editor.facts().probe && editor.facts().probe->hit);
     EXPECT_FALSE(editor.facts().sections) << "nobody looks";

@@ -204,13 +204,15 @@ TEST(Viewport, ClickOnAnAxisLooksAlongIt) {
     v.settings.camera.source = CameraSource::Manual;
     v.ui.frames(2);
     const PictureView view = *v.ui.state.viewport.view;
+    ASSERT_GT(v.ui.state.viewport.covered, 0) << "the strip is open";
+    const glm::vec2 corner = glm::vec2(view.origin + view.size) - glm::vec2(0, v.ui.state.viewport.covered);
     int found = 0;
     for (float y = 0; y < 80; y += 4)
         for (float x = 0; x < 80; x += 4) {
-            v.ui.move(glm::vec2(view.origin + view.size) - glm::vec2(x, y));
+            v.ui.move(corner - glm::vec2(x, y));
             v.ui.frame();
             if (v.ui.state.viewport.hovered_axis != 'y') continue;
-            v.ui.click(glm::vec2(view.origin + view.size) - glm::vec2(x, y));
+            v.ui.click(corner - glm::vec2(x, y));
             EXPECT_NEAR(std::abs(v.settings.camera.elevation), 90, 1e-9);
             EXPECT_FALSE(v.ui.state.probe_pixel);
             v.settings.camera.elevation = 25;

@@ -181,6 +181,24 @@ TEST(SectionDrawing, TextDoesNotOverlapAndStaysInside) {
         }
 }
 
+TEST(SectionDrawing, NarrowDrawingBreaksItsWords) {
+    for (const Section& s : {acne(), peter_panning(), offset_look_up()})
+        for (const double width : {480.0, 360.0, 330.0}) {
+            SCOPED_TRACE(width);
+            const SectionPage page{.width = width, .height = 0.75 * width, .em = 13, .captions = false};
+            const SectionDrawing d = draw_section(s, page);
+            std::string said;
+            for (const Mark& m : d.marks) {
+                if (m.kind != Mark::Kind::Text) continue;
+                EXPECT_LE(m.points[0].x + 0.54 * page.em * double(m.text.size()), d.width) << m.text;
+                EXPECT_LE(m.points[0].y, d.height) << m.text;
+                said += m.text + " ";
+            }
+            for (const char* wanted : {"surface, 45° from the light", "compared: ", "depth drawn", "taps in this row"})
+                EXPECT_NE(said.find(wanted), std::string::npos) << wanted << " is not said: " << said;
+        }
+}
+
 TEST(SectionDrawing, LegendListsExactlyTheDrawnMarks) {
     using enum Mark::Kind;
     const std::set<std::pair<Mark::Kind, Ink>> legended{

@@ -163,7 +163,8 @@ void show_waste(const Waste& waste, bool current) {
         const ImU32 colour = t.changes || !current ? theme::muted() : theme::text();
         text_cell(t.verdict(), colour);
         text_cell(std::to_string(t.triangles), colour);
-        text_cell(t.text(), colour);
+        ImGui::TableNextColumn();
+        coloured_wrapped(t.text(), colour);
     }
     ImGui::EndTable();
 }

@@ -4,11 +4,13 @@
 #include "renderer/base/index_of.h"
 #include "ui/panels/page_tabs.h"
 #include "ui/state/panels.h"
+#include "ui/widgets/theme.h"
 
 namespace si {
 namespace {
 
 constexpr float kAllInspectorTabs = 22.5f;  ///< width that fits all tabs, ems
+constexpr float kAllSmallTabs = 16.3f;      ///< width that fits all tabs in the small font, ems
 
 void draw_inspector_page(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     switch (state.inspector_page) {
@@ -25,14 +27,12 @@ void draw_inspector_page(EditorState& state, const EditorFrame& frame, EditorReq
     }
 }
 
-}  // namespace
-
-void draw_inspector(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+/// Draws the tabs. @param listed they have no room, so that a button lists them
+void draw_tabs(EditorState& state, EditorRequests& requests, bool listed) {
     WindowState& window = state.window;
-    // Tabs without room are scrolled and listed, not squeezed.
+    // Tabs without room are scrolled, not squeezed.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
-    if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllInspectorTabs)
-        flags |= ImGuiTabBarFlags_TabListPopupButton;
+    if (listed) flags |= ImGuiTabBarFlags_TabListPopupButton;
     if (!ImGui::BeginTabBar("inspector", flags)) return;
     for (int i = 0; i <= index_of(Tab::Improve); ++i) {
         const bool awaited = is_page_awaited(window, true);
@@ -44,6 +44,25 @@ void draw_inspector(EditorState& state, const EditorFrame& frame, EditorRequests
     requests.redraw |= is_page_awaited(window, true);
     if (double_click_on_tabs()) toggle_maximised(state, Panel::Inspector);
     ImGui::EndTabBar();
+}
+
+}  // namespace
+
+void draw_inspector(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
+    const bool narrow = room < em * kAllInspectorTabs;
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, inner = ImGui::GetStyle().ItemInnerSpacing;
+    if (narrow) {
+        const float height = em + 2 * padding.y;
+        ImGui::PushFont(theme::small());
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(em * 0.2f, (height - ImGui::GetFontSize()) / 2));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(em * 0.13f, inner.y));
+    }
+    draw_tabs(state, requests, room < em * kAllSmallTabs);
+    if (narrow) {
+        ImGui::PopStyleVar(2);
+        ImGui::PopFont();
+    }
     ImGui::BeginChild(kPageTable[index_of(state.inspector_page)].key, {0, 0}, false, ImGuiWindowFlags_NavFlattened);
     draw_inspector_page(state, frame, requests);
     ImGui::EndChild();

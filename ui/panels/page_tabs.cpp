@@ -33,7 +33,11 @@ bool is_page_awaited(const WindowState& window, bool in_inspector) {
 }
 
 bool double_click_on_tabs() {
-    const ImGuiTabBar* bar = ImGui::GetCurrentContext()->CurrentTabBar;
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    const ImGuiTabBar* bar = g.CurrentTabBar;
+    // Buttons beside the tabs, and those that scroll and list them, are pressed twice without a further meaning.
+    const ImGuiID hovered = g.HoveredIdPreviousFrame;
+    if (hovered != 0 && std::ranges::find(bar->Tabs, hovered, &ImGuiTabItem::ID) == bar->Tabs.end()) return false;
     return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) &&
            ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&  // the active item is the tab
            bar->BarRect.Contains(ImGui::GetIO().MousePos);

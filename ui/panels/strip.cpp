@@ -85,7 +85,11 @@ void strip_tab(EditorState& state, Tab which, bool alone) {
                               : errors > 0      ? fmt::format("Log ({})###Log", errors)
                                                 : std::string("Log###Log");
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
+    // No tab of a closed strip looks selected.
+    const bool shut = !alone && !state.layout.strip_open;
+    if (shut) ImGui::PushStyleColor(ImGuiCol_TabActive, ImGui::GetStyleColorVec4(ImGuiCol_Tab));
     const DrawnTab drawn = draw_tab(window, which, label);
+    if (shut) ImGui::PopStyleColor();
     if (errors > 0) ImGui::PopStyleColor();
     if (drawn.pressed && !alone) state.layout.strip_open = !(drawn.front && state.layout.strip_open);
     if (!drawn.front || (awaited && !mine)) return;
@@ -102,7 +106,10 @@ bool buttons_beside_tabs(EditorState& state, ImVec2 row, float width, float free
     if (!alone) {
         right -= button_width("×");
         ImGui::SetCursorScreenPos({right, row.y});
-        if (ImGui::Button("×")) state.layout.strip_open = false;
+        if (ImGui::Button("×")) {
+            state.layout.strip_open = false;
+            ImGui::GetIO().MouseClickedTime[ImGuiMouseButton_Left] = -1;  // no double click on what comes to light
+        }
         plain_tooltip(with_key("Closes the strip", Command::ToggleStrip));
         right -= em;
     }
