@@ -157,6 +157,7 @@ TEST(ErrorPanel, LongTextEndsInAnEllipsis) {
 
 TEST(ErrorPanel, RequestsNumbersOnlyWhileShown) {
     UiHarness ui(1280, 720);
+    ui.state.layout.strip_open = false;
     EXPECT_FALSE(ui.frames(3).want_error);
     ui.state.window.open_page = Page::Error;
     EXPECT_TRUE(ui.frames(3).want_error);

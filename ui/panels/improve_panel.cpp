@@ -46,8 +46,14 @@ constexpr ModeRow kModes[kImproveModes] = {
 /// Draws the buttons of the aims, two in a row.
 void mode_buttons(ImproveMode& mode) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+    const float room = ImGui::GetContentRegionAvail().x - gap;
+    float left = 0;  // the buttons on the left are as wide as the longest label needs
     for (const ModeRow& row : kModes) {
+        if (index_of(row.mode) % 2 == 0) left = std::max(left, button_width(row.label));
+    }
+    left = std::floor(std::max(left, room / 2));
+    for (const ModeRow& row : kModes) {
+        const float width = index_of(row.mode) % 2 == 0 ? left : room - left;
         if (index_of(row.mode) % 2 == 1) ImGui::SameLine(0, gap);
         if (toggle_button(row.label, mode == row.mode, {width, 0})) mode = row.mode;
         wrapped_tooltip(fmt::format("{}\n{}", row.help, with_key("Next aim", Command::NextImprovement)));

@@ -321,6 +321,13 @@ std::vector<SettingColumn> fitting_columns(std::span<const Param* const> params)
                 c.shown = false;
                 name += c.width + padding;
             }
+    // In the narrowest inspector, the columns of boxes are as wide as their titles.
+    for (SettingColumn& c : all) {
+        if (!c.shown || name >= em * kMinName) continue;
+        const float narrow = std::min(c.width, em * 3.6f);
+        name += c.width - narrow;
+        c.width = narrow;
+    }
     return all;
 }
 
@@ -342,15 +349,18 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
         if (p.scope == Scope::Object) rows.push_back(&p);
     const float em = ImGui::GetFontSize();
     Tree tree = tree_of(state, frame);
-    const std::string count = fmt::format("{} object{}, {} with settings of their own", tree.placed,
-                                          tree.placed == 1 ? "" : "s", state.settings.objects.size());
+    const std::string placed = fmt::format("{} object{}", tree.placed, tree.placed == 1 ? "" : "s");
+    const std::string counts = fmt::format("{}, {} with settings of their own", placed, state.settings.objects.size());
     const bool all = all_shown(state.settings);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const bool fits = ImGui::CalcTextSize(counts.c_str()).x + gap + em * 8 <= ImGui::GetContentRegionAvail().x;
+    const std::string& count = fits ? counts : placed;
     const float count_width = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap);
     search_field("objects", "Search objects", state.objects.search,
                  std::clamp(ImGui::GetContentRegionAvail().x - count_width, em * 6, em * 24));
     ImGui::SameLine();
     ImGui::TextDisabled("%s", count.c_str());
+    if (!fits) plain_tooltip(counts);
     if (!all) {
         same_line_if_fits(button_width("Show all"));
         if (ImGui::Button("Show all")) show_all(state.settings);
