@@ -188,15 +188,22 @@ void shimmer_part(LabPanel& panel, bool ready, const LabFacts& facts, LabRequest
 void draw_lab(LabPanel& panel, Settings& settings, const Scene* scene, const FrameResult* result, const LabFacts& facts,
               LabRequests& requests) {
     const float gap = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x - 2 * gap;
+    const bool narrow = width < 44 * gap;  // one part below the other
+    const auto next = [&] { narrow ? ImGui::Dummy({0, gap / 2}) : ImGui::SameLine(0, gap); };
     const auto part = [&](const char* id, float share, const auto& draw) {
+        if (narrow) {
+            ImGui::PushID(id);
+            draw();
+            return ImGui::PopID();
+        }
         ImGui::BeginChild(id, {share * width, 0}, false);
         draw();
         ImGui::EndChild();
     };
     part("place", 0.28f, [&] { place_rows(settings); });
-    ImGui::SameLine(0, gap);
+    next();
     part("ways", 0.40f, [&] { pipelines_part(settings, scene != nullptr, result, facts, requests); });
-    ImGui::SameLine(0, gap);
+    next();
     part("crawling", 0.32f, [&] { shimmer_part(panel, scene != nullptr, facts, requests); });
 }
 

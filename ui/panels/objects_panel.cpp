@@ -357,7 +357,7 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     const std::string& count = fits ? counts : placed;
     const float count_width = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap);
     search_field("objects", "Search objects", state.objects.search,
-                 std::clamp(ImGui::GetContentRegionAvail().x - count_width, em * 6, em * 24));
+                 std::max(count_width, ImGui::GetContentRegionAvail().x - em * 24));
     ImGui::SameLine();
     ImGui::TextDisabled("%s", count.c_str());
     if (!fits) plain_tooltip(counts);
