@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 // At 1280x720. The dialog is 44 by 32 ems in the middle: its first entry, its field for the name.
 constexpr int kFileX = 26, kTopY = 19, kEntryX = 420, kEntryY = 183, kEntryStep = 21;
-constexpr int kSearchX = 1040, kSearchY = 351, kSliderX = 1170, kSliderY = 408;
+constexpr int kSearchX = 1040, kSearchY = 376, kSliderX = 1170, kSliderY = 433;
 
 class WindowFiles : public Window {
 protected:

@@ -67,7 +67,7 @@ TEST_F(Window, FrontierDotIsClicked) {
     std::ofstream(state_folder() / "workspace.json")
         << R"({"format": "shadow-inspector-workspace", "version": 1, "layout": {"bottom_height": 18}})";
     ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--sweep", (folder_ / "swept").string()}));
-    click(21, 631);  // stop measuring the present settings, so that the plot stays
+    click(21, 604);  // stop measuring the present settings, so that the plot stays
     const ByteImage shown = screen("window_dots");
     glm::ivec2 first{-1};
     for (int x = 0; x < 900 && first.x < 0; ++x)
@@ -87,7 +87,7 @@ TEST_F(Window, FrontierDotIsClicked) {
 
 TEST_F(Window, DoubleClickDuringASlowFrameSelects) {
     ASSERT_NO_FATAL_FAILURE(start());
-    mouse(470, 200);  // the floating cube
+    mouse(485, 260);  // the floating cube
     program_->hold(true);
     xdotool("click --repeat 2 --delay 100 1");
     std::this_thread::sleep_for(std::chrono::milliseconds(700));

@@ -60,9 +60,9 @@ TEST_F(WindowTyping, LettersWaitForTheClickIntoTheirField) {
     mouse(400, 600);
     const nlohmann::json before = saved();
     // The search for settings, then its first slider.
-    in_one_slow_frame({"mousemove 1040 351", "click 1", "type --delay 20 bias.constant"});
+    in_one_slow_frame({"mousemove 1040 376", "click 1", "type --delay 20 bias.constant"});
     screen("window_typed_after_click");
-    drag(1170, 408, 60, 0);
+    drag(1170, 433, 60, 0);
     nlohmann::json after = saved();
     EXPECT_EQ(after.erase("bias.constant"), 1u) << after;
     EXPECT_EQ(after, before) << "letters were shortcuts";
