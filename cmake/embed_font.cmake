@@ -1,6 +1,6 @@
-# Writes OUT: a C++ array for each of the fonts REGULAR and STRONG; empty where no file was found.
+# Writes OUT: a C++ array for each of the fonts REGULAR, MEDIUM and STRONG; empty where no file was found.
 set(body "// Generated from the fonts found at configure time.\n#include \"ui/widgets/font_data.h\"\n\nnamespace si {\nnamespace {\n")
-foreach(font REGULAR STRONG)
+foreach(font REGULAR MEDIUM STRONG)
   if(${font})
     file(READ "${${font}}" bytes HEX)
     string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
@@ -11,5 +11,6 @@ foreach(font REGULAR STRONG)
 endforeach()
 string(APPEND body "}  // namespace\n"
   "std::span<const unsigned char> regular_font() { return kREGULAR; }\n"
+  "std::span<const unsigned char> medium_font() { return kMEDIUM; }\n"
   "std::span<const unsigned char> strong_font() { return kSTRONG; }\n}  // namespace si\n")
 file(WRITE ${OUT} "${body}")

@@ -38,6 +38,25 @@ TEST(Theme, DifferentMarksHaveDifferentColours) {
             EXPECT_GT(glm::distance(lab(a->second), lab(b->second)), 22) << a->first << " and " << b->first;
 }
 
+// Verdict, heading, value and help differ by more than grey.
+TEST(Theme, RolesOfTextDifferBySizeOrWeight) {
+    for (const float scale : {1.0f, 1.5f, 2.0f}) {
+        ImGui::CreateContext();
+        theme::load_fonts(scale);
+        const float body = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+        EXPECT_NEAR(theme::verdict()->FontSize / body, 1.3, 0.05);
+        EXPECT_GT(theme::verdict()->FontSize, theme::heading()->FontSize);
+        EXPECT_GT(theme::heading()->FontSize, body);
+        EXPECT_EQ(theme::value()->FontSize, body);
+        EXPECT_LT(theme::small()->FontSize, body);
+        const auto width = [](ImFont* font) { return font->CalcTextSizeA(15, 1e9f, 0, "Correct: lit").x; };
+        ImFont* const regular = ImGui::GetIO().Fonts->Fonts[0];
+        EXPECT_GT(width(theme::value()), width(regular)) << "a weight between regular and bold";
+        EXPECT_LT(width(theme::value()), width(theme::strong()));
+        ImGui::DestroyContext();
+    }
+}
+
 TEST(Theme, ColoursOfShadersArriveUnchanged) {
     EXPECT_EQ(theme::colour({1, 0, 0.5}), IM_COL32(255, 0, 128, 255));
     // Colours run from dark to bright, also in grey.

@@ -38,7 +38,7 @@ void precision_overlays(Settings& settings) {
 }
 
 void place_rows(Settings& settings) {
-    strong_text("Where the scene is");
+    heading_text("Where the scene is");
     if (!ImGui::BeginTable("place", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return;
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.44f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.56f);
@@ -95,7 +95,7 @@ std::string choice_label(std::string_view key, int value) {
 
 void pipelines_part(const Settings& settings, bool ready, const FrameResult* result, const LabFacts& facts,
                     LabRequests& requests) {
-    strong_text("Single precision against double");
+    heading_text("Single precision against double");
     if (measure_button("Compare precision",
                        "Draws the picture by each way of computing places in the map, in the background, and compares "
                        "each pixel's with double precision.",
@@ -152,7 +152,7 @@ void motion_widgets(ShimmerOptions& options) {
 }
 
 void shimmer_part(LabPanel& panel, bool ready, const LabFacts& facts, LabRequests& requests) {
-    strong_text("Shimmer");
+    heading_text("Shimmer");
     motion_widgets(panel.shimmer);
     if (measure_button("Measure shimmer",
                        "Moves the camera that maps are made for, or the light, by parts of a texel while the picture "

@@ -158,6 +158,28 @@ inline void strong_text(std::string_view text) {
     ImGui::PopFont();
 }
 
+/// Draws a heading.
+inline void heading_text(std::string_view text) {
+    ImGui::PushFont(theme::heading());
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopFont();
+}
+
+/// Draws a value in the table's next column.
+inline void value_cell(std::string_view text, ImU32 colour = theme::text()) {
+    ImGui::TableNextColumn();
+    ImGui::PushFont(theme::value());
+    coloured_text(text, colour);
+    ImGui::PopFont();
+}
+
+/// Draws help: small, muted, in lines as wide as the window or the column.
+inline void help_text(const std::string& text) {
+    ImGui::PushFont(theme::small());
+    coloured_wrapped(text, theme::muted());
+    ImGui::PopFont();
+}
+
 /// Column of a table: heading and width.
 struct TableColumn {
     const char* heading;

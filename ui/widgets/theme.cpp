@@ -7,7 +7,7 @@
 namespace si::theme {
 namespace {
 
-constexpr float kBodyPixels = 15.0f, kSmallPixels = 13.0f, kVerdictPixels = 19.5f;
+constexpr float kBodyPixels = 15.0f, kSmallPixels = 13.0f, kHeadingPixels = 17.0f, kVerdictPixels = 19.5f;
 
 // Latin, punctuation, super- and subscripts, arrows, mathematics, geometric shapes. Digits are added separately with
 // one width, so that changing numbers do not jitter.
@@ -36,6 +36,12 @@ void add_font(std::span<const unsigned char> data, float pixels) {
 
 ImVec4 grey(float value, float alpha = 1) {
     return {value, value, value * 1.01f, alpha};
+}
+
+/// Returns a font of load_fonts(); the body font where a context has others.
+ImFont* font_at(int index) {
+    const auto& fonts = ImGui::GetIO().Fonts->Fonts;
+    return fonts[fonts.Size > index ? index : 0];
 }
 
 constexpr Colours kDark{.text = IM_COL32(222, 222, 220, 255),
@@ -126,6 +132,8 @@ void load_fonts(float scale) {
     add_font(strong_font(), std::round(kBodyPixels * scale));
     add_font(regular_font(), std::round(kSmallPixels * scale));
     add_font(strong_font(), std::round(kVerdictPixels * scale));
+    add_font(medium_font(), std::round(kHeadingPixels * scale));
+    add_font(medium_font(), std::round(kBodyPixels * scale));
 }
 
 ImU32 colour(const glm::vec3& rgb) {
@@ -133,18 +141,23 @@ ImU32 colour(const glm::vec3& rgb) {
 }
 
 ImFont* strong() {
-    const auto& fonts = ImGui::GetIO().Fonts->Fonts;
-    return fonts.Size > 1 ? fonts[1] : fonts[0];
+    return font_at(1);
 }
 
 ImFont* small() {
-    const auto& fonts = ImGui::GetIO().Fonts->Fonts;
-    return fonts.Size > 2 ? fonts[2] : fonts[0];
+    return font_at(2);
 }
 
 ImFont* verdict() {
-    const auto& fonts = ImGui::GetIO().Fonts->Fonts;
-    return fonts.Size > 3 ? fonts[3] : fonts[0];
+    return font_at(3);
+}
+
+ImFont* heading() {
+    return font_at(4);
+}
+
+ImFont* value() {
+    return font_at(5);
 }
 
 void apply_style(float scale) {

@@ -67,8 +67,8 @@ inline ImU32 rgb(const std::array<std::uint8_t, 3>& c) {
     return IM_COL32(c[0], c[1], c[2], 255);
 }
 
-/// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small, [3] verdict. Call before the
-/// first frame.
+/// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small, [3] verdict,
+/// [4] heading, [5] value. Call before the first frame.
 void load_fonts(float scale);
 /// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch. Dark until
 /// set_light().
@@ -81,9 +81,13 @@ ImU32 colour(const glm::vec3& rgb);
 
 /// Returns the bold font, for headings and names.
 ImFont* strong();
-/// Returns the small font, for marks over pictures and plots.
-ImFont* small();
-/// Returns the bold font at 1.3 times the body's size, for the verdict on a pixel.
+/// Returns the largest font, bold, for the verdict on a pixel.
 ImFont* verdict();
+/// Returns the font of headings: medium weight, between body and verdict in size.
+ImFont* heading();
+/// Returns the font of values: medium weight, in the size of body text.
+ImFont* value();
+/// Returns the small font, for help, and for marks over pictures and plots.
+ImFont* small();
 
 }  // namespace si::theme
