@@ -85,8 +85,14 @@ struct Variance {
 
 class Tracer {
 public:
-    Tracer(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query, Reference& out)
-        : scene_(scene.impl()), geometry_(scene.geometry()), receivers_(receivers), query_(query), out_(out) {
+    Tracer(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query, Reference& out,
+           const TileDone& tile_done)
+        : scene_(scene.impl()),
+          geometry_(scene.geometry()),
+          receivers_(receivers),
+          query_(query),
+          out_(out),
+          tile_done_(tile_done) {
         if (query.options.as_rasterised) culls_ = query.traits;
         to_light_ = glm::vec3(query.emitter.to_light);
         const auto& objects = scene.geometry().objects;
@@ -171,6 +177,7 @@ private:
     const Receivers& receivers_;
     const ReferenceQuery& query_;
     Reference& out_;
+    const TileDone& tile_done_;  ///< empty: nobody watches
     std::span<const ObjectTraits> culls_;
     std::optional<std::uint32_t> ground_;  ///< index of the ground disc
     std::mutex lock_;
@@ -220,7 +227,9 @@ private:
             const int y0 = int(run / runs) * kTile, y1 = std::min(y0 + kTile, receivers_.height);
             for (std::size_t t = first; t < end; ++t) {
                 const int x0 = int(t) * kTile;
-                work(x0, y0, std::min(x0 + kTile, receivers_.width), y1);
+                const int x1 = std::min(x0 + kTile, receivers_.width);
+                work(x0, y0, x1, y1);
+                if (tile_done_) tile_done_(out_, {x0, y0}, {x1, y1});
             }
         });
     }
@@ -507,11 +516,12 @@ std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const R
                                             const ReferenceQuery& query) {
     const Receivers one{1, 1, {receiver}};
     Reference unused;
-    return Tracer(scene, one, query, unused).missing_caster(0);
+    const TileDone nobody;
+    return Tracer(scene, one, query, unused, nobody).missing_caster(0);
 }
 
 Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,
-                           const Workers& workers) {
+                           const Workers& workers, const TileDone& tile_done) {
     if (query.traits.size() != scene.geometry().objects.size())
         throw Error("the traced scene and its settings do not belong together");
     Reference out;
@@ -524,7 +534,7 @@ Reference trace_visibility(const ReferenceScene& scene, const Receivers& receive
     if (query.options.nearest) out.nearest_m = out.blocker_m = image(out.width, out.height, kNaN);
     const bool area = query.options.area && query.emitter.casts;
     if (area) out.standard_error = image(out.width, out.height, 0);
-    Tracer tracer(scene, receivers, query, out);
+    Tracer tracer(scene, receivers, query, out, tile_done);
     tracer.trace_hard(workers.with_progress_range(0, area ? 0.05 : 1));
     if (area) {
         out.point_visibility = out.visibility;

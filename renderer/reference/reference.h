@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -126,8 +127,13 @@ std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const R
 /// for a light without size.
 std::string noise_text(const Reference& reference);
 
-/// Traces the reference for every receiver. The result does not depend on the number of threads. @throws Cancelled
+/// Function that receives each tile as it is traced, on the tracing threads. @param so_far reference in work, of which
+/// the tile is finished @param first the tile's upper left pixel @param end the pixel after its lower right one
+using TileDone = std::function<void(const Reference& so_far, glm::ivec2 first, glm::ivec2 end)>;
+
+/// Traces the reference for every receiver. The result does not depend on the number of threads.
+/// @param tile_done called after each tile; empty: nobody watches @throws Cancelled
 Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,
-                           const Workers& workers);
+                           const Workers& workers, const TileDone& tile_done = {});
 
 }  // namespace si

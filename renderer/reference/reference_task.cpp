@@ -6,6 +6,7 @@
 
 #include "renderer/base/key.h"
 #include "renderer/reference/ray_scenes.h"
+#include "renderer/reference/traced_so_far.h"
 #include "renderer/reference/umbra_cache.h"
 
 namespace si {
@@ -119,6 +120,11 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
         });
         receivers_key_ = task.receivers_key;
     }
+    TileDone tile_done;
+    if (task.so_far)
+        tile_done = [&](const Reference& so_far, glm::ivec2 first, glm::ivec2 end) {
+            task.so_far->add_tile(so_far, first, end);
+        };
     auto found =
         std::find_if(references_.begin(), references_.end(), [&](const Known& t) { return t.key == task.key; });
     if (found == references_.end()) {
@@ -130,7 +136,7 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
                     .version = next_version()};
         known.reference = timed(out.trace_ms, [&] {
             return std::make_shared<Reference>(
-                trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9)));
+                trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9), tile_done));
         });
         known.runs = std::make_shared<ShadowRuns>(shadow_runs(*known.reference, *receivers_, task.camera, task.raster,
                                                               task.query, workers.with_progress_range(0.9, 1)));

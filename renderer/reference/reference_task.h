@@ -16,6 +16,8 @@
 
 namespace si {
 
+class TracedSoFar;
+
 /// Input for tracing a reference, independent of scene and GPU: any thread may trace it.
 struct ReferenceTask {
     std::shared_ptr<const ReferenceGeometry> geometry;
@@ -25,6 +27,7 @@ struct ReferenceTask {
     ReferenceQuery query;
     std::vector<FittedLight> lights;  ///< lights of the frame
     MapSize map_size;
+    std::shared_ptr<TracedSoFar> so_far;  ///< receives pixels as they are traced; null: nobody watches
     std::uint64_t receivers_key = 0;
     std::uint64_t key = 0;  ///< reference_key(): scene, objects, camera, size, light, options; not the map's resolution
 };

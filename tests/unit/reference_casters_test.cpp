@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "renderer/base/directions.h"
+#include "renderer/reference/traced_so_far.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
 #include "tests/support/traced.h"
@@ -283,6 +284,47 @@ TEST(Tracing, IsTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(one.noise, many.noise);
         EXPECT_EQ(one.partial, many.partial);
     }
+}
+
+TEST(Tracing, PixelsAppearWhileTheyAreTraced) {
+    const Scene scene = many_rings();
+    const auto geometry = geometry_of(scene);
+    const ReferenceScene casters(geometry);
+    const Receivers receivers = floor_points(6, 160);
+    const ReferenceQuery query = query_for(scene, sun({0.4, 1, 0.2}), {});
+    TracedSoFar so_far;
+    const TileDone add = [&](const Reference& part, glm::ivec2 first, glm::ivec2 end) {
+        so_far.add_tile(part, first, end);
+    };
+    EXPECT_TRUE(so_far.picture().data.empty());
+    EXPECT_EQ(so_far.share(), 0);
+    std::stop_source stop;
+    Workers workers{.threads = 1, .stop = stop.get_token()};
+    workers.progress = [&](double t) {
+        if (t > 0.5) stop.request_stop();
+    };
+    EXPECT_THROW(trace_visibility(casters, receivers, query, workers, add), Cancelled);
+    EXPECT_GT(so_far.share(), 0.3);
+    EXPECT_LT(so_far.share(), 1) << "what was traced before the stop stays";
+    const ByteImage part = so_far.picture();
+    const auto shown = [](const ByteImage& image) {
+        std::size_t count = 0;
+        for (std::size_t i = 3; i < image.data.size(); i += 4) count += image.data[i] > 0;
+        return double(count) / double(image.data.size() / 4);
+    };
+    EXPECT_NEAR(shown(part), so_far.share(), 1e-9);
+
+    const Reference whole = trace_visibility(casters, receivers, query, {.threads = 2}, add);
+    EXPECT_EQ(so_far.share(), 1);
+    const ByteImage all = so_far.picture();
+    ASSERT_EQ(all.data.size(), 4 * whole.visibility.data.size());
+    std::size_t dark = 0;
+    for (std::size_t i = 0; i < whole.visibility.data.size(); ++i) {
+        const bool is_dark = whole.visibility.data[i] < 0.5f;
+        dark += is_dark;
+        EXPECT_EQ(all.data[4 * i] < 128, is_dark) << "dark blue in shadow, yellow in light";
+    }
+    EXPECT_GT(dark, 100u);
 }
 
 TEST(Tracing, StopsOnRequestAndReportsProgress) {
