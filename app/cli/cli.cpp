@@ -62,6 +62,14 @@ void add_render(CLI::App& app, Run& run) {
         .add_flag("--difference", o.difference, "With --against: one picture of 2 |A - B|")
         ->needs(against)
         ->excludes(swipe);
+    c.app()
+        .add_flag("--look", o.look, "Draw as the editor does: with view.look and view.overlay_blend")
+        ->excludes(against);
+    c.app()
+        .add_flag("--fit", o.fit,
+                  "With --view shadow-map or camera-depth: contrast from the smallest to the largest stored depth, "
+                  "empty texels left out (--set view.map_fit=true); prints both with units")
+        ->excludes(against);
     c.add_value("--fit-camera", o.fit_camera, "F",
                 "Fit view-dependent maps and cascades to the camera of this preset instead of the picture's; shadows "
                 "outside its view frustum may be missing");

@@ -59,6 +59,8 @@ struct RenderOptions : CommandOptions {
     std::string against;      ///< "truth" or a preset to compare the picture with; empty: no comparison
     double swipe = -1;        ///< place of the line between both pictures, 0..1; negative: side by side
     bool difference = false;  ///< write |A - B| instead
+    bool look = false;        ///< draw with view.look and view.overlay_blend, as the editor does
+    bool fit = false;         ///< fit the contrast of a depth view to the stored depths, and print its range
     std::string fit_camera;   ///< preset whose camera view-dependent maps are fitted to; empty: the picture's camera
 };
 /// Runs the command `render`: draws one view of a scene into a picture or float file.

@@ -15,6 +15,7 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
+#include "renderer/inspect/grey_range.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/render/reference_frames.h"
 #include "renderer/settings/param.h"
@@ -85,6 +86,9 @@ void run_render(const RenderOptions& options) {
             fmt::format("--against compares the shaded picture, not the view '{}'; leave out "
                         "--view",
                         view.key));
+    if (options.fit && view.key != "shadow-map" && view.key != "camera-depth")
+        throw UsageError(fmt::format(
+            "--fit: the view '{}' shows no stored depths; add --view shadow-map or --view camera-depth", view.key));
     if (!options.report.empty()) require_writable(options.report);
     require_distinct(options.output, "-o", options.report, "--report");
     std::optional<Settings> other;
@@ -113,11 +117,13 @@ void run_render(const RenderOptions& options) {
         session.settings.view.slabs = Slabs::None;
     }
     if (view.overlay > 0) session.settings.view.overlay = view.overlay;
+    if (options.fit) session.settings.view.map_fit = true;
 
     const HeadlessContext context;
     Renderer renderer;
     FrameRequest request{.width = options.size.width, .height = options.size.height};
     request.timing = !options.report.empty();
+    request.with_look = options.look;
     if (fit_camera) request.map_camera = map_camera_of(renderer, session, *fit_camera, request);
     FrameResult frame;
     double mean = 0;
@@ -126,6 +132,7 @@ void run_render(const RenderOptions& options) {
         fmt::print("mean |A - B| {:.6f}, B: {}\n", mean, printable(options.against, std::string::npos));
     } else {
         frame = write_view(renderer, session.scene, session.settings, request, view, options.output, tracing_workers());
+        if (options.fit) fmt::print("{}\n", grey_range_text(session.settings.view, frame));
     }
     std::shared_ptr<const NumericHealth> health;
     if (options.check_numeric)

@@ -61,12 +61,14 @@ Waste search_waste(const SearchTools& t, const Settings& settings, FrameRequest 
                    const std::function<void(Waste)>& show) {
     unforced.forced = {};
     unforced.timing = true;
+    unforced.with_look = false;
     return find_waste(t, settings, unforced, show);
 }
 
 SavedTimes search_saved_times(const SearchTools& t, const Settings& settings, FrameRequest unforced,
                               const std::function<void(SavedTimes)>& show) {
     unforced.forced = {};  // a forced optimisation skips nothing that could be timed
+    unforced.with_look = false;
     const FrameResult frame = t.renderer.render(t.scene, settings, unforced);
     const std::vector<Optimisation> named = optimisations_of(frame_effects(t.scene, settings, frame));
     return measure_saved_times(

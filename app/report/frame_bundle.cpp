@@ -163,6 +163,7 @@ BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settin
                             MapFile maps) {
     if (draws_pages(settings)) throw Error("map.virtual: a bundle holds whole maps; set map.virtual to false");
     request.outputs.colour = request.outputs.shadow_map = true;
+    request.with_look = false;
     const FrameResult frame = renderer.render(shown, settings, request);
     const Camera& camera = frame.camera;
     Bundle bundle;

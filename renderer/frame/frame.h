@@ -85,7 +85,10 @@ struct FrameRequest {
     /// Maps by light that are given instead of drawn; null or missing: drawn. May be shorter than the list of lights.
     std::vector<std::shared_ptr<const ImportedMaps>> imported;
     std::optional<MapCamera> map_camera;  ///< camera for fitting maps; nullopt: the picture's own
-    int smoothed = 0;                     ///< shadings averaged in FrameResult::smooth so far
+    /// Draws view.look and view.overlay_blend, and leaves empty texels of the map viewer transparent; else plain
+    /// pictures.
+    bool with_look = false;
+    int smoothed = 0;  ///< shadings averaged in FrameResult::smooth so far
     /// Ray-traced reference of this view and light. A reference of another key is ignored: see FrameResult::reference.
     std::shared_ptr<const ReferencePicture> reference;
     /// Ray-traced visibility by light, for lights whose source is ray tracing. May be shorter than the list of lights.
@@ -144,6 +147,7 @@ struct Pane {
     Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay
     int overlay = 0;  ///< 0 none, else row of the overlay table + 1
     float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
+    bool tinted = false;                     ///< the overlay is darkened by the picture: view.overlay_blend
     bool lacks_reference = false;            ///< overlay not drawn, as FrameRequest lacks its reference
 };
 
@@ -201,7 +205,8 @@ struct FrameResult {
     std::vector<PassInfo> passes;
     std::vector<std::string> notes;  ///< repairs of settings and other warnings for the user, one line each
     std::vector<Pane> panes;  ///< panes of view.panes, row by row from the top left; panes of one overlay share images
-    Image colour;             ///< the first pane's picture
+    bool contacts_darkened = false;  ///< creases of the picture are darkened by view.look; no shadow
+    Image colour;                    ///< the first pane's picture
     /// RGBA8: mean of FrameRequest::smoothed shadings by a jittered camera. Panes without an overlay show it. Empty:
     /// not requested, or not available for this frame.
     Image smooth;
@@ -232,6 +237,7 @@ struct FrameResult {
     ShownMap shown_map;                          ///< which depth image that is
     glm::ivec2 map_view_size{0};         ///< size of the map viewer's depth image; the picture of it may be smaller
     DepthCurve map_view_curve;           ///< mapping from distance to its stored depths
+    bool map_fitted = false;             ///< the grey range follows the drawn depths
     float map_black = 0, map_white = 1;  ///< the grey range in use, as view.map_black and view.map_white count it
     std::string clock;                   ///< clock that measured gpu_ms
     FrameContents contents;

@@ -33,6 +33,7 @@ constexpr std::string_view kResultNames[] = {
     "picture by the reference",
     "errors of single precision",
     "shaded picture",
+    "picture with darkened creases",
     "perceived difference",
     "smooth picture",
     "overlay values",

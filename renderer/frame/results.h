@@ -31,6 +31,7 @@ enum class Result {
     ReferenceLitPicture,  ///< picture with the reference's visibility
     Precision,            ///< look-up errors by single precision
     Shaded,               ///< shaded picture
+    Creases,              ///< shaded picture with contact darkening: view.look
     Flip,                 ///< difference between Shaded and ReferenceLitPicture as a person sees it
     Smooth,               ///< mean of pictures by a jittered camera
     Overlay,              ///< overlay values of one pane

@@ -225,9 +225,16 @@ bool FrameState::has_contact_shadows(std::size_t light) const {
     return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
 }
 
+bool FrameState::tints(const ShownPane& pane) const {
+    const Overlay* row = pane.row();
+    // Causes of wrong pixels lie on a grey picture, and lines are too thin to show what is below.
+    return request.with_look && settings.view.overlay_blend == OverlayBlend::Tint && row && !row->names_causes &&
+           row->draw != OverlayDraw::Edges;
+}
+
 ResultRef FrameState::pane_picture_result(const ShownPane& pane) const {
     if (slabs_shown) return ResultRef{Result::Slabs, pane.slot};
-    return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded};
+    return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{base_picture_result()};
 }
 
 const DepthCurve* FrameState::shown_curve() const {
@@ -241,7 +248,10 @@ int FrameState::shown_mip() const {
 }
 
 bool FrameState::fits_grey_range() const {
-    return settings.view.map_fit && settings.view.map != MapView::Bands && shown_curve();
+    const ViewSettings& v = settings.view;
+    const bool fits_itself =
+        request.with_look && v.map_contrast == MapContrast::Auto && v.map_black == 0 && v.map_white == 1;
+    return (v.map_fit || fits_itself) && v.map != MapView::Bands && shown_curve();
 }
 
 }  // namespace si

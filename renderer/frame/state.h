@@ -125,6 +125,7 @@ struct FrameState {
         const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
     };
     std::vector<ShownPane> panes;
+    bool studio = false;                ///< the picture has the look "studio": view.look, FrameRequest::with_look
     bool slabs_shown = false;           ///< view.slabs shows texels of a map as quads
     ReferenceNeed reference;            ///< reference that the frame needs, see FrameResult::reference
     std::vector<ReferenceNeed> traced;  ///< by light, see FrameResult::traced
@@ -174,6 +175,10 @@ struct FrameState {
     Key lighting_key() const { return surfaces_key().add(lights_key); }
     /// Returns lighting_key() for a pass that evaluates view.light alone.
     Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
+    /// Returns the result that is the picture below overlays and quads.
+    Result base_picture_result() const { return studio ? Result::Creases : Result::Shaded; }
+    /// Returns true when a pane's overlay is darkened where the picture is dark (view.overlay_blend).
+    bool tints(const ShownPane& pane) const;
     /// Returns the result that is a pane's finished picture.
     ResultRef pane_picture_result(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights

@@ -51,6 +51,7 @@ const EffectRow kRows[] = {
     {.pass = Result::Evidence, .needs = "the trials of all pixels are requested"},
     {.pass = Result::ReferenceLitPicture, .needs = "the picture is compared with one lit by the reference"},
     {.pass = Result::Shaded, .needs = "the picture is requested", .parts = shading_parts},
+    {.pass = Result::Creases, .needs = "view.look is studio, and the picture is drawn with its look"},
     {.pass = Result::Smooth, .needs = "the view is static, and view.smooth is on"},
     {.pass = Result::Overlay, .needs = "an overlay is shown"},
     {.pass = Result::Composed, .needs = "an overlay is shown over the picture"},

@@ -53,7 +53,7 @@ PicturePair draw_picture_pair(Renderer& renderer, const Scene& scene, const Sett
                               const FrameRequest& request) {
     FrameRequest pair = request;
     pair.outputs = {.colour = true, .true_colour = true};
-    pair.timing = pair.force = false;
+    pair.timing = pair.force = pair.with_look = false;
     pair.smoothed = 0;
     const FrameResult frame = renderer.render(scene, measured_settings(settings), pair);
     return {renderer.read_colour(frame.colour), renderer.read_colour(frame.true_colour)};

@@ -64,7 +64,8 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
 Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int layer) {
     f.plan.place_result(Result::DepthRange, {&t.range});
     Pass pass{.name = "drawn depth range", .category = PassCategory::Tool, .writes = {Result::DepthRange}};
-    if (f.request.outputs.shadow_map && !f.fits_grey_range()) pass.unneeded = "view.map_fit is off";
+    if (f.request.outputs.shadow_map && !f.fits_grey_range())
+        pass.unneeded = "view.map_fit is off, and the contrast does not fit itself (view.map_contrast)";
     pass.key = shown.value();
     pass.cached = &t.range.key;
     pass.run = [&f, &t, layer](PassInfo& info) {
@@ -134,7 +135,7 @@ void MapViewPasses::declare(FrameState& f) {
     range.idle_reason = pass.idle_reason;
     if (f.fits_grey_range()) pass.reads.push_back(Result::DepthRange);
     f.plan.add_pass(std::move(range));
-    pass.key = f.with_settings(shown, ReadBy::MapView).value();
+    pass.key = f.with_settings(shown, ReadBy::MapView).add(f.request.with_look).value();
     pass.cached = &t.picture.key;
     pass.run = [this, &f, camera, layer](PassInfo& info) { run(f, camera, layer, info); };
     f.plan.add_pass(std::move(pass));
@@ -149,6 +150,7 @@ void MapViewPasses::run(FrameState& f, bool camera, int layer, PassInfo& info) {
     const GLuint id = use_program(f, "passes/map_view.frag.glsl", layer);
     const ViewSettings& s = f.settings.view;
     const glm::vec2 greys = grey_range(f);
+    glUniform1i(glGetUniformLocation(id, "bare"), f.request.with_look);
     glUniform1i(glGetUniformLocation(id, "mode"), index_of(s.map));
     glUniform1i(glGetUniformLocation(id, "colours"), index_of(s.map_colours));
     glUniform4f(glGetUniformLocation(id, "range"), greys.x, greys.y, float(s.band_low), float(s.band_high));

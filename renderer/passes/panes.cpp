@@ -99,7 +99,7 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
 
 Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
     Pass pass{.name = slot_name("overlay over picture", pane),
-              .reads = {Result::Shaded, {Result::Overlay, pane.slot}},
+              .reads = {f.base_picture_result(), {Result::Overlay, pane.slot}},
               .writes = {{Result::Composed, pane.slot}},
               .idle_reason = "the picture is not requested"};
     if (!pane.row()) {
@@ -108,7 +108,8 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
     }
     Targets& t = targets_of(pane);
     f.plan.place_result({Result::Composed, pane.slot}, {&t.composed});
-    pass.key = f.with_settings({}, ReadBy::Compose).value();  // fitted ranges follow from the values
+    // Fitted ranges follow from the values.
+    pass.key = f.with_settings({}, ReadBy::Compose).add(f.tints(pane)).value();
     pass.cached = &t.composed.key;
     pass.run = [this, &f, &t, pane](PassInfo& info) {
         t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
@@ -119,6 +120,7 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
                     pane.row()->diverging ? 1.f : 0.f);
         glUniform1i(glGetUniformLocation(id, "scalar"), pane.row()->scalar);
         glUniform1i(glGetUniformLocation(id, "grey"), pane.row()->reads_reference && !pane.row()->scalar);
+        glUniform1i(glGetUniformLocation(id, "tint"), f.tints(pane));
         FrameState::draw_fullscreen(info);
     };
     return pass;
@@ -127,7 +129,7 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
 Pass PanePasses::slabs_pass(FrameState& f, const ShownPane& pane) {
     Pass pass = slabs_.make_pass(f, pane);
     pass.name = slot_name("stored-depth quads", pane);
-    pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded, Result::CameraDepth,
+    pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : f.base_picture_result(), Result::CameraDepth,
                   Result::ShadowMaps};
     pass.writes = {{Result::Slabs, pane.slot}};
     pass.idle_reason = "the picture is not requested";

@@ -60,11 +60,18 @@ void draw_sky(const FrameState& f, std::span<const gl::Define> look, PassInfo& i
     glDepthMask(GL_TRUE);
 }
 
+/// Returns true when an endless ground continues the ground disc under a model, up to the horizon.
+bool has_studio_floor(const FrameState& f) {
+    return f.studio && !f.camera.orthographic && f.settings.shading.sky == SkyLook::Gradient &&
+           !f.scene.ground_bounds.empty() && std::ranges::any_of(f.gl.scene->seen_batches(), &Batch::ground);
+}
+
 std::vector<gl::Define> look_defines(const FrameState& f) {
     const ShadingSettings& s = f.settings.shading;
     return {{"SKY_LIGHTS", s.sky == SkyLook::Gradient ? "1" : "0"},
             {"CURVE_FILMIC", s.curve == ToneCurve::Filmic ? "1" : "0"},
             {"EXPOSED", s.exposure != 0 ? "1" : "0"},
+            {"STUDIO_FLOOR", has_studio_floor(f) ? "1" : "0"},
             {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
 }
 
@@ -91,6 +98,19 @@ void shade(const FrameState& f, bool separate, const glm::vec2* shift_ndc, PassI
         draw(nullptr);
     if (f.settings.shading.sky == SkyLook::Gradient) draw_sky(f, look, info);
     draw_blended(f, look, shift_ndc, info);
+}
+
+/// Darkens creases and places near contacts, if the picture has the look "studio".
+/// @param depth camera depth of the picture
+void darken_contacts(const FrameState& f, const gl::Target& picture, const gl::Target& depth, PassInfo& info) {
+    if (!f.studio) return;
+    const gl::Framebuffer into = f.begin_fullscreen_pass("contact darkening", picture);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    f.use_fullscreen("passes/crease.frag.glsl");
+    glBindTextureUnit(shared::UNIT_CAMERA_DEPTH, depth.texture.id());
+    FrameState::draw_fullscreen(info);
+    glDisable(GL_BLEND);
 }
 
 void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
@@ -135,6 +155,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
         glClearNamedFramebufferfv(into.id(), GL_DEPTH, 0, &far_depth);
         shade(f, true, &shift_ndc, info);
     }
+    darken_contacts(f, t.one, t.depth, info);
     replace_frame_block(f, make_frame_block(f));
 }
 
@@ -200,7 +221,8 @@ void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
 
 void ShadePasses::declare(FrameState& f) {
     f.plan.place_result(Result::Shaded, {&picture_, shared::UNIT_SHADED});
-    const std::uint64_t key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
+    const std::uint64_t key =
+        f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).add(f.studio).value();
     Pass pass{.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)",
               .reads = kernel_inputs(f),
               .writes = {Result::Shaded},
@@ -213,7 +235,28 @@ void ShadePasses::declare(FrameState& f) {
         info.parts.push_back(culled_objects_part(f));
     };
     f.plan.add_pass(std::move(pass));
+    declare_creases(f);
     declare_smooth(f, key);
+}
+
+void ShadePasses::declare_creases(FrameState& f) {
+    gl::Target& creases = creases_;
+    if (!f.studio) return f.plan.release_later([&creases] { creases = {}; });
+    f.plan.place_result(Result::Creases, {&creases, shared::UNIT_SHADED});
+    Pass pass{.name = "contact darkening (no shadow)",
+              .category = PassCategory::Tool,
+              .reads = {Result::Shaded, Result::CameraDepth},
+              .writes = {Result::Creases},
+              .cached = &creases.key,
+              .idle_reason = "the picture is not requested"};
+    pass.run = [&f, &creases](PassInfo& info) {
+        const int w = f.request.width, h = f.request.height;
+        creases.ensure("picture with darkened creases", GL_RGBA8, w, h);
+        glCopyImageSubData(f.result(Result::Shaded).texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, creases.texture.id(),
+                           GL_TEXTURE_2D, 0, 0, 0, 0, w, h, 1);
+        darken_contacts(f, creases, f.result(Result::CameraDepth), info);
+    };
+    f.plan.add_pass(std::move(pass));
 }
 
 void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {

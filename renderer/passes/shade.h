@@ -22,11 +22,13 @@ public:
     void declare(FrameState& f) override;
 
 private:
+    /// Adds the contact darkening of the look "studio" to the plan (Result::Creases).
+    void declare_creases(FrameState& f);
     /// Adds the accumulation of jittered pictures to the plan.
     /// @param of the key of the picture to average
     void declare_smooth(FrameState& f, std::uint64_t of);
 
-    gl::Target picture_;
+    gl::Target picture_, creases_;
     SmoothTargets smooth_;
 };
 

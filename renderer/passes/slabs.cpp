@@ -103,7 +103,7 @@ Pass TexelSlabs::make_pass(FrameState& f, const FrameState::ShownPane& pane) {
     slabs.add(f.plan.key_of(Result::ShadowMaps)).add(layer);
     pass.key = slabs.value();
     pass.cached = &picture.key;
-    const ResultRef under = pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded;
+    const ResultRef under = pane.row() ? ResultRef(Result::Composed, pane.slot) : f.base_picture_result();
     pass.run = [this, &f, &s, &picture, under, view, layer, region, slabs_key = slabs.value()](PassInfo& info) {
         if (s.instances_key != slabs_key) {
             read_depths(f, pages_, s, layer, region);

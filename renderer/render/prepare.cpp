@@ -492,6 +492,12 @@ void arrange_panes(FrameState& f) {
     f.slabs_shown = f.settings.view.slabs != Slabs::None && f.shown_view();
 }
 
+/// Decides about the look of the picture. Pictures that are compared with the reference are plain.
+void choose_look(FrameState& f) {
+    const bool compared = f.request.outputs.true_colour || any_pane_shows(f.settings.view, &Overlay::reads_flip);
+    f.studio = f.request.with_look && f.settings.view.look == Look::Studio && !compared;
+}
+
 /// Returns the reason why visibility is drawn into a texture of its own; empty: shading evaluates it.
 std::string why_separate_visibility(const FrameState& f) {
     const Outputs& o = f.request.outputs;
@@ -631,6 +637,7 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     find_light_maps(f);
     find_reference(f);
     arrange_panes(f);
+    choose_look(f);
     f.separate_visibility_reason = why_separate_visibility(f);
     f.separate_visibility = !f.separate_visibility_reason.empty();
     choose_kernel(f);

@@ -20,6 +20,7 @@ void describe_panes(const FrameState& f, PanePasses& panes, FrameResult& result)
         if (shown.row()) {
             if (o.colour || o.overlay) pane.values = image_of(f.result({Result::Overlay, shown.slot}));
             const ValueRange range = panes.range_of(f, shown);
+            pane.tinted = o.colour && f.tints(shown);
             pane.overlay_min = range.min;
             pane.overlay_max = range.max;
         }
@@ -47,6 +48,7 @@ void describe_map_view(FrameState& f, const MapViewPasses& map_view, FrameResult
     result.shown_map.texels = glm::max(result.map_view_size >> result.shown_map.mip, 1);
     result.map_view_curve = *f.shown_curve();
     const glm::vec2 greys = map_view.grey_range(f);
+    result.map_fitted = f.fits_grey_range();
     result.map_black = greys.x;
     result.map_white = greys.y;
 }
@@ -61,6 +63,7 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     const auto put = [&](Result of, Image& image) {
         if (made.contains(of)) image = image_of(f.result(of));
     };
+    result.contacts_darkened = f.request.outputs.colour && f.studio;
     describe_panes(f, passes.panes, result);
     if (made.contains(Result::MapView)) describe_map_view(f, passes.map_view, result);
     if (made.contains(Result::Visibility)) result.visibility = passes.visibility.layer_image(f.settings.view.light);

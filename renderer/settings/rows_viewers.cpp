@@ -28,6 +28,12 @@ constexpr Choice kMapColours[] = {
     {"turbo", "Turbo", "A rainbow of even lightness steps: shows small differences (Mikhailov, 2019)."},
     {"viridis", "Viridis", "From dark violet to yellow, ordered by lightness too (van der Walt and Smith, 2015)."},
 };
+constexpr Choice kMapContrasts[] = {
+    {"auto", "fitted in the editor",
+     "From the smallest to the largest drawn depth, as with view.map_fit, while view.map_black is 0 and view.map_white "
+     "is 1. `render` without --look shows the whole range."},
+    {"whole", "whole range", "From view.map_black to view.map_white, unless view.map_fit is on."},
+};
 constexpr Choice kMapChannels[] = {
     {"depth", "depth", "The depth that the map stores."},
     {"moment-1", "moment 1", "The first number that the kernel reads in place of depths."},
@@ -47,6 +53,18 @@ constexpr Choice kRanges[] = {
     {"manual", "by hand",
      "From view.overlay_min to view.overlay_max wherever view.overlay is shown; other overlays, which have other "
      "units, keep the range they declare."},
+};
+constexpr Choice kOverlayBlends[] = {
+    {"tint", "tint",
+     "The overlay's colours, as the legend shows them on lit surfaces, darkened where the picture is dark: shadows and "
+     "shapes show through. Causes of wrong pixels lie on a grey picture instead."},
+    {"flat", "flat", "The overlay's colours as they are. The numbers behind them are the same."},
+};
+constexpr Choice kLooks[] = {
+    {"plain", "plain", "Light, shadow and sky only, as `render` draws them."},
+    {"studio", "studio",
+     "An endless ground with a 1 m grid and a horizon under models that lie on an added ground, and contact darkening "
+     "in creases, which is not a shadow."},
 };
 constexpr Choice kSlabs[] = {
     {"none", "none", "No quads."},
@@ -80,6 +98,12 @@ std::string_view mip_idle(const Settings& s, int i) {
 std::string_view grey_idle(const Settings& s, int) {
     if (is_bands(s)) return kBandColours;
     return s.view.map_fit ? "without effect: view.map_fit is on" : "";
+}
+
+std::string_view contrast_idle(const Settings& s, int i) {
+    if (const std::string_view reason = grey_idle(s, i); !reason.empty()) return reason;
+    const bool whole = s.view.map_black == 0 && s.view.map_white == 1;
+    return whole ? "" : "without effect: view.map_black or view.map_white is set";
 }
 
 bool no_overlay_shown(const Settings& s) {
@@ -133,6 +157,8 @@ constexpr auto kView = std::to_array<Param>({
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "
              "instead of at view.map_black and view.map_white.",
      .read_by = ReadBy::MapView},
+    {SI_FIELD(view.map_contrast), .label = "Contrast", SI_CHOICES(kMapContrasts), .idle = contrast_idle,
+     .help = "The contrast of the map viewer in the editor, and in `render --look`."},
     {SI_FIELD(view.map_black), .label = "Black at", .min = -1, .max = 2, .idle = grey_idle,
      .help = "The value that the map viewer shows black, as a share of its range.", .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_white), .label = "White at", .min = -1, .max = 2, .idle = grey_idle,
@@ -173,6 +199,10 @@ constexpr auto kView = std::to_array<Param>({
      .help = "The overlay of the fourth pane; none is the shaded picture."},
     {SI_FIELD(view.overlay_opacity), .label = "Opacity", .min = 0, .max = 1, SI_IDLE(no_overlay_shown(s), kNoOverlay),
      .help = "Opacity of the overlay over the picture: 0 nothing, 1 all.", .read_by = ReadBy::Compose},
+    {SI_FIELD(view.overlay_blend), .label = "Blend", SI_CHOICES(kOverlayBlends),
+     SI_IDLE(no_overlay_shown(s), kNoOverlay),
+     .help = "Blend of overlays with the picture in the editor, and in `render --look`. Other pictures have flat "
+             "overlays."},
     {SI_FIELD(view.overlay_range), .label = "Scale", SI_CHOICES(kRanges), SI_IDLE(no_overlay_shown(s), kNoOverlay),
      .help = "The range of the overlay's colour scale.", .read_by = ReadBy::Compose},
     {SI_FIELD(view.overlay_min), .label = "Scale from", .unit = "overlay's", .min = -1e8, .max = 1e8,
@@ -193,6 +223,10 @@ constexpr auto kView = std::to_array<Param>({
              "picture. Numbers, "
              "overlays and probes keep to the one picture. Off: pixels as they are.",
      .also = "anti-aliasing, antialiasing, MSAA, TAA, FXAA, supersampling"},
+    {SI_FIELD(view.look), .label = "Look", SI_CHOICES(kLooks),
+     .help = "Style of the picture in the editor, and in `render --look`. Numbers, masks, comparisons, FLIP, bundles "
+             "and all other pictures are drawn plain.",
+     .also = "grid, floor, horizon, ambient occlusion, SSAO, AO"},
     {SI_FIELD(view.slabs), .label = "Stored-depth quads", SI_CHOICES(kSlabs), .idle = slabs_idle,
      .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
              "surface is in shadow where it lies behind the quad of its texel, so the quads show how acne arises. "

@@ -78,6 +78,12 @@ enum class MapSource { Light, Camera };
 enum class Panes { One, Two, Four };
 /// Range of the overlay's colour scale (view.overlay_range).
 enum class OverlayRange { Declared, Fitted, Manual };
+/// Contrast of the map viewer while its range is the whole one (view.map_contrast).
+enum class MapContrast { Auto, Whole };
+/// Blend of overlays with the picture (view.overlay_blend).
+enum class OverlayBlend { Tint, Flat };
+/// Style of the editor's picture beyond light and shadow (view.look).
+enum class Look { Plain, Studio };
 /// Combination of light and shadow (shading.composition).
 enum class Composition { Ambient, DimLit };
 /// Background and ambient light (shading.sky).
@@ -327,6 +333,7 @@ struct ViewSettings {
     int map_channel = 0;  ///< 0: depth, else 1 + channel of the kernel's moments
     int map_mip = 0;
     bool map_fit = false;
+    MapContrast map_contrast = MapContrast::Auto;
     MapColours map_colours = MapColours::Grey;
     bool map_region = true;  ///< outline of the view frustum
     double map_black = 0, map_white = 1;
@@ -337,12 +344,14 @@ struct ViewSettings {
     int overlay = 0;  ///< overlay of the first pane: 0 none, else row of the overlay table + 1
     int overlay_2 = 0, overlay_3 = 0, overlay_4 = 0;
     double overlay_opacity = 1;
+    OverlayBlend overlay_blend = OverlayBlend::Tint;
     OverlayRange overlay_range = OverlayRange::Declared;
     double overlay_min = 0, overlay_max = 1;
     bool frustum = true;
     bool bounds = false;
     bool axes = true;
     bool smooth = true;  ///< anti-aliasing while nothing moves
+    Look look = Look::Studio;
     Slabs slabs = Slabs::None;
     double slabs_u = 0.5, slabs_v = 0.5;
     int slabs_texels = 32;

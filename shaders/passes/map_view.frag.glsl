@@ -5,6 +5,7 @@
 #include "lib/map_colours.glsl"
 uniform int mode;    // 0 raw, 1 linear, 2 bands
 uniform vec4 range;  // black, white, lower and upper band threshold
+uniform int bare;    // 1: empty texels have alpha 0, and the viewer hatches them
 uniform int colours; // 0 grey, 1 Turbo, 2 Viridis
 in vec2 picture_uv;
 layout(location = 0) out vec4 colour_out;
@@ -33,7 +34,7 @@ void main() {
 #ifndef FROM_CHANNEL
     if (stored == (reversed ? 0.0 : 1.0)) {  // nothing was drawn here
         float across = fract((gl_FragCoord.x + gl_FragCoord.y) / HATCH_PIXELS);
-        colour_out = vec4(across < 0.25 ? HATCH_LINE : HATCH_BETWEEN, 1.0);
+        colour_out = vec4(across < 0.25 && bare == 0 ? HATCH_LINE : HATCH_BETWEEN, bare != 0 ? 0.0 : 1.0);
         return;
     }
 #endif

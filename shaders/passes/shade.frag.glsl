@@ -7,6 +7,9 @@
 #include "lib/tone.glsl"
 #ifdef GROUND
 #include "lib/sky.glsl"
+#if STUDIO_FLOOR
+#include "lib/studio_floor.glsl"
+#endif
 #endif
 
 #ifdef SEPARATE_VISIBILITY
@@ -119,7 +122,13 @@ void main() {
 #ifdef GROUND
     // The ground disc under a model fades into the background.
     float out_there = smoothstep(0.5, 1.0, distance(s.position.xz, frame_ground().xz) * frame_ground().w);
-#if SKY_LIGHTS
+#if STUDIO_FLOOR
+    vec2 at = s.position.xz - frame_ground().xz;
+    float radii = length(at) * frame_ground().w;
+    vec3 away = toned(floor_colour(-s.to_eye, radii, frame_sky_zenith().rgb, frame_sky_horizon().rgb,
+                                   frame_sky_below().rgb, frame_sky_sun()));
+    colour = mix(colour, away, out_there) * grid_share(at, fwidth(at), radii);
+#elif SKY_LIGHTS
     colour = mix(colour, toned(sky_colour(-s.to_eye, frame_sky_zenith().rgb, frame_sky_horizon().rgb, frame_sky_below().rgb,
                                       frame_sky_sun())), out_there);
 #else

@@ -48,6 +48,7 @@ const Mistake kMistakes[] = {
     {"extra", "render boxes plane -o a.png", 2, "plane"},
     {"no_scene", "render -o a.png", 2, "SCENE"},
     {"no_output", "render boxes", 2, "--output is required"},
+    {"fit_of_a_picture", "render boxes -o a.png --fit", 2, "--view shadow-map or --view camera-depth"},
     {"unknown_key", "render boxes -o a.png --set bias.slop=1", 2, "did you mean bias.slope?"},
     {"series", "precision boxes --over sideways", 2, "distance, scale, stretch"},
     {"motion", "shimmer boxes --motion jump", 2, "camera, turn, light"},

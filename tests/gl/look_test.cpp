@@ -1,6 +1,7 @@
 // Tests that the look (sky, ambient light, tone curve, smoothing of static views) changes no measured number.
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +59,129 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook) {
         const FloatImage again = renderer.read_float(renderer.render(scene, plain(on), request).visibility, 1);
         EXPECT_TRUE(again.data == visibility.data);
     }
+}
+
+// The look "studio" and tinted overlays are drawn on request only, and only into pictures.
+TEST_F(LookTest, StudioAndTintChangeNoNumberAndNoMask) {
+    const Scene scene = load_scene("stage");
+    Settings s = settings_for(scene, {"map.resolution=512", "view.overlay=cascade", "light.cascades=3", "light.count=1",
+                                      "view.panes=two", "view.overlay_2=stored-depth", "view.map_fit=true"});
+    FrameRequest request = small_request(
+        {.shadow_map = true, .visibility = true, .overlay = true, .surface_ids = true, .map_coordinates = true});
+    request.force = true;
+    struct Drawn {
+        FloatImage visibility, overlay, coordinates, map;
+        SurfaceIds ids;
+        ByteImage colour, map_view;
+    };
+    const auto draw = [&](const Settings& settings, bool with_look) {
+        request.with_look = with_look;
+        const FrameResult f = renderer.render(scene, settings, request);
+        return Drawn{renderer.read_float(f.visibility, 1),
+                     f.overlay.texture ? renderer.read_float(f.overlay, 4) : FloatImage(),
+                     renderer.read_float(f.map_coordinates, 4),
+                     renderer.read_shadow_map(f, 0, 0),
+                     renderer.read_surface_ids(f.surface_ids),
+                     renderer.read_colour(f.colour),
+                     renderer.read_colour(f.map_view)};
+    };
+    for (const char* overlay : {"none", "cascade"}) {
+        SCOPED_TRACE(overlay);
+        set_setting(s, "view.overlay", overlay);
+        const Drawn plain_one = draw(s, false), look = draw(s, true);
+        EXPECT_EQ(differing_values(look.visibility, plain_one.visibility), 0u);
+        EXPECT_TRUE(std::ranges::equal(std::as_bytes(std::span(look.overlay.data)),
+                                       std::as_bytes(std::span(plain_one.overlay.data))));
+        EXPECT_EQ(differing_values(look.coordinates, plain_one.coordinates), 0u);
+        EXPECT_EQ(differing_values(look.map, plain_one.map), 0u);
+        EXPECT_TRUE(look.ids.data == plain_one.ids.data);
+        for (std::size_t i = 0; i < look.map_view.data.size(); ++i) {
+            if (look.map_view.data[i | 3] == 0) continue;  // an empty texel, which the viewer hatches
+            ASSERT_EQ(look.map_view.data[i], plain_one.map_view.data[i]) << "byte " << i;
+        }
+        EXPECT_GT(different_pixels(look.colour, plain_one.colour, 2), 400u) << "the picture has the look";
+        Settings off = s;
+        off.view.look = Look::Plain;
+        off.view.overlay_blend = OverlayBlend::Flat;
+        EXPECT_EQ(draw(off, true).colour, plain_one.colour) << "switched off";
+    }
+}
+
+TEST_F(LookTest, PicturesThatAreMeasuredArePlain) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {"map.resolution=256"});
+    FrameRequest request = small_request();
+    request.with_look = true;
+    const FrameResult shown = renderer.render(scene, s, request);
+    EXPECT_TRUE(shown.contacts_darkened);
+    const ByteImage with = renderer.read_colour(shown.colour);
+    request.outputs.true_colour = true;
+    const FrameResult compared = renderer.render(scene, s, request);
+    EXPECT_FALSE(compared.contacts_darkened) << "its partner by the reference has no look";
+    const ByteImage without = renderer.read_colour(compared.colour);
+    EXPECT_EQ(without, picture(scene, s));
+    EXPECT_GT(different_pixels(with, without), 100u);
+    Settings flip = s;
+    set_setting(flip, "view.panes", "two");
+    set_setting(flip, "view.overlay_2", "flip-difference");
+    request.outputs.true_colour = false;
+    EXPECT_FALSE(renderer.render(scene, flip, request).contacts_darkened) << "FLIP reads the shaded picture";
+}
+
+// Contact darkening multiplies the picture: it never brightens, leaves open ground alone, and darkens the crease
+// between a box and the floor, also on lit pixels.
+TEST_F(LookTest, ContactDarkeningDarkensCreasesOnly) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {"light.cast=false"});
+    FrameRequest request = small_request();
+    const ByteImage before = picture(scene, s, request);
+    request.with_look = true;
+    const ByteImage after = picture(scene, s, request);
+    std::size_t brighter = 0, darker = 0, much = 0;
+    for (std::size_t i = 0; i < before.data.size(); i += 4) {
+        const int change = int(after.data[i]) - int(before.data[i]);
+        brighter += change > 0;
+        darker += change < -2;
+        much += change < -20;
+    }
+    const std::size_t pixels = before.data.size() / 4;
+    EXPECT_EQ(brighter, 0u);
+    EXPECT_GT(much, pixels / 500) << "creases";
+    EXPECT_LT(darker, pixels / 4) << "open ground stays";
+}
+
+// Tinted overlays keep the legend's colour where the picture is bright, and are darker where it is dark.
+TEST_F(LookTest, TintKeepsTheLegendsColourOnLitSurfaces) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {"map.resolution=256"});
+    s.view.look = Look::Plain;  // its darkened creases tint the overlay, too
+    FrameRequest request = small_request();
+    const ByteImage shaded = picture(scene, s, request);
+    set_setting(s, "view.overlay", "cascade");
+    const ByteImage flat = picture(scene, s, request);
+    request.with_look = true;
+    const FrameResult frame = renderer.render(scene, s, request);
+    EXPECT_TRUE(frame.panes[0].tinted);
+    const ByteImage tinted = renderer.read_colour(frame.colour);
+    std::size_t lit = 0, dark = 0;
+    for (std::size_t i = 0; i < flat.data.size(); i += 4) {
+        const double bright =
+            (0.2126 * shaded.data[i] + 0.7152 * shaded.data[i + 1] + 0.0722 * shaded.data[i + 2]) / 255;
+        if (flat.data[i] == shaded.data[i] && flat.data[i + 2] == shaded.data[i + 2]) continue;  // no surface
+        const double share = double(tinted.data[i + 2]) / flat.data[i + 2];
+        if (bright > 0.51) {
+            ++lit;
+            EXPECT_NEAR(share, 1, 0.01);
+        } else if (bright < 0.35) {
+            ++dark;
+            EXPECT_LT(share, 0.9);
+            EXPECT_GT(share, 0.4) << "the colour can still be told";
+        }
+    }
+    EXPECT_GT(lit, 100u);
+    EXPECT_GT(dark, 100u);
+    set_setting(s, "view.overlay", "artefacts");
+    EXPECT_FALSE(renderer.render(scene, s, request).panes[0].tinted) << "causes lie on a grey picture";
 }
 
 // The ground added to a loaded model belongs to the look: the model's own pixels stay unchanged.

@@ -221,8 +221,9 @@ std::vector<Axis> axes() {
     out.push_back({{"BIAS_NORMAL_OFFSET"}, {{"bias.normal=0"}, {"bias.normal=3"}}});
     out.push_back({{"SURFACE_FLAGS"}, {{}, {"object.plain.receive=false"}}});
     out.push_back({{"SEPARATE_VISIBILITY"}, {{}, {"shading.separate_visibility=true"}}});
-    out.push_back({{"SKY_LIGHTS", "CURVE_FILMIC", "EXPOSED", "GROUND"},
+    out.push_back({{"SKY_LIGHTS", "CURVE_FILMIC", "EXPOSED", "GROUND", "STUDIO_FLOOR"},
                    {{},
+                    {"view.look=plain"},
                     {"shading.sky=plain"},
                     {"shading.curve=plain", "shading.exposure=1"},
                     {"shading.sky=plain", "shading.exposure=1"}}});
@@ -390,8 +391,9 @@ protected:
             if (chosen.size() == 1) {
                 // Draws a probe's passes after a hit, and the passes that run without a reference.
                 FrameRequest untold = request;
-                untold.outputs.evidence = true;
-                untold.force = true;  // also passes with cached results
+                untold.outputs.evidence = untold.with_look = true;
+                untold.outputs.true_colour = false;  // which is drawn plain
+                untold.force = true;                 // also passes with cached results
                 renderer_->render(scene, s, untold);
                 request.outputs.evidence = request.outputs.health = true;
             }

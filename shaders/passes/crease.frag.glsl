@@ -1,0 +1,64 @@
+// Contact darkening of the look "studio": creases and places near contacts, from the camera's depth. It multiplies the
+// picture and is no shadow of a light.
+// McGuire, Osman, Bukowski, Hennessy, The Alchemy Screen-Space Ambient Obscurance Algorithm, HPG 2011.
+#include "lib/frame.glsl"
+layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D camera_depth_map;  // reversed: 0 is far
+layout(location = 0) out vec4 share_out;
+
+const int SAMPLES = 20;
+const float TURNS = 7.0;           // of the spiral of samples
+const float RADIUS = 0.045;        // of the spiral, by the picture's height
+const float STRENGTH = 2.4;
+const float DARKEST = 0.55;        // least share of the picture that is left
+const float TILT = 0.004;          // height that counts as flat, by the distance from the camera
+
+/// Converts camera depth to metres along the camera's axis.
+float camera_z(float depth) {
+    return frame_eye().w > 0.5 ? frame.lens.w - depth * frame.lens.z : 1.0 / (depth * frame.lens.z + frame.lens.w);
+}
+
+float depth_at(ivec2 pixel) {
+    return texelFetch(camera_depth_map, clamp(pixel, ivec2(0), textureSize(camera_depth_map, 0) - 1), 0).r;
+}
+
+/// Returns the place of a pixel's surface from the eye, metres along right, up and forwards.
+vec3 place_at(ivec2 pixel) {
+    vec2 size = vec2(textureSize(camera_depth_map, 0));
+    float z = camera_z(depth_at(pixel));
+    vec2 ndc = (vec2(pixel) + 0.5) / size * 2.0 - 1.0;
+    return vec3(ndc * frame.lens.xy * (frame_eye().w > 0.5 ? 1.0 : z), z);
+}
+
+/// Returns the shorter of the steps to both neighbours, so that no step crosses an edge.
+vec3 step_along(ivec2 pixel, ivec2 way, vec3 here) {
+    vec3 before = here - place_at(pixel - way), after = place_at(pixel + way) - here;
+    return abs(before.z) < abs(after.z) ? before : after;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    share_out = vec4(1.0);
+    if (depth_at(pixel) == 0.0) return;  // sky
+    vec3 here = place_at(pixel);
+    vec3 normal = cross(step_along(pixel, ivec2(1, 0), here), step_along(pixel, ivec2(0, 1), here));
+    if (dot(normal, normal) == 0.0) return;
+    normal = normalize(normal);
+    if (dot(normal, here) > 0.0) normal = -normal;
+    int height = textureSize(camera_depth_map, 0).y;
+    // Length of the spiral's radius at this surface, metres.
+    float radius_m = RADIUS * 2.0 * frame.lens.y * (frame_eye().w > 0.5 ? 1.0 : here.z);
+    // Jimenez, Next Generation Post Processing in Call of Duty, 2014.
+    float turn = 6.28318531 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float sum = 0.0;
+    for (int i = 0; i < SAMPLES; ++i) {
+        float t = (float(i) + 0.5) / float(SAMPLES), angle = turn + 6.28318531 * TURNS * t;
+        ivec2 other = pixel + ivec2(round(t * RADIUS * float(height) * vec2(cos(angle), sin(angle))));
+        if (other == pixel || depth_at(other) == 0.0) continue;
+        vec3 way = place_at(other) - here;
+        float far2 = dot(way, way);
+        float fades = max(1.0 - far2 / (4.0 * radius_m * radius_m), 0.0);
+        sum += fades * max(dot(way, normal) - TILT * here.z, 0.0) * radius_m / (far2 + 0.01 * radius_m * radius_m);
+    }
+    float dark = min(STRENGTH * sum / float(SAMPLES), 1.0);
+    share_out = vec4(vec3(mix(1.0, DARKEST, dark)), 1.0);
+}
