@@ -38,6 +38,7 @@ struct FrameFacts {
     FrameRequest request;
     ReadBackFacts readings;
     std::optional<ReferenceFacts> reference;
+    Image traced_so_far;  ///< pixels of the reference in work, alpha 0 where nothing is traced yet; empty: none
     std::shared_ptr<const LiveError> earlier_error;  ///< of the last frame of this scene and light that had errors
     std::optional<PictureComparisonFacts> picture_comparison;
     MapComparisonFacts map_comparison;
@@ -53,6 +54,7 @@ struct FrameFacts {
     void fill(EditorFrame& f) const {
         f.driver = driver ? &*driver : nullptr;
         f.result = driver ? &result : nullptr;
+        f.traced_so_far = traced_so_far;
         f.drawn = driver ? &settings : nullptr;
         f.probe = readings.probe.get();
         f.anchor_place = readings.anchor_place;

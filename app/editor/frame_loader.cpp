@@ -121,7 +121,8 @@ public:
     /// Replaces the images in `facts` by copies. @param changed the images differ from those of the last call
     /// @param shown fence after the editor's last use of earlier copies
     void show_copies(FrameFacts& facts, bool changed, GLsync shown) {
-        std::vector<Image*> images = {&facts.result.colour, &facts.result.map_view, &facts.result.texels_read};
+        std::vector<Image*> images = {&facts.result.colour, &facts.result.map_view, &facts.result.texels_read,
+                                      &facts.traced_so_far};
         for (Pane& pane : facts.result.panes) images.push_back(&pane.picture);
         if (facts.picture_comparison) {
             images.push_back(&facts.picture_comparison->picture);

@@ -57,6 +57,7 @@ FrameFacts FrameLoop::facts() const {
             for (Pane& pane : f.result.panes)
                 if (pane.overlay == 0) pane.picture = f.result.smooth;
         f.reference = reference_.facts(facts_.result, drawn_settings_.view.light);
+        f.traced_so_far = preview_.image();
     } else {
         f.result = {};
     }
@@ -165,6 +166,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.error = requests.want_error;
     wanted.outputs.health = requests.want_health || requests.search_all;
     wanted.outputs.true_colour = state.comparison.view != ComparisonView::Off && state.comparison.reference;
+    wanted.with_look = state.comparison.view == ComparisonView::Off;  // compared pictures are plain
     wanted.timing = requests.want_timing;
     wanted.forced = state.effects.forced;
     if (state.frozen) wanted.map_camera = MapCamera{state.frozen->camera, state.frozen->seen_m};
@@ -176,9 +178,9 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     if (state.comparison.view != ComparisonView::Off) settings.view.panes = Panes::One;
     const bool same = drawn_ && renderer_.has_images_of(facts_.result) && !shaders_changed_ &&
                       same_inputs(wanted, facts_.request) && wanted.outputs == facts_.request.outputs &&
-                      wanted.timing == facts_.request.timing && wanted.forced == facts_.request.forced &&
-                      wanted.map_camera == facts_.request.map_camera && drawn_settings_ == settings &&
-                      drawn_scene_ == scene.id;
+                      wanted.with_look == facts_.request.with_look && wanted.timing == facts_.request.timing &&
+                      wanted.forced == facts_.request.forced && wanted.map_camera == facts_.request.map_camera &&
+                      drawn_settings_ == settings && drawn_scene_ == scene.id;
     if (same || (!scene_shown && !requests.want_map)) return false;
     if (warmup_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         warmup_->forget();
@@ -286,6 +288,7 @@ bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, 
         return false;
     }
     bool changed = reference_.update(renderer_, scene, drawn_settings_, facts_.request, facts_.result, drawn, requests);
+    changed |= preview_.update(reference_.so_far(facts_.result));
     if (drawn) artefacts_found_ = false;
     if (state.artefacts.number != facts_.artefacts.number && facts_.result.error && facts_.result.reference.met &&
         facts_.request.reference) {
@@ -300,8 +303,10 @@ bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, 
 
 void FrameLoop::save_view(const Scene& scene, const Settings& settings, const View& view, const std::string& path) {
     FrameRequest request = facts_.request;
-    request.timing = false;
-    write_view(renderer_, scene, settings, request, view, path);
+    request.timing = request.with_look = false;
+    Settings shown = settings;
+    shown.view.map_fit |= facts_.result.map_fitted;  // the contrast that the map viewer shows
+    write_view(renderer_, scene, shown, request, view, path);
 }
 
 }  // namespace si

@@ -11,6 +11,7 @@
 #include "app/editor/picture_comparison.h"
 #include "app/editor/read_back.h"
 #include "app/editor/reference.h"
+#include "app/editor/reference_preview.h"
 #include "app/editor/shader_warmup.h"
 #include "app/report/views.h"
 #include "renderer/inspect/effects.h"
@@ -107,6 +108,7 @@ private:
     int smoothed_ = 0;  ///< samples per pixel that the smooth picture of the last frame has
     EditorReadBack read_back_;
     EditorReference reference_;
+    PreviewOfReference preview_;
     EditorPictureComparison picture_comparison_;
     EditorMapComparison map_comparison_;
     bool artefacts_found_ = false;             ///< since the frame drawn last

@@ -15,7 +15,7 @@ constexpr int kHistogramBins = 200;
 /// Returns the range of the histogram: all storable values, or, with fitted greys, their range with a margin.
 DepthHistogram histogram_of(const FloatImage& depth, const ViewSettings& v, const FrameResult& result) {
     double lo = 0, hi = 1;
-    if (v.map_fit && v.map != MapView::Bands && result.map_white > result.map_black) {
+    if (result.map_fitted && result.map_white > result.map_black) {
         const double room = 0.08 * (result.map_white - result.map_black);
         lo = result.map_black - room;
         hi = result.map_white + room;

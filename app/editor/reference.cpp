@@ -53,8 +53,14 @@ nlohmann::ordered_json saved_error(const MeasuredError& measured) {
 
 }  // namespace
 
+const TracedSoFar* EditorReference::so_far(const FrameResult& frame) const {
+    const bool lacking = frame.reference.key != 0 && !frame.reference.met && frame.reference.key == so_far_key_;
+    return lacking ? so_far_.get() : nullptr;
+}
+
 void EditorReference::clear() {
     job_.drop();
+    so_far_.reset();
     kept_.clear();
     pictures_.clear();
     light_maps_.clear();
@@ -81,7 +87,10 @@ bool EditorReference::poll() {
             problem_.clear();
             given_up_.erase(doing_key_);
         };
-        if (found->picture) kept_.add(found->picture);
+        if (found->picture) {
+            kept_.add(found->picture);
+            so_far_.reset();
+        }
         take(pictures_, found->picture);
         take(light_maps_, found->light_map);
         remark_ = std::move(found->remark);
@@ -105,6 +114,8 @@ void EditorReference::start_trace(Renderer& renderer, const Scene& scene, const 
     auto task = std::make_shared<ReferenceTask>(
         reference_task(renderer, scene, settings, request, light, reference_options(settings)));
     begin_work("Tracing rays", task->key);
+    task->so_far = so_far_ = std::make_shared<TracedSoFar>();
+    so_far_key_ = task->key;
     job_.start([this, light, task = std::move(task)](const Workers& workers, const auto&) {
         return Found{light, reference_picture(*task, cache_.trace(*task, workers)), {}, nullptr};
     });
@@ -215,6 +226,7 @@ ReferenceFacts EditorReference::facts(const FrameResult& frame, int shown_light)
     f.problem = problem_;
     if (job_.busy()) f.doing = doing_;
     f.progress = job_.progress().value_or(0);
+    if (const TracedSoFar* traced = so_far(frame)) f.traced_share = traced->share();
     if (job_.busy()) f.seconds_left = left_.seconds(f.progress);
     auto known = picture(shown_light);
     for (const LightNeed& n : needs)

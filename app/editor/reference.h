@@ -12,6 +12,7 @@
 #include "app/editor/kept_references.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/reference/traced_so_far.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
@@ -43,6 +44,8 @@ public:
     /// Returns state, progress and times of the reference of the shown light.
     ReferenceFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }
+    /// Returns the pixels traced so far of the reference that the frame lacks, also after Cancel; null: none.
+    const TracedSoFar* so_far(const FrameResult& frame) const;
     /// Returns true if the next update() will find a finished result, or the progress has changed.
     bool moved() const { return job_.moved(); }
     /// Waits until no ray is being traced.
@@ -83,9 +86,11 @@ private:
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     const char* doing_ = "";
-    std::uint64_t doing_key_ = 0;  ///< cache key of the job's picture
-    TimeLeft left_;                ///< started with the job
-    Job<Found> job_;               ///< last: joined first
+    std::uint64_t doing_key_ = 0;          ///< cache key of the job's picture
+    TimeLeft left_;                        ///< started with the job
+    std::shared_ptr<TracedSoFar> so_far_;  ///< of the last reference that was started; null: none
+    std::uint64_t so_far_key_ = 0;         ///< cache key of that reference
+    Job<Found> job_;                       ///< last: joined first
 };
 
 }  // namespace si

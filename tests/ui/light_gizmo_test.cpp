@@ -60,6 +60,31 @@ TEST(LightGizmo, EveryHandleChangesTheLightInOneUndoStep) {
     EXPECT_GT(dragged, 18);
 }
 
+/// Counts the vertices that the editor draws in the next frame.
+int drawn_vertices(UiHarness& ui) {
+    ui.frames(2);
+    return ImGui::GetDrawData()->TotalVtxCount;
+}
+
+TEST(LightGizmo, AppearsNearTheMouseUnlessTheLookIsPlain) {
+    Gizmo g(LightType::Spot);
+    g.ui.state.viewport.hovered_light.reset();
+    const glm::vec2 at = g.place(LightHandle::Far);
+    const glm::vec2 away(g.view().origin + glm::dvec2(4, g.view().size.y - 4));
+    g.ui.move(away);
+    const int hidden = drawn_vertices(g.ui);
+    g.ui.move(at + glm::vec2(60, 0));
+    EXPECT_FALSE(g.ui.state.viewport.hovered_light);
+    EXPECT_GT(drawn_vertices(g.ui), hidden + 50) << "near";
+    g.ui.move(away);
+    EXPECT_NEAR(drawn_vertices(g.ui), hidden, 8);
+    g.settings.view.look = Look::Plain;
+    EXPECT_GT(drawn_vertices(g.ui), hidden + 50) << "plain: always";
+    g.ui.key('L');
+    EXPECT_FALSE(g.settings.view.frustum);
+    EXPECT_NEAR(drawn_vertices(g.ui), hidden, 40);
+}
+
 TEST(LightGizmo, ClickOnAHandleChangesNothing) {
     Gizmo g(LightType::Spot);
     const Settings before = g.settings;

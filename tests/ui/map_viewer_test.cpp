@@ -8,6 +8,8 @@
 
 #include "app/base/output.h"
 #include "app/session/session.h"
+#include "renderer/base/lengths_text.h"
+#include "renderer/inspect/grey_range.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/process.h"
 #include "tests/ui/drawn_text.h"
@@ -141,6 +143,48 @@ TEST(MapViewer, GreyScaleFitNarrowsTheHistogram) {
     EXPECT_LT(facts.map_facts->histogram.lo, facts.result->map_black);
     EXPECT_GT(facts.map_facts->histogram.hi, facts.result->map_white);
     EXPECT_EQ(facts.map_facts->histogram.below + facts.map_facts->histogram.above, 0u);
+}
+
+TEST(MapViewer, ContrastFitsItselfUntilItIsSwitchedOff) {
+    for (const char* view : {"linear", "raw"}) {
+        WideEditor editor({std::string("view.map=") + view, "light.type=spot"});
+        const EditorFrame facts = editor.facts();
+        ASSERT_TRUE(facts.map_facts);
+        const DepthStatistics s = facts.map_facts->statistics;
+        const bool raw = facts.drawn->view.map == MapView::Raw;
+        EXPECT_TRUE(facts.result->map_fitted);
+        EXPECT_NEAR(facts.result->map_black, raw ? s.stored_min : s.linear_min, 1e-5);
+        EXPECT_NEAR(facts.result->map_white, raw ? s.stored_max : s.linear_max, 1e-5);
+        editor.state().settings.view.map_contrast = MapContrast::Whole;
+        editor.settle();
+        EXPECT_FALSE(editor.facts().result->map_fitted);
+        EXPECT_EQ(editor.facts().result->map_black, 0);
+        EXPECT_EQ(editor.facts().result->map_white, 1);
+        editor.state().settings.view.map_contrast = MapContrast::Auto;
+        editor.state().settings.view.map_white = 0.5;
+        editor.settle();
+        EXPECT_EQ(editor.facts().result->map_white, 0.5f) << "a range by hand counts";
+    }
+}
+
+// The scale's ends are the contrast's ends in metres; for depths as stored both numbers are given.
+TEST(MapViewer, GreyRangeHasUnits) {
+    for (const char* view : {"linear", "raw"}) {
+        WideEditor editor({"view.map_fit=true", std::string("view.map=") + view, "light.type=spot"});
+        const EditorFrame facts = editor.facts();
+        ASSERT_TRUE(facts.map_facts);
+        const DepthStatistics& s = facts.map_facts->statistics;
+        const ViewSettings& v = facts.drawn->view;
+        const std::string low = grey_value_text(v, *facts.result, facts.result->map_black);
+        const std::string high = grey_value_text(v, *facts.result, facts.result->map_white);
+        const bool raw = v.map == MapView::Raw;
+        EXPECT_EQ(low,
+                  raw ? digits_text(s.stored_min) + " (" + metres_text(s.metres_min) + ")" : metres_text(s.metres_min));
+        EXPECT_EQ(high,
+                  raw ? digits_text(s.stored_max) + " (" + metres_text(s.metres_max) + ")" : metres_text(s.metres_max));
+        EXPECT_EQ(grey_range_text(v, *facts.result),
+                  "contrast from " + low + " (black) to " + high + " (white), fitted to the stored depths");
+    }
 }
 
 TEST(MapViewer, SavesTheStoredDepth) {

@@ -49,6 +49,13 @@ void cancel_tracing(HeadlessEditor& editor, const char* picture = nullptr) {
     EXPECT_EQ(model.facts().reference->problem, "Cancelled");
 }
 
+/// Counts the bytes that differ in two pictures of one size.
+std::size_t different_bytes(const ByteImage& a, const ByteImage& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < std::min(a.data.size(), b.data.size()); ++i) count += a.data[i] != b.data[i];
+    return count;
+}
+
 TEST(EditorReference, TracesOnlyOnRequestAndFollowsTheBias) {
     test::TestEditor editor(options(kNoBias));
     EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
@@ -222,6 +229,33 @@ TEST(EditorReference, TabsNeitherRestartTheTraceNorMoveThePicture) {
         ASSERT_EQ(model.state.viewport.view->size, size) << "click " << click;
     }
     ASSERT_NO_FATAL_FAILURE(cancel_tracing(editor));
+}
+
+TEST(EditorReference, PixelsAppearWhileTheyAreTracedAndStayAfterCancel) {
+    std::vector<std::string> sets = kNoBias;
+    for (const char* set : {"truth.area=true", "truth.samples=1048576", "truth.noise=0", "light.size=5",
+                            "view.overlay=truth", "view.axes=false"})
+        sets.push_back(set);
+    HeadlessEditor editor(options(sets));
+    EditorModel& model = editor.model();
+    model.finish_loading();
+    editor.frame();
+    const ByteImage before = editor.picture();
+    for (int i = 0; i < 5000 && model.facts().traced_so_far.texture == 0; ++i) editor.frame();
+    ASSERT_NE(model.facts().traced_so_far.texture, 0u) << "no pixel appeared";
+    EXPECT_FALSE(model.facts().reference->current);
+    EXPECT_GT(model.facts().reference->traced_share, 0);
+    editor.frame();
+    write_png(kOut / "editor_tracing.png", editor.picture());
+    EXPECT_GT(different_bytes(editor.picture(), before), 10000u);
+    ASSERT_NO_FATAL_FAILURE(cancel_tracing(editor));
+    EXPECT_NE(model.facts().traced_so_far.texture, 0u) << "what it has stays";
+    model.state.settings.camera.source = CameraSource::Manual;
+    model.state.settings.camera.azimuth += 40;
+    set_setting(model.state.settings, "truth.area", "false");
+    editor.settle();
+    EXPECT_EQ(model.facts().traced_so_far.texture, 0u) << "the reference is finished";
+    expect_calm(editor);
 }
 
 TEST(EditorReference, SavesAllNumbers) {

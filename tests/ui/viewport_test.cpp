@@ -164,8 +164,9 @@ TEST(Viewport, DoubleClickSelectsTheProbedObjectAndFFramesIt) {
     }
 }
 
-TEST(Viewport, LLooksThroughTheLightAndBack) {
+TEST(Viewport, ShiftLLooksThroughTheLightAndBack) {
     Viewport v;
+    ImGui::GetIO().KeyShift = true;
     v.settings.camera.source = CameraSource::Manual;
     v.settings.camera.azimuth = 77;
     const CameraSettings before = v.settings.camera;

@@ -11,6 +11,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "ui/map_view/depth_plots.h"
+#include "ui/map_view/grey_scale.h"
 #include "ui/map_view/map_marks.h"
 #include "ui/scene_view/frustum_lines.h"
 #include "ui/scene_view/kernel_marks.h"
@@ -44,6 +45,19 @@ void save_menu(EditorState& state, EditorRequests& requests) {
     if (path_input("##file", "file.pfm, .exr or .png", state.map.save_path, "Write"))
         requests.export_file = ExportRequest{ExportKind::Map, state.map.save_path};
     ImGui::EndPopup();
+}
+
+/// Draws the checkbox that fits the contrast to the drawn depths.
+void fit_choice(ViewSettings& v) {
+    const bool whole = v.map_black == 0 && v.map_white == 1;
+    bool fits = v.map_fit || (whole && v.map_contrast == MapContrast::Auto);
+    const bool pressed = ImGui::Checkbox("##fit", &fits);
+    wrapped_tooltip(
+        "Contrast from the smallest to the largest drawn depth, empty texels left out; the scale in the picture has "
+        "both in metres (view.map_contrast, view.map_fit)");
+    if (!pressed) return;
+    v.map_contrast = fits ? MapContrast::Auto : MapContrast::Whole;
+    v.map_fit = fits && !whole;
 }
 
 /// Draws the checkbox that marks the texels that kernels fetch.
@@ -121,7 +135,7 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& reque
         ImGui::SameLine();
         setting_widget(s, bands ? "view.band_high" : "view.map_white", end);
     });
-    if (!bands) setting("Fit", "view.map_fit", ImGui::GetFrameHeight());
+    if (!bands) bar.item("Fit", ImGui::GetFrameHeight(), [&s](float) { fit_choice(s.view); });
     if (!bands) setting("Colours", "view.map_colours", em * 5.5f);
     bar.item("", check_width("Plots"), [&state, plots](float) {
         ImGui::Checkbox("Plots", &state.layout.map_plots);
@@ -313,6 +327,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     const MapRect rect = place(state.map.window, origin, size, n);
     const ImVec2 rect_end(rect.lo.x + rect.size.x, rect.lo.y + rect.size.y);
     list.PushClipRect(origin, end, true);
+    draw_empty_hatch(rect.lo, rect_end, origin, end);
     list.AddImage(texture_id(result.map_view.texture), rect.lo, rect_end, {0, 1}, {1, 0});  // stored bottom row first
     if (const Image* marks = camera ? nullptr : exact_marks(state, frame))                  // one channel: red or black
         list.AddImage(texture_id(marks->texture), rect.lo, rect_end, {0, 1}, {1, 0},
@@ -376,6 +391,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     if (const std::string text = camera ? "" : empty_level_text(state.settings, result); !text.empty())
         draw_text_on_picture({origin.x + em * 0.8f, end.y - em * 1.8f},
                              beginning_that_fits(text, size.x - em * 2, ImGui::GetFont()), theme::kMutedOnPicture);
+    draw_grey_scale(state.settings.view, result, end, size);
     list.PopClipRect();
     float y = end.y + em * 0.2f;
     for (const auto& [words, colour] : {std::pair(text.first, theme::text()), {text.second, theme::muted()}}) {

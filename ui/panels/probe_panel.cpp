@@ -29,7 +29,7 @@ void row(const char* name, const std::string& value, const char* about = nullptr
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
-    text_cell(value);
+    value_cell(value);
     if (about) plain_tooltip(about);
 }
 
@@ -238,7 +238,7 @@ void fix_line(EditorState& state, const EditorFrame& frame) {
 void classification(const Probe::PerLight& p, const PixelDiagnosis* d, EditorState& state, const EditorFrame& frame) {
     verdict(d ? d->verdict : p.verdict, d ? cause_colour(*d) : 0);
     if (d)
-        coloured_wrapped(p.verdict, theme::muted());
+        help_text(p.verdict);
     else if (frame.tracing_probe)
         ImGui::TextUnformatted("Tracing the reference … The verdict by the map alone is above.");
     if (d && d->wants_fix() && p.light == shown_light(state.settings)) fix_line(state, frame);
@@ -358,6 +358,8 @@ void draw_probe(EditorState& state, const EditorFrame& frame) {
     ImGui::TextDisabled("%s", beginning_that_fits(where, ImGui::GetContentRegionAvail().x, ImGui::GetFont()).c_str());
     wrapped_tooltip(
         fmt::format("{}\nposition {} m\nnormal {}", where, vec(probe->position_ws, 4), vec(probe->normal_ws, 4)));
+    if (frame.result && frame.result->contacts_darkened)
+        help_text("Darkened creases of the picture (view.look) are not a shadow.");
     if (probe->lights.empty()) return;
     // The light whose shadows are measured comes first: its drawing and, next to it, its verdict, which do not scroll.
     const std::size_t first =

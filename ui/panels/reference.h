@@ -14,6 +14,7 @@ struct ReferenceFacts {
     bool lacks_light_map = false;  ///< a light map is missing
     std::string doing;             ///< work in the background: "Tracing rays"; empty: none
     double progress = 0;           ///< progress of the background work, 0..1
+    double traced_share = 0;       ///< pixels of the reference in work, or of a cancelled one, that are traced, 0..1
     double seconds_left = 0;       ///< estimated for the background work; 0: not known yet
     std::string problem;           ///< reason why there is no reference; empty: no problem
     // Wall times of the last trace; 0: the result was cached.

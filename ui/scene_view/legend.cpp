@@ -72,7 +72,7 @@ struct LegendWidget {
 
 /// Returns the settings of the overlay's look that have a widget in the legend.
 std::vector<LegendWidget> legend_widgets(const Settings& settings, const Pane& pane) {
-    std::vector<LegendWidget> out = {{"Opacity", "view.overlay_opacity", 4.5f}};
+    std::vector<LegendWidget> out = {{"Opacity", "view.overlay_opacity", 4.5f}, {"", "view.overlay_blend", 4}};
     if (!overlays()[std::size_t(pane.overlay - 1)].scalar) return out;
     out.push_back({"Scale", "view.overlay_range", 6.5f});
     if (settings.view.overlay_range != OverlayRange::Manual) return out;

@@ -28,6 +28,8 @@ bool shows_handles(const EditorState& state) {
     return state.settings.camera.source != CameraSource::Light;
 }
 
+constexpr double kNearPixels = 110;  ///< distance from the mouse at which a gizmo appears, at scale 1
+
 LightPose pose_of(const EditorState& state, const FrameResult& result, int light) {
     const int face = light == shown_light(state.settings) ? shown_face(state.settings, result) : 0;
     return light_pose(state.settings.lights[std::size_t(light)], result.lights[std::size_t(light)], face);
@@ -80,6 +82,22 @@ void follow(EditorState& state, const EditorFrame& frame, const PictureView& vie
         light = *moved;
 }
 
+/// Returns true if the gizmo of a light is drawn: with the look "studio" only near the mouse, while a light is dragged,
+/// and with the list of lights open.
+bool shows_gizmo(const EditorState& state, const FrameResult& result, const PictureView& view, int light) {
+    if (state.settings.view.look != Look::Studio || state.viewport.lights_listed) return true;
+    if (state.viewport.handle_drag || (state.viewport.hovered_light && state.viewport.hovered_light->light == light))
+        return true;
+    const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
+    const auto near = [&](const glm::dvec2& at) { return glm::distance(at, mouse) < kNearPixels * view.ui_scale; };
+    const LightPose pose = pose_of(state, result, light);
+    if (const auto mark = view.point(pose.position); mark && near(*mark)) return true;
+    if (light != shown_light(state.settings)) return false;
+    if (const auto pointer = pointer_place(pose, view); pointer && near(*pointer)) return true;
+    const auto handles = place_handles(pose, view);
+    return std::ranges::any_of(handles, near, &PlacedHandle::on_screen);
+}
+
 }  // namespace
 
 void cancel_handle_drag(EditorState& state) {
@@ -119,10 +137,11 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
     const int shown = shown_light(state.settings), count = light_count(state, result);
     const auto& hovered = state.viewport.hovered_light;
     for (int i = 0; i < count; ++i)
-        if (i != shown)
+        if (i != shown && shows_gizmo(state, result, painter.view(), i))
             draw_other_light(painter, pose_of(state, result, i), result.lights[std::size_t(i)],
                              hovered && hovered->light == i);
     if (shown >= count) return;  // a light was just added
+    if (!shows_gizmo(state, result, painter.view(), shown)) return;
     const LightPose pose = pose_of(state, result, shown);
     const bool busy = hovered && hovered->light == shown;
     draw_shown_light(painter, pose, busy, busy && !hovered->handle);

@@ -33,6 +33,8 @@ std::string reference_status(const EditorFrame& frame) {
         const std::string left = t.seconds_left > 0 ? fmt::format(", {} left", seconds_text(t.seconds_left)) : "";
         return fmt::format("{} … {} %{}", t.doing, int(t.progress * 100), left);
     }
+    if (!t.problem.empty() && t.traced_share > 0 && t.traced_share < 1)
+        return fmt::format("{}: {} % of the pixels are traced", t.problem, int(t.traced_share * 100));
     if (!t.problem.empty()) return t.problem;
     if (t.lacks_light_map) return "The light map of this scene and light is not baked yet.";
     if (!t.current) return "The reference of this view is not traced yet.";

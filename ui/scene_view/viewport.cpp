@@ -208,6 +208,8 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     const ImVec2 lo = panes.lo(index), size = panes.size(), hi(lo.x + size.x, lo.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddImage(texture_id(pane.picture.texture), lo, hi, {0, 1}, {1, 0});  // stored bottom row first
+    if (pane.lacks_reference && frame.traced_so_far.texture != 0)             // stored bottom row first
+        list.AddImage(texture_id(frame.traced_so_far.texture), lo, hi, {0, 1}, {1, 0});
     list.PushClipRect(lo, hi, true);
     draw_comparison(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
     const PictureView view{result.camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
@@ -220,6 +222,9 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
         draw_legend(pane, shown_fitted_light(state.settings, result), result.map_size, lo.x, bottom, size);
+    if (pane.overlay == 0 && result.contacts_darkened && size.x > ImGui::GetFontSize() * 30)
+        small_text({lo.x + ImGui::GetFontSize() * 0.6f, hi.y - ImGui::GetFontSize() * 1.5f},
+                   "Darkened creases (view.look): not a shadow", theme::kMutedOnPicture);
     if (state.viewport.hovered_pixel && index == state.active_pane) {
         // The caption names the pane's overlay, or the side of a comparison.
         const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;

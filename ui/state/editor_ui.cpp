@@ -243,7 +243,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     // In slow frames, a click in this frame may focus a text field that the typed letters belong to.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!keys_wait) dispatch_shortcuts(state, frame, requests);
-    state.lights.listed = false;
+    state.viewport.lights_listed = std::exchange(state.lights.listed, false);
     apply_waiting_fix(state, frame);
     request_pixel_fix(state, frame, requests);
     const bool waits = follow_artefact_tour(state, frame);

@@ -170,6 +170,7 @@ struct EditorFrame : ProbeFacts,
     ReportFacts report;
     const SweepFacts* sweep = nullptr;
     std::optional<ReferenceFacts> reference;
+    Image traced_so_far;  ///< pixels of the reference in work, alpha 0 where nothing is traced yet; empty: none
     const LiveError* error = nullptr;          ///< errors of the shown frame; null: not known
     const LiveError* earlier_error = nullptr;  ///< errors of the last frame of this scene and light that had them
     std::optional<PictureComparisonFacts> picture_comparison;

@@ -22,6 +22,7 @@ enum class Command {
     FlyDown,
     FrameSelection,
     ResetCamera,
+    ToggleLights,
     ToggleLightCamera,
     ToggleFrozenCamera,
     MaximisePanel,
