@@ -23,8 +23,7 @@ public:
     /// Returns the number of tiles added so far, which grows with each change of the picture.
     std::size_t tiles() const { return tiles_; }
     /// Returns the visibility as colours of the sequential scale, top row first. Pixels without a surface or not traced
-    /// yet have alpha 0. Empty before the first
-    /// tile.
+    /// yet have alpha 0. Empty before the first tile.
     ByteImage picture() const;
 
 private:

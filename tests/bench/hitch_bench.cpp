@@ -180,6 +180,9 @@ Tool::Step move_by(float x, float y) {
 Tool::Step hold_key(int code, bool down) {
     return [code, down](Hands&) { ImGui::GetIO().KeysDown[code] = down; };
 }
+Tool::Step hold_shift_and(int code, bool down) {
+    return [code, down](Hands& h) { h.editor->mouse.shift = ImGui::GetIO().KeysDown[code] = down; };
+}
 /// Presses a key while the mouse is over the scene.
 Tool press_key(const std::string& name, int code, Tool::Step before = over_scene) {
     return {.name = name, .steps = {hold_key(code, true), hold_key(code, false)}, .before = std::move(before)};
@@ -227,12 +230,13 @@ std::vector<Tool> all_tools() {
          }},
          .before = pin_and_change},
         press_key("freeze_view", 'K'),
-        press_key("through_light", 'L'),
+        {.name = "through_light",
+         .steps = {hold_shift_and('L', true), hold_shift_and('L', false)},
+         .before = over_scene},
         press_key("frame_scene", 'F'),
         press_key("overlay_depth_difference", '4'),
         {.name = "overlay_artefacts",
-         .steps = {[](Hands& h) { h.editor->mouse.shift = ImGui::GetIO().KeysDown[int('3')] = true; },
-                   [](Hands& h) { h.editor->mouse.shift = ImGui::GetIO().KeysDown[int('3')] = false; }},
+         .steps = {hold_shift_and('3', true), hold_shift_and('3', false)},
          .before = over_scene},
         {.name = "two_panes",
          .steps = {[](Hands& h) { h.state().settings.view.panes = Panes::Two; }},

@@ -12,9 +12,9 @@
 namespace si {
 namespace {
 
-constexpr float kWide = 9;                           ///< width of the scale, ems
-constexpr float kLeastWidth = 16, kLeastHeight = 9;  ///< smallest picture that has one, ems
-constexpr int kSteps = 32;
+constexpr float kScaleWidth = 9;                               ///< width of the scale, ems
+constexpr float kScaleLeastWidth = 16, kScaleLeastHeight = 9;  ///< smallest picture that has one, ems
+constexpr int kScaleSteps = 32;
 constexpr float kStripeStep = 1.1f, kStripe = 0.22f;  ///< distance and width of the stripes, ems
 
 /// Returns Turbo by a polynomial. Mikhailov, Turbo, An Improved Rainbow Colormap for Visualization, 2019.
@@ -64,19 +64,19 @@ void draw_empty_hatch(ImVec2 lo, ImVec2 hi, ImVec2 from, ImVec2 to) {
 
 void draw_grey_scale(const ViewSettings& view, const FrameResult& frame, ImVec2 end, ImVec2 size) {
     const float em = ImGui::GetFontSize(), pad = em * 0.5f, bar = em * 0.6f;
-    if (view.map == MapView::Bands || size.x < em * kLeastWidth || size.y < em * kLeastHeight) return;
+    if (view.map == MapView::Bands || size.x < em * kScaleLeastWidth || size.y < em * kScaleLeastHeight) return;
     const std::string low = grey_value_text(view, frame, frame.map_black);
     const std::string high = grey_value_text(view, frame, frame.map_white);
     const float line = theme::small()->FontSize,
                 texts = text_width(low, theme::small()) + text_width(high, theme::small());
-    const float width = std::max(em * kWide, texts + em);
+    const float width = std::max(em * kScaleWidth, texts + em);
     if (width + 2 * pad > size.x) return;
     const ImVec2 hi(end.x - pad, end.y - pad), lo(hi.x - width - 2 * pad, hi.y - bar - line - 1.6f * pad);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(lo, hi, theme::kVeil, em * 0.25f);
     const float x0 = lo.x + pad, y0 = lo.y + pad * 0.6f;
-    for (int i = 0; i < kSteps; ++i) {
-        const auto at = [&](int step) { return float(step) / float(kSteps); };
+    for (int i = 0; i < kScaleSteps; ++i) {
+        const auto at = [&](int step) { return float(step) / float(kScaleSteps); };
         const ImU32 left = theme::colour(map_ramp_colour(view.map_colours, at(i)));
         const ImU32 right = theme::colour(map_ramp_colour(view.map_colours, at(i + 1)));
         list.AddRectFilledMultiColor({x0 + at(i) * width, y0}, {x0 + at(i + 1) * width, y0 + bar}, left, right, right,

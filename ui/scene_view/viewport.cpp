@@ -208,7 +208,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     const ImVec2 lo = panes.lo(index), size = panes.size(), hi(lo.x + size.x, lo.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddImage(texture_id(pane.picture.texture), lo, hi, {0, 1}, {1, 0});  // stored bottom row first
-    if (pane.lacks_reference && frame.traced_so_far.texture != 0)             // stored bottom row first
+    if (pane.lacks_reference && frame.traced_so_far.texture != 0)
         list.AddImage(texture_id(frame.traced_so_far.texture), lo, hi, {0, 1}, {1, 0});
     list.PushClipRect(lo, hi, true);
     draw_comparison(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
