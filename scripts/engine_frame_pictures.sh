@@ -25,4 +25,4 @@ draw 4-with-normal.png render sun.bundle --size 512x288 --set view.overlay=bias-
 draw 5-causes.png render sun.bundle --size 512x288 --set view.overlay=artefacts
 [ "$editor" = --without-editor ] ||
   "$build/shadow-inspector" edit sun.bundle --headless --screenshot "$folder/3-editor.png" --size 1120x640 \
-    --probe 461,100 --tab probe
+    --probe 508,150 --tab pixel
