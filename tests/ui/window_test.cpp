@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/ui/drawn_text.h"
 #include "tests/ui/test_editor.h"
 #include "tests/ui/window_fixture.h"
 
@@ -67,7 +68,16 @@ TEST_F(Window, FrontierDotIsClicked) {
     std::ofstream(state_folder() / "workspace.json")
         << R"({"format": "shadow-inspector-workspace", "version": 1, "layout": {"bottom_height": 18}})";
     ASSERT_NO_FATAL_FAILURE(start({"--size", "1280x720", "--sweep", (folder_ / "swept").string()}));
-    click(21, 604);  // stop measuring the present settings, so that the plot stays
+    {
+        EditorOptions options = editor_options();
+        options.sweep = folder_ / "swept";
+        TestEditor twin(options);
+        twin.state().layout.bottom_height = 18;
+        twin.frames(4);
+        const auto box = DrawnText().find(U"Measurethepresentsettings");
+        ASSERT_TRUE(box);
+        click(int(box->x), int(box->y));  // measured no more, so that the plot stays
+    }
     const ByteImage shown = screen("window_dots");
     glm::ivec2 first{-1};
     for (int x = 0; x < 900 && first.x < 0; ++x)
