@@ -203,6 +203,20 @@ protected:
     std::unique_ptr<DrawnText> text_;
 };
 
+/// Writes a map of the scene boxes, as another engine may store it, and the matrix of its light beside it.
+void write_foreign_map(const fs::path& folder) {
+    const ProcessResult drawn =
+        run_program({"render", "boxes", "-o", "theirs.pfm", "--size", "64x64", "--view", "shadow-map", "--report",
+                     "drawn.json", "--set", "view.map=raw", "--set", "map.resolution=256"},
+                    folder);
+    ASSERT_EQ(drawn.code, 0) << drawn.err;
+    const json rows = json::parse(file_bytes(folder / "drawn.json"))["fit"][0]["matrices"]["clip_from_world"];
+    json by_columns;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) by_columns.push_back(rows[row][column]);
+    std::ofstream(folder / "light.json") << json{{"clip_from_world", by_columns}};
+}
+
 constexpr glm::ivec2 kSliderFromLabel{200, 0};  ///< from a setting's label to its slider
 
 TEST_F(WindowJobs, ChangeShadowsLightsAndSettings) {
@@ -341,6 +355,7 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", (folder_ / "mine.glb").string()}).code, 0);
     std::ofstream(folder_ / "far.json")
         << R"({"format": "shadow-inspector-preset", "version": 3, "scene": "boxes", "settings": {"bias.kind": "constant", "bias.constant": 60}})";
+    ASSERT_NO_FATAL_FAILURE(write_foreign_map(folder_));
     std::ofstream(folder_ / "leaf.glb", std::ios::binary) << falling_leaf(10, {0, 0, 0}, {1, 1, 0});
     ASSERT_NO_FATAL_FAILURE(begin());
     // The fix is applied once the reference is traced, however early the key was pressed.
@@ -451,6 +466,16 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
         EXPECT_GT(paused, 0);
         pull(place(U"Loop") - glm::ivec2(500, 0), {60, 0});
         EXPECT_NE(saved().value("scene.time", paused), paused);
+    });
+    job("foreign_map", 5, [&] {
+        key("ctrl+o");
+        word((folder_ / "theirs.pfm").string());
+        key("Return");
+        wait_until_idle();
+        key("Return");  // the light's file beside it, compared with the shown scene
+        // The readings are tried in the background; the window shows them when that is done.
+        key("Return");
+        EXPECT_TRUE(wait_until([&] { return titled("theirs.bundle") || !program_->running(); })) << log();
     });
     quit();
 }
