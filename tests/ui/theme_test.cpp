@@ -43,6 +43,7 @@ TEST(Theme, RolesOfTextDifferBySizeOrWeight) {
     for (const float scale : {1.0f, 1.5f, 2.0f}) {
         ImGui::CreateContext();
         theme::load_fonts(scale);
+        ASSERT_TRUE(ImGui::GetIO().Fonts->Build());  // sizes are known from then on
         const float body = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
         EXPECT_NEAR(theme::verdict()->FontSize / body, 1.3, 0.05);
         EXPECT_GT(theme::verdict()->FontSize, theme::heading()->FontSize);
