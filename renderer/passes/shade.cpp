@@ -101,14 +101,23 @@ void shade(const FrameState& f, bool separate, const glm::vec2* shift_ndc, PassI
 }
 
 /// Darkens creases and places near contacts, if the picture has the look "studio".
-/// @param depth camera depth of the picture
-void darken_contacts(const FrameState& f, const gl::Target& picture, const gl::Target& depth, PassInfo& info) {
+/// @param depth camera depth of the picture @param shares receives the share of light that is left, before its blur
+void darken_contacts(const FrameState& f, const gl::Target& picture, const gl::Target& depth, gl::Target& shares,
+                     PassInfo& info) {
     if (!f.studio) return;
+    shares.ensure("shares of contact darkening", GL_R8, picture.width, picture.height);
+    {
+        const gl::Framebuffer into = f.begin_fullscreen_pass("shares of contact darkening", shares);
+        f.use_fullscreen("passes/crease.frag.glsl");
+        glBindTextureUnit(shared::UNIT_CAMERA_DEPTH, depth.texture.id());
+        FrameState::draw_fullscreen(info);
+    }
     const gl::Framebuffer into = f.begin_fullscreen_pass("contact darkening", picture);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-    f.use_fullscreen("passes/crease.frag.glsl");
+    f.use_fullscreen("passes/crease_blur.frag.glsl");
     glBindTextureUnit(shared::UNIT_CAMERA_DEPTH, depth.texture.id());
+    glBindTextureUnit(shared::UNIT_SHADED, shares.texture.id());
     FrameState::draw_fullscreen(info);
     glDisable(GL_BLEND);
 }
@@ -140,7 +149,7 @@ constexpr glm::ivec2 kJitterSixteenths[kMaxSmoothedShadings] = {{1, -3}, {-1, 3}
                                                                 {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
 
 /// Draws one shading by a camera shifted by part of a pixel.
-void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
+void add_shading(FrameState& f, SmoothTargets& t, gl::Target& shares, glm::ivec2 place, PassInfo& info) {
     const glm::dvec2 part = glm::dvec2(place) / 16.0;
     shared::FrameBlock block = make_frame_block(f);
     const glm::vec2 shift_ndc = 2.0 * part / glm::dvec2(f.request.width, f.request.height);
@@ -155,7 +164,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
         glClearNamedFramebufferfv(into.id(), GL_DEPTH, 0, &far_depth);
         shade(f, true, &shift_ndc, info);
     }
-    darken_contacts(f, t.one, t.depth, info);
+    darken_contacts(f, t.one, t.depth, shares, info);
     replace_frame_block(f, make_frame_block(f));
 }
 
@@ -174,7 +183,7 @@ void blend_into(const FrameState& f, const gl::Target& from, const gl::Target& t
     glDisable(GL_BLEND);
 }
 
-void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, PassInfo& info) {
+void draw_smooth(FrameState& f, SmoothTargets& t, gl::Target& shares, std::uint64_t of, int count, PassInfo& info) {
     const int w = f.request.width, h = f.request.height;
     bool again = t.of != of || t.count >= count || f.request.force;
     again |= t.one.ensure("one of a smooth picture", GL_RGBA8, w, h);
@@ -184,7 +193,7 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
     if (again) t.count = 0;
     t.of = of;
     for (; t.count < count; ++t.count) {
-        add_shading(f, t, kJitterSixteenths[t.count], info);
+        add_shading(f, t, shares, kJitterSixteenths[t.count], info);
         blend_into(f, t.one, t.sum, 1, t.count > 0, info);
     }
     blend_into(f, t.sum, t.mean, 1.f / float(count), false, info);
@@ -240,8 +249,12 @@ void ShadePasses::declare(FrameState& f) {
 }
 
 void ShadePasses::declare_creases(FrameState& f) {
-    gl::Target& creases = creases_;
-    if (!f.studio) return f.plan.release_later([&creases] { creases = {}; });
+    gl::Target &creases = creases_, &shares = crease_shares_;
+    if (!f.studio)
+        return f.plan.release_later([&creases, &shares] {
+            creases = {};
+            shares = {};
+        });
     f.plan.place_result(Result::Creases, {&creases, shared::UNIT_SHADED});
     Pass pass{.name = "contact darkening (no shadow)",
               .category = PassCategory::Tool,
@@ -249,12 +262,12 @@ void ShadePasses::declare_creases(FrameState& f) {
               .writes = {Result::Creases},
               .cached = &creases.key,
               .idle_reason = "the picture is not requested"};
-    pass.run = [&f, &creases](PassInfo& info) {
+    pass.run = [&f, &creases, &shares](PassInfo& info) {
         const int w = f.request.width, h = f.request.height;
         creases.ensure("picture with darkened creases", GL_RGBA8, w, h);
         glCopyImageSubData(f.result(Result::Shaded).texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, creases.texture.id(),
                            GL_TEXTURE_2D, 0, 0, 0, 0, w, h, 1);
-        darken_contacts(f, creases, f.result(Result::CameraDepth), info);
+        darken_contacts(f, creases, f.result(Result::CameraDepth), shares, info);
     };
     f.plan.add_pass(std::move(pass));
 }
@@ -272,7 +285,9 @@ void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
     const int count = std::min(f.request.smoothed, kMaxSmoothedShadings);
     pass.reads.insert(pass.reads.end(), {Result::Visibility, Result::VisibleSurfaces});
     pass.key = Key().add(of).add(count).value();
-    pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };
+    pass.run = [&f, &t, &shares = crease_shares_, of, count](PassInfo& info) {
+        draw_smooth(f, t, shares, of, count, info);
+    };
     f.plan.add_pass(std::move(pass));
 }
 

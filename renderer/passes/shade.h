@@ -28,7 +28,7 @@ private:
     /// @param of the key of the picture to average
     void declare_smooth(FrameState& f, std::uint64_t of);
 
-    gl::Target picture_, creases_;
+    gl::Target picture_, creases_, crease_shares_;
     SmoothTargets smooth_;
 };
 

@@ -1,9 +1,9 @@
-// Contact darkening of the look "studio": creases and places near contacts, from the camera's depth. It multiplies the
-// picture and is no shadow of a light.
+// Share of the picture that contact darkening leaves (look "studio"): creases and places near contacts, from the
+// camera's depth. It is no shadow of a light. crease_blur.frag.glsl averages the shares of 4x4 neighbours.
 // McGuire, Osman, Bukowski, Hennessy, The Alchemy Screen-Space Ambient Obscurance Algorithm, HPG 2011.
 #include "lib/frame.glsl"
 layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D camera_depth_map;  // reversed: 0 is far
-layout(location = 0) out vec4 share_out;
+layout(location = 0) out float share_out;
 
 const int SAMPLES = 20;
 const float TURNS = 7.0;           // of the spiral of samples
@@ -37,7 +37,7 @@ vec3 step_along(ivec2 pixel, ivec2 way, vec3 here) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    share_out = vec4(1.0);
+    share_out = 1.0;
     if (depth_at(pixel) == 0.0) return;  // sky
     vec3 here = place_at(pixel);
     vec3 normal = cross(step_along(pixel, ivec2(1, 0), here), step_along(pixel, ivec2(0, 1), here));
@@ -47,8 +47,8 @@ void main() {
     int height = textureSize(camera_depth_map, 0).y;
     // Length of the spiral's radius at this surface, metres.
     float radius_m = RADIUS * 2.0 * frame.lens.y * (frame_eye().w > 0.5 ? 1.0 : here.z);
-    // Jimenez, Next Generation Post Processing in Call of Duty, 2014.
-    float turn = 6.28318531 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    // Each of 4x4 neighbours turns the spiral by another sixteenth, so that their mean has 16 times the samples.
+    float turn = 6.28318531 * float((pixel.x & 3) * 4 + (pixel.y & 3)) / 16.0;
     float sum = 0.0;
     for (int i = 0; i < SAMPLES; ++i) {
         float t = (float(i) + 0.5) / float(SAMPLES), angle = turn + 6.28318531 * TURNS * t;
@@ -60,5 +60,5 @@ void main() {
         sum += fades * max(dot(way, normal) - TILT * here.z, 0.0) * radius_m / (far2 + 0.01 * radius_m * radius_m);
     }
     float dark = min(STRENGTH * sum / float(SAMPLES), 1.0);
-    share_out = vec4(vec3(mix(1.0, DARKEST, dark)), 1.0);
+    share_out = mix(1.0, DARKEST, dark);
 }
