@@ -194,7 +194,8 @@ TEST(SectionDrawing, NarrowDrawingBreaksItsWords) {
                 EXPECT_LE(m.points[0].y, d.height) << m.text;
                 said += m.text + " ";
             }
-            for (const char* wanted : {"surface, 45° from the light", "compared: ", "depth drawn", "taps in this row"})
+            const char* const scale = std::abs(d.along / d.across - 1) < 1e-9 ? "to scale" : "depth drawn";
+            for (const char* wanted : {"surface, 45° from the light", "compared: ", scale, "taps in this row"})
                 EXPECT_NE(said.find(wanted), std::string::npos) << wanted << " is not said: " << said;
         }
 }
