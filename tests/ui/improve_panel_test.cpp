@@ -110,7 +110,7 @@ TEST_F(ImprovePanelTest, HasOneAimForEverySearch) {
     const auto shows = [&](const char* label) { return ui.find("found", "", label).has_value(); };
     for (const auto& [aims, mode, search] : {std::tuple{"Fix the picture", ImproveMode::Picture, "Find fixes"},
                                              {"Cheaper, same look", ImproveMode::Cheaper, "Advice"},
-                                             {"Within x ms", ImproveMode::Limits, "Autopilot"},
+                                             {"Within a time limit", ImproveMode::Limits, "Autopilot"},
                                              {"Fix this pixel", ImproveMode::Pixel, "Next wrong pixel"}}) {
         ui.click(ui.find("improve_", "", aims));
         ui.frames(3);

@@ -42,7 +42,7 @@ std::vector<const Metric*> rows_of(bool causes, const ErrorMetrics& m) {
 }
 
 std::string text_of(const Metric& row, double value) {
-    if (!std::isfinite(value)) return "-";
+    if (!std::isfinite(value)) return "not measured";
     if (row.unit == kShareOfPixels)
         return value == 0 ? "0 %" : fmt::format("{:.{}f} %", 100 * value, value < 0.0095 ? 4 : 2);
     return row.better == Better::NearZero ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);

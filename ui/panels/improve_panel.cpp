@@ -40,7 +40,7 @@ constexpr ModeRow kModes[kImproveModes] = {
     {ImproveMode::Picture, "Fix the picture", "Finds the least bias, and changes that put all wrong pixels right."},
     {ImproveMode::Cheaper, "Cheaper, same look",
      "Finds what saves time without a larger error, and work whose absence changes no byte of the picture."},
-    {ImproveMode::Limits, "Within x ms",
+    {ImproveMode::Limits, "Within a time limit",
      "Finds the most accurate settings within a time, or the cheapest within a mean error."}};
 
 /// Draws the buttons of the aims, two in a row.

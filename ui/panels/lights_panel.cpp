@@ -180,7 +180,7 @@ void draw_lights(LightsPanel& panel, Settings& s, Log& log, const FrameResult* r
         if (intensities) ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
         for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(panel, s, log, i, intensities);
         ImGui::EndTable();
-        panel.listed = true;
+        panel.listed = ImGui::IsItemVisible();
     }
     if (result) cube_cross(s, *result);
 }

@@ -20,7 +20,7 @@ struct LightRename {
 /// State of the list of lights.
 struct LightsPanel {
     std::optional<LightRename> rename;
-    bool listed = false;  ///< the list was drawn in the last frame
+    bool listed = false;  ///< the list was in sight in the last frame
 };
 
 /// Draws the list of lights: a row for each light (shown, on, alone, colour, intensity) and the buttons of the list.

@@ -218,14 +218,17 @@ void reference_column(const PixelDiagnosis& d) {
 void fix_line(EditorState& state, const EditorFrame& frame) {
     const FixSearch& search = frame.pixel_fixes;
     if (const Trial* fix = found_fix(search, state.probe_pixel)) {
-        if (ImGui::SmallButton(fmt::format("Fix: {}", fix->candidate.shown_name()).c_str()))
-            return apply_trial(state, *fix);
+        const std::string name = fmt::format("Fix: {}", fix->candidate.shown_name());
+        const bool fits = text_width(name, ImGui::GetFont()) + 2 * ImGui::GetStyle().FramePadding.x <=
+                          ImGui::GetContentRegionAvail().x;
+        if (ImGui::SmallButton(fits ? name.c_str() : "Apply the fix")) return apply_trial(state, *fix);
         const std::string text = changes_list(fix->candidate.settings, fix->changes);
         plain_tooltip(fmt::format(
             "{}Tried: this pixel gets visibility {:.2f}, {:.2f} is right; {} px are wrong then, {} "
             "now.\nKey {}; {} takes it back",
             text, fix->pixel ? fix->pixel->visibility : 0, fix->pixel ? fix->pixel->reference : 0,
             wrong_pixels(fix->metrics), search.table->wrong, key_text(Command::ApplyFix), key_text(Command::Undo)));
+        if (!fits) wrapped_text(name);
         if (const std::string engine = engine_changes_text(fix->changes); !engine.empty())
             ImGui::TextDisabled("%s", engine.c_str());
     } else if (search.running) {
@@ -359,7 +362,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame) {
     wrapped_tooltip(
         fmt::format("{}\nposition {} m\nnormal {}", where, vec(probe->position_ws, 4), vec(probe->normal_ws, 4)));
     if (frame.result && frame.result->contacts_darkened)
-        help_text("Darkened creases of the picture (view.look) are not a shadow.");
+        help_text("Dark creases are a drawing style (view.look), not a shadow.");
     if (probe->lights.empty()) return;
     // The light whose shadows are measured comes first: its drawing and, next to it, its verdict, which do not scroll.
     const std::size_t first =

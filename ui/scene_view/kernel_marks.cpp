@@ -80,7 +80,9 @@ void draw_tap_key() {
     ImGui::BeginGroup();
     for (const auto& [colour, word] : keys) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + em * 0.2f}, {at.x + em * 0.8f, at.y + em}, colour);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled({at.x, at.y + em * 0.2f}, {at.x + em * 0.8f, at.y + em}, colour);
+        list.AddRect({at.x, at.y + em * 0.2f}, {at.x + em * 0.8f, at.y + em}, theme::muted());
         ImGui::Dummy({em * 1.1f, em});
         ImGui::SameLine(0, 0);
         ImGui::TextUnformatted(word);

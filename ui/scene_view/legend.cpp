@@ -200,7 +200,10 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
     std::vector<Line> lines;
     const auto count_of = [&](std::size_t pixels) {
         const std::size_t n = error->metrics.counted;
-        return n == 0 ? std::string("0") : fmt::format("{}   {:.2f} %", pixels, 100.0 * double(pixels) / double(n));
+        if (n == 0) return std::string("0");
+        const double percent = 100.0 * double(pixels) / double(n);
+        return pixels > 0 && percent < 0.005 ? fmt::format("{}   < 0.01 %", pixels)
+                                             : fmt::format("{}   {:.2f} %", pixels, percent);
     };
     // Causes without a pixel are left out, because fourteen lines would hide a quarter of a small picture.
     for (const ArtefactStyle& style : artefact_styles())

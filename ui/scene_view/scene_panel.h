@@ -19,7 +19,7 @@ struct ScenePanel {
     std::optional<PictureView> view;          ///< placement of the picture in the last frame; none: it was not drawn
     std::optional<glm::ivec2> hovered_pixel;  ///< pixel under the mouse, row 0 at the top
     std::optional<LightHit> hovered_light;    ///< mark or handle of a light under the mouse
-    bool lights_listed = false;               ///< the list of lights was drawn in the last frame
+    bool lights_listed = false;               ///< the list of lights was in sight in the last frame
     char hovered_axis = 0;                    ///< 'x', 'y', 'z': end of the axes under the mouse; 0: none
     std::string menu_object;                  ///< node path that the context menu is about; empty: the background
 

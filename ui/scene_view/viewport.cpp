@@ -222,9 +222,11 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
         draw_legend(pane, shown_fitted_light(state.settings, result), result.map_size, lo.x, bottom, size);
-    if (pane.overlay == 0 && result.contacts_darkened && size.x > ImGui::GetFontSize() * 30)
-        small_text({lo.x + ImGui::GetFontSize() * 0.6f, hi.y - ImGui::GetFontSize() * 1.5f},
-                   "Darkened creases (view.look): not a shadow", theme::kMutedOnPicture);
+    // A picture without marks is bare.
+    const bool marked = state.settings.view.frustum && pane.overlay == 0;
+    if (marked && result.contacts_darkened && size.x > ImGui::GetFontSize() * 30)
+        draw_text_on_picture({lo.x + ImGui::GetFontSize(), hi.y - ImGui::GetFontSize() * 1.6f},
+                             "Dark creases are a drawing style, not a shadow", theme::kOnPicture);
     if (state.viewport.hovered_pixel && index == state.active_pane) {
         // The caption names the pane's overlay, or the side of a comparison.
         const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;
