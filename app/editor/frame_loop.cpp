@@ -166,7 +166,9 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.error = requests.want_error;
     wanted.outputs.health = requests.want_health || requests.search_all;
     wanted.outputs.true_colour = state.comparison.view != ComparisonView::Off && state.comparison.reference;
-    wanted.with_look = state.comparison.view == ComparisonView::Off;  // compared pictures are plain
+    // Compared pictures are plain. A picture that replaces another while a key is held has the look of that one.
+    const bool replaces = state.comparison.view == ComparisonView::Alone && !state.comparison.reference;
+    wanted.with_look = replaces ? facts_.request.with_look : state.comparison.view == ComparisonView::Off;
     wanted.timing = requests.want_timing;
     wanted.forced = state.effects.forced;
     if (state.frozen) wanted.map_camera = MapCamera{state.frozen->camera, state.frozen->seen_m};

@@ -63,6 +63,7 @@ TEST(Editor, ShowsThePixelsOfTheRenderer) {
     FrameRequest request;
     request.width = result.colour.width;
     request.height = result.colour.height;
+    request.with_look = true;
     const Scene scene = load_scene("boxes");
     const ByteImage alone = renderer.read_colour(renderer.render(scene, editor.state().settings, request).colour);
     // Search for the picture near the upper left corner; every bit must match.

@@ -68,6 +68,8 @@ int drawn_vertices(UiHarness& ui) {
 
 TEST(LightGizmo, AppearsNearTheMouseUnlessTheLookIsPlain) {
     Gizmo g(LightType::Spot);
+    g.ui.state.window.open_page = Page::Improve;  // the list of lights is out of sight
+    g.ui.frames(3);
     g.ui.state.viewport.hovered_light.reset();
     const glm::vec2 at = g.place(LightHandle::Far);
     const glm::vec2 away(g.view().origin + glm::dvec2(4, g.view().size.y - 4));

@@ -83,7 +83,7 @@ constexpr std::array<Page, kTabs> first_pages() {
 /// they survive a change of scale.
 struct EditorLayout {
     float settings_width = 24;  ///< width of the inspector
-    float bottom_height = 16;   ///< height of the open strip below, whichever tab is shown
+    float bottom_height = 13;   ///< height of the open strip below, whichever tab is shown
     bool strip_open = false;    ///< the strip below shows a page; else only its tabs
     MapSpot map_place = MapSpot::AboveSettings;
     float map_height = 0.5f;      ///< share of the right column, for AboveSettings
