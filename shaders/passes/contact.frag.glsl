@@ -2,8 +2,8 @@
 // Sousa, Kasyan, Schulz, Secrets of CryENGINE 3 Graphics Technology, SIGGRAPH 2011 (screen-space directional occlusion);
 // Karis and others, contact shadows in Unreal Engine 4.14, 2016.
 #include "lib/seen_surface.glsl"
+#include "lib/camera_depth.glsl"
 #include "lib/disk.glsl"
-layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D camera_depth_map;  // reversed: 0 is far
 
 uniform float length_m, thickness_m;
 uniform int steps;
@@ -11,14 +11,6 @@ uniform int steps;
 layout(location = 0) out float lit_out;
 
 const float RISES_PIXELS = 0.25;  // least height of a blocker above the surface's plane, in pixels
-
-/// Converts camera depth to metres along the camera's axis.
-float camera_z(float depth) {
-    return frame_eye().w > 0.5 ? frame.lens.w - depth * frame.lens.z : 1.0 / (depth * frame.lens.z + frame.lens.w);
-}
-
-/// Returns half the picture's width and height at a distance along the camera's axis, metres.
-vec2 half_picture_m(float z) { return frame.lens.xy * (frame_eye().w > 0.5 ? 1.0 : z); }
 
 /// Returns true when a visible surface blocks the ray of `s` at the point `p`.
 bool is_blocked_at(Surface s, vec3 p) {

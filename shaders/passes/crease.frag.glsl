@@ -1,8 +1,7 @@
 // Share of the picture that contact darkening leaves (look "studio"): creases and places near contacts, from the
 // camera's depth. It is no shadow of a light. crease_blur.frag.glsl averages the shares of 4x4 neighbours.
 // McGuire, Osman, Bukowski, Hennessy, The Alchemy Screen-Space Ambient Obscurance Algorithm, HPG 2011.
-#include "lib/frame.glsl"
-layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D camera_depth_map;  // reversed: 0 is far
+#include "lib/camera_depth.glsl"
 layout(location = 0) out float share_out;
 
 const int SAMPLES = 20;
@@ -12,21 +11,12 @@ const float STRENGTH = 2.4;
 const float DARKEST = 0.55;        // least share of the picture that is left
 const float TILT = 0.004;          // height that counts as flat, by the distance from the camera
 
-/// Converts camera depth to metres along the camera's axis.
-float camera_z(float depth) {
-    return frame_eye().w > 0.5 ? frame.lens.w - depth * frame.lens.z : 1.0 / (depth * frame.lens.z + frame.lens.w);
-}
-
-float depth_at(ivec2 pixel) {
-    return texelFetch(camera_depth_map, clamp(pixel, ivec2(0), textureSize(camera_depth_map, 0) - 1), 0).r;
-}
-
 /// Returns the place of a pixel's surface from the eye, metres along right, up and forwards.
 vec3 place_at(ivec2 pixel) {
     vec2 size = vec2(textureSize(camera_depth_map, 0));
     float z = camera_z(depth_at(pixel));
     vec2 ndc = (vec2(pixel) + 0.5) / size * 2.0 - 1.0;
-    return vec3(ndc * frame.lens.xy * (frame_eye().w > 0.5 ? 1.0 : z), z);
+    return vec3(ndc * half_picture_m(z), z);
 }
 
 /// Returns the shorter of the steps to both neighbours, so that no step crosses an edge.
@@ -46,7 +36,7 @@ void main() {
     if (dot(normal, here) > 0.0) normal = -normal;
     int height = textureSize(camera_depth_map, 0).y;
     // Length of the spiral's radius at this surface, metres.
-    float radius_m = RADIUS * 2.0 * frame.lens.y * (frame_eye().w > 0.5 ? 1.0 : here.z);
+    float radius_m = RADIUS * 2.0 * half_picture_m(here.z).y;
     // Each of 4x4 neighbours turns the spiral by another sixteenth, so that their mean has 16 times the samples.
     float turn = 6.28318531 * float((pixel.x & 3) * 4 + (pixel.y & 3)) / 16.0;
     float sum = 0.0;

@@ -1,22 +1,12 @@
 // Mean of the contact darkening of 4x4 neighbours on the same surface (crease.frag.glsl). It multiplies the picture.
-#include "lib/frame.glsl"
-layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D camera_depth_map;  // reversed: 0 is far
+#include "lib/camera_depth.glsl"
 layout(binding = UNIT_SHADED) uniform sampler2D shares;
 layout(location = 0) out vec4 share_out;
 
 const float SAME_SURFACE = 0.01;  // distance from the plane of a pixel, by the distance from the camera
 
-/// Converts camera depth to metres along the camera's axis.
-float camera_z(float depth) {
-    return frame_eye().w > 0.5 ? frame.lens.w - depth * frame.lens.z : 1.0 / (depth * frame.lens.z + frame.lens.w);
-}
-
-/// Returns the depth of a pixel. Depths are linear across the picture on a plane, as metres are not.
-float depth_at(ivec2 pixel) {
-    return texelFetch(camera_depth_map, clamp(pixel, ivec2(0), textureSize(camera_depth_map, 0) - 1), 0).r;
-}
-
-/// Returns the smaller of the changes of depth to both neighbours, so that none crosses an edge.
+/// Returns the smaller of the changes of depth to both neighbours, so that none crosses an edge. Depths are linear
+/// across the picture on a plane, as metres are not.
 float change_along(ivec2 pixel, ivec2 way, float here) {
     float before = here - depth_at(pixel - way), after = depth_at(pixel + way) - here;
     return abs(before) < abs(after) ? before : after;
@@ -28,7 +18,7 @@ void main() {
     share_out = vec4(1.0);
     if (here == 0.0) return;  // sky
     vec2 slope = vec2(change_along(pixel, ivec2(1, 0), here), change_along(pixel, ivec2(0, 1), here));
-    float sum = 0.0, weight = 0.0;
+    float sum = 0.0, weight = 0.0;  // the pixel itself always counts
     for (int y = -2; y < 2; ++y)
         for (int x = -2; x < 2; ++x) {
             ivec2 other = clamp(pixel + ivec2(x, y), ivec2(0), last);
@@ -37,5 +27,5 @@ void main() {
             sum += texelFetch(shares, other, 0).r;
             weight += 1.0;
         }
-    share_out = vec4(vec3(weight > 0.0 ? sum / weight : texelFetch(shares, pixel, 0).r), 1.0);
+    share_out = vec4(vec3(sum / weight), 1.0);
 }
