@@ -212,9 +212,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     if (requests.welcomed) persistence_.note_welcome();
     follow_memory(requests.want_memory);
     bool changed = frames_.poll();
-    EditorFrame frame;
-    frames_.facts().fill(frame);
-    const std::optional<ReferenceFacts>& reference = frame.reference;
+    const std::optional<ReferenceFacts>& reference = frames_.facts().reference;
     session_.note_tracing(reference && reference->doing == "Tracing rays" ? std::optional(reference->progress)
                                                                           : std::nullopt);
     // The scene must not change while a frame of it is drawn.
