@@ -14,8 +14,6 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/frontier.h"
 #include "renderer/reference/artefact_picture.h"
-#include "renderer/settings/filters.h"
-#include "renderer/settings/param.h"
 
 namespace si {
 namespace {
@@ -50,11 +48,10 @@ std::string number_row(const std::string& label, const std::string& help, const 
     return row + "</tr>\n";
 }
 
-/// Returns the name of the base of costs: "Hard (nearest), 1024²".
-std::string base_name() {
-    Settings base;
-    set_settings(base, base_of_costs());
-    return fmt::format("{}, {}²", filter_of(base).label, base.map.resolution);
+/// Formats a time with the 95 % interval of its median.
+std::string median_text(const Spread& time, std::string_view unit) {
+    return fmt::format("{} {} ({} to {})", digits_text(time.median), unit, digits_text(time.median_low),
+                       digits_text(time.median_high));
 }
 
 /// Returns a value of each case. @param of function of a ReportedCase
@@ -72,11 +69,9 @@ std::string shadow_time_rows(const PresetReport& report) {
         std::vector<double> times;
         for (const ReportedCase& c : report.cases) {
             const Spread& t = c.shadow.*of;
-            const std::string unit(time_unit(report.clock));
+            const std::string_view unit = time_unit(report.clock);
             const bool bound = below_noise(t);
-            texts.push_back(bound ? fmt::format("< {} {}", digits_text(time_or_bound(t)), unit)
-                                  : fmt::format("{} {} ({} to {})", digits_text(t.median), unit,
-                                                digits_text(t.median_low), digits_text(t.median_high)));
+            texts.push_back(bound ? fmt::format("< {} {}", digits_text(time_or_bound(t)), unit) : median_text(t, unit));
             times.push_back(bound ? std::numeric_limits<double>::quiet_NaN() : t.median);
         }
         return number_row(label, help, texts, times, false);
@@ -91,8 +86,8 @@ std::string shadow_time_rows(const PresetReport& report) {
         texts.push_back(std::isnan(c.shadow.of_base) ? "–" : fmt::format("{:.2f} ×", c.shadow.of_base));
         multiples.push_back(c.shadow.of_base);
     }
-    html +=
-        number_row(fmt::format("As a multiple of {}", base_name()), "Timed in the same turns", texts, multiples, true);
+    html += number_row(fmt::format("As a multiple of {}", base_of_costs_name()), "Timed in the same turns", texts,
+                       multiples, true);
     return html + row("Time of the shadows, the light is still",
                       "A frame in which the camera moves and maps are kept, minus the same frame without shadows",
                       &ShadowTime::still_ms);
@@ -135,8 +130,7 @@ std::string number_table(const PresetReport& report) {
         std::vector<double> medians;
         for (const ReportedCase& c : report.cases) {
             const Spread& t = c.time->total_ms;
-            texts.push_back(fmt::format("{} {} ({} to {})", digits_text(t.median), time_unit(c.time->clock),
-                                        digits_text(t.median_low), digits_text(t.median_high)));
+            texts.push_back(median_text(t, time_unit(c.time->clock)));
             medians.push_back(t.median);
         }
         html += number_row(fmt::format("Time of a frame {}", cost_row(report.cost).when),
@@ -157,7 +151,7 @@ FrontierPlot plot_of_presets(const PresetReport& report) {
                       .error_title = "mean error of visibility",
                       .cost_unit = std::string(time_unit(report.clock)),
                       .base_cost = {},
-                      .base_name = base_name(),
+                      .base_name = base_of_costs_name(),
                       .whole = true};
     for (std::size_t i = 0; i < report.cases.size(); ++i) {
         const ShadowTime& time = report.cases[i].shadow;

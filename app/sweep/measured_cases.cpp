@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "app/sweep/base_case.h"
 #include "app/sweep/columns.h"
+#include "renderer/measure/shadow_time.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 
@@ -168,9 +168,7 @@ FrontierPlot frontier_plot(const std::vector<SweepRow>& rows, const std::string&
 }
 
 void add_base(FrontierPlot& plot, const SweepResults& results, const std::string& cost) {
-    const SweepCase base = base_case({});
-    plot.base_name = value_in_plot(base.values[0].first, base.values[0].second) + ", " +
-                     value_in_plot(base.values[1].first, base.values[1].second);
+    plot.base_name = base_of_costs_name();
     const Column* x = find_column(cost);
     plot.base_cost.reset();
     if (!x) return;

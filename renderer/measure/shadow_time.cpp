@@ -1,9 +1,13 @@
 #include "renderer/measure/shadow_time.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
 #include "renderer/measure/measure.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -11,6 +15,11 @@ namespace {
 
 constexpr double kSettledShare = 0.05, kSettledOfFrame = 0.02;
 constexpr int kMaxTurns = 8;
+
+/// Returns which of several comes at a place of a turn. Every other turn goes in reversed order.
+int in_turn(int turn, int place, int count) {
+    return turn % 2 == 0 ? place : count - 1 - place;
+}
 
 int source_without_shadows() {
     const auto rows = sources();
@@ -23,6 +32,12 @@ const std::vector<std::pair<std::string, std::string>>& base_of_costs() {
     static const std::vector<std::pair<std::string, std::string>> base = {{"filter.kernel", "hard"},
                                                                           {"map.resolution", "1024"}};
     return base;
+}
+
+std::string base_of_costs_name() {
+    Settings base;
+    set_settings(base, base_of_costs());
+    return fmt::format("{}, {}²", filter_of(base).label, base.map.resolution);
 }
 
 Settings without_shadows(Settings settings) {
@@ -87,7 +102,7 @@ std::vector<std::vector<double>> time_rounds(int rounds, int kinds, const std::f
     std::vector<std::vector<double>> ms(static_cast<std::size_t>(kinds));
     for (int round = 0; round < rounds; ++round)
         for (int i = 0; i < kinds; ++i) {
-            const int kind = round % 2 == 0 ? i : kinds - 1 - i;
+            const int kind = in_turn(round, i, kinds);
             ms[std::size_t(kind)].push_back(draw_ms(kind));
         }
     return ms;
@@ -136,7 +151,7 @@ std::vector<TurnTimes> time_in_turns(std::size_t count, const std::function<void
     };
     for (int turn = 0; turn < kMaxTurns; ++turn) {
         for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t i = turn % 2 == 0 ? k : count - 1 - k;
+            const auto i = std::size_t(in_turn(turn, int(k), int(count)));
             burst(i, times[i]);
         }
         if (std::ranges::all_of(times, settled)) break;

@@ -23,6 +23,8 @@ inline constexpr CostCase kFrontierCost = CostCase::Light;
 
 /// Returns the settings, as keys with values, of the base of all multiples of costs: the hard kernel, 1024 texels.
 const std::vector<std::pair<std::string, std::string>>& base_of_costs();
+/// Returns the base's name: "Hard (nearest), 1024²".
+std::string base_of_costs_name();
 
 /// Returns the settings of the same frame without shadows: every light has the source "none". Shading stays.
 Settings without_shadows(Settings settings);
