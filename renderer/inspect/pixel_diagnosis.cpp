@@ -139,11 +139,11 @@ private:
         if (reference_.state != PixelState::Counted) return std::string(kUncounted[std::size_t(reference_.state)]);
         if (!p_.casts)
             return d_.right
-                       ? fmt::format("right: {}, as in the reference; {}", state_text(), p_.fitted.reason)
+                       ? fmt::format("correct: {}, as in the reference; {}", state_text(), p_.fitted.reason)
                        : fmt::format("wrong: {}, should be {}; {}", state_text(), reference_text(), p_.fitted.reason);
         if (p_.place == MapPlace::OutsideCasterRegion)
             return d_.right
-                       ? "right: lit, as light.fit has found that nothing can cast a shadow there"
+                       ? "correct: lit, as light.fit has found that nothing can cast a shadow there"
                        : "wrong: lit, should be in shadow, though light.fit has found that nothing can cast a shadow";
         if (reference_.evidence.place == CauseEvidence::kOutside)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}{}", place_name(p_.place),
@@ -182,13 +182,13 @@ private:
         const std::string bias =
             !p_.account.in_map ? fmt::format("needs no bias, as {}, has {}", not_in_map(), given)
             : d_.has.depth >= d_.least.depth || needed == given
-                ? fmt::format("needs {} of bias, has {}", needed, given)
-                : fmt::format("needs {} of bias and has only {}, so neighbours may show acne", needed, given);
+                ? fmt::format("bias {}, needed {}", given, needed)
+                : fmt::format("bias {} is less than the needed {}, so neighbours may show acne", given, needed);
         if (faint_acne())
             return fmt::format(
                 "faint acne: lit, as in the reference, but {:.0f} % of the kernel is self-shadowed{}; {}",
                 100 * (1 - p_.visibility), d_.has.depth < d_.least.depth ? "" : " or by a steeper neighbour", bias);
-        if (!dark()) return fmt::format("right: lit, as in the reference; {}", bias);
+        if (!dark()) return fmt::format("correct: lit, as in the reference; {}", bias);
         if (reference_.any_leak)
             return fmt::format(
                 "faint light: in shadow, as in the reference, but {:.0f} % lit, and no true edge lies within the "
@@ -199,7 +199,7 @@ private:
                 ? fmt::format("{:.0f} % lit, since a true edge lies within the kernel's reach (± {}); ",
                               100 * p_.visibility, reach_text())
                 : "";
-        return fmt::format("right: in shadow, as in the reference, by a surface {} nearer to the light; {}{}",
+        return fmt::format("correct: in shadow, as in the reference, by a surface {} nearer to the light; {}{}",
                            texels(d_.occluder), partly, bias);
     }
 
@@ -216,18 +216,18 @@ private:
                     texels(d_.shift), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningRaster:
                 return fmt::format(
-                    "peter-panning by polygon offset: bias.raster_* shift the map's depths by {} away from the light, "
+                    "peter-panning (polygon offset): bias.raster_* shift the map's depths by {} away from the light, "
                     "past the occluder {} before the surface; without them it is in shadow, as in the reference",
                     texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
             case Artefact::PeterPanningOffset:
                 return fmt::format(
-                    "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} it is in "
+                    "peter-panning (normal offset): the look-up is moved by {} and misses the shadow; {} it is in "
                     "shadow, as in the reference",
                     metres_text(p_.account.receiver.normal_offset_m),
                     reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
-                    "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset and with {} "
+                    "false shadow (normal offset): the look-up is moved by {} into a shadow; without the offset and with {} "
                     "it is lit, as in the reference",
                     metres_text(p_.account.receiver.normal_offset_m),
                     reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
@@ -250,11 +250,11 @@ private:
             case Artefact::Filter:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered >= 0.5f)
                     return fmt::format(
-                        "filter: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} "
+                        "kernel too wide: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} "
                         "are lit, as in the reference",
                         100 * (1 - p_.visibility), filtered_by());
                 return fmt::format(
-                    "filter: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that it "
+                    "kernel too wide: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that it "
                     "needs, is lit, as in the reference",
                     100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
@@ -289,7 +289,7 @@ private:
             case Artefact::NoMap:
                 break;  // handled above
         }
-        return d_.right ? "right" : "wrong";
+        return d_.right ? "correct" : "wrong";
     }
 
     /// Returns the distance across the light within which the kernel reads the map.
@@ -386,10 +386,10 @@ private:
         const CauseEvidence& e = reference_.evidence;
         if (e.gap_all < e.least_nearest && !dark())
             return fmt::format(
-                "undersampled: no depth bias can be right here: even one nearest texel needs {}, but the occluder is "
+                "caster thinner than a texel: no depth bias can be right here: even one nearest texel needs {}, but the occluder is "
                 "{} away; a finer map opens the window",
                 nearest_need(), texels(p_.account.amount(e.gap_all)));
-        return fmt::format("undersampled: the true shadow or light here is {} wide, a texel {}; {}",
+        return fmt::format("caster thinner than a texel: the true shadow or light here is {} wide, a texel {}; {}",
                            metres_text(e.run_m), metres_text(p_.account.receiver.texel_m), sampling_text());
     }
     /// Returns the least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.

@@ -56,8 +56,8 @@ TEST(SectionCommand, DrawingsOfThePageMatchTheirCommands) {
         EXPECT_NE(r.out.find("verdict: "), std::string::npos);
         const std::map<std::string, std::string> said{{"acne", "verdict: acne: needs"},
                                                       {"peter-panning", "verdict: peter-panning: bias moves it"},
-                                                      {"offset", "verdict: peter-panning by normal offset"},
-                                                      {"undersampling", "verdict: undersampled"},
+                                                      {"offset", "verdict: peter-panning (normal offset)"},
+                                                      {"undersampling", "verdict: caster thinner than a texel"},
                                                       {"light-bleeding", "verdict: light bleeding"}};
         ASSERT_TRUE(said.contains(artefact)) << artefact;
         EXPECT_NE(r.out.find(said.at(artefact)), std::string::npos) << artefact << "\n" << r.out;

@@ -240,7 +240,7 @@ TEST_F(DiagnosisTest, AcneUnderAWideKernelIsStillReported) {
     EXPECT_EQ(d.verdict.find("faint acne: lit"), 0u) << d.verdict;
     ASSERT_TRUE(d.fix);
     apply(s, *d.fix);
-    EXPECT_EQ(diagnosis(scene, s, {80, 60}).verdict.find("right: lit"), 0u);
+    EXPECT_EQ(diagnosis(scene, s, {80, 60}).verdict.find("correct: lit"), 0u);
     EXPECT_EQ(measure(scene, s).metrics.any_acne, 0);
 }
 

@@ -79,7 +79,7 @@ Section peter_panning() {
 /// surface.
 Section offset_look_up() {
     Section s = acne();
-    s.artefact = "peter-panning by normal offset";
+    s.artefact = "peter-panning (normal offset)";
     s.moved = {0.1, 0.06};
     s.normal_offset_m = std::hypot(0.1, 0.06);
     s.lookup_texel = 107;

@@ -109,8 +109,8 @@ bool cause_row(const ArtefactStyle& style, bool chosen, const ShownMetrics& of, 
     const ImVec2 lo(at.x, at.y + em * 0.2f), hi(at.x + em * 0.7f, at.y + em * 0.9f);
     list.AddRectFilled(lo, hi, theme::rgb(style.rgb));
     list.AddRect(lo, hi, theme::faint());  // outlines a white mark on a white panel
-    // Two causes have names that differ only at the end: by bias, by offset.
-    const auto fitted = label.find(" by ") == label.npos ? beginning_that_fits : end_that_fits;
+    // Names that differ only in brackets show their ends: "(normal offset)", "(polygon offset)".
+    const auto fitted = label.find(" (") == label.npos ? beginning_that_fits : end_that_fits;
     const std::string shown = fitted(label, width - em * 1.1f, ImGui::GetFont());
     list.AddText({at.x + em * 1.1f, at.y}, ImGui::GetColorU32(ImGuiCol_Text), shown.c_str());
     right_cell(of.known ? fmt::format("{}", pixels) : "-", pixels == 0 ? theme::muted() : theme::text());
