@@ -382,10 +382,11 @@ TEST(Layout, ClickedPixelIsShownBesideThePicture) {
     EXPECT_TRUE(ui.state.shows(Page::Improve));
 }
 
-TEST(Layout, TabWithTwoPagesHasAButtonForEach) {
+TEST(Layout, TabWithSeveralPagesHasAButtonForEach) {
     for (const int width : {800, 1280, 2560}) {
         Shown ui(width, 720);
         for (const auto& [tab, buttons] : {std::pair{Tab::Cost, std::pair{Page::Frontier, Page::Effects}},
+                                           {Tab::Cost, std::pair{Page::Frontier, Page::LightPath}},
                                            {Tab::Compare, std::pair{Page::Compare, Page::Imported}},
                                            {Tab::Lab, std::pair{Page::Lab, Page::Numbers}}}) {
             ui.state.window.open_page = buttons.first;
@@ -405,7 +406,7 @@ TEST(Layout, SecondPressOnAButtonBesideTabsMaximisesNothing) {
     Shown ui(1280, 720);
     ui.state.window.open_page = Page::Frontier;
     ui.frames(4);
-    for (const char* label : {"Frontier", "Effects", "\u00d7"}) {
+    for (const char* label : {"Frontier", "Light path", "Effects", "\u00d7"}) {
         const auto at = ui.find("editor/bottom", "", label);
         ASSERT_TRUE(at) << label;
         ui.frames(30);

@@ -40,11 +40,9 @@ protected:
     UiHarness ui{1900, 1000};
 
     void SetUp() override {
-        ui.state.window.open_page = Page::Frontier;
+        ui.state.window.open_page = Page::LightPath;
         ui.state.layout.bottom_height = 32;
         ui.frames(4);
-        ui.click(ui.find("/frontier_", "", "Along a path of the light"));
-        ui.frames(3);
     }
 };
 
@@ -53,7 +51,7 @@ TEST_F(LightStripTest, ButtonsRequestBothKindsOfPaths) {
     ui.state.light_strip.steps = 7;
     std::optional<EditorRequests> asked;
     const auto press = [&] {
-        const auto at = ui.find("/frontier_", "", "Measure the path");
+        const auto at = ui.find("/light-path_", "", "Measure the path");
         ASSERT_TRUE(at);
         ui.move(*at);
         ui.frames(2);
@@ -78,19 +76,19 @@ TEST_F(LightStripTest, ADragSetsTheLightAndTheWorstStepIsSaved) {
     ui.light_strip.path = &result;
     ui.light_strip.path_current = true;
     ui.frames(3);
-    const auto plot = ui.find("/frontier_", "", "path plot");
+    const auto plot = ui.find("/light-path_", "", "path plot");
     ASSERT_TRUE(plot);
     const double before = ui.state.settings.lights[0].azimuth;
     ui.drag(*plot, {float(ui.width()) * 0.9f, plot->y});
     EXPECT_NE(ui.state.settings.lights[0].azimuth, before);
     EXPECT_GT(ui.state.settings.lights[0].azimuth, 40);
     EXPECT_TRUE(strip_position(result, ui.state.settings));
-    ui.click(ui.find("/frontier_", "", "Go to the worst"));
+    ui.click(ui.find("/light-path_", "", "Go to the worst"));
     ui.frames(2);
     EXPECT_EQ(ui.state.settings.lights[0].azimuth, 40);
     EXPECT_EQ(ui.state.settings.lights[0].elevation, 30);
     ui.state.settings.lights[0].azimuth = 3;
-    ui.click(ui.find("/frontier_", "", "Save the worst…"));
+    ui.click(ui.find("/light-path_", "", "Save the worst…"));
     ui.frames(3);
     EXPECT_EQ(ui.state.settings.lights[0].azimuth, 40);
     EXPECT_EQ(ui.state.files.dialog.job, FileDialog::Job::SavePreset);

@@ -148,7 +148,8 @@ void draw_result(LightStripPanel& panel, Settings& settings, const LightStripFac
         ImGui::SameLine();
         ImGui::TextDisabled("of other settings");
     }
-    draw_plot(panel, settings, result, {ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 4.5f});
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    draw_plot(panel, settings, result, {room.x, std::max(room.y, ImGui::GetFontSize() * 4.5f)});
 }
 
 }  // namespace
@@ -194,7 +195,6 @@ void set_strip_position(const LightPathResult& result, double position, Settings
 
 void draw_light_strip(LightStripPanel& panel, Settings& settings, const LightStripFacts& facts,
                       LightStripRequests& requests) {
-    if (!ImGui::CollapsingHeader("Along a path of the light")) return;
     path_fields(panel);
     if (facts.measuring_path) {
         if (ImGui::Button("Cancel##path")) requests.cancel_path = true;
@@ -205,7 +205,12 @@ void draw_light_strip(LightStripPanel& panel, Settings& settings, const LightStr
         request_path(panel, settings, requests);
     }
     wrapped_tooltip("Measures error, time and shimmer of the shown light at each step, in the background");
-    if (facts.path && !facts.path->steps.empty()) draw_result(panel, settings, facts, requests);
+    if (facts.path && !facts.path->steps.empty()) return draw_result(panel, settings, facts, requests);
+    ImGui::PushTextWrapPos();
+    ImGui::TextDisabled(
+        "Measure the path plots error, time and shimmer over the steps of a moving light. A drag over the plot then "
+        "sets the light.");
+    ImGui::PopTextWrapPos();
 }
 
 }  // namespace si

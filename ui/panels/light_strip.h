@@ -1,4 +1,4 @@
-// Strip of error, time or shimmer along a light's path, which is dragged to set the light. Part of the tab Frontier.
+// Strip of error, time or shimmer along a light's path, which is dragged to set the light.
 #pragma once
 
 #include <optional>
@@ -44,7 +44,7 @@ std::optional<double> strip_position(const LightPathResult& result, const Settin
 /// Sets the settings of a light to a position on a path, 0..1, between its points, too.
 void set_strip_position(const LightPathResult& result, double position, Settings& settings);
 
-/// Draws the strip under a heading that opens it. @param settings changed by a drag, and by going to the worst step
+/// Draws the fields of the path and the strip. @param settings changed by a drag, and by going to the worst step
 void draw_light_strip(LightStripPanel& panel, Settings& settings, const LightStripFacts& facts,
                       LightStripRequests& requests);
 

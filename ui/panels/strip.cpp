@@ -45,9 +45,8 @@ void imported_page(EditorState& state, const EditorFrame& frame, EditorRequests&
     if (requests.select_object) select_objects(state, std::array{*requests.select_object});
 }
 
-void frontier_page(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+void light_path_page(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     draw_light_strip(state.light_strip, state.settings, frame, requests);
-    draw_frontier(state.sweep, state.settings, frame.sweep, requests);
     if (requests.save_worst)
         open_file_dialog(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
                          "The step with the largest error along a path of the light");
@@ -56,7 +55,9 @@ void frontier_page(EditorState& state, const EditorFrame& frame, EditorRequests&
 void draw_strip_page(EditorState& state, const EditorFrame& frame, EditorRequests& requests, Page page) {
     switch (page) {
         case Page::Frontier:
-            return frontier_page(state, frame, requests);
+            return draw_frontier(state.sweep, state.settings, frame.sweep, requests);
+        case Page::LightPath:
+            return light_path_page(state, frame, requests);
         case Page::Effects:
             return draw_effects(state.effects, state.times, frame.result, frame.driver, frame, requests);
         case Page::Compare:

@@ -20,7 +20,7 @@ enum class Panel { Scene, Map, Strip, Inspector };
 enum class Tab { Settings, Objects, Lights, Pixel, Improve, Error, Cost, Compare, Lab, Log };
 inline constexpr int kTabs = index_of(Tab::Log) + 1;
 
-/// Contents of the tabs. A tab with two pages has a button for each.
+/// Contents of the tabs. A tab with more than one page has a button for each.
 enum class Page {
     Settings,
     Objects,
@@ -30,6 +30,7 @@ enum class Page {
     Error,
     Frontier,
     Effects,
+    LightPath,
     Compare,
     Imported,
     Lab,
@@ -42,7 +43,7 @@ inline constexpr int kPages = index_of(Page::Log) + 1;
 struct PageRow {
     Page page;
     Tab tab;
-    const char* label;           ///< text of the page's button in a tab with two pages
+    const char* label;           ///< text of the page's button in a tab with several pages
     const char* key;             ///< name of the option --tab
     const char* other_key = "";  ///< another name of the option; empty: none
 };
@@ -55,6 +56,7 @@ inline constexpr PageRow kPageTable[kPages] = {{Page::Settings, Tab::Settings, "
                                                {Page::Error, Tab::Error, "Error", "error"},
                                                {Page::Frontier, Tab::Cost, "Frontier", "frontier", "cost"},
                                                {Page::Effects, Tab::Cost, "Effects", "effects"},
+                                               {Page::LightPath, Tab::Cost, "Light path", "light-path"},
                                                {Page::Compare, Tab::Compare, "Settings diff", "compare"},
                                                {Page::Imported, Tab::Compare, "Imported map", "imported"},
                                                {Page::Lab, Tab::Lab, "Precision, shimmer", "lab"},
@@ -83,7 +85,7 @@ constexpr std::array<Page, kTabs> first_pages() {
 /// they survive a change of scale.
 struct EditorLayout {
     float settings_width = 24;  ///< width of the inspector
-    float bottom_height = 13;   ///< height of the open strip below, whichever tab is shown
+    float bottom_height = 15;   ///< height of the open strip below, whichever tab is shown
     bool strip_open = false;    ///< the strip below shows a page; else only its tabs
     MapSpot map_place = MapSpot::AboveSettings;
     float map_height = 0.5f;      ///< share of the right column, for AboveSettings
