@@ -65,8 +65,8 @@ void draw_empty_hatch(ImVec2 lo, ImVec2 hi, ImVec2 from, ImVec2 to) {
 void draw_grey_scale(const ViewSettings& view, const FrameResult& frame, ImVec2 end, ImVec2 size) {
     const float em = ImGui::GetFontSize(), pad = em * 0.5f, bar = em * 0.6f;
     if (view.map == MapView::Bands || size.x < em * kScaleLeastWidth || size.y < em * kScaleLeastHeight) return;
-    const std::string low = grey_value_text(view, frame, frame.map_black);
-    const std::string high = grey_value_text(view, frame, frame.map_white);
+    const std::string low = "shown " + grey_value_text(view, frame, frame.map_black);
+    const std::string high = "to " + grey_value_text(view, frame, frame.map_white);
     const float line = theme::small()->FontSize,
                 texts = text_width(low, theme::small()) + text_width(high, theme::small());
     const float width = std::max(em * kScaleWidth, texts + em);

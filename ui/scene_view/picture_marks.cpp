@@ -70,7 +70,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     const auto* middle = &loupe->pixels.data[std::size_t(kLoupeRadiusPixels * (loupe->pixels.width + 1)) * 4];
     ImFont* font = theme::small();
     const std::string colour =
-        fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]);
+        fmt::format("{}, {}   RGB {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]);
     const float across = std::max(side, text_width(colour, font) + em * 0.4f);
     // The loupe moves to the other side if it would cover its own pixels.
     const float at_x = (float(loupe->at.x) + 0.5f) * size.x / float(std::max(frame.result->colour.width, 1));
