@@ -53,6 +53,8 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
       conversion_(state) {
     SessionPlan plan = plan_session(options.session);
     scenes_.set_initial_settings(plan.settings);
+    state.engine_panel.profile = plan.engine.profile;
+    if (plan.engine.angle_deg) state.engine_panel.angle_deg = *plan.engine.angle_deg;
     state.layout = persistence_.workspace().layout;
     if (!options.theme.empty()) state.layout.light_theme = options.theme == "light";
     state.window.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&

@@ -5,6 +5,8 @@
 
 #include "renderer/advise/fixes.h"
 #include "renderer/profiles/engine_profile.h"
+#include "tests/ui/drawn_text.h"
+#include "tests/ui/test_editor.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {
@@ -33,6 +35,9 @@ TEST(EnginePanel, IsFoundByItsNameAndByThoseOfEngines) {
         ui.frames(3);
         EXPECT_EQ(ui.lacking({"Engine", "reference angle"}), "") << search;
     }
+    ui.state.settings_panel.search = "normalBias";
+    ui.frames(3);
+    EXPECT_EQ(ui.lacking({"Engine", "reference angle"}), "") << "a parameter of the chosen engine";
     ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
     EXPECT_FALSE(ui.prints("reference angle"));
@@ -93,6 +98,19 @@ TEST(EnginePanel, TooltipsOfSettingsSayTheConversion) {
     ui.move(kFirstLabel);
     ui.frames(60);
     EXPECT_EQ(ui.lacking({"three.js normalBias (m)", "texels"}), "");
+}
+
+TEST(EditorEnginePanel, ProfileOfTheCommandLineIsChosen) {
+    EditorOptions options = editor_options("boxes", {"engine.bias=-0.0005", "engine.angle=30"});
+    options.session.profile = "three";
+    TestEditor editor(options);
+    EXPECT_EQ(editor.state().engine_panel.profile, &engine_profile("three"));
+    EXPECT_EQ(editor.state().engine_panel.angle_deg, 30);
+    EXPECT_NEAR(engine_value(engine_profile("three"), editor.state().engine_panel.values, "bias"), -0.0005, 1e-9);
+    const DrawnText text;
+    editor.frames(2);
+    for (const char* shown : {"three.js", "normalBias", "reference angle"})
+        EXPECT_TRUE(text.shows(std::string(shown))) << shown;
 }
 
 }  // namespace

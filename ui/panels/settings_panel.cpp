@@ -115,12 +115,30 @@ void sort_front_to_back(std::vector<Group>& list, const EditorState& state) {
     std::ranges::transform(ranked, list.begin(), [](const auto& r) { return r.second; });
 }
 
-/// Returns true when a search finds the group of the engine's parameters: by its name, or by that of an engine.
-bool engine_group_matches(const std::string& search) {
+/// Returns true when a search finds the group of the engine's parameters: by its name, by that of an engine, or by a
+/// parameter of the chosen engine.
+bool engine_group_matches(const std::string& search, const EngineProfile* chosen) {
     if (search.empty() || matches_all_words(search, {"Engine profile"})) return true;
-    return std::ranges::any_of(engine_profiles(), [&](const EngineProfile& p) {
-        return matches_all_words(search, {p.title, p.name});
-    });
+    const auto has_name = [&](const EngineProfile& p) { return matches_all_words(search, {p.title, p.name}); };
+    const auto has_key = [&](const EngineParameter& p) { return matches_all_words(search, {p.key}); };
+    return std::ranges::any_of(engine_profiles(), has_name) ||
+           (chosen && std::ranges::any_of(chosen->parameters, has_key));
+}
+
+/// Draws the group of the engine's parameters, if it is searched for. Returns false if it is not shown.
+bool draw_engine_group(EditorState& state, const EditorFrame& frame) {
+    const std::string& search = state.settings_panel.search;
+    const EngineProfile* const chosen = state.engine_panel.profile;
+    if (state.settings_panel.only_changed || !engine_group_matches(search, chosen)) return false;
+    if (!search.empty())
+        ImGui::SetNextItemOpen(true);
+    else if (chosen)
+        ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+    ImGui::PushFont(theme::strong());
+    const bool open = ImGui::CollapsingHeader("Engine");
+    ImGui::PopFont();
+    if (open) draw_engine_panel(state.engine_panel, state.settings, frame.result);
+    return true;
 }
 
 bool begin_rows(const char* id) {
@@ -263,7 +281,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
     plain_tooltip("Only settings that differ from their defaults");
     ImGui::Dummy({0, em * 0.1f});
     ImGui::BeginChild("rows", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-    bool any = false;
+    bool any = draw_engine_group(state, frame);
     const SceneSettings placed = state.settings.scene;
     std::vector<Group> shown = groups();
     sort_front_to_back(shown, state);
@@ -272,15 +290,6 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
         draw_group(state, frame, requests, group);
     }
     carry_settings(state.settings, placed, state.settings.scene);
-    const bool finds_engine = engine_group_matches(state.settings_panel.search);
-    if (finds_engine && !state.settings_panel.only_changed) {
-        any = true;
-        if (!state.settings_panel.search.empty()) ImGui::SetNextItemOpen(true);
-        ImGui::PushFont(theme::strong());
-        const bool open = ImGui::CollapsingHeader("Engine");
-        ImGui::PopFont();
-        if (open) draw_engine_panel(state.engine_panel, state.settings, frame.result);
-    }
     if (!any)
         ImGui::TextDisabled(state.settings_panel.only_changed ? "Nothing is changed."
                                                               : "No setting matches. × clears the search.");
