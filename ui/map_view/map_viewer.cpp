@@ -42,6 +42,7 @@ void save_menu(EditorState& state, EditorRequests& requests) {
                 "is linear), .png the picture as shown",
                 ImGui::GetFontSize() * 24);
     if (!ImGui::BeginPopup("save map")) return;
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     if (path_input("##file", "file.pfm, .exr or .png", state.map.save_path, "Write"))
         requests.export_file = ExportRequest{ExportKind::Map, state.map.save_path};
     ImGui::EndPopup();
@@ -388,9 +389,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
                                                      : fmt::format("{} objects reach", fitted->clipped_casters));
         draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
     }
-    if (const std::string text = camera ? "" : empty_level_text(state.settings, result); !text.empty())
+    if (const std::string empty = camera ? "" : empty_level_text(state.settings, result); !empty.empty())
         draw_text_on_picture({origin.x + em * 0.8f, end.y - em * 1.8f},
-                             beginning_that_fits(text, size.x - em * 2, ImGui::GetFont()), theme::kMutedOnPicture);
+                             beginning_that_fits(empty, size.x - em * 2, ImGui::GetFont()), theme::kMutedOnPicture);
     draw_grey_scale(state.settings.view, result, end, size);
     list.PopClipRect();
     float y = end.y + em * 0.2f;

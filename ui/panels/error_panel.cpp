@@ -160,6 +160,7 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& r
     if (button_if(frame.error != nullptr || waits_for_errors(frame), "Save…")) ImGui::OpenPopup("save error");
     plain_tooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     if (path_input("##file", "file.json", state.files.error_path, "Write"))
         requests.save_error = state.files.error_path;
     ImGui::EndPopup();

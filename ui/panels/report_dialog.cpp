@@ -83,6 +83,7 @@ void draw_report_dialog(ReportDialog& dialog, const ReportFacts& facts, const Pr
                         &dialog.probed);
     else
         ImGui::TextDisabled("One pixel of each cause is diagnosed; probe a pixel to choose it.");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-em * 7);
     bool write = ImGui::InputTextWithHint("##report output", "path of the page, .html", &dialog.output,
                                           ImGuiInputTextFlags_EnterReturnsTrue);
