@@ -127,19 +127,19 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .counts = Counts::Wrong,
      .causes = causes({Artefact::Acne})},
     {.key = "any_acne",
-     .label = "Acne, any darkening",
+     .label = "Acne, even faint",
      .help = "Fully lit in the reference, darker in the picture, and more bias lights it: includes acne that a wide "
              "kernel hides.",
      .formula = "#{R = 1, V < 1 - 0.001, and more bias lights it: to one half or more where it is wrong, wholly where "
                 "it is not} / n",
      .member = &M::any_acne},
     {.key = "visible_acne",
-     .label = "Acne, over 2 % darker",
+     .label = "Acne over 2 %",
      .help = "Acne that is seen: the picture is more than 2 % darker than the reference.",
      .formula = "#{as any_acne, and V < 0.98} / n",
      .member = &M::visible_acne},
     {.key = "any_leak",
-     .label = "Leak, over 2 % lit",
+     .label = "Leak over 2 %",
      .help = "Light in full shadow, where no true edge lies within the kernel's reach: includes faint light that is "
              "not wrong. It takes rays: `measure`, sweeps, the probe and Save of the tab Error have it, the live "
              "error has not.",
