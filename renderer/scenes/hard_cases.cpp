@@ -4,12 +4,14 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 #include "renderer/base/error.h"
 #include "renderer/bundle/builtin_bundles.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/scenes/stage_materials.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -26,21 +28,29 @@ Scene on_floor(double size = 10, const glm::dvec3& eye = kEye, const glm::dvec3&
                const glm::dmat4& placed = glm::dmat4(1)) {
     Scene scene;
     const int root = add_node(scene, "Case", -1, placed);
-    add_shape(scene, "Floor", root, make_plane(size, size), add_material(scene, "Grey", glm::vec3(0.6f)));
+    Mesh floor = make_plane(size, size);
+    for (glm::vec2& uv : floor.uv.edit()) uv /= kPavingSide_m;
+    add_shape(scene, "Floor", root, std::move(floor), add_paving(scene));
     add_camera(scene, glm::dvec3(placed * glm::dvec4(eye, 1)), glm::dvec3(placed * glm::dvec4(target, 1)), kFov);
     return scene;
 }
 
-/// A mesh of the scene's first material below its root node.
+/// A mesh below the root node of its scene, with the next material of kBodyMaterials.
 struct Body {
     const char* name;
     Mesh mesh;
     glm::dmat4 local;
 };
 
+constexpr const PlainMaterial* kBodyMaterials[] = {&kSlate, &kPorcelain, &kPlaster, &kHeather, &kBrass};
+
 /// Adds bodies to a scene and completes it.
 Scene with_bodies(Scene scene, std::initializer_list<Body> bodies) {
-    for (const Body& body : bodies) add_shape(scene, body.name, 0, body.mesh, 0, body.local);
+    std::size_t used = 0;
+    for (const Body& body : bodies) {
+        const PlainMaterial& material = *kBodyMaterials[used++ % std::size(kBodyMaterials)];
+        add_shape(scene, body.name, 0, body.mesh, add_material(scene, material), body.local);
+    }
     return finished(std::move(scene));
 }
 
@@ -117,7 +127,7 @@ Scene hard_degenerate() {
 Scene hard_stretched() {
     Scene scene = on_floor(10, {-1, 6, 7}, {0, 0.5, 0});
     const int root = add_node(scene, "Stretched", 0, moved(0, 0.75, 0) * scaled(4, 0.5, 1));
-    add_shape(scene, "Box", root, box_turned({1, 1, 1}, 30), 0);
+    add_shape(scene, "Box", root, box_turned({1, 1, 1}, 30), add_material(scene, kSlate));
     return finished(std::move(scene));
 }
 
@@ -241,7 +251,7 @@ Scene hard_blended_sheet() {
     for (const AlphaMode alpha : {AlphaMode::Mask, AlphaMode::Blend}) {
         const bool mask = alpha == AlphaMode::Mask;
         const int material = add_material(scene, mask ? "Mask" : "Blend", glm::vec3(0.8f));
-        scene.materials[std::size_t(material)].base_colour_texture = 0;
+        scene.materials[std::size_t(material)].base_colour_texture = int(scene.textures.size()) - 1;
         scene.materials[std::size_t(material)].alpha = alpha;
         scene.materials[std::size_t(material)].double_sided = true;
         Mesh sheet = make_plane(3, 4);
@@ -327,7 +337,8 @@ Scene given_scene(const glm::dmat4& placed) {
     Scene scene = on_floor(kGivenFloorSide, kEye, kTarget, placed);
     for (const GivenBody& body : kGivenBodies) {
         const glm::dvec3 middle = 0.5 * (body.lo + body.hi);
-        add_shape(scene, "Box", 0, make_box(body.hi - body.lo), 0, moved(middle.x, middle.y, middle.z));
+        add_shape(scene, "Box", 0, make_box(body.hi - body.lo), add_material(scene, kSlate),
+                  moved(middle.x, middle.y, middle.z));
     }
     return finished(std::move(scene));
 }

@@ -7,43 +7,19 @@
 #include "renderer/scenes/foliage.h"
 #include "renderer/scenes/makers.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/scenes/stage_materials.h"
 
 namespace si {
 namespace {
 
-/// Draws a texture of four by four square slabs with slightly different tones and dark joints.
-Texture make_paving() {
-    constexpr int kSize = 256, kSlab = kSize / 4;
-    Texture texture;
-    texture.name = "Paving";
-    texture.width = texture.height = kSize;
-    std::vector<std::uint8_t> rgba(std::size_t(kSize) * kSize * 4);
-    Random random(11);
-    double tones[16];
-    for (double& tone : tones) tone = random.in(0.955, 1.0);
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
-            const int edge =
-                std::min(std::min(x % kSlab, kSlab - 1 - x % kSlab), std::min(y % kSlab, kSlab - 1 - y % kSlab));
-            const double tone = tones[(y / kSlab) * 4 + x / kSlab] * (edge == 0 ? 0.80 : edge == 1 ? 0.93 : 1.0);
-            std::uint8_t* out = &rgba[std::size_t(y * kSize + x) * 4];
-            for (int c = 0; c < 3; ++c) out[c] = std::uint8_t(255 * tone + 0.5);
-            out[3] = 255;
-        }
-    texture.rgba = std::move(rgba);
-    return texture;
-}
-
 void add_ground(Scene& scene, int root) {
-    scene.textures.push_back(make_paving());
-    const int stone = add_material(scene, "Limestone", {0.60f, 0.54f, 0.45f});
-    scene.materials[stone].base_colour_texture = int(scene.textures.size()) - 1;
+    const int stone = add_paving(scene);
     const int plinth = add_material(scene, "Plinth", {0.30f, 0.27f, 0.24f});
 
-    constexpr double kRadius = 13, kSlab_m = 0.8;
+    constexpr double kRadius = 13;
     Mesh disc = make_revolution("ground", {{0, 0, 0, 1}, {kRadius, 0, 0, 1}}, 96);
     for (std::size_t i = 0; i < disc.uv.size(); ++i)
-        disc.uv.edit()[i] = glm::vec2(disc.positions[i].x, disc.positions[i].z) / float(4 * kSlab_m);
+        disc.uv.edit()[i] = glm::vec2(disc.positions[i].x, disc.positions[i].z) / kPavingSide_m;
     const Mesh edge = make_revolution(
         "edge", {{kRadius, 0, 1, 0}, {kRadius, -0.35, 1, 0}, {kRadius, -0.35, 0, -1}, {0, -0.35, 0, -1}}, 96);
     add_shape(scene, "Ground", root, disc, stone);
@@ -132,13 +108,13 @@ void add_tree(Scene& scene, int root) {
 }
 
 void add_things(Scene& scene, int root) {
-    const int plaster = add_material(scene, "Terracotta plaster", {0.56f, 0.25f, 0.15f});
+    const int plaster = add_material(scene, kPlaster);
     scene.materials[plaster].double_sided = true;
-    const int slate = add_material(scene, "Slate", {0.13f, 0.21f, 0.29f});
-    const int porcelain = add_material(scene, "Porcelain", {0.74f, 0.71f, 0.64f});
-    const int heather = add_material(scene, "Heather", {0.33f, 0.22f, 0.33f});
+    const int slate = add_material(scene, kSlate);
+    const int porcelain = add_material(scene, kPorcelain);
+    const int heather = add_material(scene, kHeather);
     const int verdigris = add_material(scene, "Verdigris", {0.16f, 0.34f, 0.30f});
-    const int brass = add_material(scene, "Brass", {0.58f, 0.40f, 0.13f});
+    const int brass = add_material(scene, kBrass);
 
     add_shape(scene, "Wall", root, make_quad(4.2, 2.5), plaster, moved(-2.7, 0, -2.9) * turned(32));
     add_shape(scene, "Ramp", root, make_wedge({2.2, 0.85, 1.35}), slate, moved(1.25, 0, 1.0) * turned(-14));
