@@ -50,7 +50,7 @@ constexpr Choice kCompares[] = {
 };
 
 constexpr Choice kOrigins[] = {
-    {"near", "a place nearby",
+    {"near", "the camera",
      "A place near the camera, and for the maps the middle of the scene: differences are taken in double precision, "
      "before anything is rounded."},
     {"world", "the world's origin", "The choice of many engines: positions become coarser with distance."},
@@ -207,7 +207,7 @@ constexpr auto kMap = only_of_maps(std::to_array<Param>({
      .help = "The computation of a surface's place in the map. Both ways agree in exact numbers. The overlay "
              "transform-difference shows by how many texels they differ in single precision.",
      .also = "bias matrix, texture matrix, texture projection", .shader = true},
-    {SI_FIELD(map.origin), .label = "Positions from", SI_CHOICES(kOrigins),
+    {SI_FIELD(map.origin), .label = "Positions relative to", SI_CHOICES(kOrigins),
      .help = "The origin of positions on the GPU. Both choices agree in exact numbers. Single precision has some seven "
              "digits, and far from the world's origin the distance uses them up."},
     {.key = "map.virtual",

@@ -109,7 +109,7 @@ void pipelines_part(const Settings& settings, bool ready, const FrameResult* res
     }
     if (facts.pipelines.empty()) return ImGui::TextDisabled("Not measured yet.");
     if (!begin_numbers("pipelines",
-                       {{"Positions from, matrix", "The settings map.origin and map.transform"},
+                       {{"Relative to, matrix", "The settings map.origin and map.transform"},
                         {"Texels", "Median distance in the map from the place by double precision"},
                         {"99 %", "of pixels are nearer than this, texels"},
                         {"ULP", "Median distance of the depth from the surface's plane, in steps of a 32-bit float"},
