@@ -26,7 +26,7 @@ TEST(ReportDialogTest, TheMenuOpensItAndItsButtonRequestsAPage) {
     EXPECT_FALSE(ui.prints("The pinned settings A"));
     ui.state.pinned = PinnedSettings{ui.state.settings, "stage"};
     ui.state.report.presets = {"acne"};
-    ui.state.report.output = "mine.html";
+    ui.type("mine.html");  // the path has the keyboard, and letters replace it
     ui.frames(3);
     EXPECT_EQ(ui.lacking({"The pinned settings A", "acne", "Remove"}), "");
     const auto write = ui.find("Report", "", "Write");
