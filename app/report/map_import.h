@@ -16,7 +16,7 @@
 
 namespace si {
 
-// Words of the options that choose a reading.
+// Words of the options that choose a reading: the conventions (Convention) that the file is taken to follow.
 inline constexpr std::array<std::pair<std::string_view, MatrixOrder>, 2> kMatrixKeys{
     {{"columns", MatrixOrder::Columns}, {"rows", MatrixOrder::Rows}}};
 inline constexpr std::array<std::pair<std::string_view, ProductOrder>, 2> kProductKeys{
@@ -63,8 +63,9 @@ std::string axes_words(const LightAxes& axes);
 /// @throws Error where all are refused
 std::vector<ImportChoice> reading_choices(const MapImport& map);
 
-/// Writes the bundle of one reading, whole or not at all. Returns remarks about it.
-/// @param index of MapImport::fits @throws Error for a refused reading, or where the bundle would replace an input
+/// Writes the bundle of a map under one reading (Convention), whole or not at all. Returns remarks about the bundle.
+/// @param index number of the reading in MapImport::fits, from 0
+/// @throws Error for a refused reading, or where the bundle would replace an input
 std::vector<std::string> write_map_import(const MapImport& map, std::size_t index, const std::filesystem::path& output);
 
 }  // namespace si

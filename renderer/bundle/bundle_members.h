@@ -14,66 +14,66 @@ namespace si::bundle {
 
 // Kinds of values. Io classes know how each is read, written and described.
 
-/// Text of limited size.
+/// Kind of value: a text of at most `max_bytes` bytes.
 struct Text {
     using Type = std::string;
     std::size_t max_bytes = 4096;
 };
-/// Name of a file in the bundle.
+/// Kind of value: the name of a file in the bundle.
 struct Path {
     using Type = std::string;
 };
-/// Number from `least` to `most`; `above`: greater than `least`.
+/// Kind of value: a number from `least` to `most`; `above`: greater than `least`.
 struct Number {
     using Type = double;
     double least = -std::numeric_limits<double>::max(), most = std::numeric_limits<double>::max();
     bool above = false;
 };
-/// Whole number from `least` to `most`.
+/// Kind of value: a whole number from `least` to `most`.
 struct Integer {
     using Type = int;
     int least = 0, most = std::numeric_limits<int>::max();
 };
-/// true or false.
+/// Kind of value: true or false.
 struct Switch {
     using Type = bool;
 };
-/// Sixteen numbers, column by column.
+/// Kind of value: a 4 x 4 matrix as sixteen numbers, column by column.
 struct Matrix {
     using Type = glm::dmat4;
 };
-/// Three numbers.
+/// Kind of value: a vector of three numbers.
 struct Vector {
     using Type = glm::dvec3;
 };
-/// Two numbers, the first below the second or, where `may_equal`, equal to it.
+/// Kind of value: two numbers, the first below the second or, where `may_equal`, equal to it.
 struct Pair {
     using Type = std::array<double, 2>;
     double least = -std::numeric_limits<double>::max(), most = std::numeric_limits<double>::max();
     bool may_equal = false;
 };
-/// Ranges of the rows of a warped map: middle, near, far, rise.
+/// Kind of value: ranges of the rows of a warped map: middle, near, far, rise.
 struct Warp {
     using Type = DepthWarp;
 };
-/// Rectangle of texels: x, y, width, height.
+/// Kind of value: a rectangle of texels: x, y, width, height.
 struct Region {
     using Type = BundleRegion;
 };
-/// List of texts.
+/// Kind of value: a list of at most `most` texts.
 struct Texts {
     using Type = std::vector<std::string>;
     std::size_t most = 100'000;
 };
-/// Object of any keys, whose values are texts, numbers or switches.
+/// Kind of value: a JSON object of any keys, whose values are texts, numbers or booleans.
 struct Dictionary {
     using Type = std::map<std::string, std::string>;
 };
-/// Units of a bundle's bias terms (constant, slope, normal) in one text, separated by commas.
+/// Kind of value: the units of a bundle's bias terms (constant, slope, normal) in one text, separated by commas.
 struct BiasUnits {
     using Type = std::array<BiasUnit, 3>;
 };
-/// Value of an enumeration: one of a fixed list of keys.
+/// Kind of value: one key of a fixed list, for a value of an enumeration.
 template <typename T>
 struct ChoiceOf {
     using Type = T;

@@ -27,17 +27,18 @@ enum class ProductOrder { ProjectionView, ViewProjection };
 /// Axis of the light's file that points the other way in the scene's world.
 enum class MirroredAxis { None, X, Y, Z };
 
-/// Axes, hand and unit of the light's file, compared with those of the scene's world.
+/// Axes, hand and unit of the light's file (the JSON file that `import-map` reads), compared with those of the scene's
+/// world.
 struct LightAxes {
     UpAxis up = UpAxis::Y;  ///< axis of the light's file, after mirroring, that becomes the scene's y; never File
     MirroredAxis mirrored = MirroredAxis::None;
     double unit = 1;  ///< lengths of the scene's world in one length of the light's file; above 0
-    /// Returns the matrix from the world space of LIGHT.json to that of the scene.
+    /// Returns the matrix from the world space of the light's file to that of the scene.
     glm::dmat4 scene_from_light() const;
     bool operator==(const LightAxes&) const = default;
 };
 
-/// One reading of a map and its matrix.
+/// Reading of a map and its matrix: one combination of conventions that the file may follow.
 struct Convention {
     DepthConvention depth;
     FirstRow first_row = FirstRow::Bottom;
@@ -73,7 +74,7 @@ struct MapRay {
 /// Function that returns the distance from the start of each ray to the first caster, metres; NaN without one.
 using FirstCasters = std::function<std::vector<double>(std::span<const MapRay>)>;
 
-/// Fit of one reading.
+/// Fit of one reading (Convention) to the scene.
 struct ConventionFit {
     Convention convention;
     bool known = true;        ///< contradicts no known part

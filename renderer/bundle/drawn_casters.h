@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Objects of a scene, told apart by the node paths that were drawn.
+/// Difference between the objects of a scene and the node paths that a bundle lists as drawn into a map.
 struct DrawnCasters {
     std::set<std::string> left_out;  ///< node paths of objects that were not drawn
     std::size_t unknown = 0;         ///< names that are no node with triangles

@@ -19,8 +19,8 @@ enum class EngineBias {
     Unknown,  ///< nobody knows it; it is never taken as 0
 };
 
-/// Returns the knowledge of the engine's bias under these settings. @param maps maps of one light; null, or without
-/// images: the program draws them
+/// Returns the state of knowledge about the bias with which the engine reads these maps.
+/// @param maps imported maps of one light; null, or without images: this program draws the maps
 EngineBias engine_bias(const ImportedMaps* maps, const Settings& settings);
 
 /// Returns true when two settings move the look-up alike. Polygon offset, which acts while maps are drawn, may differ.
@@ -47,7 +47,7 @@ constexpr std::string_view engine_bias_source_key(EngineBias bias) {
                                                                      : "";
 }
 
-/// Returns this knowledge in words, such as "as entered"; empty for an own map.
+/// Returns this knowledge in words, such as "as entered"; empty for this program's own map.
 constexpr std::string_view engine_bias_text(EngineBias bias) {
     switch (bias) {
         case EngineBias::Own:

@@ -53,8 +53,8 @@ std::vector<std::pair<std::string_view, std::string>> normal_offset_settings(con
 /// Returns true when the settings that a bundle holds state the bias of every look-up, as those of this program do.
 bool settings_state_bias(const Bundle& bundle);
 
-/// Returns bias.* of a light's look-up, without polygon offset, where the bundle states all of it in amounts that these
-/// settings can hold; else nothing.
+/// Returns bias.* of a light's look-up, without polygon offset, if the bundle states all its terms in units and amounts
+/// that bias.* can hold; else nothing.
 std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light);
 
 /// Returns which bias a light's look-ups have: that of the settings, one that its bundle states, or an unknown one of
