@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Returns true when every map passes the gate.
+/// Returns true when every imported map passes the gate (MapGate).
 bool all_pass_gate(std::span<const ComparedMap> maps);
 
 /// Formats the comparison of a light's maps: a table with a line a map, the gate of each, and the casters that they

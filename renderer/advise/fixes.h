@@ -34,7 +34,7 @@ FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, cons
 /// their own sizes. Empty: none.
 std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings);
 
-/// Makes a candidate of the change that a pixel diagnosis suggests.
+/// Returns the change that a pixel diagnosis suggests as a candidate, which search_fixes() draws and measures.
 Candidate suggested_candidate(const SuggestedFix& fix, const Settings& settings);
 
 /// Number of candidates to try.
@@ -50,10 +50,10 @@ std::vector<Candidate> fix_candidates(const Settings& settings, const FixFacts& 
 /// Table of measured changes for the wrong pixels of a frame.
 struct FixTable {
     /// Trials: the fix first, then by mean error, wrong pixels and time. Undrawn ones come last. A fix of an imported
-    /// map itself comes before one that was tried on an own map. Trial::why_not is
-    /// empty for a fix: the watched pixel is right within kRightVisibilityError, and wrong pixels, mean error, any acne
-    /// and any leak are no higher than before. It keeps source, camera, direction and scene, and costs at most twice
-    /// the shadow's time and bytes.
+    /// map itself comes before one that was tried on the program's own map. Trial::why_not is empty for a fix: the
+    /// watched pixel is right within kRightVisibilityError, and wrong pixels, mean error, any acne and any leak are no
+    /// higher than before. It keeps source, camera, direction and scene, and costs at most twice the shadow's time and
+    /// bytes.
     std::vector<Trial> rows;
     std::size_t wrong = 0;                           ///< number of wrong pixels before
     std::array<std::size_t, kArtefacts> wrong_of{};  ///< wrong pixels by cause
@@ -86,8 +86,8 @@ struct FixOptions {
 /// @param before the present settings, with their frame
 /// @param shown receives the table so far, after each trial
 /// @param enough number of candidates after which a fix ends the search
-/// @param own returns own maps, on which changes that need another map than the imported one are tried; empty: they are
-/// not tried. Called at the first such change
+/// @param own returns the program's own maps, for changes that need another map than the imported one; empty: such
+/// changes are not tried. Called at the first such change
 /// @returns the table so far when the meter or the report throws Cancelled
 FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std::vector<Candidate> candidates,
                       const TrialMeter& meter, const FixOptions& options, const TrialReport& report = {},

@@ -77,7 +77,7 @@ struct FoundBiasRow {
     bool clean = false;  ///< the least score of those without acne
 };
 
-/// Result of a search for the least bias.
+/// Result of a search for the least bias: all trials, and best(), the one with the least error score (BiasScore).
 struct FoundBias {
     BiasTrial before;                 ///< present bias
     std::vector<TriedBias> tried;     ///< all trials, in the order of the search

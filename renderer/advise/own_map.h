@@ -8,25 +8,26 @@
 
 namespace si {
 
-/// Remark on a change that is tried on an own map.
+/// Remark on a change that is tried on the program's own map.
 inline constexpr std::string_view kTriedOnOwnMap = "tried on the inspector's own map from the same light";
 
 /// The program's own maps of a light, drawn with the matrices, viewports and raster state of its imported ones. They
-/// stand for the imported maps where these pass the gate of compare_imported_maps().
+/// stand for the imported maps where both agree within the limits of the gate (MapGate).
 struct OwnMap {
     Settings settings;        ///< present settings with map.bundle_maps drawn
     MeasuredSettings before;  ///< measured under them
     std::string why_not;      ///< reason why the own maps do not stand for the imported ones; empty: they do
 };
 
-/// Compares a light's imported maps with own ones, and measures the own ones where all maps of the light pass the gate.
+/// Compares a light's imported maps with the program's own maps. Measures the own maps if all maps of the light pass
+/// the gate (MapGate); else OwnMap::why_not has the reason.
 /// @param base settings whose map.bundle gives the maps @param before measured under `base` @throws Cancelled, Error
 OwnMap own_map_of(const SearchTools& tools, const Settings& base, const MeasuredSettings& before,
                   const TrialMeter& meter);
 
-/// Draws a candidate on own maps and compares it with the present settings on own maps. Its changes are those from
-/// `base`, so that they lead to what was drawn. Undrawn for a change that own maps cannot show either, and for a pixel
-/// that is wrong on one of both maps alone.
+/// Draws a candidate on the program's own maps, and compares it with the present settings on the same maps. Its changes
+/// are those from `base`, so that they lead to what was drawn. Leaves it undrawn if own maps cannot show the change
+/// either, or if the watched pixel is wrong on only one of the imported and the own map.
 /// @param before measured under `base` @param pixel index of a pixel to watch, top row first
 Trial try_on_own_map(const Settings& base, const MeasuredSettings& before, const OwnMap& own, Candidate candidate,
                      const TrialMeter& meter, std::optional<std::size_t> pixel = {});

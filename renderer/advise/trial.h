@@ -33,8 +33,8 @@ struct SearchTools {
     Workers workers = {};                   ///< threads of the reference, with the stop token of the search
     TrialReport report = {};                ///< receives progress; empty: nobody does
     const EngineProfile* engine = nullptr;  ///< engine for which is searched: changes that it lacks are left out
-    /// Returns tools for a part of the search: its progress 0..1 is reported as lo..hi. Their report is never empty,
-    /// and throws Cancelled when the stop token requests it.
+    /// Returns tools for a part of the search: its progress 0..1 is reported as lo..hi. The report of these tools is
+    /// never empty, and throws Cancelled once a stop was requested.
     SearchTools part(double lo = 0, double hi = 1) const;
 };
 

@@ -32,7 +32,7 @@ enum class TexelMatch : std::uint8_t {
     Masked,  ///< left out of both, as a masked caster may lie here
 };
 
-/// Limits of the gate that says whether scene, view and raster state reproduce an imported map.
+/// Limits of the gate: the test whether scene, view and raster state reproduce an imported map.
 struct MapGateLimits {
     double missed_share = 1e-3;  ///< of the texels that the imported map covers
     double extra_share = 1e-4;   ///< of the texels that the imported map covers
@@ -44,7 +44,7 @@ struct MapGateLimits {
 /// engine's own space, which no bundle knows.
 inline constexpr MapGateLimits kMovedCasterLimits{.median_steps = 4, .most_steps = 16};
 
-/// Result of the gate.
+/// Result of the gate: whether the imported and the drawn map agree within MapGateLimits.
 struct MapGate {
     bool missed = false, extra = false, median = false, most = false;  ///< true: within the limit
     bool passed() const { return missed && extra && median && most; }
@@ -58,7 +58,8 @@ struct TexelBox {
     bool is_empty() const { return to.x <= from.x || to.y <= from.y; }
 };
 
-/// Options of a comparison of maps. compare_imported_maps() sets `room_m` and `limits` for moved casters.
+/// Options of a comparison of maps. For casters that the engine's shader moves, compare_imported_maps() replaces
+/// `room_m` and `limits`.
 struct MapCompareOptions {
     /// Texels next to texels that the imported map covers, within which an extra texel does not count. 1 for maps of
     /// moments, which are blurred.
