@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// A point on a triangle, with the normals and the shader origin that its bias depends on.
+/// Point on a triangle with the data that its bias depends on: normals, and the origin of positions in shaders.
 struct SurfacePoint {
     glm::dvec3 position_ws{0};
     glm::dvec3 geometric{0, 1, 0};    ///< unit normal of the triangle, on the side that the camera sees

@@ -15,7 +15,7 @@ enum class Message : std::uint8_t {
     Failure = 'e'    ///< the last message: an error sentence
 };
 
-/// Header of a message: its kind, and the bytes that follow.
+/// Header of a message from child to parent: its kind, and the number of bytes that follow.
 struct MessageHeader {
     Message kind = Message::Failure;
     std::uint64_t bytes = 0;

@@ -48,7 +48,8 @@ enum class Result {
 /// Returns a result's name for people: "shadow maps".
 std::string_view result_name(Result result);
 
-/// Reference to a result. `slot` is the number of the pane, for results that every pane has, else 0.
+/// Reference to a result. `slot` is the index of the pane, from 0, for a result that each pane has of its own
+/// (ShownPane::slot); 0 for other results.
 struct ResultRef {
     Result what;
     int slot = 0;

@@ -191,8 +191,9 @@ struct FrameState {
     /// @param extra more defines, which override the frame's; one whose name ends in _FILE selects an include's file
     /// @throws Error when a shader does not compile
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
-    /// Returns true when a fragment shader reads the corners of triangles: for the unit of polygon offset in float
-    /// formats. Such shaders are drawn with the scene's triangles.
+    /// Returns true when a fragment shader reads the corners of its triangle. It needs them for the unit of polygon
+    /// offset, which in float formats depends on the triangle's greatest depth. Draws with such a shader bind the
+    /// scene's triangles.
     bool reads_corners(std::string_view fragment) const;
     /// Draws the opaque and masked batches that the camera sees, with textures bound.
     /// @param fragment fragment shader file

@@ -56,7 +56,7 @@ Framebuffer make_layers_framebuffer(std::string_view label, const Target& colour
 GLenum single_channel_format(GLenum internal_format);
 
 /// Prepares OpenGL for reading pixels into memory: packs rows without gaps and waits for pending draws. OpenGL promises
-/// the wait, but llvmpipe (Mesa 22.3) sometimes returns the old contents of a target that is only being cleared.
+/// the wait, but llvmpipe (Mesa 22.3) sometimes returns the old contents of a target for which only a clear is pending.
 void prepare_read_back();
 
 /// Reads back the finest level of a texture, bottom row first.

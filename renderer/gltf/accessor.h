@@ -39,6 +39,7 @@ public:
 
 private:
     /// Converts elements of a glTF accessor to floats, `width` per element, into `out`.
+    /// @param pick indices of the elements, in this order; empty: all @param place position in the JSON, for errors
     void read(int accessor, const Place& place, int width, std::span<const std::uint32_t> pick, float* out);
     /// Overwrites elements in `out` by the sparse values of a glTF accessor.
     void overlay_sparse(int accessor, const Place& place, int width, float* out);

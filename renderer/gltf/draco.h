@@ -47,7 +47,7 @@ extern const ForeignJob kDracoJob;
 /// @param progress as of run_foreign_job() @throws Error a sentence without the file's name, or "cancelled"
 DracoResults decode_draco(std::span<const DracoMesh> meshes, const std::function<bool(double)>& progress);
 
-/// Decodes packed meshes in this process. The child process runs it. @throws Error
+/// Decodes the packed meshes of a request in this process. The child process of decode_draco() runs it. @throws Error
 std::vector<std::uint8_t> decode_packed_draco(std::span<const std::uint8_t> request,
                                               const std::function<void(double)>& progress);
 

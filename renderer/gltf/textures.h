@@ -53,7 +53,8 @@ private:
     std::optional<int> readable_image(int texture);
     /// Decodes WebP images in child processes, several at once. Returns them in the order of `waiting`.
     std::vector<Image> decode_webp_images(const std::vector<Decoding>& waiting);
-    /// Keeps a decoded image in its texture, or warns why it is not there. Sets its failure.
+    /// Keeps a decoded image in its texture. If decoding failed, warns with the reason and sets the Failure of the
+    /// texture.
     void keep(const Job& job, Image image);
     /// Finds the encoded bytes of a glTF image. Returns an error text, empty on success.
     /// @param storage owns the bytes when they come from a file or data URI

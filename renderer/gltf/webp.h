@@ -24,11 +24,12 @@ bool is_webp(std::span<const std::uint8_t> bytes);
 std::vector<Image> decode_webp(std::span<const std::span<const std::uint8_t>> images, std::size_t max_image_bytes,
                                std::atomic<std::size_t>& bytes_left, const std::atomic<bool>& stop);
 
-/// Decodes packed images in this process, as many as fit into one answer but at least one. The child process runs it.
+/// Decodes the images of a request of pack_webp() in this process: as many as fit into one answer, but at least one.
+/// The child process of decode_webp() runs it.
 std::vector<std::uint8_t> decode_packed_webp(std::span<const std::uint8_t> request,
                                              const std::function<void(double)>& progress);
 
-/// Packs a request of decode_packed_webp().
+/// Packs encoded images and their memory limit into a request for decode_packed_webp().
 std::vector<std::uint8_t> pack_webp(std::span<const std::span<const std::uint8_t>> images, std::size_t max_image_bytes);
 
 }  // namespace si::gltf

@@ -33,17 +33,22 @@ constexpr EffectState state_of(PassState state) {
                                         : EffectState::NotNeeded;
 }
 
-/// Appends the effects within the pass that draws a light's maps: its maps and the alpha test. @param out receives them
+/// Appends the effects (pieces of rendering work) within the pass that draws a light's maps: its maps and the alpha
+/// test.
+/// @param out receives the effects
 void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects within the pass that draws pages of virtual maps. @param out receives the effects
+/// Appends the effects (pieces of rendering work) within the pass that draws pages of virtual maps. @param out receives
+/// the effects
 void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects within the pass that filters moments: blur, mip levels, samples. @param out receives the effects
+/// Appends the effects (pieces of rendering work) within the pass that filters moments: blur, mip levels, samples.
+/// @param out receives the effects
 void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects within the pass that draws the visibility texture: look-ups of each light, contact shadows.
+/// Appends the effects (pieces of rendering work) within the pass that draws the visibility texture: look-ups of each
+/// light, contact shadows.
 /// @param out receives the effects
 void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Appends the effects within the shading pass: ground, sky, tone curve, and the look-ups of each light unless a
-/// visibility texture has them.
+/// Appends the effects (pieces of rendering work) within the shading pass: ground, sky, tone curve, and the look-ups of
+/// each light unless a visibility texture has them.
 /// @param out receives the effects
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
 

@@ -18,9 +18,9 @@ struct MomentBound {
     double floor_spread = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Evaluates the bound of a moment kernel from the moments that it read: the formula of its row (BoundRule) with the
-/// numbers in force, after all clamps.
-/// @param facts with a known `bound`
+/// Evaluates the bound of the lit share that a moment kernel computes from the moments that it read. Gives the formula
+/// of its BoundRule with the parameter values in effect, after all clamps.
+/// @param row the kernel's row @param facts facts with a known `bound`
 MomentBound moment_bound(const Filter& row, const FilterSettings& settings, const KernelFacts& facts);
 
 }  // namespace si

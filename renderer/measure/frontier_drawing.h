@@ -39,7 +39,7 @@ struct PlotSpot {
     Dot dot;
 };
 
-/// Data of a frontier plot.
+/// Data of a frontier plot: error against cost of measured cases, with their Pareto front.
 struct FrontierPlot {
     std::vector<PlotCase> cases;
     std::vector<PlotSpot> spots;

@@ -38,7 +38,7 @@ public:
     void warm_up();
 
 private:
-    /// Settings and request to draw one timed frame with.
+    /// Settings and request of one timed frame.
     struct Frame {
         Settings settings;
         FrameRequest request;

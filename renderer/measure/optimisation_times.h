@@ -88,7 +88,7 @@ private:
     void advance_time();
 };
 
-/// Returns the optimisations that effects name, each once.
+/// Returns the optimisations that skip one of the effects (Effect::optimisation), each once.
 std::vector<Optimisation> optimisations_of(std::span<const Effect> effects);
 
 }  // namespace si

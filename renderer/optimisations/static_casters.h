@@ -19,7 +19,8 @@ struct StaticCandidate {
     bool operator==(const StaticCandidate&) const = default;
 };
 
-/// Merges casters of equal content and sorts them by content. Casters with content 0 are left out.
+/// Merges casters with equal content keys (CasterContent) and sorts them by key. Leaves out casters with key 0, which
+/// never cast.
 /// @param contents,triangles the content key and triangle count by caster
 std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> contents,
                                               std::span<const std::uint64_t> triangles);
@@ -69,9 +70,11 @@ private:
     /// cost of a refill.
     std::uint64_t drawn_in_vain_ = 0;
 
-    /// Decides whether to fill the cache again with the casters that did not move. Called when cached casters have
-    /// moved, or static ones were redrawn long enough. Returns which casters to draw.
-    /// @param rested the casters equal in the last two frames @param[out] reason why no cache is made
+    /// Fills the cache again with the casters that did not move, if they have enough triangles
+    /// (kMaxTrianglesPerStatic). Call when cached casters have moved, or when drawing static casters again and again
+    /// has cost as much as a refill. Returns which casters to draw.
+    /// @param rested casters with the same content key in the last two frames
+    /// @param[out] reason why no cache is made
     Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);
 };
 

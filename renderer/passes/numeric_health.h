@@ -14,7 +14,7 @@ namespace si {
 
 class PagePasses;
 
-/// Pages of one virtual map in a pool whose tiles are read back.
+/// Pages of one virtual map that are searched for invalid numbers, with the place that a finding names.
 struct SearchedPages {
     NumberFinding place;
     std::vector<PlacedPage> pages;

@@ -15,19 +15,19 @@ namespace si {
 /// Stencil shadow volumes of all lights whose light.source is shadow volumes: builds the volumes and counts them at
 /// each pixel.
 ///
-/// The stencil counts how many volumes contain the visible surface, from volume faces behind it: back faces add one,
-/// front faces subtract one (z-fail). The camera may therefore stand inside a volume. Carmack, 2000; Everitt and
-/// Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002; McGuire, Hughes,
-/// Egan, Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.
+/// The stencil counts how many volumes contain the visible surface, by the volume faces behind the surface (z-fail):
+/// back faces add one, front faces subtract one. The camera may therefore stand inside a volume. Carmack, 2000; Everitt
+/// and Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002; McGuire,
+/// Hughes, Egan, Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.
 ///
-/// The older count takes the faces in front of the surface (z-pass, Heidmann, Real Shadows Real Time, 1991): front
-/// faces add one. It is right only where the camera is in no volume and its near plane cuts none.
+/// The older method counts the faces in front of the surface (z-pass, Heidmann, Real Shadows Real Time, 1991): front
+/// faces add one, back faces subtract one. It is right only if the camera is in no volume and its near plane cuts none.
 ///
 /// Volumes are infinite; for an orthographic camera they end far from the scene. Faces beyond the camera's far plane
-/// count, as depth is clamped. A light cap coincides with its caster's surface. It is drawn from the same corners in
-/// the same order, so that depths are equal in every bit, and counts as behind. All masked triangles cast as if
-/// opaque, and so do blended ones that caster.blend lets cast. Caster culling is ignored: all casters cast from both
-/// sides. 256 nested volumes count as none.
+/// count, as depth is clamped. A light cap coincides with its caster's surface. The cap is drawn from the same corners
+/// in the same order, so that depths are equal in every bit. It counts as behind the surface. Masked triangles cast as
+/// if opaque. Blended triangles do so too, where caster.blend lets them cast. Caster culling is ignored: all casters
+/// cast from both sides. 256 nested volumes count as none.
 class ShadowVolumes {
 public:
     /// Largest count of casters' triangles without a closed surface, over all instances. Above it nothing is drawn
@@ -74,7 +74,8 @@ private:
     /// Builds the volume triangles of all casters for one light, and the edge lists of meshes met for the first time.
     /// @param light light index
     void build_volume_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
-    /// Returns an estimate of a light's drawing cost in words: triangles and how often they cover the picture.
+    /// Returns an estimate of a light's drawing cost in words: triangles and how many times their area covers the
+    /// picture.
     std::string describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const;
     /// Uploads the corners of all casting meshes, once for a scene.
     void upload_corners();

@@ -20,7 +20,7 @@ struct TexelRegion {
 /// @param resolution texels along the map's side
 TexelRegion slab_region(const ViewSettings& view, MapSize size);
 
-/// Quad in the scene that shows one texel's stored depth.
+/// Quad in the scene that shows one map texel, at its stored depth or at the depth that compares equal with bias.
 struct TexelSlab {
     glm::ivec2 texel{0};
     bool biased = false;
@@ -38,10 +38,10 @@ struct TexelSlab {
 std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, MapSize size, double stored,
                                         const glm::dvec2& uv);
 
-/// Returns the quads of a rectangle of map texels, at their stored depth or at the depth that compares equal with bias.
-/// Texels that hold the far plane have no quad.
+/// Returns quads in the scene that show a rectangle of map texels. A quad lies at the stored depth, or at the depth
+/// whose comparison under the bias gives equality (compared_distance()). Texels that hold the far plane have no quad.
 /// @param depths one channel, the region's stored depths, bottom row first
-/// @param which the kind of quads, view.slabs
+/// @param which the depths to show (view.slabs): stored, with bias, or both
 std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, MapSize size,
                                    const TexelRegion& region, const std::vector<float>& depths, Slabs which);
 

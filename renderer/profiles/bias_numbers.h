@@ -85,7 +85,8 @@ private:
 inline constexpr std::string_view kConstantAndNormal[] = {"constant", "normal-offset"};
 inline constexpr std::string_view kRasterAndNormal[] = {"raster", "normal-offset"};
 
-// Rows of the table of engines, one function a file.
+// Rows of the table of engines and graphics APIs: parameters of their shadows, and conversion to and from settings. One
+// function a file.
 const EngineProfile& three_profile();
 const EngineProfile& babylon_profile();
 const EngineProfile& playcanvas_profile();

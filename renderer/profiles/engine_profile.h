@@ -88,7 +88,7 @@ struct ReadSetting {
     std::string note;
 };
 
-/// Engine parameter that settings of ours give.
+/// Engine parameter with the number to which this program's settings were converted.
 struct WrittenParameter {
     const EngineParameter* parameter = nullptr;
     double value = 0;  ///< in the engine's unit; for choices the index
@@ -114,7 +114,7 @@ struct WrittenValues {
     double hidden_texels = 0;  ///< equivalent depth bias that the engine adds by itself
     double given_texels = 0;   ///< equivalent depth bias of the written numbers, hidden bias included
 
-    /// Returns the written parameter with a key; null without it.
+    /// Returns the converted parameter with this key (EngineParameter::key); null if the settings give it no number.
     const WrittenParameter* find(std::string_view key) const;
     /// Returns the written numbers as values for read_engine_values().
     EngineValues values() const;

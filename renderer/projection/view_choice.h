@@ -29,7 +29,7 @@ struct ChosenView {
     double share = 0;       ///< weight of `other`, 0 to 1
 };
 
-/// Rule and limits by which a point's view is chosen among a light's views.
+/// Rule and limits for choosing the view of a light (cascade, cube face or clip level) in which a point is looked up.
 struct ViewChooser {
     ViewChoice choice = ViewChoice::One;
     glm::dvec3 from_ws{0};        ///< position of the light (Face) or of the camera (Interval, Distance)

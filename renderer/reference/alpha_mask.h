@@ -27,7 +27,7 @@ struct AlphaTexture {
 
 private:
     std::uint8_t texel(double x, double y) const;
-    /// Bounds of the alpha of 2x2 texels.
+    /// Least and largest alpha of 2x2 texels, between which their bilinear blend lies.
     struct Bounds {
         std::uint8_t least, most;
     };

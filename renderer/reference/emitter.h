@@ -65,7 +65,7 @@ public:
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel);
     /// Returns the ray from the surface point to sample `k`.
     LightRay ray(std::uint32_t k) const;
-    /// Returns the cell of sample `k`.
+    /// Returns the cell of the light's grid that holds sample point `k`.
     LightCell cell(std::uint32_t k) const;
 
 private:

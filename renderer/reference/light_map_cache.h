@@ -47,7 +47,8 @@ private:
     std::uint64_t max_bytes_ = kMaxDiskBytes;
     Counts counts_;
 
-    /// Finds a light map in memory by its content, and gives the map the `key` of this process. Null: not in memory.
+    /// Finds a light map in memory by its content key, and sets LightMap::key to the `key` that the requesting frame
+    /// expects. Null: not in memory.
     std::shared_ptr<const LightMap> find(std::uint64_t content, std::uint64_t key);
     /// Returns the light map's layout for the task's geometry and size, cached from the last call where both are the
     /// same. Thread-safe.

@@ -46,8 +46,8 @@ std::uint32_t compared_bits(float visibility, const ReferencePixel& reference, b
 /// Returns one pixel of a ray-traced reference, for classification. @param i index, top row first
 ReferencePixel true_pixel(const Reference& reference, std::size_t i);
 
-/// Decodes classified pixels from the image FrameResult::classified.
-/// @param classified the image of classes: two channels, sampled at the reference's pixels
+/// Decodes the class of each pixel, with the cause of its error, from the image FrameResult::classified.
+/// @param classified image of two channels, one texel for each pixel of the reference (ReferenceOptions::step)
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified);
 
 /// Returns for each pixel whether its right (bit 0) and lower (bit 1) neighbour show the same surface: a contour

@@ -22,7 +22,7 @@
 
 namespace si {
 
-/// State of a pixel in comparisons with the reference: counted, or the reason why not.
+/// State of a pixel in comparisons with the reference: counted, or the reason why the pixel is not counted.
 enum class PixelState : std::uint8_t {
     Counted,           ///< faces the light and lies in its cone and range
     Background,        ///< shows no surface

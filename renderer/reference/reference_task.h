@@ -50,7 +50,7 @@ ReferenceTask reference_task(const Scene& scene, const Settings& settings, const
 
 class UmbraCache;
 
-/// Traced reference with everything it was computed from, and the times that took.
+/// Traced reference with everything it was computed from, and the wall time of each step.
 struct TracedReference {
     std::shared_ptr<const ReferenceScene> scene;
     std::shared_ptr<const Receivers> receivers;

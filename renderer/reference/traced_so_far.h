@@ -15,8 +15,9 @@ namespace si {
 /// an area light come again with less noise.
 class TracedSoFar {
 public:
-    /// Adds the pixels of one tile of a reference in work. All tiles are of references of one size. @param first the
-    /// tile's upper left pixel @param end the pixel after its lower right one
+    /// Adds the visibility of one tile's pixels from a reference that is still being traced. All references have the
+    /// same size.
+    /// @param first the tile's upper left pixel @param end the pixel after its lower right one
     void add_tile(const Reference& reference, glm::ivec2 first, glm::ivec2 end);
     /// Returns the share of pixels that were added at least once, 0 to 1.
     double share() const;

@@ -59,8 +59,8 @@ struct RendererImpl {
     /// Puts the maps of map.bundle into the frame's request, unless it has maps of its own. @throws Error for a bundle
     /// that cannot be read
     void take_bundle_maps(FrameState& f);
-    /// Draws one frame as Renderer::render() does, but does not call `watch`, the callback that receives invalid
-    /// numbers.
+    /// Draws one frame for Renderer::render(), which may then call `watch`, the callback that receives invalid numbers
+    /// found in the frame.
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Runs the passes of a planned frame, and returns its result.
     FrameResult run_plan(FrameState& f);

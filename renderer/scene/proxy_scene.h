@@ -8,8 +8,8 @@ namespace si {
 
 /// Returns a small proxy scene that needs the same shader programs as `scene`, for shader warm-up. It keeps one object
 /// of each kind (by material, vertex attributes and object settings) and the outermost objects, few of their triangles,
-/// and a few texels of each texture. Cameras and lights are the scene's, and the bounds nearly so. A small scene keeps
-/// all its triangles.
+/// and a few texels of each texture. Cameras and lights are those of `scene`, and its bounds are nearly kept. A small
+/// scene keeps all its triangles.
 Scene stand_in(const Scene& scene, const Settings& settings);
 
 }  // namespace si

@@ -258,8 +258,8 @@ bool is_well_conditioned(const glm::dmat3& m);
 /// Returns all objects of a scene, shown and hidden, in the order of its file.
 std::vector<const Object*> all_objects(const Scene& scene);
 
-/// Returns the objects of a scene without ground and floor, which is compared with main_bounds(); all but the ground
-/// when nothing else remains.
+/// Returns the objects of a scene without its ground and floors: thin, low objects nearly as wide as main_bounds().
+/// Returns all objects but the ground when nothing else remains.
 std::vector<const Object*> objects_without_floor(const Scene& scene);
 
 /// Transforms a whole scene, with its cameras and lights, from the coordinates of its file by `placement`. It replaces

@@ -13,7 +13,8 @@ bool compares_per_texel(const Settings& settings);
 /// it, the map has a depth format and no pages, and a bilinear kernel compares all texels with one depth.
 bool uses_sampler(const Settings& settings);
 
-/// Returns the cost per pixel of the chosen kernel, by the comparison method in use (gathers or shadow sampler).
+/// Returns the cost per pixel of the chosen kernel in texture fetches, by the comparison method in use (gathers or
+/// shadow sampler).
 FilterCost cost_of(const Settings& settings);
 
 }  // namespace si

@@ -48,7 +48,7 @@ struct StoredMoments {
     std::string_view bound = {};  ///< text: upper bound of the lit share, by mean m, variance v and own depth z
 };
 
-/// Work of a kernel for each light and lit pixel.
+/// Work of a kernel for each light and lit pixel, in texture calls and fetched texels.
 struct FilterCost {
     int gathers = 0;       ///< textureGather calls with method gather; 0: one call fetches one texel
     int sampler_taps = 1;  ///< texture calls with the other methods
@@ -104,7 +104,7 @@ struct Filter {
     Samples samples() const { return moments.names.empty() ? Samples::Depth : Samples::Moments; }
     /// Returns the reach of a square kernel, in texels.
     static Reach square_reach(const Filter& row, const Settings&, double widest_texels);
-    /// Returns the cost of a square kernel.
+    /// Returns the cost of a square kernel in texture fetches.
     static FilterCost square_cost(const Filter& row, const Settings& settings);
 };
 

@@ -12,16 +12,16 @@
 
 namespace si {
 
-/// Returns the starting values that the choice of bias.kind in `after` brings along; none if `before` has the same
-/// kind.
+/// Returns the starting values of other settings that come with the choice of bias.kind in `after`; none if `before`
+/// has the same kind.
 std::span<const StartingValue> starting_values(const Settings& before, const Settings& after);
 
 /// Sets in `after` the starting values of starting_values().
 /// @param held keys of settings that keep their values, since the same person set them too
 void set_starting_values(const Settings& before, Settings& after, const std::set<std::string>& held = {});
 
-/// Returns the keys of all settings to which some choice of the setting `ref` brings a starting value; empty for
-/// settings other than bias.kind.
+/// Returns the keys of all settings that some choice of the setting `ref` sets to a starting value; empty for settings
+/// other than bias.kind.
 std::set<std::string> keys_with_starting_values(const SettingRef& ref);
 
 /// Returns the settings that several --set have to name to change `a` to `b`: those that differ, then those that b's

@@ -17,8 +17,9 @@ void set_background_drawing(bool on = true);
 /// pass. llvmpipe draws the pictures of all contexts in one queue of four, and a full queue blocks every thread.
 void throttle_background_drawing();
 
-/// Makes llvmpipe release images that finished pictures retain (see limit_pending_draws()), by using every slot again.
-/// Takes some ten milliseconds: call while idle. Other drivers need no such call.
+/// Makes llvmpipe release images that finished pictures retain (see limit_pending_draws()), by drawing tiny pictures
+/// until every slot of its queue is used again. Takes some ten milliseconds: call while idle. Other drivers need no
+/// such call.
 /// @return false when the machine was so busy that some slots may not have been reached
 bool release_finished_images();
 

@@ -45,7 +45,7 @@ private:
     glm::dvec3 in_view(const glm::dvec3& p) const;
     /// Converts a point from the camera's space to world space.
     glm::dvec3 in_world(const glm::dvec3& p) const { return eye_ + axes_ * glm::dvec3(p.x, p.y, -p.z); }
-    /// Converts the corners of a world-space box to the camera's space.
+    /// Converts a world-space box to the camera's space, corner by corner.
     Box in_view(const Box& box) const;
 
     glm::dvec3 eye_;

@@ -46,7 +46,8 @@ struct VisibleBodies {
     std::vector<glm::dmat4> mesh_from_world;
 };
 
-/// Finds the objects and clusters inside a camera's view frustum, from which the needed parts of maps are found.
+/// Finds the bodies (objects, or clusters of their triangles) inside a camera's view frustum. needed_maps() finds the
+/// needed parts of maps from them.
 /// @param lines height of the picture in pixels
 /// @param clusters function that returns build_clusters() of a mesh; an empty result: the mesh is one cluster
 VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,

@@ -11,8 +11,8 @@ namespace si {
 /// @param receivers depth range of the receivers; null: all receivers between the map's sides
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers = nullptr);
 
-/// Returns the distance in metres between the near plane of a pancaked map and the nearest receiver. Casters clamped to
-/// the near plane then stay in front of every depth they are compared with, whatever the bias.
+/// Returns the distance in metres that the near plane of a pancaked map needs in front of the nearest receiver, for the
+/// bias and the kernel of the settings. Casters clamped to the near plane then stay in front of every compared depth.
 /// @param texel_m width of a texel
 /// @param range_m depth range without the margin
 double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_m);
