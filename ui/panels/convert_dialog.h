@@ -16,7 +16,7 @@ struct ConvertTargetLabel {
     std::string_view name, title;
 };
 
-/// Result of a conversion that the dialog shows.
+/// Result of converting the settings to an engine's code, for the dialog Convert.
 struct ConvertFacts {
     std::span<const ConvertTargetLabel> targets;
     std::string text;                ///< code; empty: it could not be made

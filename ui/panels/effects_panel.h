@@ -15,8 +15,8 @@ struct FrameTimes;
 struct Effect;
 struct SavedTimes;
 
-/// State of the panel Effects, with the optimisations that the user has switched off. They are no settings, since no
-/// picture changes.
+/// State of the panel Effects, with the optimisations that the user has switched off. The switches are no settings,
+/// since they change no picture.
 struct EffectsPanel {
     OptimisationSet forced;   ///< optimisations that are switched off
     bool all_listed = false;  ///< lists also what nothing needs

@@ -111,7 +111,7 @@ struct SweepRequest {
     CostCase timed = kFrontierCost;
 };
 
-/// Requests of the panel Frontier.
+/// Requests of the panel Frontier, which plots error against cost and runs sweeps.
 struct SweepRequests {
     std::optional<SweepRequest> start_sweep;
     bool cancel_sweep = false;

@@ -35,7 +35,7 @@ struct LabFacts {
     bool shimmer_current = false;                       ///< `shimmer` is of the present settings and size
 };
 
-/// Requests of the panel Lab, which measures numerical precision and shimmer.
+/// Requests of the panel Lab: measurements of numerical precision and of shimmer.
 struct LabRequests {
     bool compare_pipelines = false;
     bool cancel_pipelines = false;

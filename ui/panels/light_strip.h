@@ -12,7 +12,7 @@ namespace si {
 /// Number that the strip plots.
 enum class StripPlots { Error, Time, Shimmer };
 
-/// State of the strip.
+/// State of the strip along a light's path: the path's ends, and the number that the strip plots.
 struct LightStripPanel {
     bool day = false;                               ///< the sun over a day; else from one direction to another
     double azimuth_from = -90, azimuth_to = 90;     ///< degrees
@@ -23,7 +23,7 @@ struct LightStripPanel {
     StripPlots plots = StripPlots::Error;
 };
 
-/// Data that the strip shows.
+/// Data that the strip along a light's path shows.
 struct LightStripFacts {
     std::optional<SearchProgress> measuring_path;  ///< none: not under way
     const LightPathResult* path = nullptr;  ///< last result for this scene, also while it is measured; null: none

@@ -11,8 +11,8 @@ namespace si {
 
 struct FoundBias;
 
-/// Request for a search: without limits for the least bias or for advice, with limits for kernels and resolutions, or
-/// for the autopilot.
+/// Request for a search. Without limits: for the least bias, or for advice. With limits: for kernels and resolutions,
+/// or for the autopilot.
 struct SearchRequest {
     std::optional<double> max_error;  ///< largest mean error of visibility
     std::optional<double> max_ms;     ///< longest time of a frame
@@ -27,9 +27,9 @@ struct LimitFields {
     double max_error = 0.01;       ///< largest mean error of visibility
     double max_ms = 10;            ///< longest time of a frame
     CostCase cost = kDefaultCost;  ///< kind of frames that are timed
-    /// Returns true when a limit is on.
+    /// Returns true when a limit is switched on.
     bool any() const { return bound_error || bound_ms; }
-    /// Makes a request for a search within the limits that are on.
+    /// Makes a request for a search within the limits that are switched on.
     SearchRequest request() const;
 };
 /// Draws a limit: its checkbox and its value, which switches it on. @param about its tooltip @param least smallest

@@ -13,7 +13,7 @@ enum class ExportKind {
     Code,     ///< settings as code of an engine; the dialog Convert goes on
 };
 
-/// Request to export the shown frame.
+/// Request to write the shown frame into a file: a bundle, a picture, a map or code.
 struct ExportRequest {
     ExportKind kind = ExportKind::Bundle;
     std::string path;

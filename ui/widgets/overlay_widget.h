@@ -19,8 +19,9 @@ struct HeldKeys {
 /// Returns the number of the overlay that a digit on the keyboard shows, with the modifier keys held: 1 for the first
 /// row of the overlay table. Returns 0 for no overlay, or with Ctrl. @param digit the digit, 1 to 9
 int overlay_of_digit(int digit, const HeldKeys& held);
-/// Returns the shortcut on the keyboard that shows an overlay: "4", "Shift+4"; "0" for none. @param number the
-/// overlay's number: 1 for the first row of the overlay table
+/// Returns the keyboard shortcut that shows an overlay, such as "4" or "Shift+4"; empty if there is none.
+/// @param number the overlay's number: 1 for the first row of the overlay table; 0 for no overlay, with the shortcut
+/// "0"
 std::string overlay_key(int number);
 
 /// Returns the key of the setting that holds a pane's overlay. @param pane the index of the pane, from 0
