@@ -23,7 +23,8 @@ struct PictureSize {
 /// Parses the value of --size, such as "1280x720". @throws UsageError
 PictureSize parse_size(const std::string& text);
 
-/// Memory that a command takes for each pixel of its picture, measured with the software rasteriser.
+/// Bytes of memory that a command takes for each pixel of its picture, by kind of work. Measured with the software
+/// rasteriser.
 enum PixelBytes : std::uint64_t {
     kDrawnPixelBytes = 20,     ///< a picture is drawn, read back and written
     kComparedPixelBytes = 40,  ///< two pictures are
@@ -215,7 +216,8 @@ struct ImportMapOptions : CommandOptions {
     double unit = 0;  ///< lengths of the scene in one of the light's file; 0: not given
     int pick = 0;     ///< row of the list of readings, from 1; 0: the one that fits
 };
-/// Runs the command `import-map`: makes a bundle of one depth map of another engine, and finds how it is to be read.
+/// Runs the command `import-map`: makes a bundle of one depth map of another engine. Finds the conventions that nothing
+/// states: depth range, first row, matrix order, axes and unit.
 void run_import_map(const ImportMapOptions& options);
 
 /// Options of the command `import-capture`. Its output is a folder, .bundle.

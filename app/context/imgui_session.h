@@ -7,7 +7,7 @@ struct ImDrawList;
 
 namespace si {
 
-/// Dear ImGui context with the editor's font and style. Only one may exist at a time. Needs a current OpenGL context
+/// Dear ImGui context with the editor's fonts and style. Only one may exist at a time. Needs a current OpenGL context
 /// from construction to destruction.
 class ImGuiSession {
 public:

@@ -68,7 +68,7 @@ private:
         std::optional<unsigned> character;  ///< for Kind::Character, and for a text key
         glm::dvec2 wheel{0};
     };
-    /// Summary of the events that the present step holds so far.
+    /// Summary of the events in the present step so far. A step of the queue becomes one ImGui frame.
     struct Run {
         std::optional<glm::dvec2> at;  ///< the mouse
         bool pressed = false, typed = false, wheeled = false;

@@ -42,7 +42,7 @@ public:
     Step next();
     /// Returns the state of the mouse for a frame without a new press or release, with the mouse at `at`.
     Step step_without_change(std::optional<glm::dvec2> at);
-    /// Returns the place of the mouse after all waiting events; none: not known.
+    /// Returns the place of the mouse as it will be after all waiting events, in screen coordinates; none: not known.
     std::optional<glm::dvec2> last_position() const;
     /// Returns the number of presses and releases that wait.
     std::size_t waiting() const { return waiting_.size(); }

@@ -49,8 +49,9 @@ struct Conversion {
     std::vector<std::string> notes;  ///< for the user, one line each
 };
 
-/// Returns W and D of light view.light from settings alone: light.extent and light.near, light.far where they are set
-/// by hand, else those of the worked example of the docs. @param[out] source where the numbers come from, a clause
+/// Returns width W and depth range D of the map of view.light, metres, from settings alone. W comes from light.extent,
+/// D from light.near and light.far, where these are set by hand; else the defaults of MapFacts are assumed.
+/// @param[out] source where the numbers come from, a clause
 MapFacts facts_of_settings(const Settings& settings, std::string& source);
 /// Lists the maps of a fitted light, as map_facts() has them. @param size texels of each
 std::vector<ConvertedMap> converted_maps(const Settings& settings, const FittedLight& light, MapSize size);

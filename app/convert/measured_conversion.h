@@ -26,7 +26,8 @@ struct MeasuredConversion {
 MeasuredConversion measure_conversion(const SearchTools& tools, const Settings& settings, const std::string& scene_name,
                                       std::optional<CostCase> timed);
 
-/// Returns the clause that says where the angle of a measured conversion comes from.
+/// Returns a clause that says where the reference angle between normal and light (MeasuredConversion::angle_deg) comes
+/// from.
 std::string angle_source(const MeasuredConversion& measured);
 
 }  // namespace si

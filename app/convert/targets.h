@@ -21,10 +21,10 @@ struct ConvertTarget {
 
 /// Returns all targets.
 std::span<const ConvertTarget> convert_targets();
-/// Returns the target of a name. @throws UsageError with the nearest name and all names
+/// Returns the conversion target with this name. @throws UsageError with the nearest name and all names
 const ConvertTarget& convert_target(std::string_view name);
 
-// Code templates, one function a file.
+// Code templates, one function a file. Each returns code that sets the target's parameters to the converted numbers.
 std::string three_code(const CodeInput& in);
 std::string babylon_code(const CodeInput& in);
 std::string playcanvas_code(const CodeInput& in);

@@ -29,7 +29,8 @@ struct FrameThread {
     std::chrono::milliseconds patience = kFramePatience;
 };
 
-/// Scheduler of the editor's frames on a drawing thread. All calls come from one thread with one OpenGL context.
+/// Scheduler of the editor's frames: update() starts a frame on the drawing thread, poll() fetches its facts. Call all
+/// functions on one thread with one OpenGL context.
 class FrameLoader {
 public:
     /// @param state, session of the editor; outlive this object @throws Error if the thread gets no OpenGL context

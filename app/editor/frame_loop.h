@@ -66,7 +66,8 @@ public:
     const ShaderWarmup* warmup() const { return warmup_.get(); }
 
 private:
-    /// Draws a frame if scene, settings or requests differ from those of the last frame. Returns true if it has drawn.
+    /// Draws a frame if scene, settings or the requested outputs differ from those of the last frame. Returns true if
+    /// it has drawn.
     bool draw(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     /// Adds one more sample per pixel to the picture of a static view (view.smooth). Returns true if the picture or the
     /// log has changed; false: the picture has all its samples, or needs none.

@@ -57,6 +57,7 @@ public:
     /// Looks whether other programs have saved the scene's files. Call regularly, also while nothing is drawn. Returns
     /// true if the editor has to be drawn again. @param now_s time of a steady clock, seconds
     bool follow_scene_files(double now_s) { return scenes_.follow_files(now_s); }
+    /// Looks for saved scene files like the function above, at the present time.
     bool follow_scene_files();
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }

@@ -31,8 +31,9 @@ public:
     /// 1).
     void note_window(int width, int height, bool maximised);
 
-    /// Writes workspace and autosave if they have changed and are due. Call once a frame, and regularly while the
-    /// editor sleeps. Remarks go to the log. @param now_s time of a steady clock, seconds
+    /// Writes workspace and autosave if they have changed and the shortest time between two writes has passed. Call
+    /// once a frame, and regularly while the editor sleeps. Remarks go to the log. @param now_s time of a steady clock,
+    /// seconds
     void write_when_due(EditorState& state, double now_s);
     /// Writes recent files and the session that a crash has left into `frame`. Pointers in it stay valid until the next
     /// non-const call.

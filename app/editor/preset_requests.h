@@ -30,8 +30,8 @@ public:
     /// Restores the session that a crash has left: loads its scene and settings.
     void restore_lost();
     /// Compares the present settings with those opened or saved last, and updates the mark of unsaved settings. While a
-    /// comparison is shown, also loads the settings that state.compare names. Returns true if the mark or the choice of
-    /// settings has changed.
+    /// comparison is shown, also loads the settings that state.compare names. Returns true if the mark, or the choice
+    /// of settings to compare with, has changed.
     bool compare();
     /// Returns the settings that state.compare names, while they are shown; else null.
     const ComparisonFacts* comparison() const { return shows_comparison_ && comparison_ ? &*comparison_ : nullptr; }

@@ -53,7 +53,7 @@ private:
     /// Reads back which texels kernels fetch (FrameResult::texels_read), and computes ReadBackFacts::exact_utilisation,
     /// their share of the map.
     bool update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result);
-    /// Reads back each pixel's place in the map, and finds the texels that the picture reads.
+    /// Reads back each pixel's place in the map, and finds the map texels that the picture reads.
     bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
 

@@ -13,11 +13,12 @@
 
 namespace si {
 
-/// Sweeps of the panel Frontier, one at a time on a thread of its own, and measurements of the present settings.
+/// Runner of the sweeps of the panel Frontier, one at a time on a thread of its own. Measures the present settings on
+/// that thread, too.
 class EditorSweep {
 public:
-    /// Makes the sweeps of the panel Frontier. @param state_folder folder for sweeps, which later runs continue; empty:
-    /// a temporary folder
+    /// Makes the runner without a sweep. @param state_folder folder for sweeps, which later runs continue; empty: a
+    /// temporary folder
     explicit EditorSweep(const std::filesystem::path& state_folder);
     /// Cancels the sweep and waits for its thread.
     ~EditorSweep();

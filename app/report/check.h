@@ -93,7 +93,8 @@ struct CheckFinding {
     std::string text;  ///< one line for people
 };
 
-/// Compares a picture with all limits. @param baseline null: none
+/// Compares a picture's shadow errors with all limits. @param baseline numbers of an earlier check, which are limits
+/// too; null: none
 std::vector<CheckFinding> check_findings(const ErrorMetrics& error, const CheckLimits& limits,
                                          const CheckBaseline* baseline);
 

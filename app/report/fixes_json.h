@@ -18,8 +18,8 @@ nlohmann::ordered_json change_json(const CostChange& ms);
 nlohmann::ordered_json fixes_json(const FixTable& table, const EngineWording& engine = {});
 /// Converts a number of an engine to JSON {value, unit, exactness, texels, metres}.
 nlohmann::ordered_json written_parameter_json(const WrittenParameter& parameter);
-/// Converts changes of settings to JSON in an engine's parameters: {profile, text, parameters}; null without a profile
-/// or where no parameter of the bias changes.
+/// Converts changes of settings to changes of an engine's bias parameters, as JSON {profile, text, parameters}. Null
+/// without a profile, or if no bias parameter changes.
 nlohmann::ordered_json engine_changes_json(const EngineWording& engine,
                                            const std::vector<std::pair<std::string, std::string>>& changes);
 

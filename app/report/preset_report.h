@@ -37,7 +37,7 @@ struct ReportedPixel {
     std::string section;       ///< SVG of the cross-section; empty: none
 };
 
-/// Measurements of one subject.
+/// Measurements of one ReportSubject.
 struct ReportedCase {
     Classification classified;
     std::optional<TimeMeasurement> time;  ///< of whole frames
@@ -45,7 +45,7 @@ struct ReportedCase {
     std::vector<ReportedPixel> pixels;
 };
 
-/// Options of a report.
+/// Options of a PresetReport: pixels to diagnose, and frames to time.
 struct PresetReportOptions {
     std::vector<glm::ivec2> pixels;  ///< pixels to diagnose; empty: one of each cause
     bool time = true;

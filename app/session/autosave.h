@@ -29,7 +29,8 @@ public:
     };
     /// Returns the lost session that is offered for recovery; null: none.
     const Lost* lost() const { return lost_ ? &*lost_ : nullptr; }
-    /// Removes the lost session, after the user restored or declined it, and looks for the next one.
+    /// Removes the file of the lost session (lost()), after the user restored or declined it, and looks for the next
+    /// one.
     void forget_lost();
 
     /// Writes scene and settings to the autosave file if they differ from the start and from the last write, at most

@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Lists the columns of sweep results that may be axes of the frontier plot, in order. @param cost kind of frames that
-/// the times belong to
+/// Lists the columns of sweep results that may be axes of the frontier plot (error against cost), in order. @param cost
+/// kind of frames that the times belong to
 std::vector<MeasuredColumn> measured_columns(CostCase cost = kFrontierCost);
 
 /// Converts a row of sweep results to a dot of the frontier plot.

@@ -33,8 +33,8 @@ public:
         int width = 0, height = 0;
         CostCase cost = kFrontierCost;  ///< kind of frames to time
     };
-    /// Starts a sweep and cancels the present one. @param scene the scene of the first case, copied @param as the scene
-    /// settings (index, animation, time, placement) of that pose
+    /// Starts a sweep and cancels the running one. @param scene scene of the first case, which the sweep copies
+    /// @param as scene settings (index, animation, time, placement) under which `scene` is posed
     void start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene, const SceneSettings& as);
     /// Stops the running sweep. Finished cases stay in its journal.
     void cancel_sweep();
@@ -92,7 +92,7 @@ private:
     /// Measures a requested picture (start_measurement()) and publishes the numbers in the thread's status: first error
     /// and cost, then the frame time. A failure is published as text.
     void measure_picture(Bench& bench, const PictureWanted& wanted);
-    /// Applies a change to the status and wakes the threads that wait for it.
+    /// Applies a change to the status of the measuring thread, and wakes the threads that wait for a change.
     template <typename Change>
     void update_status(const Change& change);
 

@@ -17,10 +17,11 @@ inline constexpr const char* kBasePreset = "base.json";
 /// Rounds of timed frames whose times are comparable: complete rounds (each case was drawn), by runs on one machine
 /// with one clock and one kind of frames.
 using RankedRounds = std::set<std::pair<std::string, int>>;  ///< run and round
-/// Selects the rounds of timed frames that rank the cases of a sweep: those of the kind of frames timed last, on the
-/// machine with most rounds (the latest if several have as many).
+/// Selects the rounds of timed frames by which the cases of a sweep are ranked. Only the kind of frames (CostCase) of
+/// the latest run with a complete round counts. Of the machines that timed this kind, the one with the most complete
+/// rounds counts; the latest one if several have equally many.
 RankedRounds ranked_rounds(const SweepState& state);
-/// Selects the rounds of timed frames whose times are comparable with those of the process `run`.
+/// Selects the complete rounds of timed frames by runs with the machine, driver, clock and kind of frames of `run`.
 RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 
 /// Collects the time samples of one case in rounds whose times are comparable (see ranked_rounds()).

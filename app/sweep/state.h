@@ -18,7 +18,8 @@ namespace si {
 
 inline constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
 
-/// Timed frames of one case in one round. A round draws every case once, so that drift affects all equally.
+/// Timed frames of one case in one round, in which the cases take turns. A round draws every case once, so that drift
+/// affects all equally.
 struct Turn {
     int round = 0;
     std::string run;
@@ -116,7 +117,7 @@ nlohmann::ordered_json facts_line(std::size_t case_number, const CaseFacts& fact
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
 /// Makes the journal line that records timed frames of a case.
 nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
-/// Makes the journal line that records timed frames of base_case().
+/// Makes the journal line that records timed frames of base_case(), of whose time the costs of cases are multiples.
 nlohmann::ordered_json base_turn_line(const Turn& turn);
 
 /// Number of crashes after which a case counts as failed.
