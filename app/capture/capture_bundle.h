@@ -28,8 +28,7 @@ void require_new_bundle(const std::filesystem::path& path);
 Json write_capture_bundle(const std::filesystem::path& capture, const std::vector<int>& picks,
                           const std::filesystem::path& output, const CaptureProgress& progress);
 
-/// Formats a candidate of list_capture(), one shadow map of a capture: "texture 242, slice 1 of 4, 1024 x 1024, D16, 30
-/// draws, directional".
+/// Formats a listed shadow map as text: "texture 242, slice 1 of 4, 1024 x 1024, D16, 30 draws, directional".
 std::string candidate_text(const Json& candidate);
 
 /// Formats the result of comparing a map with its casters drawn again: member `gate` of the summary.

@@ -55,9 +55,9 @@ struct EngineParameter {
     double min = 0, max = 1e6;  ///< range of values that the engine accepts
     std::string_view meaning;
     std::string_view source;   ///< where the engine's documentation or code says so
-    std::string_view setting;  ///< our setting that the parameter changes foremost; empty: none
-    /// Factor from the engine's number to our setting, for parameters that are a setting of ours in another unit.
-    /// 0: EngineProfile::read_bias and write_bias convert.
+    std::string_view setting;  ///< setting that the parameter changes foremost; empty: none
+    /// Factor from the engine's number to this program's setting, for parameters that are a setting in another unit. 0:
+    /// EngineProfile::read_bias and write_bias convert.
     double scale = 0;
     std::span<const EngineChoice> choices = {};
     bool is_bias = false;  ///< number of the bias, which a search for the best bias varies
@@ -65,13 +65,13 @@ struct EngineParameter {
     bool holds_for_double_sided = false;
 };
 
-/// Setting of ours that a profile sets because the engine cannot turn it off.
+/// Setting of this program that a profile sets because the engine cannot turn it off.
 struct ForcedSetting {
     std::string_view key, value;
     std::string_view reason;
 };
 
-/// Setting or choice of ours that the engine lacks.
+/// Setting or choice of this program that the engine lacks.
 struct LackingSetting {
     std::string_view key;    ///< setting
     std::string_view value;  ///< choice; empty: every value but 0 or the first choice
@@ -99,18 +99,18 @@ struct WrittenParameter {
     double metres = 0, texels = 0;  ///< equivalent depth bias at the reference angle; 0 for parameters of no bias
 };
 
-/// Setting of ours without counterpart in an engine.
+/// Setting of this program without counterpart in an engine.
 struct MissingSetting {
     std::string key, value;
     std::string reason;
 };
 
-/// Settings of ours as numbers of an engine.
+/// This program's settings as numbers of an engine.
 struct WrittenValues {
     std::vector<WrittenParameter> parameters;
     std::vector<MissingSetting> missing;
     std::vector<std::string> notes;
-    double wanted_texels = 0;  ///< equivalent depth bias of our settings at the reference angle
+    double wanted_texels = 0;  ///< equivalent depth bias of the settings at the reference angle
     double hidden_texels = 0;  ///< equivalent depth bias that the engine adds by itself
     double given_texels = 0;   ///< equivalent depth bias of the written numbers, hidden bias included
 
@@ -163,14 +163,14 @@ double parse_engine_value(const EngineProfile& profile, const EngineParameter& p
 /// Formats a value of a parameter: the name of a choice, else the shortest number.
 std::string engine_value_text(const EngineParameter& parameter, double value);
 
-/// Converts engine values into our settings: the bias always, other parameters only where a value is given.
+/// Converts engine values into this program's settings: the bias always, other parameters only where a value is given.
 /// @throws Error for facts or values that are not finite or out of range
 std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
                                             const MapFacts& facts);
-/// Converts our settings into parameters of the engine. Settings that a profile has forced count as asked for. The bias
-/// is converted so that the equivalent depth bias at the reference angle is equal, hidden bias included, and never
-/// below 0.
-/// @param kept values of engine parameters that no setting of ours gives, such as a project's console variables
+/// Converts this program's settings into parameters of the engine. Settings that a profile has forced count as asked
+/// for. The bias is converted so that the equivalent depth bias at the reference angle is equal, hidden bias included,
+/// and never below 0.
+/// @param kept values of engine parameters that no setting gives, such as a project's console variables
 /// @throws Error as read_engine_values()
 WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
                                   const EngineValues& kept = {});
