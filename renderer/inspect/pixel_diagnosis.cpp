@@ -227,7 +227,8 @@ private:
                     reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
-                    "false shadow (normal offset): the look-up is moved by {} into a shadow; without the offset and with {} "
+                    "false shadow (normal offset): the look-up is moved by {} into a shadow; without the offset and "
+                    "with {} "
                     "it is lit, as in the reference",
                     metres_text(p_.account.receiver.normal_offset_m),
                     reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
@@ -250,11 +251,13 @@ private:
             case Artefact::Filter:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered >= 0.5f)
                     return fmt::format(
-                        "kernel too wide: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} "
+                        "kernel too wide: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map "
+                        "without {} "
                         "are lit, as in the reference",
                         100 * (1 - p_.visibility), filtered_by());
                 return fmt::format(
-                    "kernel too wide: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that it "
+                    "kernel too wide: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of "
+                    "bias that it "
                     "needs, is lit, as in the reference",
                     100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
@@ -386,7 +389,8 @@ private:
         const CauseEvidence& e = reference_.evidence;
         if (e.gap_all < e.least_nearest && !dark())
             return fmt::format(
-                "caster thinner than a texel: no depth bias can be right here: even one nearest texel needs {}, but the occluder is "
+                "caster thinner than a texel: no depth bias can be right here: even one nearest texel needs {}, but "
+                "the occluder is "
                 "{} away; a finer map opens the window",
                 nearest_need(), texels(p_.account.amount(e.gap_all)));
         return fmt::format("caster thinner than a texel: the true shadow or light here is {} wide, a texel {}; {}",
