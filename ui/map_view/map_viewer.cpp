@@ -155,7 +155,8 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& reque
 std::pair<std::string, std::string> title(const Settings& s, const FrameResult& result, const FittedLight* fitted) {
     const DepthCurve& curve = result.map_view_curve;
     const glm::ivec2 n = result.map_view_size;
-    const std::string range = fmt::format("map's depth range {} to {}", metres_text(curve.near), metres_text(curve.far));
+    const std::string range =
+        fmt::format("map's depth range {} to {}", metres_text(curve.near), metres_text(curve.far));
     if (!fitted) return {fmt::format("camera   {}×{}   32-bit float, reversed", n.x, n.y), range};
     std::string format = "?";
     if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
