@@ -480,8 +480,8 @@ TEST_F(WindowJobs, OpenModelsAndPresetsAndUseKeys) {
         key("Return");
         wait_until_idle();
         key("Return");  // the light's file beside it, compared with the shown scene
-        // The readings are tried in the background, and a press before they are offered does nothing: it is repeated and
-        // counted once.
+        // The readings are tried in the background, and a press before they are offered does nothing: it is repeated
+        // and counted once.
         ++presses_;
         EXPECT_TRUE(wait_until([&] {
             keys("Return");
