@@ -9,6 +9,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/given_map_changes.h"
 #include "renderer/inspect/moment_bound.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/fits/map_limits.h"
@@ -203,6 +204,9 @@ private:
                            texels(d_.occluder), partly, bias);
     }
 
+    /// Returns the name of the pixel's cause, as the legend has it.
+    std::string_view cause_name() const { return artefact_styles()[std::size_t(reference_.cause.artefact) - 1].label; }
+
     std::string wrong() const {
         switch (reference_.cause.artefact) {
             case Artefact::None:
@@ -211,55 +215,52 @@ private:
                 return acne();
             case Artefact::PeterPanning:
                 return fmt::format(
-                    "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} away; "
+                    "{}: bias moves it {} towards the light, past the surface that shadows it from {} away; "
                     "{} it is in shadow, as in the reference",
-                    texels(d_.shift), texels(d_.occluder), less_bias());
+                    cause_name(), texels(d_.shift), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningRaster:
                 return fmt::format(
-                    "peter-panning (polygon offset): bias.raster_* shift the map's depths by {} away from the light, "
+                    "{}: bias.raster_* shift the map's depths by {} away from the light, "
                     "past the occluder {} before the surface; without them it is in shadow, as in the reference",
-                    texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
+                    cause_name(), texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
             case Artefact::PeterPanningOffset:
                 return fmt::format(
-                    "peter-panning (normal offset): the look-up is moved by {} and misses the shadow; {} it is in "
+                    "{}: the look-up is moved by {} and misses the shadow; {} it is in "
                     "shadow, as in the reference",
-                    metres_text(p_.account.receiver.normal_offset_m),
+                    cause_name(), metres_text(p_.account.receiver.normal_offset_m),
                     reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
-                    "false shadow (normal offset): the look-up is moved by {} into a shadow; without the offset and "
-                    "with {} "
-                    "it is lit, as in the reference",
-                    metres_text(p_.account.receiver.normal_offset_m),
+                    "{}: the look-up is moved by {} into a shadow; without the offset and with {} it is lit, as in the "
+                    "reference",
+                    cause_name(), metres_text(p_.account.receiver.normal_offset_m),
                     reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
                 return fmt::format(
-                    "lost caster: should be in shadow of {}, {} nearer to the light, which {} left out of the map",
+                    "{}: should be in shadow of {}, {} nearer to the light, which {} left out of the map", cause_name(),
                     reference_.missing ? reference_.missing_path : "a surface", metres_text(reference_.blocker_m),
                     leaves_out());
             case Artefact::Leak:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered < 0.5f)
                     return fmt::format(
-                        "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its blur "
+                        "{}: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its blur "
                         "(map.blur_texels) find shadow, as in the reference",
-                        100 * p_.visibility);
+                        cause_name(), 100 * p_.visibility);
                 return fmt::format(
-                    "leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it needs, "
+                    "{}: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it needs, "
                     "is in shadow, as in the reference{}",
-                    100 * p_.visibility, nearest_need(),
+                    cause_name(), 100 * p_.visibility, nearest_need(),
                     d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered >= 0.5f)
                     return fmt::format(
-                        "kernel too wide: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map "
-                        "without {} "
-                        "are lit, as in the reference",
-                        100 * (1 - p_.visibility), filtered_by());
+                        "{}: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} are "
+                        "lit, as in the reference",
+                        cause_name(), 100 * (1 - p_.visibility), filtered_by());
                 return fmt::format(
-                    "kernel too wide: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of "
-                    "bias that it "
+                    "{}: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that it "
                     "needs, is lit, as in the reference",
-                    100 * (1 - p_.visibility), nearest_need());
+                    cause_name(), 100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
                 if (reference_.evidence.place == CauseEvidence::kLedOutside)
                     return "outside the map: the normal offset moves the look-up out of the map";
@@ -279,16 +280,18 @@ private:
                         "rays were parallel, which moves its shadows",
                         state_text(), reference_text());
                 return fmt::format(
-                    "edge aliasing: {}, should be {}; neither {} nor the nearest texel alone changes that: the "
+                    "{}: {}, should be {}; neither {} nor the nearest texel alone changes that: the "
                     "shadow's edge runs between this pixel and the texels that it reads",
-                    state_text(), reference_text(), dark() ? "more bias" : "the least bias");
+                    cause_name(), state_text(), reference_text(), dark() ? "more bias" : "the least bias");
             case Artefact::LightBleeding:
                 return light_bleeding();
             case Artefact::Penumbra:
-                return "penumbra: right for a light without size";
+                return fmt::format("{}: right for a light without size", cause_name());
             case Artefact::Contact:
-                return "contact shadow: the ray through the depth buffer meets a surface that does not shadow the "
-                       "pixel; without contact shadows it is lit, as in the reference";
+                return fmt::format(
+                    "{}: the ray through the depth buffer meets a surface that does not shadow the pixel; without "
+                    "contact shadows it is lit, as in the reference",
+                    cause_name());
             case Artefact::NoMap:
                 break;  // handled above
         }
@@ -306,7 +309,7 @@ private:
         used.exponent = std::min(used.exponent, safe_exponent(settings_));
         used.negative_exponent = std::min(used.negative_exponent, safe_exponent(settings_));
         const MomentBound bound = moment_bound(row, used, p_.kernel);
-        std::string text = fmt::format("light bleeding: upper bound {:.2g}", p_.kernel.bound);
+        std::string text = fmt::format("{}: upper bound {:.2g}", cause_name(), p_.kernel.bound);
         if (!std::isnan(bound.floor_spread))
             text +=
                 fmt::format(": the floor of the variance counts as depths spread by ± {}, and the occluder is {} away",
@@ -389,11 +392,10 @@ private:
         const CauseEvidence& e = reference_.evidence;
         if (e.gap_all < e.least_nearest && !dark())
             return fmt::format(
-                "caster thinner than a texel: no depth bias can be right here: even one nearest texel needs {}, but "
-                "the occluder is "
-                "{} away; a finer map opens the window",
-                nearest_need(), texels(p_.account.amount(e.gap_all)));
-        return fmt::format("caster thinner than a texel: the true shadow or light here is {} wide, a texel {}; {}",
+                "{}: no depth bias can be right here: even one nearest texel needs {}, but the occluder is {} away; a "
+                "finer map opens the window",
+                cause_name(), nearest_need(), texels(p_.account.amount(e.gap_all)));
+        return fmt::format("{}: the true shadow or light here is {} wide, a texel {}; {}", cause_name(),
                            metres_text(e.run_m), metres_text(p_.account.receiver.texel_m), sampling_text());
     }
     /// Returns the least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
