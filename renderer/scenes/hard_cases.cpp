@@ -335,10 +335,10 @@ Scene hard_kilometres() {
 /// Makes the scene of the built-in bundles below a node at a place.
 Scene given_scene(const glm::dmat4& placed) {
     Scene scene = on_floor(kGivenFloorSide, kEye, kTarget, placed);
+    const int slate = add_material(scene, kSlate);
     for (const GivenBody& body : kGivenBodies) {
         const glm::dvec3 middle = 0.5 * (body.lo + body.hi);
-        add_shape(scene, "Box", 0, make_box(body.hi - body.lo), add_material(scene, kSlate),
-                  moved(middle.x, middle.y, middle.z));
+        add_shape(scene, "Box", 0, make_box(body.hi - body.lo), slate, moved(middle.x, middle.y, middle.z));
     }
     return finished(std::move(scene));
 }
