@@ -47,7 +47,8 @@ TEST_F(WindowTabs, HundredClicksRestartNoReferenceAndMoveNoPixel) {
             tabs[std::size_t(i)] = *at;
         }
     }
-    // More rays than any machine traces before the last click. The tab Lights shows the marks of the lights.
+    // More rays than any machine traces before the last click. The marks of the lights, which the tab Lights
+    // adds to the picture, are off.
     std::vector<std::string> arguments = {SI_PROGRAM, "edit", "boxes", "--size", "1280x720", "--tab", "error"};
     for (const char* set : {"truth.area=true", "truth.samples=1048576", "truth.noise=0", "light.size=5",
                             "view.smooth=false", "view.axes=false", "view.frustum=false"}) {
