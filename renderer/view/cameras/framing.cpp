@@ -21,7 +21,10 @@ constexpr double kFilled = 0.85;
 /// Longest framed shadow, as a multiple of the size of the model.
 constexpr double kLongestShadow = 3;
 /// Share of the picture that a shadow should cover outside its casters.
-constexpr double kShadowSeen = 0.03;
+constexpr double kShadowSeen = 0.035;
+/// Elevation from which the automatic camera sees an upright model: less than half the usual field of view of 45
+/// degrees, so that the horizon is in the picture.
+constexpr double kUsual_deg = 16;
 /// Highest elevations of the automatic camera. The second applies to shadows on a floor of the file's own, unless the
 /// model is very flat.
 constexpr double kHighest_deg = 50, kHighestOverFloor_deg = 40;
@@ -76,7 +79,7 @@ ShadowView view_for_shadow(const Bounds& standing) {
     const glm::dvec3 size = standing.hi - standing.lo;
     const double upright = std::min(size.y / (kUpright * std::max(std::hypot(size.x, size.z), 1e-300)), 1.0);
     return {std::clamp(standard.azimuth / 45 * std::atan2(size.z, size.x) / kDegree, 15.0, 75.0),
-            kHighest_deg + (standard.elevation - kHighest_deg) * upright};
+            kHighest_deg + (kUsual_deg - kHighest_deg) * upright};
 }
 
 /// Adds the shadows of the model on the ground, or on a floor of the file's own, under the suggested light.
