@@ -128,7 +128,7 @@ Scene make_landscape_scene() {
     add_village(scene, root, paint);
     add_trees(scene, root, paint);
     add_camera(scene, {-70, terrain_height(-70, 215) + 26, 215}, {30, 6, -60}, 40);
-    return finished(std::move(scene), {{"light.azimuth", "-62"}, {"light.elevation", "28"}});
+    return finished(std::move(scene), {{"light.azimuth", "-62"}, {"light.cascades", "4"}, {"light.elevation", "28"}});
 }
 
 }  // namespace si

@@ -115,7 +115,7 @@ SI_TEST_IS(Repeated, CascadesTest, FourMissLessThanOneAtTheSameResolution);
 TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
     const Scene scene = load_scene("landscape");
     for (const char* choice : {"interval", "map"}) {
-        Settings s = settings_for(scene, {"map.resolution=512", {"light.cascade_choice", choice}});
+        Settings s = settings_for(scene, {"light.cascades=1", "map.resolution=512", {"light.cascade_choice", choice}});
         Measurer measurer(renderer, 320, 180);
         const ErrorMetrics one = measurer.classify(scene, s).error;
         s.lights[0].cascades = 4;

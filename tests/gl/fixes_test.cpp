@@ -282,7 +282,7 @@ TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     width = 320;
     height = 180;
     const Scene scene = load_scene("landscape");
-    const Settings s = settings_for(scene, {"map.resolution=512", "light.fit=scene"});
+    const Settings s = settings_for(scene, {"light.cascades=1", "map.resolution=512", "light.fit=scene"});
     const FixTable table = find_fixes(tools(scene), s, {});
     const Trial* four = row(table, "4 cascades");
     ASSERT_TRUE(four);

@@ -199,7 +199,8 @@ SI_TEST_IS(Repeated, PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels);
 TEST_F(PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");
     Measurer measurer(renderer, 160, 90);
-    Settings s = settings_for(scene, {"map.resolution=4096", "bias.kind=slope", "bias.constant=0.1", "bias.normal=3"});
+    Settings s = settings_for(
+        scene, {"light.cascades=1", "map.resolution=4096", "bias.kind=slope", "bias.constant=0.1", "bias.normal=3"});
     const Classification fixed = measurer.classify(scene, s);
     set_all(s, {"map.virtual=true", "map.virtual_bias=-1"});
     const Classification paged = measurer.classify(scene, s);

@@ -79,7 +79,7 @@ TEST_F(ViewOptimisationsTest, CastersWithoutVisibleShadowAreNotDrawn) {
 TEST_F(ViewOptimisationsTest, RunsOfLargeCastersThatShadowNothingVisibleAreNotDrawn) {
     const Scene scene = load_scene("landscape");
     Settings s =
-        settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"map.resolution", "512"}});
+        settings_for(scene, {"light.cascades=1", "camera.source=manual", "camera.elevation=60", "map.resolution=512"});
     s.camera.target_x = scene.bounds.centre().x;
     s.camera.target_y = scene.bounds.hi.y;
     s.camera.target_z = scene.bounds.lo.z;

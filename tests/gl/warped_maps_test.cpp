@@ -95,7 +95,7 @@ TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndUniformInThePicture) {
     double near[2], far[2];
     const char* fits[] = {"view", "lispsm"};
     for (int i = 0; i < 2; ++i) {
-        const Settings s = settings_for(scene, {{"light.fit", fits[i]}, "map.resolution=1024"});
+        const Settings s = settings_for(scene, {{"light.fit", fits[i]}, "light.cascades=1", "map.resolution=1024"});
         const FloatImage pixels = values(scene, s, "pixels-per-texel");
         near[i] = median(pixels, 82, 90);
         far[i] = median(pixels, 28, 36);
@@ -116,7 +116,7 @@ TEST_F(WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference) {
     };
     const Scene land = load_scene("landscape"), ground = long_ground({0, 0, 0});
     const auto on_land = [&](const char* fit) {
-        return error(land, settings_for(land, {{"light.fit", fit}, "map.resolution=1024"})).mae;
+        return error(land, settings_for(land, {{"light.fit", fit}, "light.cascades=1", "map.resolution=1024"})).mae;
     };
     const double view = on_land("view"), warped = on_land("lispsm");
     EXPECT_LT(warped, 0.65 * view) << view;

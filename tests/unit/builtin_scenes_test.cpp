@@ -49,7 +49,7 @@ std::uint64_t fnv1a(const std::string& bytes) {
 
 /// Hash of each scene as a .glb file.
 const std::map<std::string, std::string> kContents = {
-    {"boxes", "a8753f6a8ea737b6"},  {"figures", "b66fcd7a2271c628"}, {"landscape", "1fb160c900586263"},
+    {"boxes", "a8753f6a8ea737b6"},  {"figures", "b66fcd7a2271c628"}, {"landscape", "3234defc65dc4dba"},
     {"plane", "ba6aa561348953c5"},  {"relief", "ab137dafd0471770"},  {"stage", "f7a26e20b9f81c17"},
     {"teapot", "7b3bd220b15d0726"},
 };
