@@ -155,10 +155,10 @@ public:
         first_seen_.assign(out_.state.size(), {});
         std::vector<std::uint8_t> wanted(out_.state.size());
         for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = is_traced(out_.state[i]);
-        sample(wanted, workers.with_progress_range(0, 0.4),
+        double done = first_share();
+        sample(wanted, workers.with_progress_range(0, done),
                [&](std::size_t i, RayBatch& batch) { return first_samples(i, batch); });
         // Samples of a neighbour may find a penumbra that the own ones missed.
-        double done = 0.4;
         while (first_ < most()) {
             wanted = around_penumbrae();
             if (std::ranges::all_of(wanted, [](std::uint8_t w) { return w == 0; })) break;
@@ -193,6 +193,15 @@ private:
     glm::vec3 to_light_{0};  ///< direction to a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
+    /// Returns the expected share of the first samples in all samples of an area light, for the progress.
+    double first_share() const {
+        constexpr double kInPenumbra = 0.2;  // of the pixels
+        // Mitchell 1996: the error at an edge falls with the number of samples to the power of -3/4.
+        constexpr double kErrorOf64Samples = 0.017, kSmallestNoise = 1e-9;
+        const double fewest = std::min(kPenumbraSamples, most());
+        const double needed = 64 * std::pow(kErrorOf64Samples / std::max(query_.options.noise, kSmallestNoise), 4.0 / 3);
+        return first_ / (first_ + kInPenumbra * std::clamp(needed, fewest, double(most())));
+    }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
 
     void summarise() {
