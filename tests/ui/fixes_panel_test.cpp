@@ -128,6 +128,12 @@ TEST(TunedBiases, AreShownSideBySideAndTakenByAButton) {
     ui.frames(5);
     EXPECT_EQ(ui.lacking({"Normal offset", "Constant", "325 *", "321", "654", "34 mm"}), "");
     EXPECT_FALSE(ui.prints("of other settings"));
+    ui.tuned.tried[0].row = &*std::ranges::find(biases(), "receiver-plane-derivatives", &Bias::key);
+    ui.state.layout.settings_width = 20;
+    ui.frames(5);
+    EXPECT_EQ(ui.lacking({"Receiver plane by derivatives", "wrong", "shift"}), "") << "whole names in a narrow panel";
+    ui.state.layout.settings_width = 40;
+    ui.frames(5);
     const Settings before = ui.state.settings;
     const auto second = [&](const char* label) {
         return ui.find("found", [=](ImGuiID seed) {
@@ -135,7 +141,7 @@ TEST(TunedBiases, AreShownSideBySideAndTakenByAButton) {
             return ImHashStr(label, 0, ImHashData(&row, sizeof row, ImHashStr("tuned", 0, seed)));
         });
     };
-    ui.click(second("Constant"));
+    ui.click(second("##Constant"));
     ASSERT_TRUE(ui.state.tried);
     EXPECT_EQ(ui.state.tried->settings.bias.constant, 9);
     EXPECT_EQ(ui.state.settings, before) << "shown before it is taken";

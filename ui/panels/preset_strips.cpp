@@ -137,7 +137,7 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const std::vector<Run> runs = note_runs(sequence, guide.key, guide.title, guide.about);
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
     // The number of lines is the same for all presets of the sequence, so that the picture keeps its place and size.
-    constexpr int kMinLines = 2, kMaxLines = 3;
+    constexpr int kMinLines = 2, kMaxLines = 5;
     int lines = kMinLines;
     for (const PresetEntry& preset : sequence) {
         if (lines >= kMaxLines) break;

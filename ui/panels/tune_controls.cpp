@@ -29,7 +29,13 @@ void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Se
     if (!current) ImGui::TextDisabled("of other settings: search again");
     if (!begin_table(
             "tuned", ImGuiTableFlags_SizingStretchProp,
-            {{"##take"}, {.heading = "tried", .share = 2}, {"score"}, {"wrong"}, {"acne"}, {"gap"}, {"shift"}}))
+            {{.heading = "##take", .share = 1.1f},
+             {.heading = "tried", .share = 2.3f},
+             {.heading = "score", .share = 1},
+             {.heading = "wrong", .share = 1},
+             {.heading = "acne", .share = 0.9f},
+             {.heading = "gap", .share = 1.3f},
+             {.heading = "shift", .share = 0.85f}}))
         return;
     int id = 0;
     for (const auto& [b, least, clean] : found->table()) {
@@ -49,7 +55,7 @@ void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Se
         plain_tooltip(fmt::format("Sets {}; {} takes it back", text, key_text(Command::Undo)));
         ImGui::TableNextColumn();
         const bool seen = tried && tried->bias == b->bias;
-        if (ImGui::Selectable(std::string(b->row->label).c_str(), seen || settings.bias == b->bias)) {
+        if (wrapped_selectable(std::string(b->row->label), seen || settings.bias == b->bias)) {
             if (seen)
                 requests.hide_tried = true;
             else

@@ -203,6 +203,17 @@ inline bool begin_table(const char* id, ImGuiTableFlags flags, std::initializer_
     return true;
 }
 
+/// Draws a selectable as wide as the column, with its label broken into lines. Returns true when it was pressed.
+inline bool wrapped_selectable(const std::string& label, bool selected) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::CalcTextSize(label.c_str(), nullptr, false, width).y;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool pressed = ImGui::Selectable(("##" + label).c_str(), selected, ImGuiSelectableFlags_None, {width, height});
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(ImGuiCol_Text),
+                                        label.c_str(), nullptr, width);
+    return pressed;
+}
+
 /// Draws text in the table's next column.
 inline void text_cell(std::string_view text, ImU32 colour = theme::text()) {
     ImGui::TableNextColumn();
