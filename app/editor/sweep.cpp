@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/session/command_line.h"
+#include "app/session/engine_session.h"
 #include "app/sweep/files.h"
 #include "app/sweep/measured_cases.h"
 #include "app/sweep/progress_line.h"
@@ -72,6 +73,19 @@ std::string shown_cost(const SweepFacts& facts, const std::string& chosen) {
 /// Returns the settings without those that have no effect, and without the camera's and the view's.
 Settings comparable(const Settings& settings) {
     return without_ineffective_settings(measured_settings(settings));
+}
+
+bool is_same(const MeasuringThread::Picture& a, const MeasuringThread::Picture& b) {
+    return a.scene->id == b.scene->id && a.settings == b.settings && a.width == b.width && a.height == b.height &&
+           a.cost == b.cost;
+}
+
+/// Returns true if two pictures show the same scene from the same camera, under shadows that differ.
+bool differ_in_shadows_only(const MeasuringThread::Picture& of_a, const MeasuringThread::Picture& of_b) {
+    const Settings &a = of_a.settings, &b = of_b.settings;
+    return of_a.scene->id == of_b.scene->id && of_a.width == of_b.width && of_a.height == of_b.height &&
+           of_a.cost == of_b.cost && a.camera == b.camera && a.scene == b.scene && a.truth == b.truth &&
+           !differing_settings(comparable(a), comparable(b)).empty();
 }
 
 }  // namespace
@@ -149,16 +163,64 @@ void EditorSweep::measure_present(const Scene& scene, const EditorState& state) 
     const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
     wanted.truth.area = shown_ ? shown_->spec.area : panel.area;
     const CostCase cost = shown_ ? swept_cost_ : panel.timed;
-    const bool same = followed_ && followed_->scene->id == scene.id && followed_->settings == wanted &&
-                      followed_->width == width && followed_->height == height && followed_->cost == cost;
-    if (same) return;
-    followed_ = MeasuringThread::Picture{copy_of(scene), wanted, width, height, cost};
+    MeasuringThread::Picture present{copy_of(scene), wanted, width, height, cost};
+    if (followed_ && is_same(*followed_, present)) return measure_marks(scene, state);
+    followed_ = std::move(present);
+    mark_.reset();
     thread().start_measurement(*followed_);
+}
+
+void EditorSweep::measure_marks(const Scene& scene, const EditorState& state) {
+    if (mark_ || facts_.measuring_present || moved() || !facts_.present_problem.empty()) return;
+    const auto measure = [&](const Settings* settings) {
+        const auto picture = settings ? present_picture_under(*settings) : std::nullopt;
+        const auto is_refused = [&](const MeasuringThread::Picture& p) { return is_same(p, *picture); };
+        if (!picture || finished(picture) || std::ranges::any_of(refused_, is_refused)) return false;
+        mark_ = picture;
+        thread().start_measurement(*picture);
+        return true;
+    };
+    if (!measure(state.pinned ? &state.pinned->settings : nullptr)) measure(engine_defaults(scene, state));
+}
+
+std::optional<MeasuringThread::Picture> EditorSweep::present_picture_under(const Settings& settings) const {
+    if (!followed_) return {};
+    MeasuringThread::Picture picture = *followed_;
+    picture.settings = measured_settings(settings);
+    picture.settings.truth.area = followed_->settings.truth.area;
+    if (!differ_in_shadows_only(picture, *followed_)) return {};
+    return picture;
+}
+
+const Settings* EditorSweep::engine_defaults(const Scene& scene, const EditorState& state) {
+    const EnginePanel& panel = state.engine_panel;
+    if (!panel.profile) return nullptr;
+    const bool known = engine_.profile == panel.profile && engine_.angle_deg == panel.angle_deg &&
+                       engine_.scene == scene.id && engine_.over == state.settings;
+    if (!known) {
+        engine_ = {panel.profile, panel.angle_deg, state.settings, scene.id, state.settings};
+        try {
+            apply_engine({.profile = panel.profile, .values = {}, .angle_deg = panel.angle_deg}, scene, false, {},
+                         *engine_.are);
+        } catch (const Error&) {
+            engine_.are.reset();
+        }
+    }
+    return engine_.are ? &*engine_.are : nullptr;
+}
+
+const EditorSweep::Finished* EditorSweep::finished(const std::optional<MeasuringThread::Picture>& picture) const {
+    if (!picture) return nullptr;
+    for (const std::vector<Finished>* list : {&finished_, &marks_})
+        for (const Finished& f : *list)
+            if (is_same(f.of, *picture)) return &f;
+    return nullptr;
 }
 
 void EditorSweep::stop_measuring_present() {
     if (!followed_) return;
     followed_.reset();
+    mark_.reset();
     thread_->cancel_measurement();
 }
 
@@ -204,12 +266,22 @@ void EditorSweep::fetch_results() {
     MeasuringThread::Status status = thread_->status();
     seen_ = status.version;
     fresh_ = true;
-    present_ = std::move(status.measured);
-    facts_.measuring_present = status.measuring;
-    facts_.present_problem = status.measure_problem;
-    facts_.present_is_old = status.measuring && present_ && present_->time;  // times are measured last
-    if (!status.measuring && status.measure_problem.empty() && present_ && followed_)
-        note_finished({*followed_, *present_});
+    if (mark_) {
+        if (!status.measuring) {
+            const MeasuringThread::Picture of = *std::exchange(mark_, std::nullopt);
+            if (status.measure_problem.empty() && status.measured)
+                note_finished(marks_, {of, *status.measured});
+            else
+                refused_.push_back(of);
+        }
+    } else {
+        present_ = std::move(status.measured);
+        facts_.measuring_present = status.measuring;
+        facts_.present_problem = status.measure_problem;
+        facts_.present_is_old = status.measuring && present_ && present_->time;  // times are measured last
+        if (!status.measuring && status.measure_problem.empty() && present_ && followed_)
+            note_finished(finished_, {*followed_, *present_});
+    }
     if (opened_ && status.sweep == seen_sweep_) return;  // another sweep is shown
     opened_ = false;
     seen_sweep_ = status.sweep;
@@ -225,31 +297,19 @@ void EditorSweep::fetch_results() {
     facts_.current = status.sweeping ? progress_text(status.progress, timing) : "";
 }
 
-void EditorSweep::note_finished(const Finished& finished) {
-    std::erase_if(finished_, [&](const Finished& f) { return f.of.settings == finished.of.settings; });
-    if (finished_.size() == kMaxFinished) finished_.erase(finished_.begin());
-    finished_.push_back(finished);
+void EditorSweep::note_finished(std::vector<Finished>& list, const Finished& finished) {
+    std::erase_if(list, [&](const Finished& f) { return f.of.settings == finished.of.settings; });
+    if (list.size() == kMaxFinished) list.erase(list.begin());
+    list.push_back(finished);
 }
 
 EditorSweep::Earlier EditorSweep::earlier(const EditorState& state) const {
     if (!followed_) return {};
-    const MeasuringThread::Picture& now = *followed_;
-    const auto comparable_with_now = [&](const Finished& f) {
-        const Settings &a = f.of.settings, &b = now.settings;
-        return f.of.scene->id == now.scene->id && f.of.width == now.width && f.of.height == now.height &&
-               f.of.cost == now.cost && a.camera == b.camera && a.scene == b.scene && a.truth == b.truth &&
-               !differing_settings(comparable(a), comparable(b)).empty();
-    };
+    if (state.pinned)
+        if (const Finished* pinned = finished(present_picture_under(state.pinned->settings))) return {pinned, true};
     Earlier found;
-    for (const Finished& f : finished_) {
-        if (!comparable_with_now(f)) continue;
-        found.is = &f;
-        if (!state.pinned) continue;
-        Settings pinned = measured_settings(state.pinned->settings);
-        pinned.truth.area = now.settings.truth.area;
-        found.pinned = pinned == f.of.settings;
-        if (found.pinned) break;
-    }
+    for (const Finished& f : finished_)
+        if (differ_in_shadows_only(f.of, *followed_)) found.is = &f;
     return found;
 }
 
@@ -274,6 +334,7 @@ bool EditorSweep::update(const EditorState& state) {
     const bool settings_moved = compared_ != state.settings || compared_scene_ != state.scene_name;
     fresh_ |= std::exchange(seen_pinned_, state.pinned) != state.pinned;
     fresh_ |= std::exchange(seen_timed_, state.sweep.timed) != state.sweep.timed;
+    fresh_ |= std::exchange(seen_engine_, state.engine_panel.profile) != state.engine_panel.profile;
     if (!fresh_ && !axes_moved && !settings_moved) return false;
     if (fresh_ || settings_moved) {
         compare_settings(state);
@@ -318,6 +379,14 @@ bool EditorSweep::update(const EditorState& state) {
     if (results_) add_base(facts_.view.plot, *results_, facts_.cost);
     for (PlotSpot& spot : facts_.view.plot.spots)
         if (spot.kind == PlotSpot::Kind::Pinned && before.pinned) spot.label = "A";
+    facts_.engine.reset();
+    const bool has_engine = state.engine_panel.profile && state.engine_panel.profile == engine_.profile && engine_.are;
+    if (const Finished* engine = has_engine ? finished(present_picture_under(*engine_.are)) : nullptr) {
+        facts_.engine = measured_case(engine->numbers);
+        if (facts_.view.present)
+            add_spot(facts_.view.plot, PlotSpot::Kind::Engine, std::string(engine_.profile->title), engine->numbers,
+                     facts_.cost, state.sweep.error);
+    }
     seen_cost_ = state.sweep.cost;
     seen_error_ = state.sweep.error;
     fresh_ = false;

@@ -31,9 +31,10 @@ public:
         if (thread_) thread_->cancel_sweep();
     }
     /// Measures error and time of the present settings for the panel Frontier in the background, unless they were
-    /// measured already. Cancels a measurement of other settings.
+    /// measured already. Cancels a measurement of other settings. Then measures the pinned settings, and the defaults
+    /// of the chosen engine. Call it each frame.
     void measure_present(const Scene& scene, const EditorState& state);
-    /// Stops measuring the present settings. Call when no panel shows them.
+    /// Stops measuring the present settings and the marks beside them. Call when no panel shows them.
     void stop_measuring_present();
     /// Shows the results in a sweep's folder, and sets the panel to the sweep's axes. @throws Error
     void open(const std::filesystem::path& folder, SweepPanel& panel);
@@ -75,8 +76,16 @@ private:
     };
     /// Fetches new results from the measuring thread.
     void fetch_results();
-    /// Adds a finished measurement of present settings to the last ones.
-    void note_finished(const Finished& finished);
+    /// Adds a finished measurement to a list of the last ones.
+    static void note_finished(std::vector<Finished>& list, const Finished& finished);
+    /// Measures the next of the settings that are marked beside the present ones.
+    void measure_marks(const Scene& scene, const EditorState& state);
+    /// Returns the present picture under other settings; none if they show another picture, or shadows alike.
+    std::optional<MeasuringThread::Picture> present_picture_under(const Settings& settings) const;
+    /// Computes the defaults of the chosen engine over the present settings; null: no engine, or none can be given.
+    const Settings* engine_defaults(const Scene& scene, const EditorState& state);
+    /// Returns the finished measurement of a picture; null: there is none.
+    const Finished* finished(const std::optional<MeasuringThread::Picture>& picture) const;
     /// Earlier measurement of the same picture, which the present settings' measurement is compared with.
     struct Earlier {
         const Finished* is = nullptr;  ///< measurement; null: the same picture was not measured before
@@ -99,7 +108,19 @@ private:
     std::unique_ptr<const Shown> shown_;
     std::optional<SweepResults> results_;
     std::optional<CaseNumbers> present_;
-    std::vector<Finished> finished_;  ///< the last ones, the present one at the end
+    std::vector<Finished> finished_;                 ///< the last ones, the present one at the end
+    std::optional<MeasuringThread::Picture> mark_;   ///< marked settings that are being measured
+    std::vector<Finished> marks_;                    ///< measured settings that were never the present ones
+    std::vector<MeasuringThread::Picture> refused_;  ///< marked settings that cannot be measured
+    /// Defaults of an engine over settings.
+    struct EngineDefaults {
+        const EngineProfile* profile = nullptr;
+        double angle_deg = 0;
+        Settings over;
+        std::uint64_t scene = 0;
+        std::optional<Settings> are;  ///< none: they cannot be given
+    };
+    EngineDefaults engine_;
     SweepFacts facts_;
     std::uint64_t seen_ = 0;        ///< version of the measuring thread's status as last seen
     std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen
@@ -108,6 +129,7 @@ private:
     CostCase seen_timed_ = kFrontierCost;
     CostCase swept_cost_ = kFrontierCost;  ///< kind of frames timed by the shown sweep
     std::optional<PinnedSettings> seen_pinned_;
+    const EngineProfile* seen_engine_ = nullptr;
     Settings compared_;  ///< settings last compared with the sweep's
     std::string compared_scene_;
     bool fresh_ = true;  ///< results have arrived since facts_ was made

@@ -179,6 +179,14 @@ void add_base(FrontierPlot& plot, const SweepResults& results, const std::string
     if (std::isfinite(value) && value > 0 && !is_bound(*x, numbers)) plot.base_cost = value;
 }
 
+void add_spot(FrontierPlot& plot, PlotSpot::Kind kind, const std::string& label, const CaseNumbers& numbers,
+              const std::string& cost, const std::string& error) {
+    const Column *x = find_column(cost), *y = find_column(error);
+    const Dot dot = x && y ? dot_of(numbers, *x, *y) : Dot{};
+    // Spots are drawn in their order: the present settings stay on top.
+    if (x && y && is_dot(dot)) plot.spots.insert(plot.spots.begin(), {kind, label, dot});
+}
+
 FrontierPlot frontier_plot(const SweepResults& results) {
     FrontierPlot plot = frontier_plot(results.rows, results.x, results.y, results.cost);
     add_base(plot, results, results.x);
@@ -207,10 +215,10 @@ FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers*
     const Dot here = present ? dot_of(*present, *x, *y) : Dot{};
     if (!present || !is_dot(here)) return view;
     view.present = here;
-    view.plot.spots.push_back({PlotSpot::Kind::Present, "now", here});
+    add_spot(view.plot, PlotSpot::Kind::Present, "now", *present, cost, error);
     if (const Dot there = before ? dot_of(*before, *x, *y) : Dot{}; before && is_dot(there)) {
         view.before = there;
-        view.plot.spots.insert(view.plot.spots.begin(), {PlotSpot::Kind::Pinned, "before", there});
+        add_spot(view.plot, PlotSpot::Kind::Pinned, "before", *before, cost, error);
     }
     view.advice = frontier_advice(here, dots, on);
     return view;

@@ -21,6 +21,9 @@ FrontierPlot frontier_plot(const std::vector<SweepRow>& rows, const std::string&
                            CostCase timed = kFrontierCost);
 /// Makes the data of a sweep's frontier plot, with the base of cost multiples, at the axes of the results.
 FrontierPlot frontier_plot(const SweepResults& results);
+/// Adds a spot below those that the plot has, if its numbers have values on both axes.
+void add_spot(FrontierPlot& plot, PlotSpot::Kind kind, const std::string& label, const CaseNumbers& numbers,
+              const std::string& cost, const std::string& error);
 /// Adds the base of cost multiples to a frontier plot, if results of the column `cost` are known for it.
 void add_base(FrontierPlot& plot, const SweepResults& results, const std::string& cost);
 

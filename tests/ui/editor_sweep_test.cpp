@@ -108,6 +108,38 @@ TEST(EditorSweep, CurrentSettingsAreAMovingDotComparedWithThePrevious) {
     EXPECT_FALSE(s.facts().view.before) << "of another picture";
 }
 
+TEST(EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOnes) {
+    Swept s(boxes());
+    EditorState& state = s.state();
+    state.sweep.width = 64;
+    state.sweep.height = 48;
+    state.sweep.follow = true;
+    state.sweep.cost = "cost.map_texels";
+    state.settings.map.resolution = 128;
+    pin_settings(state);
+    state.settings.map.resolution = 64;
+    state.engine_panel.profile = &engine_profile("three");
+    ASSERT_TRUE(state.engine_panel.profile);
+    s.editor.settle();
+    const auto labels = [&] {
+        std::vector<std::string> out;
+        for (const PlotSpot& spot : s.facts().view.plot.spots) out.push_back(spot.label);
+        return out;
+    };
+    EXPECT_EQ(labels(), (std::vector<std::string>{"three.js", "A", "now"}));
+    ASSERT_TRUE(s.facts().view.before && s.facts().view.present && s.facts().engine);
+    EXPECT_EQ(s.facts().view.before->cost, 128 * 128) << "though they were never shown while the panel was open";
+    EXPECT_EQ(s.facts().view.present->cost, 64 * 64);
+    EXPECT_NE(s.facts().view.plot.spots[0].dot.error, s.facts().view.present->error) << "the engine's own bias";
+    state.engine_panel.profile = nullptr;
+    s.editor.settle();
+    EXPECT_EQ(labels(), (std::vector<std::string>{"A", "now"}));
+    state.settings.map.resolution = 128;
+    s.editor.settle();
+    EXPECT_EQ(labels().back(), "now");
+    EXPECT_FALSE(s.facts().before_is_pinned) << "the pinned settings are the present ones";
+}
+
 TEST(EditorSweep, CancelledSweepContinues) {
     const fs::path state = fresh_test_folder();
     std::size_t kept = 0;

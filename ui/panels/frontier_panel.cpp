@@ -154,7 +154,9 @@ void draw_controls(SweepPanel& panel, const Settings& settings, const SweepFacts
             "effect in a combination collapse. An interrupted sweep goes on.");
     }
     ImGui::Checkbox("Measure the present settings", &panel.follow);
-    wrapped_tooltip("The diamond: measured again when a setting, the camera or the scene changes");
+    wrapped_tooltip(
+        "The diamond: measured again when a setting, the camera or the scene changes. Then the pinned settings and the "
+        "defaults of the engine that is chosen in the settings, where there are any.");
     const float buttons =
         ImGui::CalcTextSize("SaveOpen").x + 4 * ImGui::GetStyle().FramePadding.x + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
@@ -243,6 +245,20 @@ void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
             ImGui::Text("%s: %s", facts.columns[i].label.c_str(), number_text(c.values[i], facts.columns[i]).c_str());
     if (c.number >= 0) ImGui::TextDisabled("Click to use these settings");
     ImGui::EndTooltip();
+}
+
+void spot_tooltip(const SweepFacts& facts, PlotSpot::Kind kind) {
+    switch (kind) {
+        case PlotSpot::Kind::Present:
+            if (facts.present) case_tooltip(facts, *facts.present);
+            return;
+        case PlotSpot::Kind::Pinned:
+            if (facts.before) case_tooltip(facts, *facts.before);
+            return;
+        case PlotSpot::Kind::Engine:
+            if (facts.engine) case_tooltip(facts, *facts.engine);
+            return;
+    }
 }
 
 /// Compares the present settings' numbers with the earlier ones: "18 % less error for 73 % more time".
@@ -415,7 +431,7 @@ void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* show
             const ImVec2 size = ImGui::GetContentRegionAvail();
             const FrontierPlotResult r = draw_frontier_plot(facts, panel.chosen, {size.x, std::max(size.y, em * 5)});
             if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
-            if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
+            if (r.hovered_spot) spot_tooltip(facts, *r.hovered_spot);
             if (r.clicked) apply_case(panel, settings, facts.cases[*r.clicked]);
         }
     }

@@ -75,6 +75,7 @@ struct SweepFacts {
     bool present_is_old = false;         ///< its numbers belong to earlier settings, until the shown ones are measured
     std::optional<MeasuredCase> before;  ///< other settings of the same picture: pinned A, else those measured last
     bool before_is_pinned = false;
+    std::optional<MeasuredCase> engine;  ///< the chosen engine's defaults on the same picture
     std::string change;  ///< difference from `before` to the present settings: "Kernel: PCF 3×3 → Poisson disk"
     std::string present_problem;
     std::string

@@ -123,7 +123,7 @@ FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int
     const PlotPlace* found = hovered ? find(drawing.cases, least) : nullptr;
     if (hovered)
         if (const PlotPlace* spot = find(drawing.spots, least)) {
-            out.present_hovered = plot.spots[spot->of].kind == PlotSpot::Kind::Present;
+            out.hovered_spot = plot.spots[spot->of].kind;
             found = nullptr;
         }
     if (found) {

@@ -13,7 +13,7 @@ namespace si {
 struct FrontierPlotResult {
     std::optional<std::size_t> hovered;  ///< index in SweepFacts::cases
     std::optional<std::size_t> clicked;  ///< index in SweepFacts::cases
-    bool present_hovered = false;
+    std::optional<PlotSpot::Kind> hovered_spot;
 };
 
 /// Draws the frontier plot, with the table of best cases below it where there is room. The caller draws the names of
