@@ -264,7 +264,7 @@ private:
         box_.lo.x = numbers + 10;
         box_.hi.x = page_.width - 3;
         double first = 0.5 * label;
-        if (!front_.empty()) first = width_of(plot_.cases[front_[0]].name(), small_, true) + 1.2 * page_.em;
+        if (!front_.empty()) first = width_of(front_name(front_[0]), small_, true) + 1.5 * page_.em;
         x_ = scale_of(costs, box_.lo.x, box_.hi.x, std::min(first, 0.3 * page_.width), label);
         return box_.hi.y + small_ * (page_.titles ? 3.0 : 1.5);
     }
@@ -484,6 +484,13 @@ private:
         return false;
     }
 
+    /// Returns the label of a case of the front: its name, the bound of its cost, and whether it is the knee.
+    std::string front_name(std::size_t i) const {
+        const PlotCase& c = plot_.cases[i];
+        const std::string bound = c.bound ? " (" + plot_cost_text(plot_, c.dot.cost, true) + ")" : "";
+        return c.name() + bound + (knee_of(dots_, front_) == i ? " \u2013 knee" : "");
+    }
+
     /// Lists the front's cases that get a label: the first, the knee, the last, and each that errs less than the label
     /// before by a tenth. Smaller steps are joined with the next.
     std::vector<std::size_t> labelled_cases() const {
@@ -502,18 +509,15 @@ private:
     void draw_front_labels() {
         const std::vector<std::size_t> named = labelled_cases();
         const std::vector<FrontStep> steps = front_steps(dots_, named);
-        const auto knee = knee_of(dots_, front_);
         for (std::size_t k = 0; k < named.size(); ++k) {
             const PlotCase& c = plot_.cases[named[k]];
             const PlotInk ink = family_ink(c.family);
-            const std::string bound = c.bound ? " (" + plot_cost_text(plot_, c.dot.cost, true) + ")" : "";
-            const std::string mark = knee == named[k] ? " \u2013 knee" : "";
-            const Row name{c.name() + bound + mark, ink, true};
+            const Row name{front_name(named[k]), ink, true};
             std::vector<std::vector<Row>> tries;
             if (k > 0) {
                 const bool ratio = !c.bound && !plot_.cases[named[k - 1]].bound;
                 const std::string factor =
-                    ratio ? fmt::format("{} \u00d7 cost, ", digits2(steps[k - 1].cost_factor)) : "";
+                    ratio ? fmt::format("{} \u00d7 cost, ", digits_text(steps[k - 1].cost_factor)) : "";
                 const Row step{factor + fmt::format("\u2212{:.0f} % error", 100 * steps[k - 1].error_reduction),
                                PlotInk::Text, false};
                 tries.push_back({name, step});

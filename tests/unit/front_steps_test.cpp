@@ -160,6 +160,27 @@ TEST(FrontierDrawing, NamesKneeStepsAndBestCases) {
     EXPECT_EQ(drawing.cases.size(), plot.cases.size());
 }
 
+// A step of 2.05 times the cost may gain a quarter beside a knee: "2 x" would contradict the sentence on the knee.
+TEST(FrontierDrawing, NamesAKneeAtTheLeftEndAndItsStepWithThreeDigits) {
+    FrontierPlot plot{.cases = {}, .spots = {}, .forced = {}, .cost_title = "Time", .error_title = "Mean error"};
+    const auto add = [&](const char* place, double cost, double error) {
+        plot.cases.push_back({.of = plot.cases.size(),
+                              .line = "2\u00d72 bilinear",
+                              .place = place,
+                              .along = cost,
+                              .dot = {.cost = cost, .error = error}});
+    };
+    add("512\u00b2", 13.25, 0.02625);
+    add("1024\u00b2", 27.12, 0.0173);
+    add("2048\u00b2", 220, 0.015);
+    for (const double width : {640.0, 1000.0}) {
+        std::string all;
+        for (const PlotMark& m : frontier_drawing(plot, {.width = width}).marks) all += m.text + "\n";
+        EXPECT_NE(all.find("512\u00b2 \u2013 knee"), std::string::npos) << all;
+        EXPECT_NE(all.find("2.05 \u00d7 cost"), std::string::npos) << all;
+    }
+}
+
 TEST(FrontierDrawing, StaysOnThePageAndOverlapsNoText) {
     for (const double width : {320.0, 640.0, 1400.0}) {
         PlotPage page{.width = width};
