@@ -199,7 +199,8 @@ private:
         // Mitchell 1996: the error at an edge falls with the number of samples to the power of -3/4.
         constexpr double kErrorOf64Samples = 0.017, kSmallestNoise = 1e-9;
         const double fewest = std::min(kPenumbraSamples, most());
-        const double needed = 64 * std::pow(kErrorOf64Samples / std::max(query_.options.noise, kSmallestNoise), 4.0 / 3);
+        const double needed =
+            64 * std::pow(kErrorOf64Samples / std::max(query_.options.noise, kSmallestNoise), 4.0 / 3);
         return first_ / (first_ + kInPenumbra * std::clamp(needed, fewest, double(most())));
     }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }

@@ -27,15 +27,14 @@ void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Se
     const bool current = shown.tuned_current;
     if (!found || found->tried.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");
-    if (!begin_table(
-            "tuned", ImGuiTableFlags_SizingStretchProp,
-            {{.heading = "##take", .share = 1.1f},
-             {.heading = "tried", .share = 2.3f},
-             {.heading = "score", .share = 1},
-             {.heading = "wrong", .share = 1},
-             {.heading = "acne", .share = 0.9f},
-             {.heading = "gap", .share = 1.3f},
-             {.heading = "shift", .share = 0.85f}}))
+    if (!begin_table("tuned", ImGuiTableFlags_SizingStretchProp,
+                     {{.heading = "##take", .share = 1.1f},
+                      {.heading = "tried", .share = 2.3f},
+                      {.heading = "score", .share = 1},
+                      {.heading = "wrong", .share = 1},
+                      {.heading = "acne", .share = 0.9f},
+                      {.heading = "gap", .share = 1.3f},
+                      {.heading = "shift", .share = 0.85f}}))
         return;
     int id = 0;
     for (const auto& [b, least, clean] : found->table()) {

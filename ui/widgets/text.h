@@ -208,7 +208,8 @@ inline bool wrapped_selectable(const std::string& label, bool selected) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float height = ImGui::CalcTextSize(label.c_str(), nullptr, false, width).y;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::Selectable(("##" + label).c_str(), selected, ImGuiSelectableFlags_None, {width, height});
+    const bool pressed =
+        ImGui::Selectable(("##" + label).c_str(), selected, ImGuiSelectableFlags_None, {width, height});
     ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, ImGui::GetColorU32(ImGuiCol_Text),
                                         label.c_str(), nullptr, width);
     return pressed;
