@@ -264,7 +264,11 @@ private:
         box_.lo.x = numbers + 10;
         box_.hi.x = page_.width - 3;
         double first = 0.5 * label;
-        if (!front_.empty()) first = width_of(front_name(front_[0]), small_, true) + 1.5 * page_.em;
+        // A page without titles is small: there the axis needs the room more than the label of a knee.
+        const bool large = page_.titles;
+        if (!front_.empty())
+            first = width_of(large ? front_name(front_[0]) : plot_.cases[front_[0]].name(), small_, true) +
+                    (large ? 1.5 : 1.2) * page_.em;
         x_ = scale_of(costs, box_.lo.x, box_.hi.x, std::min(first, 0.3 * page_.width), label);
         return box_.hi.y + small_ * (page_.titles ? 3.0 : 1.5);
     }
