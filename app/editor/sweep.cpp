@@ -75,16 +75,19 @@ Settings comparable(const Settings& settings) {
     return without_ineffective_settings(measured_settings(settings));
 }
 
+/// Returns true if two pictures differ at most in their settings.
+bool has_same_frame(const MeasuringThread::Picture& a, const MeasuringThread::Picture& b) {
+    return a.scene->id == b.scene->id && a.width == b.width && a.height == b.height && a.cost == b.cost;
+}
+
 bool is_same(const MeasuringThread::Picture& a, const MeasuringThread::Picture& b) {
-    return a.scene->id == b.scene->id && a.settings == b.settings && a.width == b.width && a.height == b.height &&
-           a.cost == b.cost;
+    return has_same_frame(a, b) && a.settings == b.settings;
 }
 
 /// Returns true if two pictures show the same scene from the same camera, under shadows that differ.
 bool differ_in_shadows_only(const MeasuringThread::Picture& of_a, const MeasuringThread::Picture& of_b) {
     const Settings &a = of_a.settings, &b = of_b.settings;
-    return of_a.scene->id == of_b.scene->id && of_a.width == of_b.width && of_a.height == of_b.height &&
-           of_a.cost == of_b.cost && a.camera == b.camera && a.scene == b.scene && a.truth == b.truth &&
+    return has_same_frame(of_a, of_b) && a.camera == b.camera && a.scene == b.scene && a.truth == b.truth &&
            !differing_settings(comparable(a), comparable(b)).empty();
 }
 
@@ -163,15 +166,16 @@ void EditorSweep::measure_present(const Scene& scene, const EditorState& state) 
     const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
     wanted.truth.area = shown_ ? shown_->spec.area : panel.area;
     const CostCase cost = shown_ ? swept_cost_ : panel.timed;
-    MeasuringThread::Picture present{copy_of(scene), wanted, width, height, cost};
+    MeasuringThread::Picture present{copy_of(scene), std::move(wanted), width, height, cost};
     if (followed_ && is_same(*followed_, present)) return measure_marks(scene, state);
     followed_ = std::move(present);
     mark_.reset();
+    marks_are_known_ = false;
     thread().start_measurement(*followed_);
 }
 
 void EditorSweep::measure_marks(const Scene& scene, const EditorState& state) {
-    if (mark_ || facts_.measuring_present || moved() || !facts_.present_problem.empty()) return;
+    if (marks_are_known_ || mark_ || facts_.measuring_present || moved() || !facts_.present_problem.empty()) return;
     const auto measure = [&](const Settings* settings) {
         const auto picture = settings ? present_picture_under(*settings) : std::nullopt;
         const auto is_refused = [&](const MeasuringThread::Picture& p) { return is_same(p, *picture); };
@@ -180,7 +184,8 @@ void EditorSweep::measure_marks(const Scene& scene, const EditorState& state) {
         thread().start_measurement(*picture);
         return true;
     };
-    if (!measure(state.pinned ? &state.pinned->settings : nullptr)) measure(engine_defaults(scene, state));
+    marks_are_known_ =
+        !measure(state.pinned ? &state.pinned->settings : nullptr) && !measure(engine_defaults(scene, state));
 }
 
 std::optional<MeasuringThread::Picture> EditorSweep::present_picture_under(const Settings& settings) const {
@@ -335,6 +340,7 @@ bool EditorSweep::update(const EditorState& state) {
     fresh_ |= std::exchange(seen_pinned_, state.pinned) != state.pinned;
     fresh_ |= std::exchange(seen_timed_, state.sweep.timed) != state.sweep.timed;
     fresh_ |= std::exchange(seen_engine_, state.engine_panel.profile) != state.engine_panel.profile;
+    fresh_ |= std::exchange(seen_angle_deg_, state.engine_panel.angle_deg) != state.engine_panel.angle_deg;
     if (!fresh_ && !axes_moved && !settings_moved) return false;
     if (fresh_ || settings_moved) {
         compare_settings(state);
@@ -342,6 +348,7 @@ bool EditorSweep::update(const EditorState& state) {
         compared_scene_ = state.scene_name;
     }
     if (fresh_) {
+        marks_are_known_ = false;
         facts_.cases.clear();
         facts_.columns = measured_columns(results_ && results_->rounds > 0 ? results_->cost
                                           : shown_                         ? swept_cost_

@@ -130,7 +130,9 @@ private:
     CostCase swept_cost_ = kFrontierCost;  ///< kind of frames timed by the shown sweep
     std::optional<PinnedSettings> seen_pinned_;
     const EngineProfile* seen_engine_ = nullptr;
-    Settings compared_;  ///< settings last compared with the sweep's
+    double seen_angle_deg_ = 0;     ///< reference angle of the engine's numbers
+    bool marks_are_known_ = false;  ///< nothing that is marked beside the present settings is left to measure
+    Settings compared_;             ///< settings last compared with the sweep's
     std::string compared_scene_;
     bool fresh_ = true;  ///< results have arrived since facts_ was made
     std::unique_ptr<MeasuringThread> thread_;

@@ -35,6 +35,13 @@ struct Swept {
         editor.settle();
     }
     EditorState& state() { return editor.model().state; }
+    /// Measures the present settings in small pictures.
+    void follow() {
+        SweepPanel& panel = state().sweep;
+        panel.width = 64;
+        panel.height = 48;
+        panel.follow = true;
+    }
     const SweepFacts& facts() { return *editor.model().facts().sweep; }
     void ask(const std::function<void(EditorRequests&)>& what) {
         EditorRequests requests = editor.frame();
@@ -72,9 +79,7 @@ TEST(EditorSweep, MeasuresInTheBackground) {
 TEST(EditorSweep, CurrentSettingsAreAMovingDotComparedWithThePrevious) {
     Swept s(boxes());
     EditorState& state = s.state();
-    state.sweep.width = 64;
-    state.sweep.height = 48;
-    state.sweep.follow = true;
+    s.follow();
     state.settings.map.resolution = 64;
     s.editor.settle();
     ASSERT_TRUE(s.facts().view.present) << s.facts().present_problem;
@@ -111,15 +116,12 @@ TEST(EditorSweep, CurrentSettingsAreAMovingDotComparedWithThePrevious) {
 TEST(EditorSweep, PinnedSettingsAndDefaultsOfTheEngineAreMarksBesideThePresentOnes) {
     Swept s(boxes());
     EditorState& state = s.state();
-    state.sweep.width = 64;
-    state.sweep.height = 48;
-    state.sweep.follow = true;
+    s.follow();
     state.sweep.cost = "cost.map_texels";
     state.settings.map.resolution = 128;
     pin_settings(state);
     state.settings.map.resolution = 64;
     state.engine_panel.profile = &engine_profile("three");
-    ASSERT_TRUE(state.engine_panel.profile);
     s.editor.settle();
     const auto labels = [&] {
         std::vector<std::string> out;
