@@ -129,6 +129,7 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
         std::find_if(references_.begin(), references_.end(), [&](const Known& t) { return t.key == task.key; });
     if (found == references_.end()) {
         Known known{.key = task.key,
+                    .receivers_key = task.receivers_key,
                     .reference = {},
                     .runs = {},
                     .query = std::make_shared<ReferenceQuery>(task.query),
@@ -138,8 +139,15 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
             return std::make_shared<Reference>(
                 trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9), tile_done));
         });
-        known.runs = std::make_shared<ShadowRuns>(shadow_runs(*known.reference, *receivers_, task.camera, task.raster,
-                                                              task.query, workers.with_progress_range(0.9, 1)));
+        const auto same = std::ranges::find_if(references_, [&](const Known& other) {
+            return other.receivers_key == task.receivers_key &&
+                   have_same_runs(*known.reference, task.query, *other.reference, *other.query);
+        });
+        known.runs =
+            same != references_.end()
+                ? same->runs
+                : std::make_shared<ShadowRuns>(shadow_runs(*known.reference, *receivers_, task.camera, task.raster,
+                                                           task.query, workers.with_progress_range(0.9, 1)));
         references_.push_front(std::move(known));
         if (references_.size() > kMaxReferences) references_.pop_back();
     } else {

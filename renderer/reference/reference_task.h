@@ -80,7 +80,7 @@ private:
     std::uint64_t receivers_key_ = 0;
     /// Cached reference of one light, with the cache key of its task.
     struct Known {
-        std::uint64_t key = 0;
+        std::uint64_t key = 0, receivers_key = 0;
         std::shared_ptr<const Reference> reference;
         std::shared_ptr<const ShadowRuns> runs;
         std::shared_ptr<const ReferenceQuery> query;

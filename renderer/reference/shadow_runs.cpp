@@ -10,6 +10,23 @@ namespace {
 
 constexpr float kNoEnd = std::numeric_limits<float>::infinity();
 
+/// Rounds to the nearest integer, halves away from zero, as std::lround() does at several times the cost.
+int rounded(double value) {
+    return int(value + std::copysign(0.5, value));
+}
+
+/// Returns true when all views have parallel rays and the axes of the first one.
+bool have_axes_of(const std::vector<LightView>& views, const LightView& first) {
+    return std::ranges::all_of(views, [&](const LightView& view) {
+        return !view.curve.perspective && view.axes[0] == first.axes[0] && view.axes[1] == first.axes[1];
+    });
+}
+
+/// Returns true when views have the same place and axes.
+bool same_frame(const LightView& a, const LightView& b) {
+    return a.curve.perspective == b.curve.perspective && a.eye == b.eye && a.axes == b.axes;
+}
+
 class Walker {
 public:
     Walker(const Reference& reference, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
@@ -134,8 +151,9 @@ private:
         const std::size_t start = index(x, y);
         const Receiver& from = receivers_.pixels[start];
         // Distance across the light at the depth of the pixel: for a perspective light by map coordinates.
+        const glm::dvec3 origin = view.curve.perspective ? view.eye : from.position_ws;
         const auto across = [&](const glm::dvec3& point) {
-            const glm::dvec3 p = point - view.eye;
+            const glm::dvec3 p = point - origin;
             return view.curve.perspective ? glm::dot(p, axis) / -glm::dot(p, view.axes[2]) : glm::dot(p, axis);
         };
         const double here_at = across(from.position_ws);
@@ -150,17 +168,18 @@ private:
             return r.object == from.object && std::abs(glm::dot(d, from.normal_ws)) <= 1e-3 * glm::length(d);
         };
         Side side;
-        int u = x, v = y;
+        int u = x, v = y, s = x, t = y;
         bool dark_now = dark(start);
         for (int gone = 0, safe; gone < kRunReach;) {
-            const int last_u = x + int(std::lround(step.x * gone)), last_v = y + int(std::lround(step.y * gone));
-            safe = std::max(int(clearance_[index(last_u, last_v)]) - 1, 1);
+            const int last_s = s, last_t = t;
+            safe = std::max(int(clearance_[index(s, t)]) - 1, 1);
             gone = std::min(gone + safe, kRunReach);
-            const int s = x + int(std::lround(step.x * gone)), t = y + int(std::lround(step.y * gone));
+            s = x + rounded(step.x * gone);
+            t = y + rounded(step.y * gone);
             if (s < 0 || t < 0 || s >= reference_.width || t >= reference_.height) break;
             const std::size_t here = index(s, t), before = index(u, v);
             if (!counts(here)) continue;
-            const bool beside = u == last_u && v == last_v && (safe > 1 || joined(u, v, s, t));
+            const bool beside = u == last_s && v == last_t && (safe > 1 || joined(u, v, s, t));
             if (!beside && !same_plane(here)) continue;
             if (dark(here) != dark_now) {
                 const float at_m = float(0.5 * (metres(before) + metres(here)));
@@ -179,6 +198,21 @@ private:
 };
 
 }  // namespace
+
+bool have_same_runs(const Reference& a, const ReferenceQuery& query_a, const Reference& b,
+                    const ReferenceQuery& query_b) {
+    const std::vector<LightView>&views_a = query_a.views, &views_b = query_b.views;
+    const Emitter &from_a = query_a.emitter, &from_b = query_b.emitter;
+    if (from_a.type != from_b.type || from_a.position_ws != from_b.position_ws || from_a.to_light != from_b.to_light)
+        return false;
+    if (views_a.empty() || views_b.empty()) return views_a.empty() == views_b.empty();
+    if (!have_axes_of(views_a, views_a[0]) || !have_axes_of(views_b, views_a[0])) {
+        const ViewChooser &by_a = query_a.chooser, &by_b = query_b.chooser;
+        const bool by_views = by_a.choice == by_b.choice && by_a.spans.empty() && by_b.spans.empty();
+        if (!by_views || !std::ranges::equal(views_a, views_b, same_frame)) return false;
+    }
+    return a.width == b.width && a.height == b.height && a.state == b.state && a.hard().data == b.hard().data;
+}
 
 ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
                        const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers) {

@@ -34,4 +34,10 @@ inline constexpr int kRunReach = 64;
 ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
                        const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers);
 
+/// Returns true when shadow_runs() of two references is certainly equal, for the same camera and receivers: lit and in
+/// shadow are the same pixels, and the maps have the same axes. Depth range, extent and resolution of the maps, and
+/// cascades of a light with parallel rays, do not matter.
+bool have_same_runs(const Reference& a, const ReferenceQuery& query_a, const Reference& b,
+                    const ReferenceQuery& query_b);
+
 }  // namespace si

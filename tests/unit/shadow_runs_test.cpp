@@ -130,5 +130,47 @@ TEST(ShadowRuns, AreEndlessWithoutAMapOrOutsideTheRange) {
     for (const float v : floor.runs().run_m.data) EXPECT_TRUE(std::isinf(v));
 }
 
+bool same_runs(const Floor& a, const Floor& b) {
+    return have_same_runs(a.reference, a.query, b.reference, b.query);
+}
+
+TEST(ShadowRuns, AreTheSameForOtherPlanesAndCascadesOfASun) {
+    for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(1e5, 300, -2e5)}) {
+        const Floor floor(std::vector<std::string>(30, row(40, 6, 44)), at);
+        Floor other = floor;
+        other.query.views[0].eye = at + glm::dvec3(3.7, 50, -2.1);
+        other.query.views[0].curve.near = 0.3;
+        other.query.views.push_back(other.query.views[0]);
+        other.query.views[1].eye.x += 7;
+        other.query.chooser = {.choice = ViewChoice::Interval, .from_ws = at, .forward = {0, -1, 0}, .spans = {{5, 5}}};
+        EXPECT_TRUE(same_runs(floor, other));
+        EXPECT_EQ(floor.runs().run_m.data, other.runs().run_m.data);
+        EXPECT_EQ(floor.runs().edge_m.data, other.runs().edge_m.data);
+    }
+}
+
+TEST(ShadowRuns, DifferWithTheShadowsTheAxesAndThePlaceOfALamp) {
+    const Floor floor(std::vector<std::string>(30, row(40, 6, 44)));
+    EXPECT_TRUE(same_runs(floor, floor));
+    Floor other(std::vector<std::string>(30, row(40, 7, 43)));
+    EXPECT_FALSE(same_runs(floor, other)) << "another shadow";
+    other = floor;
+    std::swap(other.query.views[0].axes[0], other.query.views[0].axes[1]);
+    EXPECT_FALSE(same_runs(floor, other)) << "a map that is turned about the light's direction";
+    other = floor;
+    other.reference.state[5] = PixelState::FacesAway;
+    EXPECT_FALSE(same_runs(floor, other)) << "another surface";
+    other = floor;
+    other.query.views.clear();
+    EXPECT_FALSE(same_runs(floor, other)) << "no map";
+    Floor lamp = floor;
+    lamp.query.views[0].curve.perspective = true;
+    EXPECT_FALSE(same_runs(floor, lamp)) << "rays from a point";
+    EXPECT_TRUE(same_runs(lamp, lamp));
+    other = lamp;
+    other.query.views[0].eye.x += 1;
+    EXPECT_FALSE(same_runs(lamp, other)) << "rays from another point";
+}
+
 }  // namespace
 }  // namespace si
