@@ -1,5 +1,6 @@
 #include "renderer/reference/distance_transform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -50,19 +51,15 @@ private:
 
 std::vector<float> distance_to(const std::vector<std::uint8_t>& set, int width, int height) {
     const auto w = std::size_t(width), h = std::size_t(height);
-    std::vector<double> squared(w * h);
-    std::vector<double> line(h);
-    Envelope columns(h);
-    for (std::size_t x = 0; x < w; ++x) {
-        for (std::size_t y = 0; y < h; ++y) line[y] = set[y * w + x] ? 0 : kInfinite;
-        const std::vector<double>& out = columns.transform(line);
-        for (std::size_t y = 0; y < h; ++y) squared[y * w + x] = out[y];
-    }
+    // Distances within columns, by one sweep down and one up.
+    std::vector<double> in_column(w * h);
+    for (std::size_t i = 0; i < w * h; ++i) in_column[i] = set[i] ? 0 : i < w ? kInfinite : in_column[i - w] + 1;
+    for (std::size_t i = w * h; i-- > w;) in_column[i - w] = std::min(in_column[i - w], in_column[i] + 1);
+    std::vector<double> line(w);
     std::vector<float> distance(w * h);
     Envelope rows(w);
-    line.resize(w);
     for (std::size_t y = 0; y < h; ++y) {
-        for (std::size_t x = 0; x < w; ++x) line[x] = squared[y * w + x];
+        for (std::size_t x = 0; x < w; ++x) line[x] = in_column[y * w + x] * in_column[y * w + x];
         const std::vector<double>& out = rows.transform(line);
         for (std::size_t x = 0; x < w; ++x) distance[y * w + x] = float(std::sqrt(out[x]));
     }
