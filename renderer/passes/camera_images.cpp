@@ -130,7 +130,12 @@ void VisibleSurfacesPass::declare(FrameState& f) {
     // The image of the shading normal exists even where the normal has no effect.
     const bool own_normal = f.settings.bias.normal_source != NormalSource::Geometric;
     const std::size_t count = bias_of(f.settings).by_derivatives ? 5 : own_normal ? 3 : 2;
+    const Key surfaces = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen);
+    const auto key_of = [&](std::size_t images) { return Key(surfaces).add(images).value(); };
+    // Images of the same surfaces that another bias has read contain those that this one reads.
+    const bool has_more = !f.request.force && drawn_ > count && images_[0].key == key_of(drawn_);
     const auto run = [this, &f, count](PassInfo& info) {
+        drawn_ = count;
         for (gl::Target& unused : std::span(images_).subspan(count)) unused = {};
         CameraDrawing(f, "visible surfaces", GL_RGBA32F, std::span(images_).first(count))
             .clear(glm::vec4(0))  // empty pixels receive no shadow
@@ -139,7 +144,7 @@ void VisibleSurfacesPass::declare(FrameState& f) {
     f.plan.add_pass({.name = "visible surfaces",
                      .category = PassCategory::Tool,
                      .writes = {Result::VisibleSurfaces},
-                     .key = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen).add(count).value(),
+                     .key = key_of(has_more ? drawn_ : count),
                      .cached = &images_[0].key,
                      .run = run,
                      .idle_reason = "no pass evaluates pixels again"});

@@ -39,6 +39,7 @@ public:
 
 private:
     std::array<gl::Target, kVisibleSurfaceImages> images_;  ///< RGBA32F; the key of all is the first one's
+    std::size_t drawn_ = 0;                                 ///< number of images that were drawn last
 };
 
 /// Draws for each pixel the map coordinates of the kernel's centre, in the map of view.light.

@@ -326,5 +326,31 @@ TEST_F(TapsTest, TexelsReadAreTheTapsOfAllPixels) {
         }
 }
 
+/// The surfaces that a bias by derivatives has read serve every other bias, and not the reverse.
+TEST_F(TapsTest, ImagesOfTheSurfacesAreKeptForABiasThatReadsFewer) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    FrameRequest request{.width = 48, .height = 32, .outputs = {.colour = false, .texels_read = true}};
+    Settings plain = test::texel_settings("pcf3", 96, 0.7), derivatives = plain;
+    set_setting(derivatives, "bias.kind", "receiver-plane-derivatives");
+    const auto surfaces = [&](const Settings& s) {
+        const FrameResult frame = renderer.render(scene, s, request);
+        Renderer other;
+        const FrameResult alone = other.render(scene, s, request);
+        EXPECT_EQ(renderer.read_float(frame.texels_read, 1).data, other.read_float(alone.texels_read, 1).data);
+        return frame.pass("visible surfaces")->state;
+    };
+    EXPECT_EQ(surfaces(plain), PassState::Drawn);
+    EXPECT_EQ(surfaces(derivatives), PassState::Drawn) << "more images";
+    EXPECT_EQ(surfaces(plain), PassState::Cached);
+    EXPECT_EQ(surfaces(derivatives), PassState::Cached);
+    request.force = true;
+    EXPECT_EQ(surfaces(plain), PassState::Drawn);
+    request.force = false;
+    EXPECT_EQ(surfaces(derivatives), PassState::Drawn) << "the forced frame drew fewer";
+    EXPECT_EQ(surfaces(plain), PassState::Cached);
+    plain.camera.azimuth += 1;
+    EXPECT_EQ(surfaces(plain), PassState::Drawn);
+}
+
 }  // namespace
 }  // namespace si
