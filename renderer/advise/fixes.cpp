@@ -167,7 +167,19 @@ private:
 };
 
 /// Reason why a trial is not called a fix although nothing but its time is unknown.
-constexpr const char* kNotTimed = "another fix leaves less error; not timed";
+constexpr const char* kNotTimed = "not timed: only the best fix is";
+constexpr double kMostBytes = 2;  ///< bytes of a fix's maps, as a multiple of the present ones
+/// Share of the wrong pixels that a fix puts right, from which on larger maps are not tried.
+constexpr double kEnoughRight = 0.8;
+
+/// Returns true for a trial that is a fix but for its time, which may be unknown.
+bool may_be_fix(const Trial& t) {
+    return t.is_drawn() && (t.why_not.empty() || t.why_not == kNotTimed);
+}
+
+bool takes_too_many_bytes(std::uint64_t before, std::uint64_t with) {
+    return before > 0 && double(with) > kMostBytes * double(before);
+}
 
 /// Returns the reason why a drawn trial is no fix, all but its time considered; empty: it may be one.
 std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
@@ -193,7 +205,7 @@ std::string why_no_fix(const Trial& t, const ErrorMetrics& before) {
     if (!t.pixel && !(t.metrics.mae < before.mae - noise)) return "the mean error does not fall";
     const auto same_source = [&](const auto& change) { return !change.first.ends_with(".source"); };
     if (!std::ranges::all_of(t.changes, same_source)) return "light.source would change";
-    if (t.before.work.map_bytes > 0 && t.after.work.map_bytes > 2 * t.before.work.map_bytes)
+    if (takes_too_many_bytes(t.before.work.map_bytes, t.after.work.map_bytes))
         return fmt::format("maps take more than twice the bytes ({})", map_bytes_text(t.map_bytes()));
     return {};
 }
@@ -204,20 +216,49 @@ public:
     FixSearcher(const Settings& base, const TrialMeter& meter, const FixOptions& options)
         : base_(base), meter_(meter), options_(options) {}
 
-    /// Rates a trial and keeps it. Times it if it may be the best fix.
+    /// Rates a trial and keeps it. Times it if it is the first fix.
     /// @param own own maps on which the trial was drawn; null: it was not
     void add(Trial t, const ErrorMetrics& before, const OwnMap* own = nullptr) {
         if (t.is_drawn()) {
             t.why_not = why_no_fix(t, before);
             // The whole change has to be a fix, and so has the step on own maps.
             if (own && t.why_not.empty()) t.why_not = why_no_fix(t, own->before.frame->metrics);
-            const Trial* const best = table.fix();
-            if (options_.time || (t.why_not.empty() && (!best || is_better(t, *best))))
-                limit_time(t, own ? own->settings : base_);
+            if (own) own_ = &own->settings;
+            if (options_.time || (t.why_not.empty() && !table.fix())) limit_time(t);
             if (t.why_not.empty() && !t.ms) t.why_not = kNotTimed;
         }
-        const auto at = std::ranges::find_if(table.rows, [&](const Trial& other) { return is_better(t, other); });
-        table.rows.insert(at, std::move(t));
+        insert(std::move(t));
+    }
+    /// Returns the reason why a change is not drawn: its maps are too large for a fix, and a fix with smaller ones puts
+    /// most wrong pixels right. Empty: it is drawn.
+    std::string why_too_large(const Candidate& c, std::uint64_t bytes) const {
+        const auto share_right = [&](const Trial& t) {
+            return double(t.cured) / double(std::max<std::size_t>(table.wrong, 1));
+        };
+        double most_right = 0;
+        for (const Trial& t : table.rows)
+            if (may_be_fix(t)) most_right = std::max(most_right, share_right(t));
+        if (!meter_.map_bytes || most_right < kEnoughRight) return {};
+        const std::uint64_t with = meter_.map_bytes(c.settings);
+        if (!takes_too_many_bytes(bytes, with)) return {};
+        return fmt::format(
+            "maps would take more than twice the bytes ({}); {:.0f} % of the wrong pixels have a fix without",
+            map_bytes_text((long long)with - (long long)bytes), 100 * most_right);
+    }
+    /// Times trials that leave less error than the fix, the best first, until one of them is the fix.
+    void time_better_ones() {
+        for (;;) {
+            const auto is_untimed = [&](const Trial& t) { return t.is_drawn() && t.why_not == kNotTimed; };
+            // The rows of one rank are sorted.
+            const auto at = std::ranges::find_if(table.rows, is_untimed);
+            if (at == table.rows.end()) return;
+            Trial best = *at;
+            best.why_not.clear();
+            if (table.fix() && !is_better(best, *table.fix())) return;
+            table.rows.erase(at);
+            limit_time(best);
+            insert(std::move(best));
+        }
     }
     FixTable table;
 
@@ -225,21 +266,31 @@ private:
     const Settings& base_;
     const TrialMeter& meter_;
     const FixOptions& options_;
+    const Settings* own_ = nullptr;                  ///< settings of the own maps, once known
     std::optional<CostChange> shadow_, own_shadow_;  ///< time of the shadow, once measured; on own maps
 
-    /// Times a trial. A change that costs more than the shadow does is no fix. @param base settings that the trial
-    /// changes
-    void limit_time(Trial& t, const Settings& base) {
-        t.ms = meter_.time(base, t.candidate.settings);
-        if (!t.why_not.empty()) return;
+    void insert(Trial t) {
+        const auto at = std::ranges::find_if(table.rows, [&](const Trial& other) { return is_better(t, other); });
+        table.rows.insert(at, std::move(t));
+    }
+
+    /// Times a trial. A change that costs more than the shadow does is no fix.
+    void limit_time(Trial& t) {
+        const Settings& base = t.on_own_map ? *own_ : base_;
+        if (!t.why_not.empty()) {
+            t.ms = meter_.time(base, t.candidate.settings);
+            return;
+        }
         std::optional<CostChange>& shadow = t.on_own_map ? own_shadow_ : shadow_;
         if (!shadow) {
             Settings unshadowed = base;
             unshadowed.lights[std::size_t(t.candidate.light)].cast = false;
             shadow = meter_.time(unshadowed, base);
         }
-        const double limit = std::max(shadow->value, 0.0) + shadow->noise + t.ms->noise;
-        if (t.ms->value > limit)
+        const double limit = std::max(shadow->value, 0.0) + shadow->noise;
+        t.ms = meter_.time_to_limit ? meter_.time_to_limit(base, t.candidate.settings, limit)
+                                    : meter_.time(base, t.candidate.settings);
+        if (t.ms->value > limit + t.ms->noise)
             t.why_not = fmt::format("the shadow takes {} ms, and {} ms more with it", digits_text(shadow->value),
                                     digits_text(t.ms->value));
     }
@@ -401,8 +452,7 @@ const Trial* FixTable::fix_of(Artefact cause) const {
     const Trial* best = nullptr;
     const auto of = [&](const Trial& t) { return t.cured_of[std::size_t(cause)]; };
     for (const Trial& t : rows)
-        if (t.is_drawn() && (t.why_not.empty() || t.why_not == kNotTimed) && of(t) > 0 && (!best || of(t) > of(*best)))
-            best = &t;
+        if (may_be_fix(t) && of(t) > 0 && (!best || of(t) > of(*best))) best = &t;
     return best;
 }
 
@@ -429,6 +479,7 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
     std::optional<OwnMap> own_map;
     std::size_t tried = 0;
     table.stopped = !try_each(std::move(list), report, [&](Candidate& c) {
+        if (c.untried.empty()) c.untried = search.why_too_large(c, before.work.map_bytes);
         Trial t = try_candidate(base, before, c, meter, pixel);
         if (own && t.candidate.untried == kNeedsAnotherMap) {
             if (!own_map) own_map = own();
@@ -439,6 +490,12 @@ FixTable search_fixes(const Settings& base, const MeasuredSettings& before, std:
         if (shown) shown(table);
         return ++tried < enough || !table.fix();
     });
+    try {
+        if (!table.stopped) search.time_better_ones();
+        if (shown) shown(table);
+    } catch (const Cancelled&) {
+        table.stopped = true;
+    }
     return table;
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMinRounds = 3;
 constexpr int kMaxRounds = 8;
 constexpr int kRoundFrames = 2;
-constexpr double kMaxSeconds = 2;           // for one comparison of two settings
+constexpr double kMaxSeconds = 1;           // for one comparison of two settings
 constexpr double kMaxRelativeNoise = 0.01;  // share of the frame time below which a comparison ends
 
 double mean_of(const std::vector<double>& values) {
@@ -55,9 +55,7 @@ SearchTools SearchTools::part(double lo, double hi) const {
 }
 
 AlternatingTimes time_alternately(const std::function<double()>& before, const std::function<double()>& with,
-                                  const std::stop_token& stop) {
-    before();
-    with();  // programs are compiled
+                                  const std::stop_token& stop, std::optional<double> limit_ms) {
     std::vector<double> more, base;
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < kMaxRounds; ++i) {
@@ -67,7 +65,8 @@ AlternatingTimes time_alternately(const std::function<double()>& before, const s
         base.push_back(c);
         more.push_back(b - c);
         const double noise = half_interval(more), value = mean_of(more);
-        const bool sharp = noise < kMaxRelativeNoise * mean_of(base) || std::abs(value) > 2 * noise;
+        const bool sharp = noise < kMaxRelativeNoise * mean_of(base) || std::abs(value) > 2 * noise ||
+                           (limit_ms && std::abs(value - *limit_ms) > 2 * noise);
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
         if (i + 1 >= kMinRounds && (sharp || spent.count() > kMaxSeconds)) break;
     }
@@ -168,18 +167,31 @@ TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& op
             distance_from_best(metric.better, metric.value(m->metrics)), m->traced.reference->noise,
             options.work ? work_cost(s, tools.renderer.render(tools.scene, s, own)) : map_cost(s, *m), m->camera, m};
     };
-    meter.time = [=](const Settings& before, const Settings& with) {
+    const auto timed = [=](const Settings& before, const Settings& with, std::optional<double> limit_ms) {
         const auto rounds = [&](const Settings& s) {
             const auto frames = std::make_shared<TimedFrames>(tools.renderer, tools.scene, s, request, options.cost,
                                                               tools.cache, tools.workers);
-            return [frames] {
-                frames->warm_up();
+            return [frames, begun = false]() mutable {
+                // One frame makes the cached results valid again, once programs are compiled.
+                if (std::exchange(begun, true))
+                    frames->draw_next();
+                else
+                    frames->warm_up();
                 TimeSamples samples;
                 for (int i = 0; i < kRoundFrames; ++i) samples.add(frames->draw_next());
                 return mean_of(samples.total_ms);
             };
         };
-        return time_alternately(rounds(before), rounds(with), tools.workers.stop).more;
+        return time_alternately(rounds(before), rounds(with), tools.workers.stop, limit_ms).more;
+    };
+    meter.time = [=](const Settings& before, const Settings& with) { return timed(before, with, {}); };
+    meter.time_to_limit = [=](const Settings& before, const Settings& with, double limit_ms) {
+        return timed(before, with, limit_ms);
+    };
+    meter.map_bytes = [=](const Settings& s) {
+        FrameRequest plan = request;
+        plan.outputs = {.colour = false};
+        return work_cost(s, tools.renderer.render(tools.scene, s, plan)).map_bytes;
     };
     meter.ms = [=](const Settings& s) {
         const Spread time =

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -75,6 +76,10 @@ struct TrialMeter {
     std::function<MeasuredSettings(const Settings&, int light)> measure;
     /// Times frames of two settings in alternating rounds. Returns the milliseconds per frame that the second adds.
     std::function<CostChange(const Settings& before, const Settings& with)> time;
+    /// Times as `time` does, and ends as soon as the change is surely below or above a limit. Null: `time` is used.
+    std::function<CostChange(const Settings& before, const Settings& with, double limit_ms)> time_to_limit = nullptr;
+    /// Returns the bytes of the maps under some settings, and draws nothing. Null: not known before a trial.
+    std::function<std::uint64_t(const Settings&)> map_bytes = nullptr;
     std::function<CostChange(const Settings&)> ms = nullptr;  ///< times frames of one setting
     /// Draws one frame of a candidate, without a reference. @throws Cancelled
     std::function<FrameResult(const Candidate&, FrameRequest)> draw = nullptr;
@@ -98,10 +103,11 @@ struct AlternatingTimes {
     CostChange more;       ///< milliseconds that the second kind takes more
 };
 /// Times two kinds of frames in alternating rounds, so that drift of the machine's speed affects both alike. Ends when
-/// the change is known or after some seconds. @param before, with draw a round of frames and return the milliseconds
-/// of one @throws Cancelled
+/// the change is known or after some seconds. @param before, with draw a round of frames whose programs are compiled,
+/// and return the milliseconds of one @param limit_ms ends also once the change is surely below or above it
+/// @throws Cancelled
 AlternatingTimes time_alternately(const std::function<double()>& before, const std::function<double()>& with,
-                                  const std::stop_token& stop);
+                                  const std::stop_token& stop, std::optional<double> limit_ms = {});
 
 /// Benefit that a rule claims for a setting change. The measurement confirms or rejects the claim.
 enum class Claim {

@@ -1,0 +1,136 @@
+// Tests of the search for fixes with made-up measurements: which trials are timed, which are not drawn, and which one
+// is the fix.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/advise/fixes.h"
+
+namespace si {
+namespace {
+
+constexpr std::size_t kPixels = 100;
+
+/// Made-up effect of one candidate. The candidate's number is its bias.constant; 0 is the present settings.
+struct Effect {
+    std::size_t wrong = 0;    ///< wrong pixels of kPixels
+    double ms = 10;           ///< frame time
+    std::uint64_t bytes = 1;  ///< bytes of the maps
+};
+
+/// Meter over made-up effects that notes what is drawn and timed.
+class MadeUpFrames {
+public:
+    /// @param effects of the present settings, and of each candidate
+    explicit MadeUpFrames(std::vector<Effect> effects) : effects_(std::move(effects)) {
+        auto reference = std::make_shared<Reference>();
+        reference->width = kPixels;
+        reference->height = 1;
+        reference->visibility = {kPixels, 1, 1, std::vector<float>(kPixels, 1.f)};
+        reference_ = reference;
+        meter.measure = [this](const Settings& s, int) {
+            drawn.push_back(number(s));
+            return measured(s);
+        };
+        meter.time = [this](const Settings& a, const Settings& b) {
+            timed.push_back(number(b));
+            const auto ms = [this](const Settings& s) { return s.lights[0].cast ? effect(s).ms : kUnshadowed_ms; };
+            return CostChange{ms(b) - ms(a), 0.1};
+        };
+        meter.map_bytes = [this](const Settings& s) { return effect(s).bytes; };
+    }
+    FixTable search() {
+        std::vector<Candidate> list;
+        for (std::size_t i = 1; i < effects_.size(); ++i) {
+            list.push_back({.name = std::to_string(i), .settings = {}});
+            list.back().settings.bias.constant = double(i);
+        }
+        Settings base;
+        base.bias.constant = 0;
+        return search_fixes(base, measured(base), std::move(list), meter, {});
+    }
+    TrialMeter meter;
+    std::vector<int> drawn, timed;
+
+private:
+    static constexpr double kUnshadowed_ms = 5;
+    std::vector<Effect> effects_;
+    std::shared_ptr<const Reference> reference_;
+
+    static int number(const Settings& s) { return int(s.bias.constant); }
+    const Effect& effect(const Settings& s) const { return effects_[std::size_t(number(s))]; }
+    MeasuredSettings measured(const Settings& s) const {
+        const Effect& e = effect(s);
+        auto frame = std::make_shared<MeasuredError>();
+        frame->traced.reference = reference_;
+        frame->classified.resize(kPixels);
+        for (std::size_t i = 0; i < e.wrong; ++i) frame->classified[i].artefact = Artefact::Acne;
+        frame->metrics.counted = kPixels;
+        frame->metrics.artefacts[std::size_t(Artefact::Acne)] = e.wrong;
+        frame->metrics.mae = double(e.wrong) / kPixels;
+        frame->map_resolution = s.map.resolution;
+        return {.error = frame->metrics.mae, .noise = 0, .work = {.map_bytes = e.bytes}, .camera = {}, .frame = frame};
+    }
+};
+
+const Trial& row_of(const FixTable& table, const std::string& name) {
+    for (const Trial& t : table.rows)
+        if (t.candidate.name == name) return t;
+    throw std::runtime_error("no row " + name);
+}
+
+TEST(FixSearch, TimesTheFirstFixAndAtTheEndTheBest) {
+    MadeUpFrames frames({{100}, {50}, {30}, {10}, {20}});
+    const FixTable table = frames.search();
+    ASSERT_TRUE(table.fix());
+    EXPECT_EQ(table.fix()->candidate.name, "3");
+    EXPECT_EQ(frames.drawn, (std::vector<int>{1, 2, 3, 4}));
+    EXPECT_EQ(frames.timed, (std::vector<int>{0, 1, 3})) << "the shadow itself, the first fix, the best";
+    EXPECT_NE(row_of(table, "4").why_not, "");
+    EXPECT_FALSE(row_of(table, "4").ms);
+}
+
+TEST(FixSearch, TakesTheNextBestWhereTheBestCostsMoreThanTheShadow) {
+    MadeUpFrames frames({{100}, {50}, {10, 40}, {20, 12}, {30}});
+    const FixTable table = frames.search();
+    ASSERT_TRUE(table.fix());
+    EXPECT_EQ(table.fix()->candidate.name, "3");
+    EXPECT_EQ(frames.timed, (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_NE(row_of(table, "2").why_not.find("ms more"), std::string::npos) << row_of(table, "2").why_not;
+}
+
+TEST(FixSearch, DrawsNoLargerMapsOnceMostPixelsHaveAFix) {
+    MadeUpFrames frames({{100}, {15}, {5, 10, 4}, {5, 10, 2}});
+    const FixTable table = frames.search();
+    EXPECT_EQ(frames.drawn, (std::vector<int>{1, 3})) << "twice the bytes are allowed";
+    EXPECT_EQ(row_of(table, "2").candidate.untried,
+              "maps would take more than twice the bytes (+0 KiB); 85 % of the wrong pixels have a fix without");
+    EXPECT_EQ(table.fix()->candidate.name, "3");
+}
+
+TEST(FixSearch, DrawsLargerMapsWhileManyPixelsStayWrong) {
+    MadeUpFrames frames({{100}, {25}, {5, 10, 4}});
+    const FixTable table = frames.search();
+    EXPECT_EQ(frames.drawn, (std::vector<int>{1, 2}));
+    EXPECT_EQ(row_of(table, "2").cured, 95u);
+    EXPECT_NE(row_of(table, "2").why_not.find("twice the bytes"), std::string::npos);
+    EXPECT_EQ(table.fix()->candidate.name, "1");
+}
+
+TEST(FixSearch, AStoppedSearchHasTheFirstFix) {
+    MadeUpFrames frames({{100}, {50}, {10}, {5}});
+    frames.meter.measure = [&, measure = frames.meter.measure](const Settings& s, int light) {
+        if (int(s.bias.constant) == 3) throw Cancelled();
+        return measure(s, light);
+    };
+    const FixTable table = frames.search();
+    EXPECT_TRUE(table.stopped);
+    ASSERT_TRUE(table.fix());
+    EXPECT_EQ(table.fix()->candidate.name, "1") << "the better one was not timed";
+    EXPECT_EQ(table.rows.size(), 2u);
+}
+
+}  // namespace
+}  // namespace si
