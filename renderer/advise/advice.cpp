@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -18,15 +19,24 @@ bool is_faster(const Trial& t) {
     return t.ms && t.ms->is_significant() && t.ms->value < 0;
 }
 
-/// Returns the reason why a drawn change is no advice; empty: it lowers the error, or keeps its rule's claim.
-std::string why_no_advice(const Trial& t) {
+bool lowers_error(const Trial& t) {
+    return t.added_error() < -t.least_gain();
+}
+
+/// Returns the reason why the error of a change refutes its rule's claim, whatever time it takes; empty: it does not.
+std::string why_error_refutes(const Trial& t) {
     if (!t.is_drawn()) return t.candidate.untried;
     const double added = t.added_error();
-    if (added < -t.least_gain()) return {};
+    if (lowers_error(t)) return {};
     if (t.candidate.claim == Claim::Right) return fmt::format("the error does not fall ({:+.3g})", added);
     if (t.candidate.claim == Claim::Same && added > t.tolerance())
         return fmt::format("the error grows by {:.3g}", added);
-    if (is_faster(t)) return {};
+    return {};
+}
+
+/// Returns the reason why a timed change is no advice; empty: it lowers the error, or keeps its rule's claim.
+std::string why_no_advice(const Trial& t) {
+    if (lowers_error(t) || is_faster(t)) return {};
     if (t.ms && t.ms->is_significant()) return fmt::format("a frame takes {} ms more", digits_text(t.ms->value));
     if (t.candidate.claim == Claim::Same && t.more_bytes() < 0) return {};
     return fmt::format("a frame takes no less time ({} ± {} ms)", signed_text(t.ms->value), digits_text(t.ms->noise));
@@ -36,7 +46,7 @@ std::string why_no_advice(const Trial& t) {
 std::tuple<int, double, double> rank_of(const Trial& t) {
     const double ms = t.ms ? t.ms->value : 0;
     if (!t.why_not.empty()) return {4, ms, 0};
-    if (t.added_error() < -t.least_gain()) return {0, t.added_error(), ms};
+    if (lowers_error(t)) return {0, t.added_error(), ms};
     if (is_faster(t) && t.added_error() <= t.tolerance()) return {1, ms, 0};
     if (is_faster(t)) return {2, ms / t.added_error(), 0};
     return {3, double(t.more_bytes()), 0};
@@ -76,6 +86,19 @@ std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> c
         if (shown) shown(tried);
     };
     std::map<int, MeasuredSettings> before;  // by light
+    // A change whose error refutes its claim is not timed. One that lowers the error holds at any time: few rounds tell
+    // its price.
+    const auto time = [&](const Trial& t) {
+        constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+        return lowers_error(t) && meter.time_to_limit ? meter.time_to_limit(settings, t.candidate.settings, kNoLimit)
+                                                      : meter.time(settings, t.candidate.settings);
+    };
+    const auto rate = [&](Trial& t) {
+        t.why_not = why_error_refutes(t);
+        if (!t.why_not.empty()) return;
+        if (!t.ms) t.ms = time(t);
+        t.why_not = why_no_advice(t);
+    };
     const bool ended = try_each(std::move(candidates), report, [&](Candidate& c) {
         const auto known = std::ranges::find_if(
             tried, [&](const Trial& t) { return t.candidate.light == c.light && t.candidate.settings == c.settings; });
@@ -83,7 +106,7 @@ std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> c
             if (known->why_not.empty()) return true;
             Trial again = *known;
             again.candidate = std::move(c);
-            again.why_not = why_no_advice(again);
+            rate(again);
             // The change may hold under this weaker claim.
             if (again.why_not.empty()) *known = std::move(again);
             rank();
@@ -91,8 +114,7 @@ std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> c
         }
         if (!before.contains(c.light)) before[c.light] = meter.measure(settings, c.light);
         Trial t = try_candidate(settings, before[c.light], std::move(c), meter);
-        if (t.is_drawn()) t.ms = meter.time(settings, t.candidate.settings);
-        t.why_not = why_no_advice(t);
+        rate(t);
         tried.push_back(std::move(t));
         rank();
         return true;

@@ -264,6 +264,12 @@ TEST(Advice, ClaimsOfCuredPixelsAreVerified) {
     EXPECT_NE(all[1].why_not.find("does not fall"), std::string::npos);
 }
 
+TEST(Advice, ChangesThatTheErrorRefutesAreNotTimed) {
+    const auto all =
+        tried_ideas({{0.010, 10}, {0.020, 5}, {0.010, 5}, {0.010, 5}}, {Claim::Same, Claim::Right, Claim::Same});
+    for (const Trial& t : all) EXPECT_EQ(t.ms.has_value(), t.candidate.name == "3") << t.candidate.name;
+}
+
 TEST(Advice, CameraChangesAreNotMeasured) {
     Candidate idea{.name = "turn", .settings = {}, .rule = "made up"};
     idea.settings.map.resolution = 1;
