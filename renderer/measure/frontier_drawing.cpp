@@ -297,14 +297,30 @@ private:
         const auto outside = std::ranges::count_if(dots_, [&](const Dot& d) { return !inside(d); });
         if (outside > 0 && page_.titles)
             words(PlotInk::Muted, {box_.hi.x - 2, title_y_},
-                  fmt::format("{} case{} beyond the axes", outside, outside == 1 ? "" : "s"), small_, false,
-                  PlotMark::Anchor::End);
+                  fmt::format("{} case{} outside: over {:g} \u00d7 the front", outside, outside == 1 ? "" : "s",
+                              kMostOfFront),
+                  small_, false, PlotMark::Anchor::End);
         if (!page_.titles) return;
+        mark_base();
         words(PlotInk::Text, {2, title_y_}, plot_.error_title + " (log scale; lower is better)", small_);
         std::string cost = plot_.cost_title;
         if (!plot_.cost_unit.empty() && !plot_.bytes) cost += ", " + plot_.cost_unit;
         words(PlotInk::Text, {0.5 * (box_.lo.x + box_.hi.x), box_.hi.y + small_ * 2.5},
               cost + " (log scale; further left is cheaper)", small_, false, PlotMark::Anchor::Middle);
+    }
+
+    /// Marks the base's cost on the axis.
+    void mark_base() {
+        if (!plot_.base_cost) return;
+        const double cost = *plot_.base_cost, x = x_.at(cost), r = page_.em * 0.3;
+        if (!(cost >= x_.low && cost <= x_.high)) return;
+        const dvec2 tip(x, box_.hi.y);
+        out_.marks.push_back({.kind = PlotMark::Kind::Area,
+                              .ink = PlotInk::Text,
+                              .points = {tip, tip + dvec2(-r, -2 * r), tip + dvec2(r, -2 * r)}});
+        const double w = width_of("base", small_);
+        words(PlotInk::Text, tip + dvec2(r + 2, -4), "base", small_);
+        taken_.push_back({tip - dvec2(r, 4 + small_), tip + dvec2(r + 2 + w, 0)});
     }
 
     void draw_forced() {
@@ -319,8 +335,11 @@ private:
         }
         if (path.size() < 2) return;
         line(PlotInk::Muted, path, 1.2, true, 0.6);
-        words(PlotInk::Muted, path.back() + dvec2(4, -4), "all forced", small_);
-        taken_.push_back({path.back() + dvec2(2, -4 - small_), path.back() + dvec2(60, 0)});
+        const std::string text = "optimisations off";
+        const double w = width_of(text, small_);
+        const dvec2 start(std::min(path.back().x + 4, page_.width - w), path.back().y - 4);
+        words(PlotInk::Muted, start, text, small_);
+        taken_.push_back({start - dvec2(2, small_), start + dvec2(w, 4)});
     }
 
     void draw_lines() {
@@ -495,15 +514,18 @@ private:
         return c.name() + bound + (knee_of(dots_, front_) == i ? " \u2013 knee" : "");
     }
 
-    /// Lists the front's cases that get a label: the first, the knee, the last, and each that errs less than the label
-    /// before by a tenth. Smaller steps are joined with the next.
+    /// Lists the front's cases that get a label: the first, the knee, the last, those of the table, and each that errs
+    /// less than the label before by a tenth. Smaller steps are joined with the next.
     std::vector<std::size_t> labelled_cases() const {
         constexpr double kJoined = 0.1;
         const auto knee = knee_of(dots_, front_);
+        std::vector<BestRow> table;
+        if (page_.table) table = best_rows(plot_);
         std::vector<std::size_t> out;
         for (const std::size_t i : front_) {
             const bool less = out.empty() || dots_[i].error <= (1 - kJoined) * dots_[out.back()].error;
-            if (less || i == knee || i == front_.back()) out.push_back(i);
+            const bool in_table = std::ranges::find(table, std::optional(i), &BestRow::best) != table.end();
+            if (less || in_table || i == knee || i == front_.back()) out.push_back(i);
         }
         return out;
     }
@@ -522,8 +544,9 @@ private:
                 const bool ratio = !c.bound && !plot_.cases[named[k - 1]].bound;
                 const std::string factor =
                     ratio ? fmt::format("{} \u00d7 cost, ", digits_text(steps[k - 1].cost_factor)) : "";
-                const Row step{factor + fmt::format("\u2212{:.0f} % error", 100 * steps[k - 1].error_reduction),
-                               PlotInk::Text, false};
+                const Row step{
+                    "step: " + factor + fmt::format("\u2212{:.0f} % error", 100 * steps[k - 1].error_reduction),
+                    PlotInk::Text, false};
                 tries.push_back({name, step});
                 tries.push_back({step});
             }
@@ -565,6 +588,21 @@ private:
         words(PlotInk::Muted, {cost_x, y}, "costs (\u00d7 base)", small_, false, Anchor::End);
         words(PlotInk::Muted, {error_x, y}, "error", small_, false, Anchor::End);
         line(PlotInk::Grid, {{2, y + em * 0.35}, {page_.width - 2, y + em * 0.35}}, 1);
+        const auto write = [&](std::size_t i) {
+            const PlotCase& c = plot_.cases[i];
+            words(family_ink(c.family), {name_x, y}, c.name(), em, true);
+            words(PlotInk::Text, {cost_x, y},
+                  c.bound
+                      ? plot_cost_text(plot_, c.dot.cost, true)
+                      : fmt::format("{} ({} \u00d7)", digits_text(c.dot.cost), digits2(c.dot.cost / *plot_.base_cost)),
+                  em, false, Anchor::End);
+            words(PlotInk::Text, {error_x, y}, digits_text(c.dot.error), em, false, Anchor::End);
+        };
+        if (const auto knee = knee_of(dots_, front_)) {
+            y += row_height;
+            words(PlotInk::Text, {2, y}, "the knee", em);
+            write(*knee);
+        }
         std::optional<std::size_t> before;
         for (const BestRow& row : rows) {
             y += row_height;
@@ -573,20 +611,13 @@ private:
                 words(PlotInk::Muted, {name_x, y}, "nothing costs so little", em);
                 continue;
             }
-            const PlotCase& c = plot_.cases[*row.best];
             const bool same = before == row.best;
             before = row.best;
             if (same) {
                 words(PlotInk::Muted, {name_x, y}, "the same: more money buys nothing", em);
                 continue;
             }
-            words(family_ink(c.family), {name_x, y}, c.name(), em, true);
-            words(PlotInk::Text, {cost_x, y},
-                  c.bound
-                      ? plot_cost_text(plot_, c.dot.cost, true)
-                      : fmt::format("{} ({} \u00d7)", digits_text(c.dot.cost), digits2(c.dot.cost / *plot_.base_cost)),
-                  em, false, Anchor::End);
-            words(PlotInk::Text, {error_x, y}, digits_text(c.dot.error), em, false, Anchor::End);
+            write(*row.best);
         }
         y += row_height;
         words(PlotInk::Muted, {2, y},

@@ -154,10 +154,42 @@ TEST(FrontierDrawing, NamesKneeStepsAndBestCases) {
                                    [&](const PlotMark& m) { return m.text.find(text) != std::string::npos; });
     };
     for (const char* text :
-         {"PCF 3\u00d73, 1024\u00b2", "\u221260 % error", "1.4 \u00d7 cost", "Poisson", "1 \u00d7 base",
+         {"PCF 3\u00d73, 1024\u00b2", "\u221260 % error", "step: 1.4 \u00d7 cost", "Poisson", "1 \u00d7 base",
           "8 \u00d7 base", "Mean error", "Time of the shadow, ms", "more money buys nothing"})
         EXPECT_TRUE(says(text)) << text;
     EXPECT_EQ(drawing.cases.size(), plot.cases.size());
+}
+
+TEST(FrontierDrawing, MarksTheBaseAndHasTheKneeInTheTable) {
+    FrontierPlot plot = three_kernels();
+    const auto count = [&](std::string_view text) {
+        const FrontierDrawing drawing = frontier_drawing(plot, {});
+        return std::ranges::count(drawing.marks, text, &PlotMark::text);
+    };
+    EXPECT_EQ(count("base"), 1);
+    EXPECT_EQ(count("the knee"), 1);
+    EXPECT_EQ(count("PCF 3\u00d73, 1024\u00b2"), 2) << "as the knee, and as the best within twice the base's cost";
+    plot.base_cost = 1e6;
+    EXPECT_EQ(count("base"), 0) << "the axis ends before it";
+    plot.base_cost.reset();
+    EXPECT_EQ(count("the knee"), 0) << "without a base there is no table";
+}
+
+/// A case that the table names can be found in the plot, however small its step.
+TEST(FrontierDrawing, NamesTheCasesOfTheTable) {
+    FrontierPlot plot = three_kernels();
+    plot.cases.clear();
+    const auto add = [&](const char* line, double cost, double error) {
+        plot.cases.push_back(
+            {.of = plot.cases.size(), .line = line, .place = "1024\u00b2", .dot = {.cost = cost, .error = error}});
+    };
+    plot.base_cost = 1;
+    add("Small", 1, 0.100);
+    add("Middle", 3, 0.098);
+    add("Large", 30, 0.05);
+    std::size_t named = 0;
+    for (const PlotMark& m : frontier_drawing(plot, {}).marks) named += m.halo && m.text == "Middle, 1024\u00b2";
+    EXPECT_EQ(named, 1u);
 }
 
 // A step of 2.05 times the cost may gain a quarter beside a knee: "2 x" would contradict the sentence on the knee.
@@ -237,8 +269,8 @@ TEST(FrontierDrawing, AxesEndBeyondTheFront) {
     plot.cases[7].dot.cost = 1000;
     const FrontierDrawing drawing = frontier_drawing(plot, {});
     EXPECT_EQ(drawing.cases.size(), plot.cases.size() - 1);
-    EXPECT_TRUE(
-        std::ranges::any_of(drawing.marks, [](const PlotMark& m) { return m.text == "1 case beyond the axes"; }));
+    EXPECT_TRUE(std::ranges::any_of(
+        drawing.marks, [](const PlotMark& m) { return m.text == "1 case outside: over 4 \u00d7 the front"; }));
     plot.whole = true;
     EXPECT_EQ(frontier_drawing(plot, {}).cases.size(), plot.cases.size());
 }
@@ -246,7 +278,7 @@ TEST(FrontierDrawing, AxesEndBeyondTheFront) {
 TEST(FrontierDrawing, ALineOfForcedFramesHasTwoPoints) {
     const auto named = [](const FrontierPlot& plot) {
         return std::ranges::any_of(frontier_drawing(plot, {}).marks,
-                                   [](const PlotMark& m) { return m.text == "all forced"; });
+                                   [](const PlotMark& m) { return m.text == "optimisations off"; });
     };
     FrontierPlot plot = three_kernels();
     plot.forced = {{.cost = 4, .error = 0.02}};
