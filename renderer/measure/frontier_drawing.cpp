@@ -281,8 +281,9 @@ private:
         const int up = std::clamp(int(page_.height / (3.2 * page_.em)), 2, 6);
         for (const double t : ticks(x_, std::min(across, 7), plot_.bytes)) {
             line(PlotInk::Grid, {{x_.at(t), box_.lo.y}, {x_.at(t), box_.hi.y}}, 1);
-            words(PlotInk::Muted, {x_.at(t), box_.hi.y + small_ * 1.2}, tick_text(t, plot_.bytes), small_, false,
-                  PlotMark::Anchor::Middle);
+            const std::string text = tick_text(t, plot_.bytes);
+            const double x = std::min(x_.at(t), page_.width - 0.5 * width_of(text, small_));
+            words(PlotInk::Muted, {x, box_.hi.y + small_ * 1.2}, text, small_, false, PlotMark::Anchor::Middle);
         }
         for (const double t : ticks(y_, up, false)) {
             line(PlotInk::Grid, {{box_.lo.x, y_.at(t)}, {box_.hi.x, y_.at(t)}}, 1);

@@ -241,6 +241,20 @@ TEST(FrontierDrawing, StaysOnThePageAndOverlapsNoText) {
     }
 }
 
+TEST(FrontierDrawing, NumbersOfTheAxisStayOnThePage) {
+    FrontierPlot plot = three_kernels();
+    PlotPage page;
+    page.text_width = [](std::string_view text, double size, bool) { return 0.6 * size * double(text.size()); };
+    for (double most = 800; most < 1300; most += 7) {
+        plot.cases.back().dot.cost = most;
+        plot.whole = true;
+        for (const PlotMark& m : frontier_drawing(plot, page).marks)
+            if (m.anchor == PlotMark::Anchor::Middle) {
+                EXPECT_LE(m.points[0].x + 0.5 * page.text_width(m.text, m.size, false), page.width + 0.01) << m.text;
+            }
+    }
+}
+
 TEST(FrontierDrawing, WhiskersStandOnlyWhereNoiseOverlaps) {
     FrontierPlot plot = three_kernels();
     const auto whiskers = [&] {
