@@ -242,7 +242,8 @@ public:
         const std::uint64_t with = meter_.map_bytes(c.settings);
         if (!takes_too_many_bytes(bytes, with)) return {};
         return fmt::format(
-            "maps would take more than twice the bytes ({}); {:.0f} % of the wrong pixels have a fix without",
+            "maps would take more than twice the bytes ({}); a fix with smaller ones puts {:.0f} % of the wrong pixels "
+            "right",
             map_bytes_text((long long)with - (long long)bytes), 100 * most_right);
     }
     /// Times trials that leave less error than the fix, the best first, until one of them is the fix.

@@ -106,7 +106,8 @@ TEST(FixSearch, DrawsNoLargerMapsOnceMostPixelsHaveAFix) {
     const FixTable table = frames.search();
     EXPECT_EQ(frames.drawn, (std::vector<int>{1, 3})) << "twice the bytes are allowed";
     EXPECT_EQ(row_of(table, "2").candidate.untried,
-              "maps would take more than twice the bytes (+0 KiB); 85 % of the wrong pixels have a fix without");
+              "maps would take more than twice the bytes (+0 KiB); a fix with smaller ones puts 85 % of the wrong "
+              "pixels right");
     EXPECT_EQ(table.fix()->candidate.name, "3");
 }
 
