@@ -90,8 +90,8 @@ std::vector<Trial> try_advice(const Settings& settings, std::vector<Candidate> c
     // its price.
     const auto time = [&](const Trial& t) {
         constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-        return lowers_error(t) && meter.time_to_limit ? meter.time_to_limit(settings, t.candidate.settings, kNoLimit)
-                                                      : meter.time(settings, t.candidate.settings);
+        return lowers_error(t) ? meter.time_against(settings, t.candidate.settings, kNoLimit)
+                               : meter.time(settings, t.candidate.settings);
     };
     const auto rate = [&](Trial& t) {
         t.why_not = why_error_refutes(t);

@@ -289,8 +289,7 @@ private:
             shadow = meter_.time(unshadowed, base);
         }
         const double limit = std::max(shadow->value, 0.0) + shadow->noise;
-        t.ms = meter_.time_to_limit ? meter_.time_to_limit(base, t.candidate.settings, limit)
-                                    : meter_.time(base, t.candidate.settings);
+        t.ms = meter_.time_against(base, t.candidate.settings, limit);
         if (t.ms->value > limit + t.ms->noise)
             t.why_not = fmt::format("the shadow takes {} ms, and {} ms more with it", digits_text(shadow->value),
                                     digits_text(t.ms->value));

@@ -84,6 +84,10 @@ struct TrialMeter {
     /// Draws one frame of a candidate, without a reference. @throws Cancelled
     std::function<FrameResult(const Candidate&, FrameRequest)> draw = nullptr;
     std::function<double()> now_s = nullptr;  ///< present time in seconds, by any clock
+    /// Times by time_to_limit, or by `time` where a meter lacks it.
+    CostChange time_against(const Settings& before, const Settings& with, double limit_ms) const {
+        return time_to_limit ? time_to_limit(before, with, limit_ms) : time(before, with);
+    }
 };
 
 /// Options of a trial meter: metric of the error, timed frames, reference.
