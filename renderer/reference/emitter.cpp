@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "renderer/base/directions.h"
@@ -22,7 +23,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 constexpr std::uint32_t kScramblings = 64;
-constexpr std::uint32_t kKept = 1024;  ///< points of each scrambling that are kept; later ones are made anew
+constexpr int kKeptDigits = 10;
+constexpr std::uint32_t kKept = 1u << kKeptDigits;  ///< kept points of each scrambling; later ones are made anew
 
 /// Maps [-1,1]^2 to the unit disk, preserving areas.
 glm::dvec2 on_disk(double x, double y) {
@@ -79,6 +81,22 @@ const LightSamplePoint* kept_points(std::uint32_t scrambling) {
     return &kept[std::size_t(scrambling) * kKept];
 }
 
+/// Returns the points in the cells of a grid of at most kKept cells.
+std::span<const std::uint16_t> kept_points_in_cells(std::uint32_t scrambling, int digits) {
+    // Grids of 1, 2, 4 ... cells, one after another: a grid of n cells starts at n - 1.
+    constexpr std::size_t kOfScrambling = 2 * kKept - 1;
+    static const std::vector<std::uint16_t> kept = [] {
+        std::vector<std::uint16_t> out(kScramblings * kOfScrambling);
+        for (std::uint32_t s = 0; s < kScramblings; ++s)
+            for (int d = 0; d <= kKeptDigits; ++d)
+                for (std::uint32_t k = 0, n = 1u << d; k < n; ++k)
+                    out[s * kOfScrambling + n - 1 + kept_points(s)[k].cell.index(d)] = std::uint16_t(k);
+        return out;
+    }();
+    const std::size_t n = std::size_t{1} << digits;
+    return {&kept[scrambling * kOfScrambling + n - 1], n};
+}
+
 }  // namespace
 
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings) {
@@ -129,6 +147,16 @@ LightRay LightSamples::ray(std::uint32_t k) const {
 
 LightCell LightSamples::cell(std::uint32_t k) const {
     return k < kKept ? points_[k].cell : make_point(scrambling_, k).cell;
+}
+
+void LightSamples::points_in_cells(int digits, std::vector<std::uint32_t>& out) const {
+    if (digits <= kKeptDigits) {
+        const std::span<const std::uint16_t> kept = kept_points_in_cells(scrambling_, digits);
+        out.assign(kept.begin(), kept.end());
+        return;
+    }
+    out.resize(std::size_t{1} << digits);
+    for (std::uint32_t k = 0; k < out.size(); ++k) out[cell(k).index(digits)] = k;
 }
 
 }  // namespace si

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <vector>
 
 #include "renderer/settings/settings.h"
 #include "renderer/view/lights/light.h"
@@ -50,6 +51,12 @@ struct LightRay {
 /// upper ones.
 struct LightCell {
     std::uint16_t x = 0, y = 0;
+    /// Returns the index, by rows, of the cell that holds this one in a grid of 2^digits cells, at most 2^32: as many
+    /// across as down, or twice as many.
+    std::size_t index(int digits) const {
+        const int across = (digits + 1) / 2, down = digits / 2;
+        return std::size_t(y >> (16 - down)) << across | std::size_t(x >> (16 - across));
+    }
 };
 
 /// Sample points on an area light for one surface point: a (0,2)-sequence (Sobol') under Owen's nested scrambling. Its
@@ -67,6 +74,8 @@ public:
     LightRay ray(std::uint32_t k) const;
     /// Returns the cell of the light's grid that holds sample point `k`.
     LightCell cell(std::uint32_t k) const;
+    /// Finds the first sample point in each cell of a grid of 2^digits cells; @see LightCell::index
+    void points_in_cells(int digits, std::vector<std::uint32_t>& out) const;
 
 private:
     const Emitter& emitter_;

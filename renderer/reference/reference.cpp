@@ -11,6 +11,7 @@
 
 #include "renderer/bias/light_receiver.h"
 #include "renderer/reference/reference_rays.h"
+#include "renderer/reference/seen_light.h"
 
 namespace si {
 namespace {
@@ -21,7 +22,8 @@ constexpr std::size_t kTilesInTurn = 8;
 constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
 constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
 constexpr int kPenumbraSamples = 64;         ///< samples of pixels in and around penumbrae
-constexpr int kBesideSamples = 256;          ///< samples that must see all of the light or none beside a penumbra
+constexpr int kPlainSamples = 256;           ///< samples through equal parts of the light; more only near edges
+constexpr int kBesideSamples = 128;          ///< samples that must see all of the light or none beside a penumbra
 constexpr int kNeighbourPixels = 2;          ///< distance within which a penumbra asks for these samples
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -58,29 +60,6 @@ struct RayBatch {
         for (std::size_t i = 0; i < grazing.size(); ++i) occluded(grazing_of[i], grazing[i].tfar < 0);
     }
     std::size_t size() const { return plain.size() + grazing.size(); }
-};
-
-/// Estimated visible share of the light, and its standard error; NaN: unknown.
-struct Estimate {
-    double visibility = 1, error = 0;
-    std::size_t samples = 0, rays = 0;
-};
-
-/// Variance of light samples, estimated from groups of neighbouring samples.
-struct Variance {
-    double sum = 0;         ///< group sizes times the sample variance, summed over groups
-    std::size_t known = 0;  ///< number of samples in the estimate
-
-    /// Adds a group of samples. @param above samples above the horizon @param lit samples of those that are lit
-    void add(int lit, int above) {
-        if (above < 2) return;  // one sample has no variance
-        sum += double(lit) * (above - lit) / (above - 1);
-        known += std::size_t(above);
-    }
-    /// Returns the standard error of a share that is estimated by `samples` samples.
-    double standard_error(std::size_t samples) const {
-        return known == 0 ? kNaN : std::sqrt(sum / (double(known) * double(samples)));
-    }
 };
 
 class Tracer {
@@ -199,9 +178,11 @@ private:
         // Mitchell 1996: the error at an edge falls with the number of samples to the power of -3/4.
         constexpr double kErrorOf64Samples = 0.017, kSmallestNoise = 1e-9;
         const double fewest = std::min(kPenumbraSamples, most());
-        const double needed =
-            64 * std::pow(kErrorOf64Samples / std::max(query_.options.noise, kSmallestNoise), 4.0 / 3);
-        return first_ / (first_ + kInPenumbra * std::clamp(needed, fewest, double(most())));
+        double needed = 64 * std::pow(kErrorOf64Samples / std::max(query_.options.noise, kSmallestNoise), 4.0 / 3);
+        needed = std::clamp(needed, fewest, double(most()));
+        // From here on the samples grow with an edge's length on the light.
+        if (needed > kPlainSamples) needed = std::sqrt(needed * kPlainSamples);
+        return first_ / (first_ + kInPenumbra * needed);
     }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
 
@@ -352,21 +333,16 @@ private:
         });
     }
 
-    enum class Seen : std::uint8_t {
-        Below,  ///< below the surface's horizon
-        Dark,
-        Lit
-    };
-
-    /// Traces the samples from `first` to `end` - 1 of a pixel. @returns the number of rays
-    std::size_t trace_samples(std::size_t i, const LightSamples& samples, int first, int end, RayBatch& batch,
-                              std::vector<Seen>& seen) const {
+    /// Traces sample points of a pixel. @param points their numbers @param seen receives their states
+    /// @returns the number of rays
+    std::size_t trace_samples(std::size_t i, const LightSamples& samples, std::span<const std::uint32_t> points,
+                              std::span<Seen> seen, RayBatch& batch) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
-        seen.resize(std::size_t(end), Seen::Below);
+        std::ranges::fill(seen, Seen::Below);
         batch.clear();
-        for (int k = first; k < end; ++k) {
-            const LightRay ray = samples.ray(std::uint32_t(k));
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const LightRay ray = samples.ray(points[k]);
             const double cosine = glm::dot(r.normal_ws, ray.direction);
             if (cosine > 0) batch.add(std::uint32_t(k), r, origin, ray.direction, cosine, ray.length_m * scene_.scale);
         }
@@ -375,50 +351,34 @@ private:
         return batch.size();
     }
 
-    /// Estimates the visible share of the light's part above the surface's horizon.
-    Estimate estimate(std::size_t i, const LightSamples& samples, std::span<const Seen> seen) const {
-        const bool exact = !(query_.emitter.size > 0);  // a light without size
-        const auto lit = std::size_t(std::ranges::count(seen, Seen::Lit));
-        const std::size_t above = lit + std::size_t(std::ranges::count(seen, Seen::Dark));
-        Estimate out{.error = exact ? 0 : kNaN, .samples = seen.size()};
-        if (above == 0) {
-            out.visibility = out_.hard().data[i];
-            return out;
-        }
-        out.visibility = double(lit) / double(above);
-        if (exact || seen.size() < 4) return out;
-        if (lit == 0 || lit == above) {
-            out.error = above < 2 ? kNaN : 0;
-            return out;
-        }
-        // Groups of four cells of the finest grid that has a sample in each cell.
-        const int digits = std::bit_width(seen.size()) - 1, across = (digits + 1) / 2 - 1, down = digits / 2 - 1;
-        thread_local std::vector<std::array<int, 2>> groups;
-        groups.assign(std::size_t{1} << (across + down), {});
-        for (std::size_t k = 0; k < seen.size(); ++k) {
-            if (seen[k] == Seen::Below) continue;
-            const LightCell cell = samples.cell(std::uint32_t(k));
-            auto& group = groups[std::size_t(cell.y >> (16 - down)) << across | std::size_t(cell.x >> (16 - across))];
-            group[0] += seen[k] == Seen::Lit;
-            ++group[1];
-        }
-        Variance variance;
-        for (const auto& [lit_of_group, above_of_group] : groups) variance.add(lit_of_group, above_of_group);
-        out.error = variance.standard_error(above);
+    /// Returns the estimate from the samples so far; a light without size has no error.
+    Estimate estimate(std::size_t i, const SeenLight& light) const {
+        Estimate out = light.estimate(out_.hard().data[i]);
+        if (!(query_.emitter.size > 0)) out.error = 0;
         return out;
     }
 
+    /// Numbers of the sample points of a pixel's start.
+    static constexpr auto kFirstPoints = [] {
+        std::array<std::uint32_t, kPenumbraSamples> out{};
+        for (std::uint32_t k = 0; k < out.size(); ++k) out[k] = k;
+        return out;
+    }();
+
     Estimate first_samples(std::size_t i, RayBatch& batch) {
-        thread_local std::vector<Seen> seen;
-        seen.clear();
+        std::array<Seen, kMaxFirst> seen{};
         const LightSamples samples(query_.emitter, receivers_.pixels[i].position_ws, i);
-        const std::size_t rays = trace_samples(i, samples, 0, first_, batch, seen);
-        for (int k = 0; k < first_; ++k) {
+        const auto first = std::size_t(first_);
+        const std::size_t rays =
+            trace_samples(i, samples, std::span(kFirstPoints).first(first), std::span(seen).first(first), batch);
+        for (std::size_t k = 0; k < first; ++k) {
             const std::uint64_t bit = std::uint64_t{1} << k;
-            if (seen[std::size_t(k)] != Seen::Below) first_seen_[i].above |= bit;
-            if (seen[std::size_t(k)] == Seen::Lit) first_seen_[i].lit |= bit;
+            if (seen[k] != Seen::Below) first_seen_[i].above |= bit;
+            if (seen[k] == Seen::Lit) first_seen_[i].lit |= bit;
         }
-        Estimate out = estimate(i, samples, seen);
+        thread_local SeenLight light;
+        light.start(samples, std::span(seen).first(first));
+        Estimate out = estimate(i, light);
         out.rays = rays;
         return out;
     }
@@ -426,24 +386,29 @@ private:
     /// Adds samples to the first ones until the error is small enough, or the light is seen to be whole or hidden.
     /// @param least samples that must see it so
     Estimate more_samples(std::size_t i, int least, RayBatch& batch) const {
-        thread_local std::vector<Seen> seen;
-        seen.clear();
-        for (int k = 0; k < first_; ++k)
-            seen.push_back(!(first_seen_[i].above >> k & 1u) ? Seen::Below
-                           : first_seen_[i].lit >> k & 1u    ? Seen::Lit
-                                                             : Seen::Dark);
+        std::array<Seen, kPenumbraSamples> seen{};
+        const auto first = std::size_t(first_), start = std::size_t(std::min(kPenumbraSamples, most()));
+        for (std::size_t k = 0; k < first; ++k)
+            seen[k] = !(first_seen_[i].above >> k & 1u) ? Seen::Below
+                      : first_seen_[i].lit >> k & 1u    ? Seen::Lit
+                                                        : Seen::Dark;
         const LightSamples samples(query_.emitter, receivers_.pixels[i].position_ws, i);
-        std::size_t rays = 0;
-        for (Estimate out;;) {
-            const int taken = int(seen.size());
-            const int wanted = std::max(kPenumbraSamples, 2 * std::min(taken, most()));
-            const int next = std::min(wanted, most());
-            rays += trace_samples(i, samples, taken, next, batch, seen);
-            out = estimate(i, samples, seen);
+        std::size_t rays = trace_samples(i, samples, std::span(kFirstPoints).subspan(first, start - first),
+                                         std::span(seen).subspan(first, start - first), batch);
+        thread_local SeenLight light;
+        light.start(samples, std::span(seen).first(start));
+        for (;;) {
+            Estimate out = estimate(i, light);
             out.rays = rays;
+            const auto fineness = int(light.fineness());
             const bool whole = out.visibility == 0 || out.visibility == 1;
-            const bool enough = whole ? next >= least : out.error <= query_.options.noise;
-            if (next == most() || enough) return out;
+            const bool enough = whole ? fineness >= least : out.error <= query_.options.noise;
+            if (fineness >= most() || enough) return out;
+            light.refine(samples, std::uint32_t(std::min(most() - fineness, fineness) + fineness),
+                         whole || fineness < kPlainSamples,
+                         [&](std::span<const std::uint32_t> points, std::span<Seen> found) {
+                             rays += trace_samples(i, samples, points, found, batch);
+                         });
         }
     }
 

@@ -144,11 +144,12 @@ TEST(AreaLight, RefinesOnlyPartlyVisibleLights) {
     const auto per_pixel = [](const Penumbra& p) {
         return double(p.reference.rays) / double(p.reference.counted()) - 1;
     };
-    // A tenth of the pixels is in the penumbra; they get 64, their neighbours up to 256, the others 8.
+    // A tenth of the pixels is in the penumbra; they get 64, their neighbours up to 128, the others 8.
     EXPECT_NEAR(per_pixel(coarse), 0.9 * 8 + 0.1 * 64, 3);
     EXPECT_GT(per_pixel(target), 1.2 * per_pixel(coarse));
     EXPECT_LT(per_pixel(target), 0.95 * per_pixel(fine)) << "some pixels were good enough";
-    EXPECT_NEAR(per_pixel(fine), 0.9 * 8 + 0.1 * 1024, 5);
+    EXPECT_GT(per_pixel(fine), 0.9 * 8 + 0.1 * 256);
+    EXPECT_LT(per_pixel(fine), 0.9 * 8 + 0.1 * 450) << "beyond 256 only along the edge, not 1024";
     EXPECT_LT(fine.rms, 0.6 * coarse.rms);
     EXPECT_LT(target.rms, 0.008);
     EXPECT_NEAR(double(target.reference.partial), double(target.partial), 0.1 * double(target.partial));
@@ -174,10 +175,12 @@ TEST(AreaLight, ReportsSamplesAndUncertainty) {
     const Reference fine = at(1000);
     EXPECT_EQ(fine.noise_unknown, 0u);
     EXPECT_EQ(fine.samples.least, 8) << "what sees all of the light or none";
-    EXPECT_EQ(fine.samples.most, 1000);
-    // A tenth of the pixels is in the penumbra.
-    EXPECT_NEAR(fine.samples.mean, 8 * 0.9 + 0.1 * 1000, 5);
-    EXPECT_EQ(at(1024, 1).samples.most, 256) << "beside a penumbra";
+    // A tenth of the pixels is in the penumbra, and takes more than 256 only along the edge.
+    EXPECT_GT(fine.samples.most, 256);
+    EXPECT_LT(fine.samples.most, 500);
+    EXPECT_GT(fine.samples.mean, 8 * 0.9 + 0.1 * 256);
+    EXPECT_LT(fine.samples.mean, 8 * 0.9 + 0.1 * 450);
+    EXPECT_EQ(at(1024, 1).samples.most, 128) << "beside a penumbra";
     EXPECT_EQ(fine.standard_error.data[0], 0) << "wholly lit";
     EXPECT_EQ(fine.standard_error.data[399], 0) << "wholly dark";
     EXPECT_GT(fine.standard_error.data[200], 0) << "half";
