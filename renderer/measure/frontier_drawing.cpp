@@ -169,7 +169,7 @@ public:
     FrontierDrawing drawing() {
         out_.width = page_.width;
         double y = 2;
-        if (page_.sentence) y = draw_sentence(y);
+        if (page_.sentence) y = write_lines(PlotInk::Text, y, knee_sentence(plot_), page_.em, true) + page_.em * 0.4;
         find_lines();
         y = place_box(y);
         draw_axes();
@@ -179,6 +179,7 @@ public:
         draw_spots();
         draw_front_labels();
         draw_line_labels();
+        y = draw_legend(y);
         if (page_.table) y = draw_table(y);
         out_.height = y;
         return std::move(out_);
@@ -209,24 +210,33 @@ private:
                               .halo = halo});
     }
 
-    /// Writes the sentence on the knee in lines that fit the page. Returns the y below it.
-    double draw_sentence(double y) {
+    /// Writes a text in lines that fit the page, below `y`. Returns the y of its last line.
+    double write_lines(PlotInk ink, double y, const std::string& text, double size, bool strong) {
         std::string row;
         const auto flush = [&] {
-            y += page_.em * 1.25;
-            words(PlotInk::Text, {2, y - page_.em * 0.2}, row, page_.em, true);
+            y += size * 1.25;
+            words(ink, {2, y - size * 0.2}, row, size, strong);
             row.clear();
         };
-        const std::string text = knee_sentence(plot_);
         for (std::size_t from = 0; from < text.size();) {
             const std::size_t end = std::min(text.find(' ', from), text.size());
             const std::string word = text.substr(from, end - from);
-            if (!row.empty() && width_of(row + " " + word, page_.em, true) > page_.width - 4) flush();
+            if (!row.empty() && width_of(row + " " + word, size, strong) > page_.width - 4) flush();
             row += (row.empty() ? "" : " ") + word;
             from = end + 1;
         }
         if (!row.empty()) flush();
-        return y + page_.em * 0.4;
+        return y;
+    }
+
+    /// Explains lines and colours below `y`. Returns the y below it.
+    double draw_legend(double y) {
+        if (!page_.titles || front_.empty()) return y;
+        std::string text =
+            "A line: one kernel, from small to large maps. Black steps: the front, where nothing cheaper "
+            "errs less. Grey: kernels with no case on the front.";
+        if (knee_of(dots_, front_)) text += " Circle: the knee.";
+        return write_lines(PlotInk::Muted, y, text, small_, false) + page_.em * 0.3;
     }
 
     void find_lines() {
@@ -298,8 +308,8 @@ private:
         const auto outside = std::ranges::count_if(dots_, [&](const Dot& d) { return !inside(d); });
         if (outside > 0 && page_.titles)
             words(PlotInk::Muted, {box_.hi.x - 2, title_y_},
-                  fmt::format("{} case{} outside: over {:g} \u00d7 the front", outside, outside == 1 ? "" : "s",
-                              kMostOfFront),
+                  fmt::format("{} case{} not shown: over {:g} \u00d7 the front's cost or error", outside,
+                              outside == 1 ? "" : "s", kMostOfFront),
                   small_, false, PlotMark::Anchor::End);
         if (!page_.titles) return;
         mark_base();
@@ -516,9 +526,9 @@ private:
     }
 
     /// Lists the front's cases that get a label: the first, the knee, the last, those of the table, and each that errs
-    /// less than the label before by a tenth. Smaller steps are joined with the next.
+    /// less than the label before by a twentieth. Smaller steps are joined with the next.
     std::vector<std::size_t> labelled_cases() const {
-        constexpr double kJoined = 0.1;
+        constexpr double kJoined = 0.05;
         const auto knee = knee_of(dots_, front_);
         std::vector<BestRow> table;
         if (page_.table) table = best_rows(plot_);
@@ -543,8 +553,11 @@ private:
             std::vector<std::vector<Row>> tries;
             if (k > 0) {
                 const bool ratio = !c.bound && !plot_.cases[named[k - 1]].bound;
-                const std::string factor =
-                    ratio ? fmt::format("{} \u00d7 cost, ", digits_text(steps[k - 1].cost_factor)) : "";
+                constexpr double kSame = 1.02;
+                const double times = steps[k - 1].cost_factor;
+                const std::string factor = !ratio          ? ""
+                                           : times < kSame ? "same cost, "
+                                                           : fmt::format("{} \u00d7 cost, ", digits_text(times));
                 const Row step{
                     "step: " + factor + fmt::format("\u2212{:.0f} % error", 100 * steps[k - 1].error_reduction),
                     PlotInk::Text, false};
@@ -552,6 +565,10 @@ private:
                 tries.push_back({step});
             }
             tries.push_back({name});
+            const auto dearer = [&](const Dot& d) { return d.cost > c.dot.cost; };
+            if (named[k] == front_.back() && std::ranges::any_of(dots_, dearer))
+                for (std::vector<Row>& rows : tries)
+                    rows.push_back({"nothing dearer is better", PlotInk::Muted, false});
             const auto place = [&](bool cover_lines) {
                 return std::ranges::any_of(tries, [&](const std::vector<Row>& rows) {
                     return label(at(c.dot), rows, kBelowLeft, cover_lines, cover_lines ? 5 * page_.em : 0);
@@ -672,9 +689,20 @@ std::string knee_sentence(const FrontierPlot& plot) {
         return fmt::format("{}: {} for {}", c.name(), digits_text(c.dot.error),
                            plot_cost_text(plot, c.dot.cost, c.bound));
     };
-    if (const auto knee = knee_of(dots, front))
-        return described(*knee) + fmt::format("; nothing within {:g} \u00d7 is a quarter better.", kKneeCost);
-    return "Each doubling of the cost still buys a quarter of the error. The best: " + described(front.back()) + ".";
+    const auto knee = knee_of(dots, front);
+    if (!knee)
+        return "Each doubling of the cost still buys a quarter of the error. The best: " + described(front.back()) +
+               ".";
+    const auto better = [&](std::size_t i) { return dots[i].error <= (1 - kKneeReduction) * dots[*knee].error; };
+    const auto next = std::ranges::find_if(front, better);
+    std::string rest = "No dearer case is.";
+    if (next != front.end()) {
+        const bool ratio = !plot.cases[*next].bound && !plot.cases[*knee].bound;
+        rest = "The next that is: " + plot.cases[*next].name();
+        if (ratio) rest += fmt::format(", for {} \u00d7", digits_text(dots[*next].cost / dots[*knee].cost));
+        rest += ".";
+    }
+    return described(*knee) + fmt::format("; nothing within {:g} \u00d7 is a quarter better. {}", kKneeCost, rest);
 }
 
 std::vector<BestRow> best_rows(const FrontierPlot& plot) {

@@ -141,7 +141,13 @@ FrontierPlot three_kernels() {
 TEST(FrontierDrawing, NamesKneeStepsAndBestCases) {
     const FrontierPlot plot = three_kernels();
     EXPECT_EQ(knee_sentence(plot),
-              "PCF 3\u00d73, 1024\u00b2: 0.02 for 7 ms; nothing within 2 \u00d7 is a quarter better.");
+              "PCF 3\u00d73, 1024\u00b2: 0.02 for 7 ms; nothing within 2 \u00d7 is a quarter better. No dearer "
+              "case is.");
+    FrontierPlot dearer = plot;
+    dearer.cases.back().dot = {.cost = 21, .error = 0.015};
+    EXPECT_EQ(knee_sentence(dearer),
+              "PCF 3\u00d73, 1024\u00b2: 0.02 for 7 ms; nothing within 2 \u00d7 is a quarter better. The next that is: "
+              "Poisson, 2048\u00b2, for 3 \u00d7.");
     const std::vector<BestRow> best = best_rows(plot);
     ASSERT_EQ(best.size(), 4u);
     EXPECT_EQ(plot.cases[*best[0].best].name(), "Hard, 1024\u00b2");
@@ -158,6 +164,24 @@ TEST(FrontierDrawing, NamesKneeStepsAndBestCases) {
           "8 \u00d7 base", "Mean error", "Time of the shadow, ms", "more money buys nothing"})
         EXPECT_TRUE(says(text)) << text;
     EXPECT_EQ(drawing.cases.size(), plot.cases.size());
+}
+
+TEST(FrontierDrawing, SaysWhereTheFrontEndsAndWhatItsLinesMean) {
+    FrontierPlot plot = three_kernels();
+    const auto count = [&](std::string_view text, const PlotPage& page) {
+        const FrontierDrawing drawing = frontier_drawing(plot, page);
+        return std::ranges::count_if(drawing.marks,
+                                     [&](const PlotMark& m) { return m.text.find(text) != std::string::npos; });
+    };
+    EXPECT_EQ(count("nothing dearer is better", {}), 1);
+    EXPECT_EQ(count("Black steps: the front", {}), 1);
+    EXPECT_EQ(count("Circle: the knee.", {}), 1);
+    EXPECT_EQ(count("Black steps: the front", {.titles = false}), 0) << "a small page has no room";
+    EXPECT_EQ(count("same cost, \u221238 % error", {}), 0);
+    plot.cases[3].dot.cost = 4.05;  // 1.01 of the hard kernel's
+    EXPECT_EQ(count("same cost, \u221238 % error", {}), 1);
+    plot.cases.resize(1);
+    EXPECT_EQ(count("nothing dearer is better", {}), 0) << "nothing dearer was measured";
 }
 
 TEST(FrontierDrawing, MarksTheBaseAndHasTheKneeInTheTable) {
@@ -283,8 +307,9 @@ TEST(FrontierDrawing, AxesEndBeyondTheFront) {
     plot.cases[7].dot.cost = 1000;
     const FrontierDrawing drawing = frontier_drawing(plot, {});
     EXPECT_EQ(drawing.cases.size(), plot.cases.size() - 1);
-    EXPECT_TRUE(std::ranges::any_of(
-        drawing.marks, [](const PlotMark& m) { return m.text == "1 case outside: over 4 \u00d7 the front"; }));
+    EXPECT_TRUE(std::ranges::any_of(drawing.marks, [](const PlotMark& m) {
+        return m.text == "1 case not shown: over 4 \u00d7 the front's cost or error";
+    }));
     plot.whole = true;
     EXPECT_EQ(frontier_drawing(plot, {}).cases.size(), plot.cases.size());
 }
