@@ -84,8 +84,8 @@ BiasSettings rounded_up(BiasSettings b) {
     return scale_bias(b, 1);  // clamps to the limits of the settings
 }
 
-/// Largest number of pixels from which quantiles are computed.
-constexpr std::size_t kSample = 20000;
+/// Largest numbers of pixels from which amounts of bias are computed, which only few pixels need, and widths.
+constexpr std::size_t kSample = 20000, kWidthSample = 4000;
 
 /// Calls `use` with index and receiver of each counted pixel that is lit in the reference and covered by the map.
 template <class Use>
@@ -98,11 +98,11 @@ void each_lit_receiver(const MeasuredError& measured, Use use) {
             use(i, measured.traced.receivers->pixels[i]);
 }
 
-/// Returns an even sample of the receivers of each_lit_receiver(), kSample at most.
-std::vector<const Receiver*> sampled_receivers(const MeasuredError& measured) {
+/// Returns an even sample of the receivers of each_lit_receiver(), `most` at most.
+std::vector<const Receiver*> sampled_receivers(const MeasuredError& measured, std::size_t most) {
     std::vector<const Receiver*> all, sample;
     each_lit_receiver(measured, [&](std::size_t, const Receiver& r) { all.push_back(&r); });
-    const std::size_t stride = all.size() / kSample + 1;
+    const std::size_t stride = all.size() / most + 1;
     for (std::size_t i = 0; i < all.size(); i += stride) sample.push_back(all[i]);
     return sample;
 }
@@ -216,7 +216,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         ++(a.equivalent_depth() >= a.least.total() ? out.folds : out.faint_acne);
     });
     std::vector<double> gaps, shifts;
-    for (const Receiver* r : sampled_receivers(measured)) {
+    for (const Receiver* r : sampled_receivers(measured, kWidthSample)) {
         const BiasBreakdown a = measured_bias_breakdown(measured, settings, *r, driver);
         if (a.plane.edge_on()) continue;
         gaps.push_back(a.contact_gap_m());
@@ -235,7 +235,7 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
     least.bias = without_amounts(row, settings.bias);
     // The row computes the needed bias itself, up to a clamp for almost edge-on surfaces.
     if (row.gives_needed_bias) return least.bias;
-    const std::vector<const Receiver*> receivers = sampled_receivers(measured);
+    const std::vector<const Receiver*> receivers = sampled_receivers(measured, kSample);
     if (std::ranges::find(row.settings, "bias.slope") != row.settings.end()) {
         std::vector<Need> needs;
         for (const Receiver* r : receivers) {

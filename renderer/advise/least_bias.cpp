@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "renderer/base/lengths_text.h"
@@ -22,8 +23,11 @@ constexpr double kScoreTie = 0.01;       // share of the score
 constexpr double kErrorTie = 1e-3;       // share of the mean error
 constexpr double kGapTie = 0.02;         // share of the gap
 constexpr double kPlaneConstant = 0.25;  // texels
-constexpr double kCoarse[] = {1, 0, 0.5, 2, 0.25, 4, 1 / 8., 1 / 16., 1 / 32., 1 / 64.};
+constexpr double kStronger[] = {2, 4};
+constexpr double kWeaker[] = {0.5, 0.25, 1 / 8., 1 / 16., 1 / 32., 1 / 64.};
+constexpr int kRises = 2;  // trials in a row with a larger score that end a direction: one may be chance
 constexpr double kLargestStrength = 8;
+constexpr double kOutOfReach = 1.5;  // times the least score: finer trials of a row gain less than a third
 constexpr int kBisections = 3;
 constexpr int kFine = 5;  // trials between the neighbours of the best coarse strength
 
@@ -58,8 +62,12 @@ public:
             measure(1);
             return;
         }
-        for (const double strength : kCoarse) measure(strength);
+        measure(1);
+        measure(0);
+        scan(kStronger);
+        scan(kWeaker);
         const auto best = std::ranges::min_element(tried_, {}, score);
+        if (!out_.max_gap_m && best->trial.score > kOutOfReach * least_of_all()) return;
         const double middle = best->strength;
         double lo = 0, hi = kLargestStrength;
         for (const TriedBias& t : tried_) {
@@ -91,6 +99,26 @@ private:
     std::vector<TriedBias> tried_;
 
     static double score(const TriedBias& t) { return t.trial.score; }
+    /// Measures strengths in turn, while the score falls from the one of strength 1.
+    void scan(std::span<const double> strengths) {
+        double least = tried_.front().trial.score;
+        int rises = 0;
+        for (const double strength : strengths) {
+            const double found = measure(strength);
+            rises = found < least ? 0 : rises + 1;
+            least = std::min(least, found);
+            if (rises == kRises) return;
+        }
+    }
+    /// Returns the least score of all rows so far, of biases without acne if there are any.
+    double least_of_all() const {
+        double any = std::numeric_limits<double>::infinity(), clean = any;
+        for (const TriedBias& t : out_.tried) {
+            any = std::min(any, t.trial.score);
+            if (t.trial.has_no_acne()) clean = std::min(clean, t.trial.score);
+        }
+        return std::isfinite(clean) ? clean : any;
+    }
     /// Bisects between the weakest strength without acne and the next weaker one.
     void find_weakest_without_acne() {
         for (int i = 0; i < kBisections; ++i) {
@@ -244,7 +272,7 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
     if (before.needs.pixels == 0) return out;  // without lit pixels there is no acne
     double all = 0, done = 0;
     const auto usual_trials = [](const BiasStart& s) {
-        return s.has_strength() ? double(std::size(kCoarse) + kFine + kBisections) : 1.0;
+        return s.has_strength() ? double(2 + std::size(kStronger) + std::size(kWeaker) + kFine + kBisections) : 1.0;
     };
     for (const BiasStart& s : starts) all += usual_trials(s);
     try {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "renderer/base/workers.h"
 #include "renderer/settings/biases.h"
@@ -139,6 +140,58 @@ TEST(LeastBias, ABiasWithMoreWrongPixelsThanBeforeWinsOnlyIfAllHaveMore) {
     add("adaptive", 46, 27);
     add("constant", 50, 20);
     EXPECT_EQ(found.best()->row->key, "adaptive");
+}
+
+/// Trials of the constant row, of which `score` gives the score by the multiple of its start, and of a normal offset
+/// with `times` the score.
+FoundBias searched_by_score(const std::function<double(double)>& score, double times,
+                            std::optional<double> max_gap_m = {}) {
+    BiasTrial before;
+    before.needs.pixels = 1000;
+    return search_least_bias(
+        before, starts(),
+        [&](const BiasSettings& b) {
+            BiasTrial t = before;
+            t.score = b.normal > 0 ? times * score(b.normal / 20) : score(b.constant / 30);
+            return t;
+        },
+        max_gap_m);
+}
+std::vector<double> strengths_of(const FoundBias& found, std::string_view row) {
+    std::vector<double> out;
+    for (const TriedBias& t : found.tried)
+        if (t.row->key == row) out.push_back(t.strength);
+    return out;
+}
+
+TEST(LeastBias, StrengthsEndAfterTwoRisesOfTheScore) {
+    const auto tried = [&](const std::function<double(double)>& score, double strength) {
+        const FoundBias found = searched_by_score(score, 1);
+        EXPECT_EQ(strengths_of(found, "constant")[0], 1);
+        return std::ranges::count(strengths_of(found, "constant"), strength) > 0;
+    };
+    const auto from_one = [](double s) { return 100 + 10 * std::abs(std::log2(s + 1e-6)); };
+    EXPECT_TRUE(tried(from_one, 0.25));
+    EXPECT_FALSE(tried(from_one, 1 / 8.));
+    const auto from_a_tenth = [](double s) { return 100 + 10 * std::abs(std::log2(10 * s + 1e-6)); };
+    EXPECT_TRUE(tried(from_a_tenth, 1 / 16.));
+    EXPECT_TRUE(tried(from_a_tenth, 1 / 32.));
+    EXPECT_FALSE(tried(from_a_tenth, 1 / 64.));
+    // One rise may be chance.
+    const auto beyond_a_hill = [&](double s) { return s == 0.5 ? 200 : from_a_tenth(s); };
+    EXPECT_TRUE(tried(beyond_a_hill, 1 / 8.));
+    EXPECT_NEAR(searched_by_score(beyond_a_hill, 1).best()->trial.score, 100, 2);
+}
+
+TEST(LeastBias, RowsOutOfReachGetNoFinerTrials) {
+    const auto score = [](double s) { return 100 + 10 * std::abs(std::log2(3 * s + 1e-6)); };
+    const auto finer = [&](double times, std::optional<double> max_gap_m = {}) {
+        const std::vector<double> all = strengths_of(searched_by_score(score, times, max_gap_m), "normal-offset");
+        return std::ranges::count_if(all, [](double s) { return s > 0 && std::exp2(std::round(std::log2(s))) != s; });
+    };
+    EXPECT_GT(finer(1.4), 2);
+    EXPECT_EQ(finer(2), 0);
+    EXPECT_GT(finer(2, 1.0), 2) << "with a limit of the gap the least score may be out of the question";
 }
 
 TEST(LeastBias, StopsWithWhatIsThere) {
