@@ -234,7 +234,8 @@ private:
         if (!page_.titles || front_.empty()) return y;
         std::string text =
             "A line: one kernel, from small to large maps. Black steps: the front, where nothing cheaper "
-            "errs less. Grey: kernels with no case on the front.";
+            "errs less, and nothing beyond its last case either. Grey: kernels with no case on the "
+            "front.";
         if (knee_of(dots_, front_)) text += " Circle: the knee.";
         return write_lines(PlotInk::Muted, y, text, small_, false) + page_.em * 0.3;
     }
@@ -525,18 +526,21 @@ private:
         return c.name() + bound + (knee_of(dots_, front_) == i ? " \u2013 knee" : "");
     }
 
-    /// Lists the front's cases that get a label: the first, the knee, the last, those of the table, and each that errs
-    /// less than the label before by a twentieth. Smaller steps are joined with the next.
+    /// Returns true for the knee, the last case of the front, and those of the table.
+    bool must_be_named(std::size_t i) const {
+        if (i == front_.back() || i == knee_of(dots_, front_)) return true;
+        if (!page_.table) return false;
+        return std::ranges::any_of(best_rows(plot_), [&](const BestRow& row) { return row.best == i; });
+    }
+
+    /// Lists the front's cases that get a label: the first, those that must be named, and each that errs less than the
+    /// label before by a twentieth. Smaller steps are joined with the next.
     std::vector<std::size_t> labelled_cases() const {
         constexpr double kJoined = 0.05;
-        const auto knee = knee_of(dots_, front_);
-        std::vector<BestRow> table;
-        if (page_.table) table = best_rows(plot_);
         std::vector<std::size_t> out;
         for (const std::size_t i : front_) {
             const bool less = out.empty() || dots_[i].error <= (1 - kJoined) * dots_[out.back()].error;
-            const bool in_table = std::ranges::find(table, std::optional(i), &BestRow::best) != table.end();
-            if (less || in_table || i == knee || i == front_.back()) out.push_back(i);
+            if (less || must_be_named(i)) out.push_back(i);
         }
         return out;
     }
@@ -547,35 +551,29 @@ private:
         const std::vector<std::size_t> named = labelled_cases();
         const std::vector<FrontStep> steps = front_steps(dots_, named);
         for (std::size_t k = 0; k < named.size(); ++k) {
-            const PlotCase& c = plot_.cases[named[k]];
-            const PlotInk ink = family_ink(c.family);
-            const Row name{front_name(named[k]), ink, true};
-            std::vector<std::vector<Row>> tries;
+            std::string step;
             if (k > 0) {
-                const bool ratio = !c.bound && !plot_.cases[named[k - 1]].bound;
+                const bool ratio = !plot_.cases[named[k]].bound && !plot_.cases[named[k - 1]].bound;
                 constexpr double kSame = 1.02;
                 const double times = steps[k - 1].cost_factor;
-                const std::string factor = !ratio          ? ""
-                                           : times < kSame ? "same cost, "
-                                                           : fmt::format("{} \u00d7 cost, ", digits_text(times));
-                const Row step{
-                    "step: " + factor + fmt::format("\u2212{:.0f} % error", 100 * steps[k - 1].error_reduction),
-                    PlotInk::Text, false};
-                tries.push_back({name, step});
-                tries.push_back({step});
+                if (ratio) step = times < kSame ? "same cost, " : fmt::format("{} \u00d7 cost, ", digits_text(times));
+                step = fmt::format("step: {}\u2212{:.0f} % error", step, 100 * steps[k - 1].error_reduction);
             }
-            tries.push_back({name});
-            const auto dearer = [&](const Dot& d) { return d.cost > c.dot.cost; };
-            if (named[k] == front_.back() && std::ranges::any_of(dots_, dearer))
-                for (std::vector<Row>& rows : tries)
-                    rows.push_back({"nothing dearer is better", PlotInk::Muted, false});
-            const auto place = [&](bool cover_lines) {
-                return std::ranges::any_of(tries, [&](const std::vector<Row>& rows) {
-                    return label(at(c.dot), rows, kBelowLeft, cover_lines, cover_lines ? 5 * page_.em : 0);
-                });
-            };
-            if (place(false) || place(true)) named_[c.line] = true;
+            name_front_case(named[k], step);
         }
+    }
+
+    void name_front_case(std::size_t i, const std::string& step) {
+        const PlotCase& c = plot_.cases[i];
+        const Row name{front_name(i), family_ink(c.family), true}, gain{step, PlotInk::Text, false};
+        std::vector<std::vector<Row>> tries = {{name}};
+        if (!step.empty()) tries = {{name, gain}, {name}, {gain}};
+        for (const std::vector<Row>& rows : tries)
+            for (const bool cover_lines : {false, true})
+                if (label(at(c.dot), rows, kBelowLeft, cover_lines, cover_lines ? 5 * page_.em : 0)) {
+                    named_[c.line] = true;
+                    return;
+                }
     }
 
     static std::string digits2(double v) { return v < 10 ? fmt::format("{:.2g}", v) : fmt::format("{:.0f}", v); }
@@ -695,10 +693,10 @@ std::string knee_sentence(const FrontierPlot& plot) {
                ".";
     const auto better = [&](std::size_t i) { return dots[i].error <= (1 - kKneeReduction) * dots[*knee].error; };
     const auto next = std::ranges::find_if(front, better);
-    std::string rest = "No dearer case is.";
+    std::string rest = "No dearer case is a quarter better.";
     if (next != front.end()) {
         const bool ratio = !plot.cases[*next].bound && !plot.cases[*knee].bound;
-        rest = "The next that is: " + plot.cases[*next].name();
+        rest = "The next that is a quarter better: " + plot.cases[*next].name();
         if (ratio) rest += fmt::format(", for {} \u00d7", digits_text(dots[*next].cost / dots[*knee].cost));
         rest += ".";
     }
