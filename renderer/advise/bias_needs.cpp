@@ -84,8 +84,10 @@ BiasSettings rounded_up(BiasSettings b) {
     return scale_bias(b, 1);  // clamps to the limits of the settings
 }
 
-/// Largest numbers of pixels from which amounts of bias are computed, which only few pixels need, and widths.
-constexpr std::size_t kSample = 20000, kWidthSample = 4000;
+/// Largest number of pixels from which amounts of bias are computed: only few pixels need much.
+constexpr std::size_t kSample = 20000;
+/// Largest number of pixels from which percentiles of gaps and shifts are computed.
+constexpr std::size_t kGapSample = 4000;
 
 /// Calls `use` with index and receiver of each counted pixel that is lit in the reference and covered by the map.
 template <class Use>
@@ -216,7 +218,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         ++(a.equivalent_depth() >= a.least.total() ? out.folds : out.faint_acne);
     });
     std::vector<double> gaps, shifts;
-    for (const Receiver* r : sampled_receivers(measured, kWidthSample)) {
+    for (const Receiver* r : sampled_receivers(measured, kGapSample)) {
         const BiasBreakdown a = measured_bias_breakdown(measured, settings, *r, driver);
         if (a.plane.edge_on()) continue;
         gaps.push_back(a.contact_gap_m());

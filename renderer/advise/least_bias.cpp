@@ -25,9 +25,11 @@ constexpr double kGapTie = 0.02;         // share of the gap
 constexpr double kPlaneConstant = 0.25;  // texels
 constexpr double kStronger[] = {2, 4};
 constexpr double kWeaker[] = {0.5, 0.25, 1 / 8., 1 / 16., 1 / 32., 1 / 64.};
-constexpr int kRises = 2;  // trials in a row with a larger score that end a direction: one may be chance
+constexpr int kRises = 2;  // trials with a score above the least that end a direction: one may be chance
 constexpr double kLargestStrength = 8;
-constexpr double kOutOfReach = 1.5;  // times the least score: finer trials of a row gain less than a third
+// Multiples of the least score at which a row is given up: finer trials seldom gain more than half.
+constexpr double kOutOfReach = 2, kOutOfReachAfterFine = 1.5;
+constexpr int kFineToGiveUp = 3;  // finer trials after which the smaller multiple counts
 constexpr int kBisections = 3;
 constexpr int kFine = 5;  // trials between the neighbours of the best coarse strength
 
@@ -67,7 +69,7 @@ public:
         scan(kStronger);
         scan(kWeaker);
         const auto best = std::ranges::min_element(tried_, {}, score);
-        if (!out_.max_gap_m && best->trial.score > kOutOfReach * least_of_all()) return;
+        if (out_of_reach(best->trial.score, kOutOfReach)) return;
         const double middle = best->strength;
         double lo = 0, hi = kLargestStrength;
         for (const TriedBias& t : tried_) {
@@ -78,6 +80,7 @@ public:
         constexpr double kGolden = 0.381966011250105;
         double at = middle, least = best->trial.score;
         for (int i = 0; i < kFine; ++i) {
+            if (i == kFineToGiveUp && out_of_reach(least, kOutOfReachAfterFine)) return;
             const bool above = hi - at > at - lo;
             const double next = above ? at + kGolden * (hi - at) : at - kGolden * (at - lo);
             const double found = measure(next);
@@ -99,25 +102,28 @@ private:
     std::vector<TriedBias> tried_;
 
     static double score(const TriedBias& t) { return t.trial.score; }
-    /// Measures strengths in turn, while the score falls from the one of strength 1.
+    /// Measures strengths in turn, until the score has risen twice from the least since strength 1. With a limit of the
+    /// gap all are measured, since a strength with a larger score may be the first within it.
     void scan(std::span<const double> strengths) {
         double least = tried_.front().trial.score;
         int rises = 0;
         for (const double strength : strengths) {
             const double found = measure(strength);
-            rises = found < least ? 0 : rises + 1;
+            if (found < least) rises = 0;
+            if (found > least * (1 + kScoreTie) + 0.5) ++rises;
             least = std::min(least, found);
-            if (rises == kRises) return;
+            if (rises == kRises && !out_.max_gap_m) return;
         }
     }
-    /// Returns the least score of all rows so far, of biases without acne if there are any.
-    double least_of_all() const {
-        double any = std::numeric_limits<double>::infinity(), clean = any;
-        for (const TriedBias& t : out_.tried) {
-            any = std::min(any, t.trial.score);
-            if (t.trial.has_no_acne()) clean = std::min(clean, t.trial.score);
-        }
-        return std::isfinite(clean) ? clean : any;
+    /// Returns true for scores over `times` the least one of trials that may be a result of either kind: without acne,
+    /// and with no more wrong pixels than before.
+    bool out_of_reach(double score, double times) const {
+        if (out_.max_gap_m) return false;
+        double least = std::numeric_limits<double>::infinity();
+        for (const TriedBias& t : out_.tried)
+            if (t.trial.has_no_acne() && wrong_pixels(t.trial.error) <= wrong_pixels(out_.before.error))
+                least = std::min(least, t.trial.score);
+        return score > times * least + 0.5;
     }
     /// Bisects between the weakest strength without acne and the next weaker one.
     void find_weakest_without_acne() {

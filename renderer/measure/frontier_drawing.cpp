@@ -233,8 +233,8 @@ private:
     double draw_legend(double y) {
         if (!page_.titles || front_.empty()) return y;
         std::string text =
-            "A line: one kernel, from small to large maps. Black steps: the front, where nothing cheaper "
-            "errs less, and nothing beyond its last case either. Grey: kernels with no case on the "
+            "A line: one kernel, from small to large maps. Black steps: the Pareto front; no cheaper case has a "
+            "smaller error, and no case at all has a smaller one than its last. Grey: kernels with no case on the "
             "front.";
         if (knee_of(dots_, front_)) text += " Circle: the knee.";
         return write_lines(PlotInk::Muted, y, text, small_, false) + page_.em * 0.3;
@@ -309,7 +309,7 @@ private:
         const auto outside = std::ranges::count_if(dots_, [&](const Dot& d) { return !inside(d); });
         if (outside > 0 && page_.titles)
             words(PlotInk::Muted, {box_.hi.x - 2, title_y_},
-                  fmt::format("{} case{} not shown: over {:g} \u00d7 the front's cost or error", outside,
+                  fmt::format("{} case{} not shown: over {:g} \u00d7 the front's largest cost or error", outside,
                               outside == 1 ? "" : "s", kMostOfFront),
                   small_, false, PlotMark::Anchor::End);
         if (!page_.titles) return;
@@ -527,20 +527,20 @@ private:
     }
 
     /// Returns true for the knee, the last case of the front, and those of the table.
-    bool must_be_named(std::size_t i) const {
+    bool always_labelled(std::size_t i) const {
         if (i == front_.back() || i == knee_of(dots_, front_)) return true;
         if (!page_.table) return false;
         return std::ranges::any_of(best_rows(plot_), [&](const BestRow& row) { return row.best == i; });
     }
 
-    /// Lists the front's cases that get a label: the first, those that must be named, and each that errs less than the
-    /// label before by a twentieth. Smaller steps are joined with the next.
+    /// Lists the front's cases that get a label: the first, those that always get one, and each with an error of 5 %
+    /// less than the case labelled before. Smaller steps are joined with the next.
     std::vector<std::size_t> labelled_cases() const {
         constexpr double kJoined = 0.05;
         std::vector<std::size_t> out;
         for (const std::size_t i : front_) {
             const bool less = out.empty() || dots_[i].error <= (1 - kJoined) * dots_[out.back()].error;
-            if (less || must_be_named(i)) out.push_back(i);
+            if (less || always_labelled(i)) out.push_back(i);
         }
         return out;
     }
@@ -553,7 +553,8 @@ private:
         for (std::size_t k = 0; k < named.size(); ++k) {
             std::string step;
             if (k > 0) {
-                const bool ratio = !plot_.cases[named[k]].bound && !plot_.cases[named[k - 1]].bound;
+                const PlotCase &from = plot_.cases[named[k - 1]], &to = plot_.cases[named[k]];
+                const bool ratio = !from.bound && !to.bound && from.dot.cost > 0;
                 constexpr double kSame = 1.02;
                 const double times = steps[k - 1].cost_factor;
                 if (ratio) step = times < kSame ? "same cost, " : fmt::format("{} \u00d7 cost, ", digits_text(times));
@@ -691,13 +692,16 @@ std::string knee_sentence(const FrontierPlot& plot) {
     if (!knee)
         return "Each doubling of the cost still buys a quarter of the error. The best: " + described(front.back()) +
                ".";
-    const auto better = [&](std::size_t i) { return dots[i].error <= (1 - kKneeReduction) * dots[*knee].error; };
+    const Dot& at = dots[*knee];
+    const auto better = [&](std::size_t i) {
+        return dots[i].error < at.error && dots[i].error <= (1 - kKneeReduction) * at.error;
+    };
     const auto next = std::ranges::find_if(front, better);
-    std::string rest = "No dearer case is a quarter better.";
+    std::string rest = "No dearer case is, either.";
     if (next != front.end()) {
-        const bool ratio = !plot.cases[*next].bound && !plot.cases[*knee].bound;
-        rest = "The next that is a quarter better: " + plot.cases[*next].name();
-        if (ratio) rest += fmt::format(", for {} \u00d7", digits_text(dots[*next].cost / dots[*knee].cost));
+        const bool ratio = !plot.cases[*next].bound && !plot.cases[*knee].bound && at.cost > 0;
+        rest = "The cheapest that is: " + plot.cases[*next].name();
+        if (ratio) rest += fmt::format(", for {} \u00d7", digits_text(dots[*next].cost / at.cost));
         rest += ".";
     }
     return described(*knee) + fmt::format("; nothing within {:g} \u00d7 is a quarter better. {}", kKneeCost, rest);

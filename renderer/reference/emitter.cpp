@@ -81,7 +81,7 @@ const LightSamplePoint* kept_points(std::uint32_t scrambling) {
     return &kept[std::size_t(scrambling) * kKept];
 }
 
-/// Returns the points in the cells of a grid of at most kKept cells.
+/// Returns the kept sample point of each cell of a grid of at most kKept cells.
 std::span<const std::uint16_t> kept_points_in_cells(std::uint32_t scrambling, int digits) {
     // Grids of 1, 2, 4 ... cells, one after another: a grid of n cells starts at n - 1.
     constexpr std::size_t kOfScrambling = 2 * kKept - 1;

@@ -51,8 +51,8 @@ struct LightRay {
 /// upper ones.
 struct LightCell {
     std::uint16_t x = 0, y = 0;
-    /// Returns the index, by rows, of the cell that holds this one in a grid of 2^digits cells, at most 2^32: as many
-    /// across as down, or twice as many.
+    /// Returns the row-major index of the enclosing cell in a grid of 2^digits cells, digits at most 32: as many
+    /// columns as rows, or twice as many if digits is odd.
     std::size_t index(int digits) const {
         const int across = (digits + 1) / 2, down = digits / 2;
         return std::size_t(y >> (16 - down)) << across | std::size_t(x >> (16 - across));
@@ -74,7 +74,7 @@ public:
     LightRay ray(std::uint32_t k) const;
     /// Returns the cell of the light's grid that holds sample point `k`.
     LightCell cell(std::uint32_t k) const;
-    /// Finds the first sample point in each cell of a grid of 2^digits cells; @see LightCell::index
+    /// Lists, by LightCell::index(), the one of the first 2^digits sample points in each cell of a grid of as many.
     void points_in_cells(int digits, std::vector<std::uint32_t>& out) const;
 
 private:

@@ -22,9 +22,10 @@ constexpr std::size_t kTilesInTurn = 8;
 constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
 constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
 constexpr int kPenumbraSamples = 64;         ///< samples of pixels in and around penumbrae
-constexpr int kPlainSamples = 256;           ///< samples through equal parts of the light; more only near edges
-constexpr int kBesideSamples = 128;          ///< samples that must see all of the light or none beside a penumbra
-constexpr int kNeighbourPixels = 2;          ///< distance within which a penumbra asks for these samples
+constexpr int kPlainSamples = 256;           ///< samples spread over the whole light; more only along edges of shadows
+constexpr int kBesideSamples =
+    128;  ///< samples that must agree before a pixel next to a penumbra counts as lit or dark
+constexpr int kNeighbourPixels = 2;  ///< distance within which a penumbra asks for these samples
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// Batch of shadow rays; those that need double precision are separate.
@@ -132,6 +133,7 @@ public:
         error_.assign(out_.state.size(), 0);
         used_.assign(out_.state.size(), 0);
         first_seen_.assign(out_.state.size(), {});
+        has_more_.assign(out_.state.size(), 0);
         std::vector<std::uint8_t> wanted(out_.state.size());
         for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = is_traced(out_.state[i]);
         double done = first_share();
@@ -143,6 +145,7 @@ public:
             if (std::ranges::all_of(wanted, [](std::uint8_t w) { return w == 0; })) break;
             const double next = done + 0.9 * (1 - done);
             sample(wanted, workers.with_progress_range(done, next), [&](std::size_t i, RayBatch& batch) {
+                has_more_[i] = 1;
                 return more_samples(i, wanted[i] == kBeside ? kBesideSamples : kPenumbraSamples, batch);
             });
             done = next;
@@ -169,7 +172,8 @@ private:
         std::uint64_t lit = 0, above = 0;
     };
     std::vector<FirstSeen> first_seen_;
-    glm::vec3 to_light_{0};  ///< direction to a directional light
+    std::vector<std::uint8_t> has_more_;  ///< by pixel: 1: more than the first samples were asked for
+    glm::vec3 to_light_{0};               ///< direction to a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     /// Returns the expected share of the first samples in all samples of an area light, for the progress.
@@ -180,7 +184,7 @@ private:
         const double fewest = std::min(kPenumbraSamples, most());
         double needed = 64 * std::pow(kErrorOf64Samples / std::max(query_.options.noise, kSmallestNoise), 4.0 / 3);
         needed = std::clamp(needed, fewest, double(most()));
-        // From here on the samples grow with an edge's length on the light.
+        // Above kPlainSamples they grow with an edge's length on the light: as the square root.
         if (needed > kPlainSamples) needed = std::sqrt(needed * kPlainSamples);
         return first_ / (first_ + kInPenumbra * needed);
     }
@@ -358,7 +362,7 @@ private:
         return out;
     }
 
-    /// Numbers of the sample points of a pixel's start.
+    /// Numbers 0, 1, 2 ... of a pixel's first sample points.
     static constexpr auto kFirstPoints = [] {
         std::array<std::uint32_t, kPenumbraSamples> out{};
         for (std::uint32_t k = 0; k < out.size(); ++k) out[k] = k;
@@ -384,7 +388,7 @@ private:
     }
 
     /// Adds samples to the first ones until the error is small enough, or the light is seen to be whole or hidden.
-    /// @param least samples that must see it so
+    /// @param least SeenLight::fineness() from which samples that all agree are trusted
     Estimate more_samples(std::size_t i, int least, RayBatch& batch) const {
         std::array<Seen, kPenumbraSamples> seen{};
         const auto first = std::size_t(first_), start = std::size_t(std::min(kPenumbraSamples, most()));
@@ -436,7 +440,7 @@ private:
                         const bool beside = partial(own) && std::max(std::abs(u - x), std::abs(v - y)) <= 1;
                         const bool missed =
                             beside && !partial(i) && used_[i] < std::uint32_t(std::min(kBesideSamples, most()));
-                        if (used_[i] > std::uint32_t(first_) && !missed) continue;
+                        if (has_more_[i] && !missed) continue;
                         out[i] = std::max(out[i], beside ? kBeside : kNear);
                     }
             }

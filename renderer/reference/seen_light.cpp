@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t kEven = 0x5555555555555555;  ///< even columns
 
-/// Returns the lower 32 bits, each twice.
+/// Returns the lower 32 bits, each repeated: abc becomes aabbcc.
 std::uint64_t doubled(std::uint64_t bits) {
     bits &= 0xffffffff;
     bits = (bits | bits << 16) & 0x0000ffff0000ffff;
@@ -42,26 +42,26 @@ void SeenLight::start(const LightSamples& samples, std::span<const Seen> seen) {
     lit_.assign(words(), 0);
     above_.assign(words(), 0);
     for (std::size_t c = 0; c < point_.size(); ++c)
-        // Of two halves at most one lacks a point.
+        // At most one of two halves lacks a sample; it takes the other's state.
         set(c, seen[point_[c] < seen.size() ? point_[c] : point_[other_half(c)]]);
     fineness_ = std::uint32_t(seen.size());
     taken_ = seen.size();
 }
 
-/// Gives both halves of each cell of the grid before its bit.
+/// Copies each bit of the coarser grid to both halves of its cell.
 void SeenLight::double_cells(Bits& bits) {
-    spare_.resize(words());
+    scratch_.resize(words());
     const std::size_t per_row = words_per_row();
     if (digits_ % 2 == 0) {
-        for (std::size_t i = 0; i < spare_.size(); ++i) spare_[i] = bits[i / (2 * per_row) * per_row + i % per_row];
+        for (std::size_t i = 0; i < scratch_.size(); ++i) scratch_[i] = bits[i / (2 * per_row) * per_row + i % per_row];
     } else {
         const std::size_t per_row_before = (across() / 2 + 63) / 64;
-        for (std::size_t i = 0; i < spare_.size(); ++i) {
+        for (std::size_t i = 0; i < scratch_.size(); ++i) {
             const std::size_t row = i / per_row, word = i % per_row;
-            spare_[i] = doubled(bits[row * per_row_before + word / 2] >> 32 * (word % 2));
+            scratch_[i] = doubled(bits[row * per_row_before + word / 2] >> 32 * (word % 2));
         }
     }
-    std::swap(bits, spare_);
+    std::swap(bits, scratch_);
 }
 
 /// Returns the bits of the cells to the left; at the border a cell's own.
@@ -75,39 +75,61 @@ std::uint64_t SeenLight::right(const Bits& bits, std::size_t word) const {
     return bits[word] >> 1 | (last ? bits[word] & (columns() ^ columns() >> 1) : bits[word + 1] << 63);
 }
 
-/// Finds the cells that differ from one of their eight neighbours, for to_halve_.
+/// Sets to_halve_ to the cells that differ from one of their eight neighbours.
 void SeenLight::find_differing() {
     const std::size_t per_row = words_per_row(), n = words();
     to_halve_.assign(n, 0);
-    spare_.resize(2 * n);
+    scratch_.resize(2 * n);
     for (const Bits* bits : {&lit_, &above_}) {
         for (std::size_t i = 0; i < n; ++i) {
             const std::uint64_t own = (*bits)[i], l = left(*bits, i), r = right(*bits, i);
-            spare_[2 * i] = own | l | r;
-            spare_[2 * i + 1] = own & l & r;
+            scratch_[2 * i] = own | l | r;
+            scratch_[2 * i + 1] = own & l & r;
         }
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t up = i < per_row ? i : i - per_row, down = i + per_row < n ? i + per_row : i;
-            to_halve_[i] |= (spare_[2 * up] | spare_[2 * i] | spare_[2 * down]) &
-                            ~(spare_[2 * up + 1] & spare_[2 * i + 1] & spare_[2 * down + 1]);
+            to_halve_[i] |= (scratch_[2 * up] | scratch_[2 * i] | scratch_[2 * down]) &
+                            ~(scratch_[2 * up + 1] & scratch_[2 * i + 1] & scratch_[2 * down + 1]);
         }
     }
     for (std::uint64_t& bits : to_halve_) bits &= columns();
 }
 
-/// Returns true when some cells differ from the neighbours on all four sides.
-bool SeenLight::has_narrow_shadows() const {
-    constexpr int kByChance = 2;  // cells that points at random places make so, without a narrow shadow
+/// Returns true when shadows, or gaps between them, seem narrower than cells: several cells differ from the neighbours
+/// on all four sides, or most of the rarer state lies in no square of four.
+bool SeenLight::has_narrow_shadows() {
+    constexpr int kByChance = 2;  // isolated cells that random places of points cause without a narrow shadow
     const std::size_t per_row = words_per_row(), n = words();
-    int alone = 0;
-    for (const Bits* bits : {&lit_, &above_})
+    const auto row_above = [&](std::size_t i) { return i < per_row ? i : i - per_row; };
+    const auto row_below = [&](std::size_t i) { return i + per_row < n ? i + per_row : i; };
+    int isolated = 0;
+    for (const Bits* bits : {&lit_, &above_}) {
+        std::size_t set = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const std::uint64_t own = (*bits)[i], l = left(*bits, i), r = right(*bits, i);
-            const std::uint64_t up = i < per_row ? own : (*bits)[i - per_row];
-            const std::uint64_t down = i + per_row < n ? (*bits)[i + per_row] : own;
-            alone += std::popcount(columns() & ((own & ~(l | r | up | down)) | (~own & l & r & up & down)));
+            const std::uint64_t up = (*bits)[row_above(i)], down = (*bits)[row_below(i)];
+            isolated += std::popcount(columns() & ((own & ~(l | r | up | down)) | (~own & l & r & up & down)));
+            set += std::size_t(std::popcount(own));
         }
-    return alone > kByChance;
+        const bool inverted = 2 * set > point_.size();
+        const std::size_t rarer = inverted ? point_.size() - set : set;
+        Bits &own = differ_, &squares = scratch_;
+        own.resize(n);
+        squares.resize(n);
+        for (std::size_t i = 0; i < n; ++i) own[i] = inverted ? ~(*bits)[i] & columns() : (*bits)[i];
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t down = row_below(i);
+            squares[i] = own[i] & right(own, i) & own[down] & right(own, down);
+        }
+        std::size_t outside = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t up = row_above(i);
+            const std::uint64_t within = squares[i] | left(squares, i) | squares[up] | left(squares, up);
+            outside += std::size_t(std::popcount(own[i] & ~within));
+        }
+        if (2 * outside > rarer) return true;
+    }
+    return isolated > kByChance;
 }
 
 void SeenLight::halve(const LightSamples& samples, std::uint32_t end, bool everywhere) {
@@ -139,6 +161,17 @@ void SeenLight::take_samples() {
     taken_ += found_.size();
 }
 
+/// Returns the cells above the horizon, without those that lack a sample only because there are no more.
+SeenLight::Bits SeenLight::own_samples() const {
+    Bits out = above_;
+    if (fineness_ == point_.size()) return out;
+    for (std::size_t c = 0; c < point_.size(); ++c) {
+        const std::size_t column = c % across(), word = c / across() * words_per_row() + column / 64;
+        if (point_[c] >= fineness_) out[word] &= ~(std::uint64_t{1} << column % 64);
+    }
+    return out;
+}
+
 Estimate SeenLight::estimate(double hard) const {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     std::size_t lit = 0, above = 0;
@@ -159,9 +192,12 @@ Estimate SeenLight::estimate(double hard) const {
     double sum = 0;
     std::size_t known = 0;
     const std::size_t per_row = words_per_row(), columns = across() < 64 ? across() : 64;
+    const Bits counted = own_samples();
+    above = 0;
+    for (const std::uint64_t bits : counted) above += std::size_t(std::popcount(bits));
     for (std::size_t i = 0; i < lit_.size(); ++i) {
         if (i / per_row % 2) continue;
-        const std::uint64_t a = lit_[i], b = lit_[i + per_row], over_a = above_[i], over_b = above_[i + per_row];
+        const std::uint64_t a = lit_[i], b = lit_[i + per_row], over_a = counted[i], over_b = counted[i + per_row];
         const std::uint64_t whole = over_a & over_a >> 1 & over_b & over_b >> 1 & kEven;
         const std::uint64_t odd = (a ^ a >> 1 ^ b ^ b >> 1) & whole;
         const std::uint64_t mixed = (a | a >> 1 | b | b >> 1) & ~(a & a >> 1 & b & b >> 1) & whole;
@@ -173,7 +209,7 @@ Estimate SeenLight::estimate(double hard) const {
             const auto in_square = [x](std::uint64_t upper, std::uint64_t lower) {
                 return std::popcount(upper >> x & 3) + std::popcount(lower >> x & 3);
             };
-            const int lit_here = in_square(a, b), above_here = in_square(over_a, over_b);
+            const int lit_here = in_square(a & over_a, b & over_b), above_here = in_square(over_a, over_b);
             if (above_here < 2) continue;  // one sample has no variance
             sum += double(lit_here) * (above_here - lit_here) / (above_here - 1);
             known += std::size_t(above_here);

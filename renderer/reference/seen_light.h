@@ -1,5 +1,5 @@
-// What a surface point sees of an area light: states of equal cells of the light, with more samples where the edge of a
-// shadow crosses it. Internal to this folder.
+// Grid over an area light of what one surface point sees, sampled more finely along the edges of shadows. Internal to
+// this folder.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +24,10 @@ struct Estimate {
     std::size_t samples = 0, rays = 0;
 };
 
-/// Light as one surface point sees it: a grid of 2^n equal cells. A cell has the state of its own sample point, or,
-/// where larger cells around it agree, that of the larger cell that it is a part of. So the samples that a finer grid
-/// takes grow with the length of the shadow's edge on the light, not with its area. Where single cells differ from all
-/// four neighbours, shadows are narrower than cells, and all cells are sampled.
+/// Light as one surface point sees it: a grid of 2^n equal cells. A cell has the state of its own sample point. A cell
+/// without a sample has the state of the larger cell that was halved, if all neighbours of that cell had it, too. So
+/// the samples that a finer grid takes grow with the length of the shadow's edge on the light, not with its area. Where
+/// shadows seem narrower than cells, all cells are sampled.
 class SeenLight {
 public:
     /// Starts with the states of the first sample points, at least one.
@@ -45,7 +45,7 @@ public:
         fineness_ = std::min(end, std::uint32_t(point_.size()));
     }
 
-    /// Returns the number of samples that cells of this size would take everywhere.
+    /// Returns the number of samples that a grid of this size takes when every cell is sampled.
     std::uint32_t fineness() const { return fineness_; }
 
     /// Estimates the visible share of the light's part above the surface's horizon.
@@ -62,7 +62,7 @@ private:
     std::vector<std::uint32_t> point_;   ///< by cell: the sample point in it
     std::vector<std::uint8_t> sampled_;  ///< by sample point: 1: traced
     Bits lit_, above_;
-    Bits to_halve_, spare_;
+    Bits to_halve_, differ_, scratch_;
     std::vector<std::uint32_t> wanted_, wanted_cells_;  ///< sample points to trace, and their cells
     std::vector<Seen> found_;
 
@@ -76,7 +76,8 @@ private:
     void set(std::size_t cell, Seen seen);
     void double_cells(Bits& bits);
     void find_differing();
-    bool has_narrow_shadows() const;
+    bool has_narrow_shadows();
+    Bits own_samples() const;
     void halve(const LightSamples& samples, std::uint32_t end, bool everywhere);
     void take_samples();
 };

@@ -205,7 +205,8 @@ constexpr auto kReference = std::to_array<Param>({
      .also = "soft shadows, area light, ray-traced shadows"},
     {SI_FIELD(truth.samples), .label = "Maximum rays", .min = 1, .max = 1 << 20, .logarithmic = true, .idle = area_idle,
      .help = "Maximum rays of a pixel to an area light: 8 everywhere, 64 around penumbrae, more where noise requires "
-             "it. Beyond 256 they go only to parts of the light beside a shadow's edge, if its shape is simple."},
+             "it. Beyond 256 they go only to parts of the light along a shadow's edge, unless shadows are narrower "
+             "than these parts."},
     {SI_FIELD(truth.noise), .label = "Noise", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
      .help = "Target standard error of a pixel's reference visibility under an area light."},
     {SI_FIELD(truth.step), .label = "Trace every n-th pixel", .unit = "px", .min = 1, .max = 8,

@@ -142,10 +142,10 @@ FrontierPlot three_kernels() {
 TEST(FrontierDrawing, NamesKneeStepsAndBestCases) {
     const FrontierPlot plot = three_kernels();
     const std::string knee = "PCF 3\u00d73, 1024\u00b2: 0.02 for 7 ms; nothing within 2 \u00d7 is a quarter better. ";
-    EXPECT_EQ(knee_sentence(plot), knee + "No dearer case is a quarter better.");
+    EXPECT_EQ(knee_sentence(plot), knee + "No dearer case is, either.");
     FrontierPlot dearer = plot;
     dearer.cases.back().dot = {.cost = 21, .error = 0.015};
-    EXPECT_EQ(knee_sentence(dearer), knee + "The next that is a quarter better: Poisson, 2048\u00b2, for 3 \u00d7.");
+    EXPECT_EQ(knee_sentence(dearer), knee + "The cheapest that is: Poisson, 2048\u00b2, for 3 \u00d7.");
     const std::vector<BestRow> best = best_rows(plot);
     ASSERT_EQ(best.size(), 4u);
     EXPECT_EQ(plot.cases[*best[0].best].name(), "Hard, 1024\u00b2");
@@ -164,16 +164,30 @@ TEST(FrontierDrawing, NamesKneeStepsAndBestCases) {
     EXPECT_EQ(drawing.cases.size(), plot.cases.size());
 }
 
-TEST(FrontierDrawing, SaysWhatItsLinesMean) {
+TEST(FrontierDrawing, SentenceOnAKneeWithoutErrorOrCost) {
+    FrontierPlot plot{.cost_title = "Time", .error_title = "Mean error", .cost_unit = "ms"};
+    const auto add = [&](const char* line, double cost, double error) {
+        plot.cases.push_back({.of = plot.cases.size(), .line = line, .place = "", .dot = {cost, error, 0, 0}});
+    };
+    add("Exact", 5, 0);
+    add("Worse", 9, 0.1);
+    EXPECT_NE(knee_sentence(plot).find("No dearer case is, either."), std::string::npos) << knee_sentence(plot);
+    plot.cases.clear();
+    add("Free", 0, 0.1);
+    add("Dear", 5, 0.01);
+    EXPECT_EQ(knee_sentence(plot).find("inf"), std::string::npos) << knee_sentence(plot);
+}
+
+TEST(FrontierDrawing, HasALegend) {
     FrontierPlot plot = three_kernels();
     const auto count = [&](std::string_view text, const PlotPage& page) {
         const FrontierDrawing drawing = frontier_drawing(plot, page);
         return std::ranges::count_if(drawing.marks,
                                      [&](const PlotMark& m) { return m.text.find(text) != std::string::npos; });
     };
-    EXPECT_EQ(count("Black steps: the front", {}), 1);
-    EXPECT_EQ(count("Circle: the knee.", {}), 1);
-    EXPECT_EQ(count("Black steps: the front", {.titles = false}), 0) << "a small page has no room";
+    EXPECT_EQ(count("Black steps: the Pareto front", {}), 1);
+    EXPECT_EQ(count("Circle:", {}), 1);
+    EXPECT_EQ(count("Black steps: the Pareto front", {.titles = false}), 0) << "a small page has no room";
     EXPECT_EQ(count("same cost, \u221238 % error", {}), 0);
     plot.cases[3].dot.cost = 4.05;  // 1.01 of the hard kernel's
     EXPECT_EQ(count("same cost, \u221238 % error", {}), 1);
@@ -331,7 +345,7 @@ TEST(FrontierDrawing, AxesEndBeyondTheFront) {
     const FrontierDrawing drawing = frontier_drawing(plot, {});
     EXPECT_EQ(drawing.cases.size(), plot.cases.size() - 1);
     EXPECT_TRUE(std::ranges::any_of(drawing.marks, [](const PlotMark& m) {
-        return m.text == "1 case not shown: over 4 \u00d7 the front's cost or error";
+        return m.text == "1 case not shown: over 4 \u00d7 the front's largest cost or error";
     }));
     plot.whole = true;
     EXPECT_EQ(frontier_drawing(plot, {}).cases.size(), plot.cases.size());

@@ -110,6 +110,13 @@ TEST(LeastBias, KeepsALimitOfTheGap) {
               std::string::npos);
 }
 
+TEST(LeastBias, FindsTheFewStrengthsWithinALimitOfTheGap) {
+    const MadeUpFrame frame{.lost_per_texel = 0.1};
+    const FoundBias bound = searched(frame, 0.01);
+    ASSERT_TRUE(bound.best());
+    EXPECT_LT(bound.best()->trial.score, 60) << "one texel of the constant: 52; no bias at all: 100";
+}
+
 TEST(LeastBias, TiesAreDecidedByErrorThenGap) {
     FoundBias found;
     const auto add = [&](const char* row, double score, double mae, double gap) {
@@ -142,8 +149,7 @@ TEST(LeastBias, ABiasWithMoreWrongPixelsThanBeforeWinsOnlyIfAllHaveMore) {
     EXPECT_EQ(found.best()->row->key, "adaptive");
 }
 
-/// Trials of the constant row, of which `score` gives the score by the multiple of its start, and of a normal offset
-/// with `times` the score.
+/// Searches made-up trials: the constant row has the score `score(strength)`, the normal offset `times` as much.
 FoundBias searched_by_score(const std::function<double(double)>& score, double times,
                             std::optional<double> max_gap_m = {}) {
     BiasTrial before;
@@ -177,6 +183,9 @@ TEST(LeastBias, StrengthsEndAfterTwoRisesOfTheScore) {
     EXPECT_TRUE(tried(from_a_tenth, 1 / 16.));
     EXPECT_TRUE(tried(from_a_tenth, 1 / 32.));
     EXPECT_FALSE(tried(from_a_tenth, 1 / 64.));
+    // Scores that stay equal are no rises: beyond its casters a bias loses no more.
+    const auto plateau = [](double s) { return std::min(500.0, 3750 * s) + (s < 1 / 30. ? 2000 : 0); };
+    EXPECT_TRUE(tried(plateau, 1 / 16.));
     // One rise may be chance.
     const auto beyond_a_hill = [&](double s) { return s == 0.5 ? 200 : from_a_tenth(s); };
     EXPECT_TRUE(tried(beyond_a_hill, 1 / 8.));
@@ -189,9 +198,10 @@ TEST(LeastBias, RowsOutOfReachGetNoFinerTrials) {
         const std::vector<double> all = strengths_of(searched_by_score(score, times, max_gap_m), "normal-offset");
         return std::ranges::count_if(all, [](double s) { return s > 0 && std::exp2(std::round(std::log2(s))) != s; });
     };
-    EXPECT_GT(finer(1.4), 2);
-    EXPECT_EQ(finer(2), 0);
-    EXPECT_GT(finer(2, 1.0), 2) << "with a limit of the gap the least score may be out of the question";
+    EXPECT_EQ(finer(1.4), 5);
+    EXPECT_EQ(finer(1.8), 3) << "given up after three";
+    EXPECT_EQ(finer(3), 0);
+    EXPECT_EQ(finer(3, 1.0), 5) << "the bias with the least score may exceed the limit of the gap";
 }
 
 TEST(LeastBias, StopsWithWhatIsThere) {

@@ -115,6 +115,36 @@ TEST(SeenLight, SamplesAllCellsWhereShadowsAreNarrow) {
     }
 }
 
+TEST(SeenLight, OneRodNarrowerThanCellsKeepsItsShare) {
+    for (const double width : {0.2, 0.4}) {
+        double ours = 0, all = 0;
+        constexpr int kRods = 400;
+        for (int n = 0; n < kRods; ++n) {
+            const double angle = 0.7 * n, place = 0.3 * std::sin(1.3 * n), half = 0.5 * width / 16;
+            const StateAt rod = [=](double x, double y) {
+                return lit(std::abs(std::cos(angle) * (x - 0.5) + std::sin(angle) * (y - 0.5) - place) > half);
+            };
+            const Looked looked(rod, 1024, 256, std::uint64_t(n));
+            ours += looked.light.estimate(0).visibility / kRods;
+            all += plain(looked.samples, rod, 10).visibility / kRods;
+        }
+        EXPECT_NEAR(ours, all, 0.0008) << width;
+    }
+}
+
+TEST(SeenLight, ErrorOfAnyNumberOfSamplesIsThatOfTheSamples) {
+    const StateAt edge = [](double x, double y) { return lit(0.8 * x + 0.6 * y < 0.6); };
+    for (const int digits : {4, 6, 8}) {
+        const double exact = Looked(edge, 1u << digits, 1u << 20).light.estimate(0).error;
+        for (const std::uint32_t more : {1u, 2u}) {
+            double squares = 0;
+            for (std::uint64_t pixel = 0; pixel < 64; ++pixel)
+                squares += std::pow(Looked(edge, (1u << digits) + more, 1u << 20, pixel).light.estimate(0).error, 2);
+            EXPECT_GT(std::sqrt(squares / 64), 0.7 * exact) << digits << " " << more;
+        }
+    }
+}
+
 TEST(SeenLight, CellsWithoutASampleTakeTheOtherHalfs) {
     const StateAt left_lit = [](double x, double) { return lit(x < 0.5); };
     for (const std::uint32_t end : {1u, 2u, 3u, 5u, 25u, 49u, 100u, 300u, 1000u, 5000u}) {
