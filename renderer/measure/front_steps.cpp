@@ -38,13 +38,16 @@ std::vector<FrontStep> front_steps(std::span<const Dot> dots, std::span<const st
     return steps;
 }
 
+bool is_clearly_better(const Dot& dot, const Dot& at) {
+    return dot.error < at.error && dot.error <= (1 - kKneeReduction) * at.error;
+}
+
 std::optional<std::size_t> knee_of(std::span<const Dot> dots, std::span<const std::size_t> front) {
     for (const std::size_t i : front) {
         const Dot& at = dots[i];
         const bool dearer = std::ranges::any_of(dots, [&](const Dot& d) { return is_finite(d) && d.cost > at.cost; });
         const bool bought = std::ranges::any_of(dots, [&](const Dot& d) {
-            return is_finite(d) && d.cost <= kKneeCost * at.cost && d.error < at.error &&
-                   d.error <= (1 - kKneeReduction) * at.error;
+            return is_finite(d) && d.cost <= kKneeCost * at.cost && is_clearly_better(d, at);
         });
         if (dearer && !bought) return i;
     }

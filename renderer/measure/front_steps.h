@@ -28,6 +28,9 @@ inline constexpr double kKneeCost = 2;
 /// Share of the error by which a case must be better to count against a knee.
 inline constexpr double kKneeReduction = 0.25;
 
+/// Returns true when a case's error is lower than that of `at` by kKneeReduction or more.
+bool is_clearly_better(const Dot& dot, const Dot& at);
+
 /// Finds the knee of a front: its cheapest case such that no case costing at most kKneeCost times as much has an error
 /// lower by kKneeReduction or more. The last case of the front is the knee only if a dearer case was measured.
 /// @returns index of a point; nullopt: each doubling still buys a quarter

@@ -554,10 +554,10 @@ private:
             std::string step;
             if (k > 0) {
                 const PlotCase &from = plot_.cases[named[k - 1]], &to = plot_.cases[named[k]];
-                const bool ratio = !from.bound && !to.bound && from.dot.cost > 0;
                 constexpr double kSame = 1.02;
                 const double times = steps[k - 1].cost_factor;
-                if (ratio) step = times < kSame ? "same cost, " : fmt::format("{} \u00d7 cost, ", digits_text(times));
+                if (!from.bound && !to.bound && std::isfinite(times))
+                    step = times < kSame ? "same cost, " : fmt::format("{} \u00d7 cost, ", digits_text(times));
                 step = fmt::format("step: {}\u2212{:.0f} % error", step, 100 * steps[k - 1].error_reduction);
             }
             name_front_case(named[k], step);
@@ -693,10 +693,7 @@ std::string knee_sentence(const FrontierPlot& plot) {
         return "Each doubling of the cost still buys a quarter of the error. The best: " + described(front.back()) +
                ".";
     const Dot& at = dots[*knee];
-    const auto better = [&](std::size_t i) {
-        return dots[i].error < at.error && dots[i].error <= (1 - kKneeReduction) * at.error;
-    };
-    const auto next = std::ranges::find_if(front, better);
+    const auto next = std::ranges::find_if(front, [&](std::size_t i) { return is_clearly_better(dots[i], at); });
     std::string rest = "No dearer case is, either.";
     if (next != front.end()) {
         const bool ratio = !plot.cases[*next].bound && !plot.cases[*knee].bound && at.cost > 0;

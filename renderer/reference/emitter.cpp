@@ -24,7 +24,8 @@ constexpr double kPi = std::numbers::pi;
 
 constexpr std::uint32_t kScramblings = 64;
 constexpr int kKeptDigits = 10;
-constexpr std::uint32_t kKept = 1u << kKeptDigits;  ///< kept points of each scrambling; later ones are made anew
+constexpr std::uint32_t kKept =
+    1u << kKeptDigits;  ///< kept points of each scrambling; others are computed when asked for
 
 /// Maps [-1,1]^2 to the unit disk, preserving areas.
 glm::dvec2 on_disk(double x, double y) {

@@ -408,8 +408,7 @@ private:
             const bool whole = out.visibility == 0 || out.visibility == 1;
             const bool enough = whole ? fineness >= least : out.error <= query_.options.noise;
             if (fineness >= most() || enough) return out;
-            light.refine(samples, std::uint32_t(std::min(most() - fineness, fineness) + fineness),
-                         whole || fineness < kPlainSamples,
+            light.refine(samples, std::uint32_t(std::min(most(), 2 * fineness)), whole || fineness < kPlainSamples,
                          [&](std::span<const std::uint32_t> points, std::span<Seen> found) {
                              rays += trace_samples(i, samples, points, found, batch);
                          });

@@ -20,16 +20,25 @@ std::uint64_t doubled(std::uint64_t bits) {
     return bits | bits << 1;
 }
 
+std::size_t count(std::span<const std::uint64_t> words) {
+    std::size_t out = 0;
+    for (const std::uint64_t bits : words) out += std::size_t(std::popcount(bits));
+    return out;
+}
+
 }  // namespace
+
+SeenLight::BitPlace SeenLight::place_of(std::size_t cell) const {
+    const std::size_t w = across(), column = cell & (w - 1);
+    return {cell / w * words_per_row() + column / 64, std::uint64_t{1} << column % 64};
+}
 
 std::size_t SeenLight::other_half(std::size_t cell) const {
     return digits_ % 2 ? cell ^ 1 : cell ^ across();
 }
 
 void SeenLight::set(std::size_t cell, Seen seen) {
-    const std::size_t w = across(), column = cell & (w - 1), row = cell / w;
-    const std::size_t word = row * words_per_row() + column / 64;
-    const std::uint64_t bit = std::uint64_t{1} << column % 64;
+    const auto [word, bit] = place_of(cell);
     lit_[word] = seen == Seen::Lit ? lit_[word] | bit : lit_[word] & ~bit;
     above_[word] = seen != Seen::Below ? above_[word] | bit : above_[word] & ~bit;
 }
@@ -75,9 +84,19 @@ std::uint64_t SeenLight::right(const Bits& bits, std::size_t word) const {
     return bits[word] >> 1 | (last ? bits[word] & (columns() ^ columns() >> 1) : bits[word + 1] << 63);
 }
 
+/// Returns the word of the row above; in the first row the same.
+std::size_t SeenLight::row_above(std::size_t word) const {
+    return word < words_per_row() ? word : word - words_per_row();
+}
+
+/// Returns the word of the row below; in the last row the same.
+std::size_t SeenLight::row_below(std::size_t word) const {
+    return word + words_per_row() < words() ? word + words_per_row() : word;
+}
+
 /// Sets to_halve_ to the cells that differ from one of their eight neighbours.
 void SeenLight::find_differing() {
-    const std::size_t per_row = words_per_row(), n = words();
+    const std::size_t n = words();
     to_halve_.assign(n, 0);
     scratch_.resize(2 * n);
     for (const Bits* bits : {&lit_, &above_}) {
@@ -87,7 +106,7 @@ void SeenLight::find_differing() {
             scratch_[2 * i + 1] = own & l & r;
         }
         for (std::size_t i = 0; i < n; ++i) {
-            const std::size_t up = i < per_row ? i : i - per_row, down = i + per_row < n ? i + per_row : i;
+            const std::size_t up = row_above(i), down = row_below(i);
             to_halve_[i] |= (scratch_[2 * up] | scratch_[2 * i] | scratch_[2 * down]) &
                             ~(scratch_[2 * up + 1] & scratch_[2 * i + 1] & scratch_[2 * down + 1]);
         }
@@ -99,18 +118,15 @@ void SeenLight::find_differing() {
 /// on all four sides, or most of the rarer state lies in no square of four.
 bool SeenLight::has_narrow_shadows() {
     constexpr int kByChance = 2;  // isolated cells that random places of points cause without a narrow shadow
-    const std::size_t per_row = words_per_row(), n = words();
-    const auto row_above = [&](std::size_t i) { return i < per_row ? i : i - per_row; };
-    const auto row_below = [&](std::size_t i) { return i + per_row < n ? i + per_row : i; };
+    const std::size_t n = words();
     int isolated = 0;
     for (const Bits* bits : {&lit_, &above_}) {
-        std::size_t set = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const std::uint64_t own = (*bits)[i], l = left(*bits, i), r = right(*bits, i);
             const std::uint64_t up = (*bits)[row_above(i)], down = (*bits)[row_below(i)];
             isolated += std::popcount(columns() & ((own & ~(l | r | up | down)) | (~own & l & r & up & down)));
-            set += std::size_t(std::popcount(own));
         }
+        const std::size_t set = count(*bits);
         const bool inverted = 2 * set > point_.size();
         const std::size_t rarer = inverted ? point_.size() - set : set;
         Bits &own = differ_, &squares = scratch_;
@@ -164,19 +180,14 @@ void SeenLight::take_samples() {
 /// Returns the cells above the horizon, without those that lack a sample only because there are no more.
 SeenLight::Bits SeenLight::own_samples() const {
     Bits out = above_;
-    if (fineness_ == point_.size()) return out;
-    for (std::size_t c = 0; c < point_.size(); ++c) {
-        const std::size_t column = c % across(), word = c / across() * words_per_row() + column / 64;
-        if (point_[c] >= fineness_) out[word] &= ~(std::uint64_t{1} << column % 64);
-    }
+    for (std::size_t c = 0; c < point_.size(); ++c)
+        if (const auto [word, bit] = place_of(c); point_[c] >= fineness_) out[word] &= ~bit;
     return out;
 }
 
 Estimate SeenLight::estimate(double hard) const {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-    std::size_t lit = 0, above = 0;
-    for (const std::uint64_t bits : lit_) lit += std::size_t(std::popcount(bits));
-    for (const std::uint64_t bits : above_) above += std::size_t(std::popcount(bits));
+    const std::size_t lit = count(lit_), above = count(above_);
     Estimate out{.error = kNaN, .samples = taken_};
     if (above == 0) {
         out.visibility = hard;
@@ -192,9 +203,9 @@ Estimate SeenLight::estimate(double hard) const {
     double sum = 0;
     std::size_t known = 0;
     const std::size_t per_row = words_per_row(), columns = across() < 64 ? across() : 64;
-    const Bits counted = own_samples();
-    above = 0;
-    for (const std::uint64_t bits : counted) above += std::size_t(std::popcount(bits));
+    const bool all_sampled = fineness_ == point_.size();
+    const Bits own = all_sampled ? Bits() : own_samples();
+    const Bits& counted = all_sampled ? above_ : own;
     for (std::size_t i = 0; i < lit_.size(); ++i) {
         if (i / per_row % 2) continue;
         const std::uint64_t a = lit_[i], b = lit_[i + per_row], over_a = counted[i], over_b = counted[i + per_row];
@@ -215,7 +226,7 @@ Estimate SeenLight::estimate(double hard) const {
             known += std::size_t(above_here);
         }
     }
-    if (known > 0) out.error = std::sqrt(sum / (double(known) * double(above)));
+    if (known > 0) out.error = std::sqrt(sum / (double(known) * double(count(counted))));
     return out;
 }
 

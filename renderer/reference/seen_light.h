@@ -70,6 +70,13 @@ private:
     std::size_t words_per_row() const { return (across() + 63) / 64; }
     std::size_t words() const { return words_per_row() << digits_ / 2; }
     std::uint64_t columns() const { return ~std::uint64_t{0} >> (63 - (across() - 1) % 64); }
+    struct BitPlace {
+        std::size_t word;
+        std::uint64_t bit;
+    };
+    BitPlace place_of(std::size_t cell) const;
+    std::size_t row_above(std::size_t word) const;
+    std::size_t row_below(std::size_t word) const;
     std::uint64_t left(const Bits& bits, std::size_t word) const;
     std::uint64_t right(const Bits& bits, std::size_t word) const;
     std::size_t other_half(std::size_t cell) const;
