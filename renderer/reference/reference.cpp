@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -21,7 +21,8 @@ constexpr int kTile = 16;  ///< pixels a side: rays of neighbours visit the same
 constexpr std::size_t kTilesInTurn = 8;
 constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
 constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
-constexpr int kPenumbraSamples = 64;         ///< samples of pixels in and around penumbrae
+constexpr int kPenumbraSamples = 64;         ///< samples of pixels in penumbrae, and of those at edges of shadows
+constexpr int kFarSamples = 16;              ///< samples of pixels two pixels from a penumbra or an edge
 constexpr int kPlainSamples = 256;           ///< samples spread over the whole light; more only along edges of shadows
 constexpr int kBesideSamples =
     128;  ///< samples that must agree before a pixel next to a penumbra counts as lit or dark
@@ -129,25 +130,16 @@ public:
     /// Traces an area light adaptively: few samples everywhere, more around penumbrae, and again where the error is
     /// too large.
     void trace_area(const Workers& workers) {
-        first_ = std::clamp(query_.options.first_samples, 1, std::min(most(), kMaxFirst));
-        error_.assign(out_.state.size(), 0);
-        used_.assign(out_.state.size(), 0);
-        first_seen_.assign(out_.state.size(), {});
-        has_more_.assign(out_.state.size(), 0);
-        std::vector<std::uint8_t> wanted(out_.state.size());
-        for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = is_traced(out_.state[i]);
+        first_ = std::clamp(query_.options.first_samples, 1, std::min(most(), kPenumbraSamples));
+        if (first_ < most()) first_ = std::min(first_, kKeptFirst);
+        work_.resize(out_.state.size());
+        penumbra_.resize(out_.state.size());
         double done = first_share();
-        sample(wanted, workers.with_progress_range(0, done),
-               [&](std::size_t i, RayBatch& batch) { return first_samples(i, batch); });
+        sample(Round::First, workers.with_progress_range(0, done));
         // Samples of a neighbour may find a penumbra that the own ones missed.
-        while (first_ < most()) {
-            wanted = around_penumbrae();
-            if (std::ranges::all_of(wanted, [](std::uint8_t w) { return w == 0; })) break;
+        while (first_ < most() && find_penumbrae(workers)) {
             const double next = done + 0.9 * (1 - done);
-            sample(wanted, workers.with_progress_range(done, next), [&](std::size_t i, RayBatch& batch) {
-                has_more_[i] = 1;
-                return more_samples(i, wanted[i] == kBeside ? kBesideSamples : kPenumbraSamples, batch);
-            });
+            sample(Round::Penumbrae, workers.with_progress_range(done, next));
             done = next;
         }
         summarise();
@@ -164,16 +156,27 @@ private:
     std::optional<std::uint32_t> ground_;  ///< index of the ground disc
     std::mutex lock_;
     std::vector<float>& error_ = out_.standard_error.data;
-    static constexpr int kMaxFirst = 64;
-    int first_ = 1;                    ///< samples of every pixel
-    std::vector<std::uint32_t> used_;  ///< samples taken, by pixel
-    /// First samples of a pixel, a bit each.
-    struct FirstSeen {
-        std::uint64_t lit = 0, above = 0;
+    static constexpr int kKeptFirst = 16;
+    int first_ = 1;  ///< samples of every pixel
+    enum class Round { First, Penumbrae };
+    /// Values of penumbra_.
+    static constexpr std::uint8_t kShadowEdge = 1;  ///< a neighbour sees another share of the light
+    static constexpr std::uint8_t kPartial = 2;     ///< a part of the light is seen
+    /// Values of PixelWork::wanted.
+    static constexpr std::uint8_t kNone = 0;    ///< no more samples
+    static constexpr std::uint8_t kFar = 1;     ///< two pixels from a penumbra or an edge
+    static constexpr std::uint8_t kNear = 2;    ///< next to an edge
+    static constexpr std::uint8_t kBeside = 3;  ///< in a penumbra, or with a neighbour in one
+
+    /// State of a pixel that sees an area light.
+    struct PixelWork {
+        std::uint16_t lit = 0, above = 0;  ///< first samples, a bit each: lit, and above the horizon
+        std::uint32_t used = 0;            ///< samples taken
+        std::uint8_t wanted = kNone;       ///< kNone, kFar, kNear or kBeside
     };
-    std::vector<FirstSeen> first_seen_;
-    std::vector<std::uint8_t> has_more_;  ///< by pixel: 1: more than the first samples were asked for
-    glm::vec3 to_light_{0};               ///< direction to a directional light
+    BigArray<PixelWork> work_;         ///< by pixel
+    BigArray<std::uint8_t> penumbra_;  ///< by pixel: 0, kShadowEdge or kPartial
+    glm::vec3 to_light_{0};            ///< direction to a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     /// Returns the expected share of the first samples in all samples of an area light, for the progress.
@@ -195,7 +198,7 @@ private:
         int least = std::numeric_limits<int>::max(), most = 0;
         for (std::size_t i = 0; i < error_.size(); ++i) {
             if (out_.state[i] != PixelState::Counted) continue;
-            const int of_pixel = int(used_[i]);
+            const int of_pixel = int(work_[i].used);
             samples += of_pixel;
             least = std::min(least, of_pixel);
             most = std::max(most, of_pixel);
@@ -316,49 +319,106 @@ private:
 
     int most() const { return std::max(query_.options.samples, 1); }
 
-    /// Estimates the visibility of wanted pixels, each by `estimate`.
-    template <typename Estimated>
-    void sample(const std::vector<std::uint8_t>& wanted, const Workers& workers, Estimated&& estimate) {
+    /// Pixel of an area light's reference, sampled together with its neighbours: their rays fill packets.
+    struct AreaPixel {
+        std::size_t pixel = 0;
+        std::optional<LightSamples> samples;
+        SeenLight light;
+        bool started = false;  ///< `light` has its first states
+        bool done = false;
+        std::span<const std::uint32_t> points;  ///< sample points of the next round
+        std::vector<Seen> seen;                 ///< their states, after those that were known before
+        std::size_t rays = 0;
+    };
+    /// Neighbouring pixels that a thread samples together.
+    struct AreaSquare {
+        std::array<AreaPixel, std::size_t{kSquare} * kSquare> pixels;
+        std::size_t size = 0;
+        RayBatch batch;
+    };
+
+    /// Samples the light from all traced pixels, or from those that find_penumbrae() marked.
+    void sample(Round round, const Workers& workers) {
         for_tiles(workers, [&](int x0, int y0, int x1, int y1) {
-            thread_local RayBatch batch;
+            thread_local AreaSquare square;
             std::uint64_t rays = 0;
-            for (int y = y0; y < y1; ++y)
-                for (int x = x0; x < x1; ++x) {
-                    const std::size_t i = index(x, y);
-                    if (!wanted[i]) continue;
-                    const Estimate e = estimate(i, batch);
-                    out_.visibility.data[i] = float(e.visibility);
-                    error_[i] = float(e.error);
-                    used_[i] = std::uint32_t(e.samples);
-                    rays += std::uint64_t(e.rays);
+            for (int square_y = y0; square_y < y1; square_y += kSquare)
+                for (int square_x = x0; square_x < x1; square_x += kSquare) {
+                    square.size = 0;
+                    for (int y = square_y; y < std::min(square_y + kSquare, y1); ++y)
+                        for (int x = square_x; x < std::min(square_x + kSquare, x1); ++x) {
+                            const std::size_t i = index(x, y);
+                            if (round == Round::First) work_[i] = {};
+                            const bool wanted =
+                                round == Round::First ? is_traced(out_.state[i]) : work_[i].wanted != kNone;
+                            if (wanted) start(square.pixels[square.size++], i, round);
+                        }
+                    sample_square(square, round);
+                    for (std::size_t n = 0; n < square.size; ++n) rays += square.pixels[n].rays;
                 }
             const std::lock_guard guard(lock_);
             out_.rays += rays;
         });
     }
 
-    /// Traces sample points of a pixel. @param points their numbers @param seen receives their states
-    /// @returns the number of rays
-    std::size_t trace_samples(std::size_t i, const LightSamples& samples, std::span<const std::uint32_t> points,
-                              std::span<Seen> seen, RayBatch& batch) const {
-        const Receiver& r = receivers_.pixels[i];
-        const glm::vec3 origin = ray_origin(scene_, r);
-        std::ranges::fill(seen, Seen::Below);
-        batch.clear();
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const LightRay ray = samples.ray(points[k]);
-            const double cosine = glm::dot(r.normal_ws, ray.direction);
-            if (cosine > 0) batch.add(std::uint32_t(k), r, origin, ray.direction, cosine, ray.length_m * scene_.scale);
+    /// Traces all samples of a square, by turns: in each those that its pixels want next.
+    void sample_square(AreaSquare& square, Round round) {
+        for (bool any = square.size > 0; any;) {
+            square.batch.clear();
+            for (std::size_t n = 0; n < square.size; ++n) {
+                AreaPixel& p = square.pixels[n];
+                if (p.done) continue;
+                if (square.batch.size() + p.points.size() > kMaxBatch) trace(square);
+                add_rays(p, std::uint32_t(n), square.batch);
+            }
+            trace(square);
+            any = false;
+            for (std::size_t n = 0; n < square.size; ++n) {
+                AreaPixel& p = square.pixels[n];
+                if (p.done) continue;
+                if (round == Round::First)
+                    finish_first(p);
+                else
+                    continue_pixel(p);
+                any = any || !p.done;
+            }
         }
-        batch.trace(scene_, culls_,
-                    [&](std::uint32_t k, bool occluded) { seen[k] = occluded ? Seen::Dark : Seen::Lit; });
-        return batch.size();
     }
 
-    /// Returns the estimate from the samples so far; a light without size has no error.
-    Estimate estimate(std::size_t i, const SeenLight& light) const {
-        Estimate out = light.estimate(out_.hard().data[i]);
+    static constexpr std::uint32_t kPointBits = 28;       ///< of a ray's number: point of the round; above: pixel
+    static constexpr std::size_t kMaxBatch = 16u * 1024;  ///< rays at once, but for those of a single pixel
+
+    /// Adds the rays of a pixel's next round to the batch.
+    void add_rays(AreaPixel& p, std::uint32_t number, RayBatch& batch) const {
+        const Receiver& r = receivers_.pixels[p.pixel];
+        const glm::vec3 origin = ray_origin(scene_, r);
+        const std::size_t known = p.seen.size(), before = batch.size();
+        p.seen.resize(known + p.points.size(), Seen::Below);
+        for (std::size_t k = 0; k < p.points.size(); ++k) {
+            const LightRay ray = p.samples->ray(p.points[k]);
+            const double cosine = glm::dot(r.normal_ws, ray.direction);
+            if (cosine > 0)
+                batch.add(number << kPointBits | std::uint32_t(known + k), r, origin, ray.direction, cosine,
+                          ray.length_m * scene_.scale);
+        }
+        p.rays += batch.size() - before;
+    }
+
+    void trace(AreaSquare& square) const {
+        square.batch.trace(scene_, culls_, [&](std::uint32_t ray, bool occluded) {
+            AreaPixel& p = square.pixels[ray >> kPointBits];
+            p.seen[ray & ((1u << kPointBits) - 1)] = occluded ? Seen::Dark : Seen::Lit;
+        });
+        square.batch.clear();
+    }
+
+    /// Sets a pixel's estimate from the samples so far; a light without size has no error.
+    Estimate set_estimate(const AreaPixel& p) {
+        Estimate out = p.light.estimate(out_.hard().data[p.pixel]);
         if (!(query_.emitter.size > 0)) out.error = 0;
+        out_.visibility.data[p.pixel] = float(out.visibility);
+        error_[p.pixel] = float(out.error);
+        work_[p.pixel].used = std::uint32_t(out.samples);
         return out;
     }
 
@@ -369,81 +429,135 @@ private:
         return out;
     }();
 
-    Estimate first_samples(std::size_t i, RayBatch& batch) {
-        std::array<Seen, kMaxFirst> seen{};
-        const LightSamples samples(query_.emitter, receivers_.pixels[i].position_ws, i);
-        const auto first = std::size_t(first_);
-        const std::size_t rays =
-            trace_samples(i, samples, std::span(kFirstPoints).first(first), std::span(seen).first(first), batch);
-        for (std::size_t k = 0; k < first; ++k) {
-            const std::uint64_t bit = std::uint64_t{1} << k;
-            if (seen[k] != Seen::Below) first_seen_[i].above |= bit;
-            if (seen[k] == Seen::Lit) first_seen_[i].lit |= bit;
+    /// Prepares a pixel for its first samples, or for those that follow them.
+    void start(AreaPixel& p, std::size_t i, Round round) {
+        p.pixel = i;
+        p.samples.emplace(query_.emitter, receivers_.pixels[i].position_ws, i);
+        p.started = p.done = false;
+        p.rays = 0;
+        p.seen.clear();
+        if (round == Round::First) {
+            p.points = std::span(kFirstPoints).first(std::size_t(first_));
+            return;
         }
-        thread_local SeenLight light;
-        light.start(samples, std::span(seen).first(first));
-        Estimate out = estimate(i, light);
-        out.rays = rays;
-        return out;
+        const PixelWork& work = work_[i];
+        // States of the samples so far: kept, or all the same.
+        const auto known = std::size_t(partial(i) ? first_ : int(work.used));
+        const auto end = std::size_t(std::min(work.wanted == kFar ? kFarSamples : kPenumbraSamples, most()));
+        for (std::size_t k = 0; k < known; ++k) {
+            const bool above = partial(i) ? work.above >> k & 1 : is_above(p, std::uint32_t(k));
+            const bool lit = partial(i) ? work.lit >> k & 1 : out_.visibility.data[i] > 0;
+            p.seen.push_back(!above ? Seen::Below : lit ? Seen::Lit : Seen::Dark);
+        }
+        p.points = {};
+        if (known < end) p.points = std::span(kFirstPoints).subspan(known, end - known);
     }
 
-    /// Adds samples to the first ones until the error is small enough, or the light is seen to be whole or hidden.
-    /// @param least SeenLight::fineness() from which samples that all agree are trusted
-    Estimate more_samples(std::size_t i, int least, RayBatch& batch) const {
-        std::array<Seen, kPenumbraSamples> seen{};
-        const auto first = std::size_t(first_), start = std::size_t(std::min(kPenumbraSamples, most()));
-        for (std::size_t k = 0; k < first; ++k)
-            seen[k] = !(first_seen_[i].above >> k & 1u) ? Seen::Below
-                      : first_seen_[i].lit >> k & 1u    ? Seen::Lit
-                                                        : Seen::Dark;
-        const LightSamples samples(query_.emitter, receivers_.pixels[i].position_ws, i);
-        std::size_t rays = trace_samples(i, samples, std::span(kFirstPoints).subspan(first, start - first),
-                                         std::span(seen).subspan(first, start - first), batch);
-        thread_local SeenLight light;
-        light.start(samples, std::span(seen).first(start));
+    /// Returns true when a sample point lies above the horizon of the pixel's surface.
+    bool is_above(const AreaPixel& p, std::uint32_t point) const {
+        return glm::dot(receivers_.pixels[p.pixel].normal_ws, p.samples->ray(point).direction) > 0;
+    }
+
+    /// Keeps the states of the first samples.
+    void finish_first(AreaPixel& p) {
+        p.light.start(*p.samples, p.seen);
+        set_estimate(p);
+        p.done = true;
+        if (p.seen.size() > kKeptFirst) return;
+        PixelWork& work = work_[p.pixel];
+        for (std::size_t k = 0; k < p.seen.size(); ++k) {
+            if (p.seen[k] != Seen::Below) work.above = std::uint16_t(work.above | 1u << k);
+            if (p.seen[k] == Seen::Lit) work.lit = std::uint16_t(work.lit | 1u << k);
+        }
+    }
+
+    /// Takes the states of a round. Asks for more until the error is small enough, or the light is seen to be whole or
+    /// hidden.
+    void continue_pixel(AreaPixel& p) {
+        const int least = samples_for(work_[p.pixel].wanted);
+        if (p.started)
+            p.light.set_wanted(p.seen);
+        else
+            p.light.start(*p.samples, p.seen);
+        p.started = true;
         for (;;) {
-            Estimate out = estimate(i, light);
-            out.rays = rays;
-            const auto fineness = int(light.fineness());
-            const bool whole = out.visibility == 0 || out.visibility == 1;
-            const bool enough = whole ? fineness >= least : out.error <= query_.options.noise;
-            if (fineness >= most() || enough) return out;
-            light.refine(samples, std::uint32_t(std::min(most(), 2 * fineness)), whole || fineness < kPlainSamples,
-                         [&](std::span<const std::uint32_t> points, std::span<Seen> found) {
-                             rays += trace_samples(i, samples, points, found, batch);
-                         });
+            p.seen.clear();
+            const Estimate e = set_estimate(p);
+            const auto fineness = int(p.light.fineness());
+            const bool whole = e.visibility == 0 || e.visibility == 1;
+            const bool enough = whole ? fineness >= least : e.error <= query_.options.noise;
+            if (fineness >= most() || enough) {
+                p.done = true;
+                return;
+            }
+            p.points = p.light.halve(*p.samples, std::uint32_t(std::min(most(), 2 * fineness)),
+                                     whole || fineness < kPlainSamples);
+            if (!p.points.empty()) return;
         }
     }
 
-    /// Pixels that need more than their first samples.
-    static constexpr std::uint8_t kNear = 1;    ///< near a penumbra or an edge
-    static constexpr std::uint8_t kBeside = 2;  ///< in a penumbra, or with a neighbour in one
+    /// Returns the number of samples that must agree before a pixel counts as lit or dark.
+    int samples_for(std::uint8_t wanted) const {
+        const int all = wanted == kBeside ? kBesideSamples : wanted == kNear ? kPenumbraSamples : kFarSamples;
+        return std::min(all, most());
+    }
 
-    /// Returns the pixels that have only their first samples although they are in penumbra, or a pixel near them is,
-    /// or lies on the other side of an edge; and those that see all of the light or none by few samples beside a
-    /// penumbra.
-    std::vector<std::uint8_t> around_penumbrae() const {
-        std::vector<std::uint8_t> out(out_.state.size(), 0);
-        for (int y = 0; y < receivers_.height; ++y)
+    /// Marks the pixels that need more samples: those in penumbra that have only their first ones, and those near a
+    /// penumbra or an edge whose samples agree, but are fewer than samples_for(). Returns true if there are any.
+    bool find_penumbrae(const Workers& workers) {
+        const Workers silent{.threads = workers.threads, .stop = workers.stop};
+        const std::size_t bands = std::size_t((receivers_.height + kTile - 1) / kTile);
+        const auto for_rows = [&](auto&& work) {
+            parallel_for_blocks(bands, silent, [&](std::size_t band) {
+                const int y0 = int(band) * kTile, y1 = std::min(y0 + kTile, receivers_.height);
+                for (int y = y0; y < y1; ++y) work(y);
+            });
+        };
+        for_rows([&](int y) {
             for (int x = 0; x < receivers_.width; ++x) {
-                const std::size_t own = index(x, y);
-                if (!is_traced(out_.state[own])) continue;
-                const bool differs = out_.visibility.data[own] != out_.hard().data[own];
-                if (!partial(own) && !differs && !beside_edge(x, y)) continue;
-                for (int v = std::max(y - kNeighbourPixels, 0);
-                     v <= std::min(y + kNeighbourPixels, receivers_.height - 1); ++v)
-                    for (int u = std::max(x - kNeighbourPixels, 0);
-                         u <= std::min(x + kNeighbourPixels, receivers_.width - 1); ++u) {
-                        const std::size_t i = index(u, v);
-                        if (!is_traced(out_.state[i])) continue;
-                        const bool beside = partial(own) && std::max(std::abs(u - x), std::abs(v - y)) <= 1;
-                        const bool missed =
-                            beside && !partial(i) && used_[i] < std::uint32_t(std::min(kBesideSamples, most()));
-                        if (has_more_[i] && !missed) continue;
-                        out[i] = std::max(out[i], beside ? kBeside : kNear);
-                    }
+                const std::size_t i = index(x, y);
+                const bool differs = out_.visibility.data[i] != out_.hard().data[i];
+                penumbra_[i] = !is_traced(out_.state[i])      ? 0
+                               : partial(i)                   ? kPartial
+                               : differs || beside_edge(x, y) ? kShadowEdge
+                                                              : 0;
             }
-        return out;
+        });
+        std::atomic<bool> any = false;
+        for_rows([&](int y) {
+            const int y0 = std::max(y - kNeighbourPixels, 0),
+                      y1 = std::min(y + kNeighbourPixels, receivers_.height - 1);
+            thread_local std::vector<std::uint8_t> columns;  // penumbrae above and below each pixel of the row
+            columns.assign(std::size_t(receivers_.width), 0);
+            for (int v = y0; v <= y1; ++v)
+                for (std::size_t x = 0; x < columns.size(); ++x) columns[x] |= penumbra_[index(0, v) + x];
+            for (int x = 0; x < receivers_.width; ++x) {
+                const std::size_t i = index(x, y);
+                const int x0 = std::max(x - kNeighbourPixels, 0),
+                          x1 = std::min(x + kNeighbourPixels, receivers_.width - 1);
+                const bool near = std::any_of(&columns[std::size_t(x0)], &columns[std::size_t(x1)] + 1,
+                                              [](std::uint8_t column) { return column != 0; });
+                work_[i].wanted = near && is_traced(out_.state[i]) ? wanted(i, {x, y}, {x0, y0}, {x1, y1}) : kNone;
+                if (work_[i].wanted != kNone) any = true;
+            }
+        });
+        return any;
+    }
+
+    /// Returns the state of PixelWork::wanted for a traced pixel near a penumbra or an edge.
+    /// @param i index of the pixel @param first upper left pixel of its neighbourhood @param last lower right one
+    std::uint8_t wanted(std::size_t i, glm::ivec2 pixel, glm::ivec2 first, glm::ivec2 last) const {
+        std::uint8_t out = kNone;
+        for (int v = first.y; v <= last.y; ++v)
+            for (int u = first.x; u <= last.x; ++u) {
+                const std::uint8_t penumbra = penumbra_[index(u, v)];
+                if (penumbra == 0) continue;
+                const bool next = std::max(std::abs(u - pixel.x), std::abs(v - pixel.y)) <= 1;
+                out = std::max(out, !next ? kFar : penumbra == kPartial ? kBeside : kNear);
+            }
+        const int used = int(work_[i].used);
+        const bool enough = penumbra_[i] == kPartial ? used > first_ : used >= samples_for(out);
+        return enough ? kNone : out;
     }
 
     /// Returns true when the pixel right of or below a pixel sees another share of the light.

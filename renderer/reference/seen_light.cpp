@@ -148,7 +148,7 @@ bool SeenLight::has_narrow_shadows() {
     return isolated > kByChance;
 }
 
-void SeenLight::halve(const LightSamples& samples, std::uint32_t end, bool everywhere) {
+std::span<const std::uint32_t> SeenLight::halve(const LightSamples& samples, std::uint32_t end, bool everywhere) {
     if (everywhere || has_narrow_shadows())
         to_halve_.assign(words(), columns());
     else
@@ -169,12 +169,14 @@ void SeenLight::halve(const LightSamples& samples, std::uint32_t end, bool every
             wanted_cells_.push_back(std::uint32_t(cell));
         }
     }
+    fineness_ = std::min(end, std::uint32_t(point_.size()));
+    return wanted_;
 }
 
-void SeenLight::take_samples() {
+void SeenLight::set_wanted(std::span<const Seen> seen) {
     for (const std::uint32_t point : wanted_) sampled_[point] = 1;
-    for (std::size_t i = 0; i < found_.size(); ++i) set(wanted_cells_[i], found_[i]);
-    taken_ += found_.size();
+    for (std::size_t i = 0; i < seen.size(); ++i) set(wanted_cells_[i], seen[i]);
+    taken_ += seen.size();
 }
 
 /// Returns the cells above the horizon, without those that lack a sample only because there are no more.

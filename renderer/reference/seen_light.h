@@ -33,17 +33,12 @@ public:
     /// Starts with the states of the first sample points, at least one.
     void start(const LightSamples& samples, std::span<const Seen> seen);
 
-    /// Halves the cells, and samples both halves of those that differ from a neighbour.
+    /// Halves the cells. Returns the sample points to trace before set_wanted(): those of both halves of each cell that
+    /// differs from a neighbour. They stay valid until the next call.
     /// @param end sample points from this one on are not used @param everywhere samples all halves
-    /// @param trace function(span of sample points, span of Seen) that fills in their states
-    template <typename Trace>
-    void refine(const LightSamples& samples, std::uint32_t end, bool everywhere, Trace&& trace) {
-        halve(samples, end, everywhere);
-        found_.resize(wanted_.size());
-        trace(std::span<const std::uint32_t>(wanted_), std::span<Seen>(found_));
-        take_samples();
-        fineness_ = std::min(end, std::uint32_t(point_.size()));
-    }
+    std::span<const std::uint32_t> halve(const LightSamples& samples, std::uint32_t end, bool everywhere);
+    /// Sets the states of the sample points that halve() returned.
+    void set_wanted(std::span<const Seen> seen);
 
     /// Returns the number of samples that a grid of this size takes when every cell is sampled.
     std::uint32_t fineness() const { return fineness_; }
@@ -64,7 +59,6 @@ private:
     Bits lit_, above_;
     Bits to_halve_, differ_, scratch_;
     std::vector<std::uint32_t> wanted_, wanted_cells_;  ///< sample points to trace, and their cells
-    std::vector<Seen> found_;
 
     std::size_t across() const { return std::size_t{1} << (digits_ + 1) / 2; }
     std::size_t words_per_row() const { return (across() + 63) / 64; }
@@ -85,8 +79,6 @@ private:
     void find_differing();
     bool has_narrow_shadows();
     Bits own_samples() const;
-    void halve(const LightSamples& samples, std::uint32_t end, bool everywhere);
-    void take_samples();
 };
 
 }  // namespace si

@@ -30,12 +30,14 @@ struct Looked {
         std::vector<Seen> first;
         for (std::uint32_t k = 0; k < std::min(64u, end); ++k) first.push_back(at(k));
         light.start(samples, first);
-        while (light.fineness() < end)
-            light.refine(samples, std::min(end, 2 * light.fineness()), light.fineness() < plain,
-                         [&](std::span<const std::uint32_t> points, std::span<Seen> seen) {
-                             asked += points.size();
-                             for (std::size_t i = 0; i < points.size(); ++i) seen[i] = at(points[i]);
-                         });
+        while (light.fineness() < end) {
+            const std::span<const std::uint32_t> points =
+                light.halve(samples, std::min(end, 2 * light.fineness()), light.fineness() < plain);
+            asked += points.size();
+            std::vector<Seen> seen;
+            for (const std::uint32_t k : points) seen.push_back(at(k));
+            light.set_wanted(seen);
+        }
     }
 };
 
