@@ -5,7 +5,8 @@
 
 namespace si {
 
-/// Exit codes of the program (docs/cli.md). A signal gives 128 and its number.
+/// Exit codes of the program (docs/cli.md). A program that a signal ends has the exit code 128 plus the number of the
+/// signal.
 enum class ExitCode {
     Done = 0,
     Failed = 1,         ///< a file, a value in a file, or the driver stood in the way
@@ -18,7 +19,8 @@ constexpr int exit_status(ExitCode code) {
     return static_cast<int>(code);
 }
 
-/// Exception for a picture that exceeds a limit of `check`. The program exits with code 3.
+/// Exception of the command `check`: a measured error of the picture exceeds a limit that the user has set. The program
+/// then exits with code 3.
 struct LimitExceeded : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -4,8 +4,8 @@
 
 namespace si {
 
-/// Scope in which the first SIGINT, SIGTERM or SIGHUP requests a stop instead of ending the program. The second signal
-/// ends the program. A SIGHUP that is ignored at the begin (`nohup`) stays ignored.
+/// Scope in which the first SIGINT, SIGTERM or SIGHUP only requests a stop of the running work (stop_requested()). A
+/// second signal ends the program. SIGHUP stays ignored where it was ignored before, as under `nohup`.
 class InterruptGuard {
 public:
     InterruptGuard();
@@ -13,7 +13,7 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-    /// Returns true once a signal has requested a stop.
+    /// Returns true once SIGINT, SIGTERM or SIGHUP has arrived, so that long work should stop at its next step.
     bool stop_requested() const;
     /// Ends the program by the signal that arrived, so that a shell sees exit code 129, 130 or 143.
     [[noreturn]] void end();

@@ -43,7 +43,8 @@ public:
     /// context of its own.
     using Work = std::function<T(const Workers&, const Report&)>;
 
-    /// Outcome of a background job that has ended: a value, an exception, or cancelled.
+    /// Outcome of a background job that has ended: the value that the work returned, its exception, or its
+    /// cancellation.
     struct Outcome {
         std::optional<T> value;      ///< result of the work; none: the work failed or was cancelled
         std::exception_ptr problem;  ///< exception that the work threw
@@ -138,7 +139,7 @@ public:
     }
 
 private:
-    /// State that the job and its thread share.
+    /// State that a background job (Job) and its thread share. The mutex guards all members.
     struct Shared {
         std::mutex mutex;
         std::condition_variable changed;

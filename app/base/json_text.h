@@ -15,9 +15,10 @@ using Json = nlohmann::ordered_json;
 /// files are shallower.
 inline constexpr int kMaxJsonDepth = 32;
 
-/// Parses a whole JSON text and keeps the order of members. Takes linear time.
-/// @throws Error "NAME: line L, column C: what is wrong": broken or deeper than kMaxJsonDepth, a number out of range, a
-/// member that occurs twice, text after the end
+/// Parses a whole JSON text. Objects keep the order of their members. The time grows linearly with the text.
+/// @param name name of the file, for error messages
+/// @throws Error "NAME: line L, column C: what is wrong". Errors are broken JSON, nesting deeper than kMaxJsonDepth,
+/// numbers out of range, repeated members, and text after the end
 nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
 
 /// Converts each element of a range to JSON by `convert`, in an array.
@@ -28,7 +29,7 @@ nlohmann::ordered_json json_list(const Range& range, const Convert& convert) {
     return list;
 }
 
-/// Formats a JSON value for an error message: on one line, cut after some 60 characters.
+/// Formats a JSON value for an error message, on one line and cut after about 60 characters.
 std::string quoted(const nlohmann::ordered_json& value);
 
 }  // namespace si

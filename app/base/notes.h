@@ -10,30 +10,34 @@
 
 namespace si {
 
-/// Writes text to stderr and ignores write errors, so that a message never ends the work.
+/// Writes text to stderr and ignores write errors, so that a closed or full stderr never stops the program's work.
 void print_to_stderr(std::string_view text) noexcept;
 
-/// Prints notes to stderr, one a line.
+/// Prints notes for the user to stderr, one per line, each after the word "note:".
 void print_notes(const std::vector<std::string>& notes);
 
-/// Returns worker threads for ray tracing that print their progress to stderr if stderr is a terminal. @param threads
-/// number of threads; 0: all cores
+/// Returns the thread count and the progress callback for tracing rays. If stderr is a terminal, the callback prints
+/// the percentage done there.
+/// @param threads number of threads; 0: all cores
 Workers tracing_workers(int threads = 0);
 
-/// Puts text on one line: line breaks become "; ", tabs spaces, other control characters visible escapes.
+/// Joins a text of several lines into one line for a message. Line breaks become "; ", tabs become spaces, and other
+/// control characters become visible escapes.
 std::string one_line(const std::string& text);
 
 /// Prints "wrote FILE" to stdout, with control characters in the name escaped.
 void print_wrote(const std::filesystem::path& file);
 
-/// Opens the null device for each closed standard descriptor (0 to 2). Otherwise a file opened later would get that
-/// descriptor and receive the program's messages. Writing to a stdout that was closed still fails.
+/// Opens the null device for each closed standard descriptor (0 to 2). Otherwise the next opened file would get that
+/// descriptor and receive the program's messages. Writing to a stdout that was closed still fails. Call at the
+/// beginning of main().
 void open_standard_descriptors();
 
-/// Ignores SIGXFSZ: writing a file beyond the size limit (`ulimit -f`) becomes an error instead of ending the program.
+/// Ignores the signal SIGXFSZ. Writing a file beyond the size limit (`ulimit -f`) then fails with an error instead of
+/// ending the program. Call at the beginning of main().
 void survive_file_limits();
 
-/// Flushes stdout. @throws Error when some output could not be written (a full disk).
+/// Flushes stdout at the end of a command. @throws Error when some output could not be written, as on a full disk
 void finish_stdout();
 
 }  // namespace si

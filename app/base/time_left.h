@@ -13,7 +13,7 @@ inline double remaining_seconds(double passed, double progress) {
     return passed / progress * (1 - progress);
 }
 
-/// Clock of long work, started by its constructor, that estimates the remaining time.
+/// Estimate of the time until long work ends. The clock starts with the construction of the object.
 class TimeLeft {
 public:
     /// Returns remaining_seconds() of the work. @param share part of the work that is done, 0..1

@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Request to the capture helper.
+/// Request to the capture helper, a child process that opens a RenderDoc capture: list its shadow maps, or write some
+/// as a bundle.
 struct CaptureRequest {
     std::filesystem::path capture;
     bool list = false;             ///< list candidates and write nothing
@@ -18,13 +19,14 @@ struct CaptureRequest {
     std::filesystem::path output;  ///< folder that receives the bundle's files; not used with `list`
 };
 
-/// Limits of the capture helper.
+/// Limits of memory and time for the capture helper, a child process that opens a RenderDoc capture.
 struct CaptureLimits {
     std::size_t memory_bytes = std::size_t{8} << 30;  ///< address space
     int seconds = 600;                                ///< wall time
 };
 
-/// Functions that receive what the helper reports. Both run on the calling thread.
+/// Functions that receive progress and results from the capture helper, a child process. Both run on the calling
+/// thread.
 struct CaptureReports {
     /// Receives the share 0..1 that is done and a label, at least every 50 ms. Returning false ends the helper.
     std::function<bool(double, const std::string&)> progress;

@@ -3,8 +3,8 @@
 
 namespace si {
 
-/// Parses the command line and runs the command. Returns the exit code (ExitCode). All but 0 print one line on
-/// stderr.
+/// Parses the command line, runs the command that it names, and returns the program's exit code (ExitCode). For every
+/// code but 0 it prints one line to stderr.
 int run_cli(int argc, const char* const* argv);
 
 }  // namespace si

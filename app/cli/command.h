@@ -17,14 +17,17 @@ namespace si {
 /// Function of the command that the command line names.
 using Run = std::function<void()>;
 
-/// Makes a validator for an option that takes a finite number within [min, max]. CLI::Range accepts NaN and garbage.
+/// Makes a validator for an option of the command line that takes a finite number within [min, max]. CLI::Range would
+/// also accept NaN and trailing garbage.
 CLI::Validator number_between(double min, double max);
 /// Name of the validators that one_of() makes.
 inline constexpr const char* kWordsValidator = "words";
-/// Makes a validator for an option that takes one of `words`. The error message for another word lists them.
+/// Makes a validator for an option of the command line that takes one of `words`. For any other value the error message
+/// lists the words.
 CLI::Validator one_of(const std::vector<std::string_view>& words);
 
-/// One command of the parser, to which options are added. Use add_command(), which holds the options' values, too.
+/// Builder for the options of one command in the command-line parser (CLI11). Make it with add_command(), which also
+/// stores the options' values.
 class CommandParser {
 public:
     /// Returns the parser's own object, for options that only this command has.
@@ -40,29 +43,41 @@ public:
         const auto add = [this, key](const T& value) { sets_.push_back(fmt::format("{}={}", key, value)); };
         return app_.add_option_function<T>(name, add, help)->type_name(type);
     }
-    /// Adds SCENE, --preset, --set and --no-cache.
+    /// Adds the argument SCENE and the options --preset, --set, --profile and --no-cache to the command. They choose
+    /// the scene and the settings that the command works on.
+    /// @param scene_required false: SCENE may be left out
     void add_session(bool scene_required = true);
-    /// Adds SCENE alone.
+    /// Adds the argument SCENE to the command: a model file or a built-in scene. Returns the argument for further
+    /// rules.
     CLI::Option* add_scene();
     /// Adds --size, the size of the picture in pixels. @param standard size without the option
     /// @param bytes_per_pixel memory that the command takes, PixelBytes; 0: the command checks it
     void add_size(PictureSize standard = {}, std::uint64_t bytes_per_pixel = kDrawnPixelBytes);
-    /// Adds -o, the file or folder to write.
+    /// Adds the option -o to the command, which names the file or folder to write.
+    /// @param type name of the value in the help, such as "FILE"
     CLI::Option* add_output(const char* type, const char* help);
-    /// Adds a further option that names a file to write. @param type name of the value in the help
+    /// Adds an option to the command that names a further file to write.
+    /// @param to receives the file's name @param type name of the value in the help, such as "F.json"
     CLI::Option* add_file_to_write(const char* name, std::string& to, const char* type, const char* help);
-    /// Adds --check-numeric, which searches frames for NaN, infinite and out-of-range numbers.
+    /// Adds the option --check-numeric to the command, which searches frames for NaN, infinite and out-of-range
+    /// numbers.
     void add_numeric();
-    /// Adds --cost, the kind of frames to time.
+    /// Adds the option --cost to the command. It chooses the frames to time: with every pass drawn again, with a moving
+    /// camera, or with a moving light.
     void add_cost();
-    /// Adds --json.
+    /// Adds the flag --json to the command, which prints JSON instead of text. @param help its text in --help
     void add_json(const char* help = "As JSON");
-    /// Adds --area, which compares with a light of a size.
+    /// Adds the flag --area to the command: the reference is traced for a light of its real size (light.size), not for
+    /// a point or direction.
     void add_area(const char* help =
                       "Compare with an area light (light.size), not a point or direction. As --set truth.area=true");
-    /// Adds --max-error, --max-ms and --error. @param metric_help begin of the help of --error
+    /// Adds the options --max-error, --max-ms and --error to the command. They limit the error and frame time of a
+    /// search.
+    /// @param limits receives the values @param error_help, ms_help help of --max-error and of --max-ms
+    /// @param metric_help beginning of the help of --error, which a list of metrics follows
     void add_limits(SearchLimits& limits, const char* error_help, const char* ms_help, const char* metric_help);
-    /// Applies the values that are parsed as text to the options. @throws UsageError
+    /// Completes the options after the command line is parsed: the picture's size, the list of files to write, and the
+    /// settings of add_setting(). @throws UsageError; Error if the picture does not fit into memory
     void finish();
 
 protected:
@@ -104,7 +119,8 @@ ParsedCommand<Options>& add_command(CLI::App& parent, Run& run, const char* name
     return *made;
 }
 
-/// Adds the commands that measure (sweep, merge, tune, plan, advise, precision, shimmer) to the parser.
+/// Adds the commands that measure to the parser: sweep, merge, tune, plan, advise, precision, shimmer and report.
+/// @param run receives the function of the command that the command line names
 void add_measure_commands(CLI::App& app, Run& run);
 
 }  // namespace si

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Kind of words that a shell offers for a value.
+/// Kind of completions that a shell offers for the value of an option or argument.
 enum class OfferedWords {
     None,         ///< a flag takes no value
     Files,        ///< names of files
@@ -17,7 +17,7 @@ enum class OfferedWords {
     WordsOrFiles  ///< the words of `words`, and names of files
 };
 
-/// Option or argument of a command.
+/// Option or argument of a command, as man page and shell completions list it.
 struct CommandOption {
     std::vector<std::string> names;  ///< "-o", "--output"; empty: an argument
     std::string value;               ///< name of the value or argument: "WxH"; empty: a flag
@@ -31,7 +31,7 @@ struct CommandOption {
     bool offers_files() const { return offered == OfferedWords::Files || offered == OfferedWords::WordsOrFiles; }
 };
 
-/// Command with its options, in the order of its help.
+/// Command with its options in the order of the help; row of command_table().
 struct CommandRow {
     std::vector<std::string> path;  ///< names that call it: {"preset", "check"}; empty: the program without a command
     std::string about;
@@ -39,26 +39,29 @@ struct CommandRow {
     std::vector<std::string> commands;  ///< names of its own commands
 };
 
-/// Returns all commands of the parser, the program itself first, and each command before those below it.
+/// Lists all commands of the parser for man page and shell completions. The first row is the program itself. Each
+/// command comes before its subcommands.
 std::vector<CommandRow> command_table(const CLI::App& app);
 
-/// Returns the names of a command with spaces between: "preset check".
+/// Returns the full name of a command, with the commands above it: "preset check". Empty for the program itself.
 std::string command_name(const CommandRow& row);
 
-/// Returns the page of ROFF that `man shadow-inspector` shows.
+/// Formats the manual page of the program in the markup ROFF, for `man shadow-inspector`.
 std::string man_page(const std::vector<CommandRow>& commands);
 
-/// Returns the completions for bash. They need no other script.
+/// Formats the bash script that completes commands, options and values of the program. It needs no other script.
 std::string bash_completions(const std::vector<CommandRow>& commands);
-/// Returns the completions for zsh.
+/// Formats the zsh script that completes commands, options and values of the program.
 std::string zsh_completions(const std::vector<CommandRow>& commands);
-/// Returns the completions for fish.
+/// Formats the fish script that completes commands, options and values of the program.
 std::string fish_completions(const std::vector<CommandRow>& commands);
 
-/// Adds the commands `completion` and `man-page` to the parser.
+/// Adds the commands `completion` and `man-page` to the parser, which print a shell's completions and the manual page.
+/// @param run receives the function of the command that the command line names
 void add_printed_tables(CLI::App& app, Run& run);
 
-/// Returns the text of --version: the program's version, those of its files, and what it was built with.
+/// Returns the text of --version: versions of the program, of presets and of error metrics, readable model formats,
+/// file dialog and compiler.
 std::string version_text();
 
 }  // namespace si

@@ -8,7 +8,8 @@
 
 namespace si {
 
-/// Options of the command `check`. The scene may be a RenderDoc capture. Empty texts: not given.
+/// Options of the command `check`, which compares shadow errors with limits. The scene may be a RenderDoc capture.
+/// Empty texts stand for options that are not given.
 struct CheckOptions : CommandOptions {
     std::string max_acne, max_wrong, tolerance;  ///< limits on pixels, parse_pixel_limit()
     std::optional<double> max_error;
@@ -17,8 +18,9 @@ struct CheckOptions : CommandOptions {
     std::string junit;                     ///< JUnit report to write
 };
 
-/// Runs the command `check`: measures the error of the shadows of view.light as `measure` does, and compares it with
-/// limits. @throws LimitExceeded where a limit is exceeded @throws Error where the picture cannot be checked
+/// Runs the command `check`: measures the shadow errors of the light that view.light selects, and compares them with
+/// the limits of the options. The errors are those that `measure` prints.
+/// @throws LimitExceeded if an error exceeds its limit @throws Error if the picture cannot be checked
 void run_check(const CheckOptions& options);
 
 }  // namespace si

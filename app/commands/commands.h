@@ -20,11 +20,11 @@ struct PictureSize {
     int width = 1280, height = 720;
 };
 
-/// Parses the value of --size, such as "1280x720". @throws UsageError
+/// Parses the value of the option --size, such as "1280x720". @throws UsageError
 PictureSize parse_size(const std::string& text);
 
-/// Bytes of memory that a command takes for each pixel of its picture, by kind of work. Measured with the software
-/// rasteriser.
+/// Bytes of memory that a command needs per pixel of its picture, by kind of work. Used to refuse pictures that cannot
+/// fit into memory. The numbers were measured with the software rasteriser.
 enum PixelBytes : std::uint64_t {
     kDrawnPixelBytes = 20,     ///< a picture is drawn, read back and written
     kComparedPixelBytes = 40,  ///< two pictures are
@@ -32,17 +32,22 @@ enum PixelBytes : std::uint64_t {
     kMeasuredPixelBytes = 250  ///< wrong pixels are classified
 };
 
-/// Returns what a large picture takes ("16384 x 16384 pixels take about 5120 MiB of memory; 9000 MiB are free"); empty
-/// for less than 1 GiB. @param available free memory, bytes; 0: unknown @throws Error if the picture cannot fit
+/// Returns a note on the memory that a large picture needs; empty below 1 GiB. Example: "16384 x 16384 pixels take
+/// about 5120 MiB of memory; 9000 MiB are free".
+/// @param bytes_per_pixel a value of PixelBytes @param available free memory, bytes; 0: unknown
+/// @throws Error if the picture needs more than the free memory
 std::string picture_memory_note(const PictureSize& size, std::uint64_t bytes_per_pixel, std::uint64_t available);
-/// Prints the note of picture_memory_note() for this machine. Call before the work. @throws Error
+/// Checks that a picture fits into the free memory of this machine, and prints the note of picture_memory_note() for a
+/// large one. Call before the work. @param bytes_per_pixel a value of PixelBytes @throws Error if the picture cannot
+/// fit
 void require_picture_memory(const PictureSize& size, std::uint64_t bytes_per_pixel);
 
-/// Parses a pixel "X,Y" (from the top left) within a picture of `size`. @param option name of the option, for the
-/// message @throws UsageError
+/// Parses a pixel "X,Y", counted from the top left. @param size size of the picture that contains the pixel
+/// @param option name of the command-line option, for the error message @throws UsageError, also outside the picture
 std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size, const char* option = "--pixel");
 
-/// Options that several commands share. Each command uses those that its command line offers.
+/// Options that several commands share, as the user gave them on the command line. Each command uses only those that it
+/// offers.
 struct CommandOptions {
     SessionOptions session = {};
     std::string output = {};  ///< file or folder to write; empty: none
@@ -53,7 +58,7 @@ struct CommandOptions {
     bool check_numeric = false;    ///< fail on NaN, infinite and out-of-range numbers
 };
 
-/// Options of the command `render`.
+/// Options of the command `render`, which draws one view of a scene into a file.
 struct RenderOptions : CommandOptions {
     std::string view;         ///< key of a view; empty: the picture with the overlays and panes of the settings
     std::string report;       ///< JSON file for facts of the frame; empty: none
@@ -64,151 +69,167 @@ struct RenderOptions : CommandOptions {
     bool fit = false;         ///< fit the contrast of a depth view to the stored depths, and print its range
     std::string fit_camera;   ///< preset whose camera view-dependent maps are fitted to; empty: the picture's camera
 };
-/// Runs the command `render`: draws one view of a scene into a picture or float file.
+/// Runs the command `render`: draws one view of a scene, such as the picture, a shadow map or an overlay, into a
+/// picture or float file.
 void run_render(const RenderOptions& options);
 
-/// Options of the command `truth`.
+/// Options of the command `truth`, which traces the reference of a light's shadows by rays.
 struct ReferenceCommandOptions : CommandOptions {
     std::string report;          ///< JSON file for counts and times; empty: none
     bool as_rasterised = false;  ///< leave out the faces that culling leaves out of the map
     int threads = 0;             ///< 0: all
 };
-/// Runs the command `truth`: writes the ray-traced visibility of the light `view.light` as a picture or float file.
+/// Runs the command `truth`: traces by rays how much light reaches each pixel from the light that view.light selects.
+/// Writes this visibility as a picture or float file.
 void run_reference(const ReferenceCommandOptions& options);
 
-/// Options of the command `measure`.
+/// Options of the command `measure`, which prints error, time and memory of a light's shadows.
 struct MeasureOptions : CommandOptions {
     bool time = true;    ///< time frames
     bool fixes = false;  ///< also try fixes and measure each
 };
-/// Runs the command `measure`: prints the error of the shadows of `view.light` against the reference, and their time
-/// and memory.
+/// Runs the command `measure`: compares the shadows of the light that view.light selects with the ray-traced reference.
+/// Prints their error, time and memory.
 void run_measure(const MeasureOptions& options);
 
-/// Options of the command `plan`.
+/// Options of the command `plan`, which prints the work of a frame and the work that it skips.
 struct PlanOptions : CommandOptions {
     bool measure = false;  ///< time what each optimisation saves, in ms
     int rounds = 15;       ///< rounds of alternating frames per measurement
     bool waste = false;    ///< list work that changes no pixel when it is left out
 };
-/// Runs the command `plan`: prints which passes and smaller pieces of work (Effect) a frame draws, which it skips, and
-/// why.
+/// Runs the command `plan`: prints the passes and smaller pieces of work (Effect) of a frame. Each is drawn, cached or
+/// skipped, with the reason.
 void run_plan(const PlanOptions& options);
 
-/// Options of the command `precision`.
+/// Options of the command `precision`, which measures rounding errors of map coordinates.
 struct PrecisionOptions : CommandOptions {
     std::string over;  ///< one of precision_series(); empty: one measurement with the given settings
 };
-/// Runs the command `precision`: prints the error of single against double precision for each way to compute map
-/// coordinates.
+/// Runs the command `precision`: prints the rounding error of shadow-map coordinates in single against double
+/// precision, for each way to compute the coordinates.
 void run_precision(const PrecisionOptions& options);
-/// Returns the keys of the series that `precision --over` accepts (distance, scale, ...).
+/// Returns the names of the series that `precision --over` accepts: distance, scale and stretch. Each series varies one
+/// setting of the scene.
 std::vector<std::string_view> precision_series();
 
-/// Options of the command `shimmer`. Its output is a picture of flips per pixel and step, .png or .pfm.
+/// Options of the command `shimmer`, which measures shimmering edges. Its output is a picture with the share of steps
+/// in which each pixel flips: .png, .pfm or .exr.
 struct ShimmerCommandOptions : CommandOptions {
     ShimmerOptions shimmer;
 };
-/// Runs the command `shimmer`: prints how many pixels flip while camera or light move by fractions of a texel.
+/// Runs the command `shimmer`: moves camera or light by fractions of a texel, and prints how many pixels flip between
+/// light and shadow.
 void run_shimmer(const ShimmerCommandOptions& options);
 
-/// Limits of error and frame time for the searches that `tune` and `advise` run.
+/// Upper limits of error and frame time for the settings that `tune` and `advise` search.
 struct SearchLimits {
     std::string error;  ///< metric that max_error limits, one of tuned_errors(); empty: the first
     std::optional<double> max_error, max_ms;
 };
 
-/// Options of the command `tune`.
+/// Options of the command `tune`, which searches the best bias of a scene and writes it as a preset.
 struct TuneOptions : CommandOptions, SearchLimits {
     bool no_acne = false;           ///< least bias among those without acne
     std::optional<double> max_gap;  ///< largest gap at casters, metres
 };
-/// Runs the command `tune`: writes a preset with the least bias of all rows of the bias table. With limits the search
-/// also picks kernel and resolution.
+/// Runs the command `tune`: searches the bias with the least error score (wrong pixels and faint errors) over all rows
+/// of the bias table. Writes it as a preset. With limits of error or time the search also picks kernel and resolution.
 void run_tune(const TuneOptions& options);
-/// Returns the keys of the metrics that `tune --error` accepts.
+/// Returns the keys of the error metrics that the option --error of `tune`, `advise` and `sweep` accepts.
 std::vector<std::string_view> tuned_errors();
 
-/// Finds a metric that `tune --error` accepts. @param key empty: the first one @throws UsageError listing the known
-/// keys
+/// Finds an error metric that the option --error of `tune`, `advise` and `sweep` accepts.
+/// @param key key of the metric; empty: the first one @throws UsageError listing the known keys
 const Metric& tuned_error(const std::string& key);
 
-/// Options of the command `advise`. Its output is the preset that the autopilot writes.
+/// Options of the command `advise`, which suggests cheaper settings. With limits its autopilot searches the best
+/// settings; the output is the preset that the autopilot writes.
 struct AdviseOptions : CommandOptions, SearchLimits {
     std::vector<std::string> vary;  ///< settings that the autopilot varies, as in a sweep; empty: chosen from the scene
     double max_seconds = 100;
 };
-/// Runs the command `advise`: prints changes of settings that the scene allows, each measured. With a limit the
-/// autopilot runs instead.
+/// Runs the command `advise`: prints changes of settings that save time in this scene, each drawn and measured. With a
+/// limit of error or time the autopilot searches the best settings instead.
 void run_advise(const AdviseOptions& options);
 
-/// Options of the command `probe`. Its output is the cross-section of the shadow test of view.light, .svg.
+/// Options of the command `probe`, which explains the shadow test of one pixel. Its output is a cross-section of the
+/// shadow test of the light that view.light selects, .svg.
 struct ProbeOptions : CommandOptions {
     std::string pixel;      ///< "X,Y" from the top left
     bool reference = true;  ///< trace rays, for a verdict and fixes
 };
-/// Runs the command `probe`: prints the shadow test of one pixel step by step, its verdict and its fixes.
+/// Runs the command `probe`: prints the shadow test of one pixel step by step. With the reference it also prints
+/// whether the pixel is right, and fixes.
 void run_probe(const ProbeOptions& options);
 
-/// Options of the command `list`.
+/// Options of the command `list`, which prints a table of the program.
 struct ListOptions : CommandOptions {
     std::string kind;    ///< one of list_kinds()
     std::string prefix;  ///< lists only keys that begin with it
 };
-/// Runs the command `list`: prints the rows of one table (settings, filters, presets, ...).
+/// Runs the command `list`: prints the rows of one table of the program, such as settings, filters or presets.
 void run_list(const ListOptions& options);
-/// Returns the names of the tables that `list` prints: settings, filters, fits, views, overlays, scenes, presets, ...
+/// Returns the names of the tables that the command `list` prints: settings, filters, fits, views, overlays, scenes,
+/// presets, ...
 std::vector<std::string> list_kinds();
 
 /// Runs the command `info`: prints the OpenGL driver, its limits and the program's version.
 void run_info(const CommandOptions& options);
 
-/// Runs the command `scene`: prints what a scene holds, and which parts of its file were dropped or approximated and
-/// why.
+/// Runs the command `scene`: prints the contents of a scene. Also prints the parts of its file that were dropped or
+/// approximated, with the reason.
 void run_scene(const CommandOptions& options);
 
-/// Options of the command `contact-sheet`. The size is that of each tile.
+/// Options of the command `contact-sheet`, which draws many models into one picture. The size is that of each tile.
 struct ContactSheetOptions : CommandOptions {
     std::string folder;  ///< folder of the models
     int columns = 8;
 };
-/// Runs the command `contact-sheet`: draws every model below a folder into one picture, and writes an index
-/// (.txt) next to it.
+/// Runs the command `contact-sheet`: draws every model below a folder as a tile of one picture. Writes an index (.txt)
+/// of the models next to the picture.
 void run_contact_sheet(const ContactSheetOptions& options);
 
-/// Options of the commands below `preset`.
+/// Options of the commands `preset check`, `preset show`, `preset diff` and `preset save`. Each command uses only some
+/// of them.
 struct PresetOptions : CommandOptions {
     std::string file, other_file;     ///< presets to read: files or built-in ones
     std::string title, topic, about;  ///< texts of a preset to save
 };
-/// Runs the command `preset check`: reads a preset file and reports the first fault.
+/// Runs the command `preset check`: loads a preset and the scene that it names, to find faults, and prints the number
+/// of changed settings. @throws UsageError, Error for the first fault
 void run_preset_check(const PresetOptions& options);
-/// Runs the command `preset show`: prints a preset's settings that differ from the defaults.
+/// Runs the command `preset show`: prints those settings of a preset that differ from the program's defaults.
 void run_preset_show(const PresetOptions& options);
-/// Runs the command `preset diff`: prints the differences of two presets in words. Each is a preset file, a built-in
-/// preset, or "default".
+/// Runs the command `preset diff`: prints the settings in which two presets differ, as text or JSON. Each preset is a
+/// file, a built-in preset, or "default" (the program's defaults).
 void run_preset_diff(const PresetOptions& options);
-/// Runs the command `preset save`: writes the session's settings as a preset.
+/// Runs the command `preset save`: writes the settings given on the command line as a preset file.
 void run_preset_save(const PresetOptions& options);
-/// Options of the command `compare-pictures`. Its output is a heat map, .png.
+/// Options of the command `compare-pictures`, which measures the visible difference of two pictures. Its output is a
+/// heat map of the difference, .png.
 struct ComparePicturesOptions : CommandOptions {
     std::string picture, other_picture;               ///< PNG files of equal size
     double pixels_per_degree = kFlipPixelsPerDegree;  ///< of visual angle
 };
-/// Runs the command `compare-pictures`: prints the difference of two pictures as a person sees it (LDR-FLIP).
+/// Runs the command `compare-pictures`: prints the difference of two pictures as a person sees it (LDR-FLIP): 0 none, 1
+/// the largest.
 void run_compare_pictures(const ComparePicturesOptions& options);
 
-/// Options of the command `compare-maps`. Its output is a picture of differences, .png.
+/// Options of the command `compare-maps`, which checks shadow maps of another engine. Its output is a picture of the
+/// differences, .png.
 struct CompareMapsOptions : CommandOptions {
     std::optional<int> light;       ///< index of light.*; none: all lights with imported maps
     int border_texels = 0;          ///< MapCompareOptions::border_texels
     bool leave_out_masked = false;  ///< MapCompareOptions::leaves_out_masked
     bool check = false;             ///< an error where a map fails the gate
 };
-/// Runs the command `compare-maps`: prints how imported maps differ from maps drawn with the same views.
+/// Runs the command `compare-maps`: draws a map for each imported shadow map, from the same view of the light. Prints
+/// the differences of each pair.
 void run_compare_maps(const CompareMapsOptions& options);
 
-/// Options of the command `import-map`. Its output is a bundle. Empty texts: not given.
+/// Options of the command `import-map`, which writes one depth map of another engine as a bundle (a frame as files).
+/// Empty texts stand for options that are not given.
 struct ImportMapOptions : CommandOptions {
     std::string image, light;  ///< image of a map; JSON file of its light
     std::string scene;         ///< built-in key or path of the scene that the map shows
@@ -216,73 +237,82 @@ struct ImportMapOptions : CommandOptions {
     double unit = 0;  ///< lengths of the scene in one of the light's file; 0: not given
     int pick = 0;     ///< row of the list of readings, from 1; 0: the one that fits
 };
-/// Runs the command `import-map`: makes a bundle of one depth map of another engine. Finds the conventions that nothing
-/// states: depth range, first row, matrix order, axes and unit.
+/// Runs the command `import-map`: writes one depth map of another engine with its light as a bundle (a frame as files).
+/// It finds conventions that neither file nor user states: depth range, first row, matrix order, axes and unit.
 void run_import_map(const ImportMapOptions& options);
 
-/// Options of the command `import-capture`. Its output is a folder, .bundle.
+/// Options of the command `import-capture`, which writes a RenderDoc capture as a bundle (a frame of an engine as
+/// files). Its output is a folder, .bundle.
 struct ImportCaptureOptions : CommandOptions {
     std::string capture;     ///< file that RenderDoc wrote, .rdc
     bool list = false;       ///< print the shadow maps of the capture and write nothing
     std::vector<int> picks;  ///< numbers of the list; empty: all
 };
-/// Runs the command `import-capture`: opens a RenderDoc capture and writes its shadow maps, scene, camera and picture
-/// as a bundle.
+/// Runs the command `import-capture`: replays a RenderDoc capture and writes its shadow maps, scene, camera and picture
+/// as a bundle (a frame of an engine as files).
 void run_import_capture(const ImportCaptureOptions& options);
 
-/// Options of the command `export`.
+/// Options of the command `export`, which writes a scene as glTF, or a frame with its shadow maps as files (a bundle).
 struct ExportOptions : CommandOptions {
     std::string bundle;  ///< bundle to write in place of a glTF file: a .bundle folder or a .zip file; empty: none
     std::string maps = "pfm";  ///< file format of the bundle's maps: pfm or exr
 };
-/// Runs the command `export`: writes the session's scene as a glTF file, or its frame as a bundle.
+/// Runs the command `export`: writes the scene in its pose as a glTF file. With --bundle it writes the frame as a
+/// bundle instead, with scene, camera, lights, shadow maps and picture.
 void run_export(const ExportOptions& options);
 
-/// Options of the command `docs`. Without an output the page goes to standard output.
+/// Options of the command `docs`, which generates pages of docs/. Without an output file the page goes to standard
+/// output.
 struct DocsOptions : CommandOptions {
-    std::string what = "settings";  ///< page: settings, presets, metrics, hard-cases or techniques
+    std::string what = "settings";  ///< settings, presets, metrics, hard-cases, techniques, or a JSON schema
     std::string only;               ///< "filter.kernel=pcf": only that row of docs/techniques.md; empty: the whole page
     bool check = false;             ///< compares with the file instead of writing it
 };
-/// Runs the command `docs`: generates a page of docs/ from the program's tables. @throws Error where the file differs
-/// under `check` @throws UsageError for unknown pages and rows
+/// Runs the command `docs`: generates a page of docs/ from the program's tables. With DocsOptions::check it compares
+/// the page with the file instead of writing it.
+/// @throws Error if the compared file differs @throws UsageError for unknown pages and rows
 void run_docs(const DocsOptions& options);
-/// Draws and measures all techniques, or one, for docs/techniques.md and its folder of pictures. The whole page takes a
-/// minute. The same program on the same driver writes the same bytes.
+/// Generates docs/techniques.md with its folder of pictures: draws and measures every technique (kernel, bias, source,
+/// fit, overlay), or only one. The whole page takes a minute. The same program on the same driver writes the same
+/// bytes.
 void run_docs_techniques(const DocsOptions& options);
-/// Escapes a text for a cell of a Markdown table.
+/// Escapes a text so that it can stand in a cell of a Markdown table.
 std::string markdown_cell(std::string_view text);
-/// Generates the Markdown text of docs/settings.md.
+/// Generates the Markdown page of all settings, docs/settings.md.
 std::string settings_page();
-/// Generates the Markdown text of docs/presets.md.
+/// Generates the Markdown page of the built-in presets, docs/presets.md.
 std::string presets_page();
-/// Generates the Markdown text of docs/metrics.md.
+/// Generates the Markdown page of the error metrics, docs/metrics.md.
 std::string metrics_page();
-/// Generates the Markdown text of docs/hard-cases.md.
+/// Generates the Markdown page of the hard cases, docs/hard-cases.md. Hard cases are scenes in which shadow maps break,
+/// with and without the fix.
 std::string hard_cases_page();
-/// Formats the table of settings that --help prints.
+/// Formats the list of all settings that --help prints below the options of a command.
 std::string settings_help();
 
-/// Options of the command `sweep`. Its output is a folder.
+/// Options of the command `sweep`, which measures all combinations of some settings. Its output is a folder.
 struct SweepOptions : CommandOptions {
     std::vector<std::string> vary;  ///< "KEY=V1,V2,..." or "KEY=from:to:step"
     std::string shard;              ///< "I/N"; empty: all cases
     SweepTiming timing;             ///< timing.cost is not read: CommandOptions::cost is the kind of timed frames
     bool fresh = false, retry = false;
 };
-/// Runs the command `sweep`: measures error, cost and time of every combination of settings, and writes a report.
+/// Runs the command `sweep`: measures error, cost and time of every combination of the varied settings. Writes the
+/// results and a report into a folder.
 void run_sweep(const SweepOptions& options);
 
-/// Options of the command `merge`, which joins shards of a sweep. Its output is a folder.
+/// Options of the command `merge`, which joins shards (parts of a sweep that several machines measured). Its output is
+/// a folder.
 struct MergeOptions : CommandOptions {
     std::vector<std::string> parts;  ///< folders of shards
     bool fresh = false;
 };
-/// Runs the command `merge`: joins the shards of a sweep into one folder with one report.
+/// Runs the command `merge`: joins the shards of a sweep, which several machines measured, into one folder with one
+/// report.
 void run_merge(const MergeOptions& options);
 
-/// Runs the command `overview`: writes pictures of the editor, the scene, its shadow map and visibility into a folder,
-/// by default out, and prints a table of passes and times.
+/// Runs the command `overview`: writes pictures of the editor, the scene, its shadow map and its visibility into a
+/// folder, by default out. Prints a table of the frame's passes and their times.
 void run_overview(const CommandOptions& options);
 
 }  // namespace si

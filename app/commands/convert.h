@@ -8,7 +8,8 @@
 
 namespace si {
 
-/// Options of the command `convert`. Without an output the text goes to standard output.
+/// Options of the command `convert`, which writes shadow settings as code of another program. Without an output file
+/// the code goes to standard output.
 struct ConvertOptions : CommandOptions {
     std::string target;               ///< one of convert_targets()
     std::optional<double> angle_deg;  ///< reference angle; nullopt: from the scene, else 45
@@ -16,7 +17,8 @@ struct ConvertOptions : CommandOptions {
     bool time = true;                 ///< time frames
 };
 
-/// Runs the command `convert`: writes settings of a preset as code of an engine or a language.
+/// Runs the command `convert`: writes the shadow settings of a preset as code for an engine, a graphics API or a
+/// language.
 /// @throws UsageError, Error
 void run_convert(const ConvertOptions& options);
 

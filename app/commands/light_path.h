@@ -8,7 +8,8 @@
 
 namespace si {
 
-/// Options of the command `sweep` with those of a light's path. Empty texts: not given.
+/// Options of the command `sweep`, with those of the path along which a light moves. Empty texts stand for options that
+/// are not given.
 struct PathSweepOptions : SweepOptions {
     std::string along;         ///< straight_path()
     std::string day;           ///< day_path()
@@ -19,8 +20,8 @@ struct PathSweepOptions : SweepOptions {
     bool has_path() const { return !along.empty() || !day.empty(); }
 };
 
-/// Runs the command `sweep`: over combinations of settings (run_sweep()), or along a light's path. The latter measures
-/// every point and writes path.json, path.csv and path.html into the folder of the options.
+/// Runs the command `sweep`: over combinations of settings (run_sweep()), or along a path of a light. Along a path it
+/// measures every step and writes path.json, path.csv and path.html into the output folder.
 /// @throws UsageError, Error
 void run_path_sweep(const PathSweepOptions& options);
 

@@ -8,15 +8,15 @@
 
 namespace si {
 
-/// Options of the command `report`. Its output is a page, .html.
+/// Options of the command `report`, which compares presets on one scene. Its output is a page, .html.
 struct ReportOptions : CommandOptions {
     std::vector<std::string> presets;  ///< files or built-in presets; the first one's view is drawn for all
     std::vector<std::string> pixels;   ///< "X,Y" from the top left; empty: one of each cause
     bool time = true;                  ///< time frames
 };
 
-/// Runs the command `report`: writes a page with pictures, errors, times and diagnosed pixels of a scene under several
-/// presets.
+/// Runs the command `report`: writes a page that compares presets on one scene. It shows pictures, errors, times and
+/// diagnosed pixels of each preset.
 void run_report(const ReportOptions& options);
 
 }  // namespace si

@@ -6,15 +6,15 @@
 
 namespace si {
 
-/// Offscreen RGBA8 framebuffer that Dear ImGui draws into. Needs a current OpenGL context from construction to
-/// destruction.
+/// Offscreen RGBA8 framebuffer into which Dear ImGui draws the editor. It needs a current OpenGL context from
+/// construction to destruction.
 class Canvas {
 public:
     Canvas(int width, int height);
 
     /// Binds the canvas's framebuffer as the one to draw into.
     void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id()); }
-    /// Reads back the canvas as an opaque image, top row first.
+    /// Reads the pixels of this offscreen framebuffer back from the GPU. Returns an opaque image, top row first.
     ByteImage read_picture() const;
 
 private:

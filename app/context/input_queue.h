@@ -14,25 +14,26 @@
 
 namespace si {
 
-/// Queue of input events: the window's callbacks fill it, each ImGui frame takes one step.
+/// Queue between the window and ImGui. The window's callbacks add mouse and key events; each ImGui frame takes as many
+/// as it can handle without losing their order (a step).
 class InputQueue {
 public:
     static constexpr std::size_t kKeys = 512;  ///< size of ImGui's key table
 
-    /// Press or release of a key.
+    /// Press or release of a key on the keyboard.
     struct Key {
         int key = 0;   ///< GLFW_KEY_*
         int mods = 0;  ///< GLFW_MOD_*
         bool down = false;
     };
-    /// Keys, characters and wheel movement of one step.
+    /// Key presses and releases, typed characters and wheel movement that one ImGui frame receives.
     struct Strokes {
         std::vector<Key> keys;  ///< a key that also goes up in this step counts as held during it
         std::vector<unsigned> characters;
         glm::dvec2 wheel{0};
     };
 
-    /// Adds a press or release of a mouse button to the queue.
+    /// Adds a press or release of a mouse button to the queue of input events.
     /// @param mods modifiers that are held (GLFW_MOD_*)
     /// @param when interval of time in which the press or release happened
     void button(int button, bool down, int mods, const MouseQueue::When& when);
@@ -42,14 +43,16 @@ public:
     void enter(bool inside) { mouse_.enter(inside); }
     /// Adds a turn of the mouse wheel to the queue. @param by notches, horizontal and vertical
     void wheel(glm::dvec2 by) { waiting_.push_back({.kind = Kind::Wheel, .at = mouse_.last_position(), .wheel = by}); }
-    /// Adds a press or release of a key to the queue.
+    /// Adds a press or release of a key to the queue of input events.
     void key(const Key& key);
-    /// Adds a typed character (Unicode) to the queue. The character belongs to the text key pressed right before.
+    /// Adds a typed character to the queue of input events. It belongs to the text key that was pressed right before.
+    /// @param code Unicode code point
     void character(unsigned code);
     /// Sets whether a text field has the focus. Text keys then only type, and any number of them fits into one step.
     void typing(bool typing) { typing_ = typing; }
 
-    /// Begins the queue's next step, for the next ImGui frame. @returns the mouse in that step
+    /// Takes the events for the next ImGui frame from the queue. Returns the state of the mouse in that frame;
+    /// take_strokes() returns keys, characters and wheel.
     MouseQueue::Step next();
     /// Returns keys, characters and wheel movement of the step that next() began; empty when called again.
     Strokes take_strokes() { return std::exchange(strokes_, {}); }
@@ -60,7 +63,7 @@ public:
 
 private:
     enum class Kind { Button, Key, Character, Wheel };
-    /// Input event that waits in the queue.
+    /// Input event (mouse button, key, character or wheel) that waits in the queue for an ImGui frame.
     struct Event {
         Kind kind = Kind::Button;           ///< Button: the change is the next one in the mouse's queue
         std::optional<glm::dvec2> at;       ///< place of the mouse
@@ -68,7 +71,8 @@ private:
         std::optional<unsigned> character;  ///< for Kind::Character, and for a text key
         glm::dvec2 wheel{0};
     };
-    /// Summary of the events in the present step so far. A step of the queue becomes one ImGui frame.
+    /// Summary of the input events that the next ImGui frame has received so far. It decides whether one more event may
+    /// join them.
     struct Run {
         std::optional<glm::dvec2> at;  ///< the mouse
         bool pressed = false, typed = false, wheeled = false;
@@ -79,11 +83,13 @@ private:
     };
     /// Returns true for a key event that types a character into the focused text field.
     bool is_text(const Event& event) const { return event.kind == Kind::Character || (typing_ && event.character); }
-    /// Returns true if an input event may share one ImGui frame with the events of `run`.
+    /// Returns true if an input event may share one ImGui frame with the events of `run`, so that ImGui does not lose
+    /// their order.
     bool can_join(const Run& run, const Event& event) const;
-    /// Returns true if a key event may share one ImGui frame with the events of `run`.
+    /// Returns true if a key event may share one ImGui frame with the events of `run`, so that ImGui does not lose
+    /// their order.
     bool key_can_join(const Run& run, const Event& event) const;
-    /// Adds an input event to the present step, which becomes one ImGui frame.
+    /// Adds an input event to those that the next ImGui frame receives, and updates their summary `run`.
     void add_to_step(Run& run, const Event& event);
 
     MouseQueue mouse_;

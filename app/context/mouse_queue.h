@@ -11,17 +11,19 @@
 
 namespace si {
 
-/// Queue of mouse presses, releases and moves; each ImGui frame takes one step.
+/// Queue of mouse presses, releases and moves between the window and ImGui. Each ImGui frame takes at most one press or
+/// release, so that none is lost in a slow frame.
 class MouseQueue {
 public:
     static constexpr int kButtons = 5;
     static constexpr double kDoubleClickSeconds = 0.3;  ///< between presses
 
-    /// Time interval in which a mouse event happened. Events that wait until the window polls have no exact time.
+    /// Time interval in which a mouse event happened, seconds. Events that wait until the window polls have no exact
+    /// time.
     struct When {
         double earliest_s = 0, latest_s = 0;
     };
-    /// Adds a press or release of a mouse button to the queue.
+    /// Adds a press or release of a mouse button to the queue, at the present place of the mouse.
     /// @param mods modifiers that are held (GLFW_MOD_*)
     /// @param when interval of time in which the press or release happened
     void button(int button, bool down, int mods, const When& when);
@@ -30,19 +32,21 @@ public:
     /// Adds that the mouse entered or left the window. Outside, its place is unknown.
     void enter(bool inside) { inside_ = inside; }
 
-    /// State of the mouse in one ImGui frame, with at most one press or release; returned by next().
+    /// State of the mouse in one ImGui frame, with at most one new press or release.
     struct Step {
         std::array<bool, kButtons> down{};
         std::optional<glm::dvec2> at;  ///< none: not known
         std::optional<int> mods;       ///< modifiers held at that press or release; none: the present ones
         bool doubles = false;          ///< the press completes a double click
     };
-    /// Returns the state of the mouse for the next frame. A press or release at a new place is preceded by a frame that
-    /// moves the mouse there.
+    /// Takes the next press or release from the queue and returns the state of the mouse for the next ImGui frame. If
+    /// the mouse must move to a new place first, the press or release follows in a later frame.
     Step next();
-    /// Returns the state of the mouse for a frame without a new press or release, with the mouse at `at`.
+    /// Returns the state of the mouse for an ImGui frame in which no button changes. @param at place of the mouse in
+    /// that frame; none: unknown
     Step step_without_change(std::optional<glm::dvec2> at);
-    /// Returns the place of the mouse as it will be after all waiting events, in screen coordinates; none: not known.
+    /// Returns the place of the mouse after all events that wait in the queue, in screen coordinates. None once the
+    /// mouse has left the window, if no button is held and no event waits.
     std::optional<glm::dvec2> last_position() const;
     /// Returns the number of presses and releases that wait.
     std::size_t waiting() const { return waiting_.size(); }
@@ -50,7 +54,7 @@ public:
     bool empty() const { return waiting_.empty(); }
 
 private:
-    /// Press or release of a mouse button that waits in the queue.
+    /// Press or release of a mouse button that waits in the queue for an ImGui frame.
     struct Change {
         int button = 0, mods = 0;
         bool down = false, doubles = false;

@@ -6,8 +6,9 @@
 
 namespace si {
 
-/// OpenGL context of a background thread: current on the thread that made it until it is destroyed there. It shares
-/// textures and buffers with the context it was made from, but not framebuffers and compiled program variants.
+/// OpenGL context of a background thread. It is current on the thread that made it, until that thread destroys it. It
+/// shares textures and buffers with the context from which it was made, but not framebuffers and compiled program
+/// variants.
 struct ThreadContext {
     virtual ~ThreadContext() = default;
 };

@@ -13,7 +13,8 @@ struct GLFWwindow;
 
 namespace si {
 
-/// Window with an OpenGL 4.5 core debug context and vsync, current on the constructing thread. Only one may exist.
+/// Window of the program with an OpenGL 4.5 core debug context and vsync. The context is current on the constructing
+/// thread. Only one window may exist.
 class WindowContext {
 public:
     /// Opens the window. @param width, height the size of the window in screen coordinates at scale 1; shrunk to fit
@@ -26,52 +27,58 @@ public:
 
     /// Returns the GLFW handle of the window.
     GLFWwindow* handle() const { return window_; }
-    /// Returns a function that makes one context sharing objects with the window's; empty if the driver offers none.
-    /// The window must outlive that context.
+    /// Returns a function that makes an OpenGL context for one background thread, which shares objects with the
+    /// window's. Empty if the driver offers none. The window must outlive that context.
     ThreadContextMaker sharing() const;
-    /// Wakes the thread that sleeps in wait_events(). Callable from any thread.
+    /// Ends the sleep of the thread in wait_events(). Any thread may call it.
     static void wake();
     /// Returns true once the user has closed the window.
     bool should_close() const;
     /// Sets the text of the window's title bar.
     void set_title(const std::string& title);
-    /// Sleeps until input arrives, at most `seconds`.
+    /// Handles the events of the window that have arrived. If there is no input, sleeps until some arrives, at most
+    /// `seconds`.
     void wait_events(double seconds);
-    /// Handles waiting window events without sleeping.
+    /// Handles the events of the window that have arrived, without sleeping.
     void poll_events();
     /// Shows the drawn frame in the window (swaps the buffers).
     void swap();
-    /// Hides the cursor and lets it move without limits (true), or shows it again where it was (false).
+    /// Hides the mouse cursor and lets it move without limits while the user flies the camera, or shows it again.
+    /// @param held true: hide the cursor; false: show it at its old place
     void hold_cursor(bool held);
     /// Returns width and height of the window's framebuffer in pixels.
     glm::ivec2 framebuffer_size() const;
-    /// Returns width and height of the window in screen coordinates at scale 1, as the constructor takes them.
+    /// Returns width and height of the window in screen coordinates at scale 1. The constructor takes the same numbers,
+    /// so that the next start can restore the size.
     std::pair<int, int> size() const;
-    /// Returns true if the window fills the work area (maximised).
+    /// Returns true if the window is maximised: it fills the work area of the monitor.
     bool maximised() const;
-    /// Returns the scale of the window's monitor for text and widgets; 1 at about 96 dots per inch.
+    /// Returns the factor by which the desktop enlarges text and widgets on the window's monitor; 1 at about 96 dots
+    /// per inch.
     float content_scale() const;
     /// Returns true if input, a resize or an uncovered window arrived since the last call.
     bool take_input() { return std::exchange(events_.input, false); }
     /// Returns the queue of input that no frame has shown yet. ImGui's backend receives input only from this queue.
     InputQueue& input() { return events_.queue; }
-    /// Key that was pressed, perhaps released already. ImGui 1.86 sees only keys that are held when its frame starts.
+    /// Press of a key in the present ImGui frame; the key may be released already. Needed since ImGui 1.86 sees only
+    /// keys that are held when its frame starts.
     struct KeyPress {
         int key = 0;   ///< GLFW_KEY_*
         int mods = 0;  ///< GLFW_MOD_*
     };
-    /// Passes keys, characters and wheel of the step that input().next() began to ImGui's backend.
-    /// @returns the keys that were pressed in the step
+    /// Passes keys, characters and wheel movement to ImGui, as many as input().next() took from the queue for this
+    /// frame. Returns the keys that were pressed.
     std::vector<KeyPress> take_keys();
     /// Returns true if the key was held in the last frame shown. @param key GLFW_KEY_*
     bool is_down(int key) const { return events_.queue.is_down(key); }
     /// Returns the files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped() { return std::exchange(events_.dropped, {}); }
 
-    /// Returns the name of the window for the desktop's portals (XDG): "x11:" and the window's id; empty elsewhere.
+    /// Returns the window's name for the file dialogs of the desktop (XDG portals): "x11:" and the window's id. Empty
+    /// if the window is not on X11.
     std::string portal_name() const;
 
-    /// Returns true if the environment names a display (DISPLAY or WAYLAND_DISPLAY).
+    /// Returns true if the environment names a display on which a window can open (DISPLAY or WAYLAND_DISPLAY).
     static bool display_available();
 
 private:
@@ -83,18 +90,18 @@ private:
         InputQueue queue;
         std::vector<std::filesystem::path> dropped;
     };
-    /// Callbacks of ImGui's GLFW backend, which the queue calls.
+    /// Callbacks of ImGui's GLFW backend, through which take_keys() passes the queued input to ImGui.
     struct Backend {
         void (*key)(GLFWwindow*, int key, int scancode, int action, int mods) = nullptr;
         void (*character)(GLFWwindow*, unsigned) = nullptr;
         void (*scroll)(GLFWwindow*, double, double) = nullptr;
     };
-    /// Installs the window's GLFW callbacks.
+    /// Installs the GLFW callbacks of the window for mouse, focus, resize, redraw and dropped files.
     void install_callbacks();
-    /// Replaces ImGui's GLFW callbacks by ones that fill the input queue, and keeps ImGui's for take_keys(). Called
-    /// before each poll, since ImGui may install its callbacks again.
+    /// Replaces the GLFW callbacks of ImGui for keys, characters and wheel by ones that fill the input queue. Keeps
+    /// ImGui's callbacks for take_keys(). Called before each poll, since ImGui may install its callbacks again.
     void intercept_backend();
-    /// Queues a press or release of a key. GLFW callback.
+    /// Adds a press or release of a key to the window's input queue. Callback for GLFW.
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
     /// Queues a typed character (Unicode). GLFW callback.
     static void on_character(GLFWwindow* window, unsigned code) { note_input(window).queue.character(code); }

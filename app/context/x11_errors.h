@@ -6,15 +6,17 @@
 
 namespace si {
 
-/// Prints X errors to stderr instead of ending the program. Some are harmless: a file manager that closes during a drag
-/// leaves messages to a window that is gone. When the X server ends, the program ends with a sentence and exit code 1.
-/// Call after creating windows, since GLFW restores Xlib's own handler.
+/// Prints errors of the X server to stderr instead of ending the program. Some are harmless: a file manager that closes
+/// during a drag leaves messages to a window that is gone. When the X server itself ends, the program prints a sentence
+/// and ends with exit code 1. Call after creating windows, since GLFW restores Xlib's own handler.
 void survive_x_errors();
 
-/// Scope in which `save` keeps the user's work if the X server ends. It runs on the thread of this object and may not
-/// use the window. It returns a clause for the message: "the next start offers the unsaved settings".
+/// Scope in which a function keeps the user's work if the X server ends.
 class XServerGuard {
 public:
+    /// Sets the function that keeps the user's work when the X server ends.
+    /// @param save runs on the thread of this object and may not use the window. It returns a clause for the message:
+    /// "the next start offers the unsaved settings"
     explicit XServerGuard(std::function<std::string()> save);
     ~XServerGuard();
     XServerGuard(const XServerGuard&) = delete;

@@ -10,17 +10,18 @@
 
 namespace si {
 
-/// Makes a text from a file safe inside a one-line comment of any language: no control characters, line ends (U+2028
-/// among them), comment marks, trigraphs or backslashes, and at most 160 bytes.
+/// Makes a text from a file safe inside a one-line comment of generated code, in any language. Control characters, line
+/// ends (U+2028 among them), comment marks, trigraphs and backslashes are replaced. The result has at most 160 bytes.
 std::string comment_text(std::string_view text);
 
-/// Formats a number as the shortest text that gives the same single-precision number.
+/// Formats a number for generated code: the shortest text that gives the same single-precision number.
 std::string code_number(double value);
 
-/// Formats a number as a float literal of C and C++, such as "0.0f".
+/// Formats a number as a float literal of C and C++, such as "0.0f", for generated code.
 std::string c_float(double value);
 
-/// Input of a code template: an engine's numbers, and the settings that they come from.
+/// Input of a template that writes shadow settings as code of an engine: the engine's numbers and the settings from
+/// which they were converted.
 struct CodeInput {
     const EngineProfile& profile;
     const WrittenValues& values;
@@ -29,13 +30,16 @@ struct CodeInput {
 
     /// Returns true when the conversion gives the parameter a number.
     bool has(std::string_view key) const { return values.find(key) != nullptr; }
-    /// Returns the value of a parameter as text: the written one, else the engine's default.
+    /// Returns the value of an engine's parameter as text for the code: the converted number, else the engine's
+    /// default. @param key EngineParameter::key
     std::string text(std::string_view key) const;
     /// Returns the value of a parameter as a float literal of C and C++.
     std::string c_text(std::string_view key) const { return c_float(number(key)); }
-    /// Returns the value of a parameter: the written one, else the engine's default.
+    /// Returns the value of an engine's parameter: the converted number, else the engine's default. For a parameter
+    /// with named choices it is the index of the choice. @param key EngineParameter::key
     double number(std::string_view key) const;
-    /// Returns `line` with "{}" replaced by the parameter's value, and a line end; empty if no number is written.
+    /// Returns one line of code with "{}" replaced by the value of an engine's parameter. Empty if the conversion gives
+    /// the parameter no number. @param key EngineParameter::key
     std::string line(std::string_view line, std::string_view key) const;
     /// Returns the settings of light view.light.
     const LightSettings& light() const { return settings.lights[std::size_t(settings.view.light)]; }

@@ -12,13 +12,13 @@
 
 namespace si {
 
-/// Map of one view of the converted light.
+/// Size and depth range of one shadow map (cascade or face) of the light whose settings are converted.
 struct ConvertedMap {
     double width_m = 0, depth_m = 0;
     int texels = 0;
 };
 
-/// Measured error and time of the converted settings.
+/// Error and frame time that were measured with the converted settings, for the comment at the head of the code.
 struct ConvertedMeasure {
     std::string scene;
     int width = 0, height = 0;  ///< of the picture, pixels
@@ -30,7 +30,7 @@ struct ConvertedMeasure {
     bool operator==(const ConvertedMeasure&) const = default;
 };
 
-/// Input of a conversion. Texts may come from files and be hostile.
+/// Input of a conversion of shadow settings into code of another program. Texts may come from files and be hostile.
 struct ConversionInput {
     std::string preset, title, scene;  ///< empty texts: none
     Settings settings;
@@ -42,25 +42,30 @@ struct ConversionInput {
     std::optional<ConvertedMeasure> measure;
 };
 
-/// Result of a conversion.
+/// Result of a conversion of shadow settings into code of another program: the code, the same facts as JSON, and
+/// remarks.
 struct Conversion {
     std::string text;                ///< head and code
     nlohmann::ordered_json json;     ///< the same as data
     std::vector<std::string> notes;  ///< for the user, one line each
 };
 
-/// Returns width W and depth range D of the map of view.light, metres, from settings alone. W comes from light.extent,
-/// D from light.near and light.far, where these are set by hand; else the defaults of MapFacts are assumed.
-/// @param[out] source where the numbers come from, a clause
+/// Estimates width W and depth range D of a shadow map, metres, from settings alone, for conversions without a scene.
+/// The setting view.light selects the light. W comes from light.extent, and D from light.near and light.far, if they
+/// are set by hand. Otherwise the defaults of MapFacts hold.
+/// @param[out] source origin of both numbers, a clause
 MapFacts facts_of_settings(const Settings& settings, std::string& source);
-/// Lists the maps of a fitted light, as map_facts() has them. @param size texels of each
+/// Lists width, depth range and texels of all shadow maps of a light, for the head of converted code. @param size
+/// texels of each map
 std::vector<ConvertedMap> converted_maps(const Settings& settings, const FittedLight& light, MapSize size);
 
-/// Returns the angle between normal and light that 95 % of the lit pixels do not exceed, degrees; nullopt without a lit
-/// pixel. @param cosines values of the overlay n-dot-l, four numbers a pixel @param visibility one number a pixel
+/// Returns the reference angle for conversions: 95 % of the lit pixels have no larger angle between normal and light,
+/// degrees. Returns nullopt without a lit pixel.
+/// @param cosines values of the overlay n-dot-l, four numbers a pixel @param visibility one number a pixel
 std::optional<double> reference_angle_deg(const FloatImage& cosines, const FloatImage& visibility);
 
-/// Converts settings into code for a target. @throws Error, UsageError saying what to do
+/// Converts shadow settings into code for another engine, a graphics API or a language. A comment at the head of the
+/// code names what each number depends on. @throws Error, UsageError saying what to do
 Conversion convert_settings(const ConvertTarget& target, const ConversionInput& input);
 
 }  // namespace si

@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Facts of a light and its maps that exported code has as constants.
+/// Facts of a light and its shadow maps that exported GLSL and C++ code holds as constants.
 struct LookupFacts {
     LightType type = LightType::Directional;
     ViewChoice choice = ViewChoice::One;
@@ -25,26 +25,30 @@ struct LookupFacts {
     int subpixel_bits = 8;  ///< of the rasteriser that draws the map
 };
 
-/// Returns the facts of light view.light that follow from settings alone.
+/// Returns the facts of a light for exported code, as far as they follow from settings without a scene. The setting
+/// view.light selects the light.
 LookupFacts lookup_facts(const Settings& settings);
-/// Returns the facts of a fitted light. @param size texels of its maps
+/// Returns the facts of a light that is fitted to a scene, for exported code.
+/// @param size texels of its maps @param subpixel_bits bits of the rasteriser's sub-pixel grid (GL_SUBPIXEL_BITS)
 LookupFacts lookup_facts(const Settings& settings, const FittedLight& light, MapSize size, int subpixel_bits = 8);
 
-/// Generated code with remarks.
+/// Generated GLSL code with remarks on what it leaves out or does in another way.
 struct ExportedCode {
     std::string text;
     std::vector<std::string> notes;  ///< what the code leaves out or does otherwise
 };
 
-/// Returns the reason why a look-up under these settings cannot be exported as code; empty: it can.
+/// Returns the reason why the shadow look-up of these settings cannot be exported as GLSL code; empty: it can.
 std::string lookup_export_refusal(const Settings& settings);
 
-/// Generates a self-contained GLSL text with the function shadow_visibility() for light view.light: kernel and bias
-/// from shaders/ with the numbers of the settings as constants. Needs GLSL 4.50; the text has no #version line.
+/// Generates GLSL code of the shadow look-up for use in another program. The text has one function to call,
+/// shadow_visibility(), for the light that view.light selects. Kernel and bias come from shaders/; numbers of the
+/// settings become constants. Needs GLSL 4.50; the text has no #version line.
 /// @throws Error with lookup_export_refusal()
 ExportedCode lookup_glsl(const Settings& settings, const LookupFacts& facts);
 
-/// Generates a C++17 header with the shadow settings as constants and the structure of the uniforms of lookup_glsl().
+/// Generates a C++17 header for use in another program. It has the shadow settings as constants and the structures of
+/// the uniforms that the code of lookup_glsl() reads.
 std::string settings_cpp(const Settings& settings, const LookupFacts& facts);
 
 }  // namespace si

@@ -10,16 +10,18 @@
 
 namespace si {
 
-/// Returns the text that a GLSL compiler would see after preprocessing: directives carried out, macros replaced. Line
-/// comments stay.
-/// @param defines macros that are known before the first line @throws Error for a directive that is not closed
+/// Preprocesses a GLSL text as a compiler does: carries out directives and replaces macros. Line comments stay. Used to
+/// export shaders as plain code.
+/// @param defines macros that are known before the first line
+/// @throws Error for a condition that cannot be read, and for #if, #else or #endif without counterpart
 std::string preprocess_glsl(std::string_view text, std::span<const gl::Define> defines);
 
-/// Returns the declarations of a preprocessed GLSL text that functions of these names need, in the order of the text,
-/// each with its comment.
+/// Extracts from a preprocessed GLSL text the declarations that some functions need, directly or indirectly. They keep
+/// their order and comments.
+/// @param roots names of the functions, which are extracted too
 std::string used_glsl(std::string_view text, std::span<const std::string> roots);
 
-/// Returns true when a GLSL text contains a name as a whole word outside comments.
+/// Returns true if a GLSL text contains `name` as a whole word outside comments.
 bool names_in_code(std::string_view text, std::string_view name);
 
 }  // namespace si

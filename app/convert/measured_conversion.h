@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Measurements of a drawn scene that a conversion states.
+/// Measurements in a drawn scene that a conversion of shadow settings needs or states: map sizes, reference angle,
+/// error and time.
 struct MeasuredConversion {
     LookupFacts lookup;
     MapFacts facts;  ///< of the light's first map, with the default reference angle
@@ -20,14 +21,14 @@ struct MeasuredConversion {
     std::vector<std::string> notes;  ///< of the comparison with the reference
 };
 
-/// Draws and measures the scene of the tools for a conversion of view.light.
-/// @param scene_name name of the scene for the comment @param timed kind of frames to time; none: no time
-/// @throws Cancelled; Error when the light has no map
+/// Draws and measures a scene for a conversion of the shadow settings of the light that view.light selects.
+/// @param tools renderer, scene and picture size @param scene_name name of the scene for comments in the code
+/// @param timed kind of frames to time; none: no time @throws Cancelled; Error when the light has no map
 MeasuredConversion measure_conversion(const SearchTools& tools, const Settings& settings, const std::string& scene_name,
                                       std::optional<CostCase> timed);
 
-/// Returns a clause that says where the reference angle between normal and light (MeasuredConversion::angle_deg) comes
-/// from.
+/// Returns a clause that states the origin of the reference angle between normal and light
+/// (MeasuredConversion::angle_deg).
 std::string angle_source(const MeasuredConversion& measured);
 
 }  // namespace si

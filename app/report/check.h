@@ -12,26 +12,27 @@
 
 namespace si {
 
-/// Unit of a limit on pixels.
+/// Unit of a limit on wrong pixels: a number, or a percentage of the compared pixels.
 enum class PixelUnit {
     Pixels,
     Percent,  ///< of the compared pixels
 };
 
-/// Limit on a number of pixels: 20, or 0.1 % of the compared pixels.
+/// Upper limit on a number of wrong pixels for the command `check`, such as 20 pixels or 0.1 % of the compared pixels.
 struct PixelLimit {
     double amount = 0;
     PixelUnit unit = PixelUnit::Pixels;
 };
 
-/// Parses a limit on pixels, "20" or "0.1%". @param option name of the option, for the message @throws UsageError
+/// Parses an upper limit on wrong pixels, "20" or "0.1%". @param option name of the command-line option, for the error
+/// message @throws UsageError
 PixelLimit parse_pixel_limit(const std::string& text, std::string_view option);
 
-/// Returns the largest number of pixels that a limit allows. @param compared pixels of the picture that are compared,
-/// of which a limit in percent is a share
+/// Converts a limit to the largest allowed number of wrong pixels. @param compared number of pixels compared with the
+/// reference; a limit in percent is a share of them
 std::size_t allowed_pixels(const PixelLimit& limit, std::size_t compared);
 
-/// Limits of one run of `check`. Numbers are those of `measure`.
+/// Limits on shadow errors for one run of the command `check`. The numbers are those that `measure` prints.
 struct CheckLimits {
     std::optional<PixelLimit> acne;       ///< pixels whose cause is acne
     std::optional<PixelLimit> wrong;      ///< pixels of false shadow and false light, whatever the cause
@@ -40,12 +41,13 @@ struct CheckLimits {
     std::optional<PixelLimit> tolerance;  ///< by which a baseline may be exceeded; none: 0, from the same driver only
 };
 
-/// Returns the keys of the errors that `check` can limit: those of 0 to 1.
+/// Returns the keys of the error metrics that the command `check` can limit: those with values from 0 to 1.
 std::vector<std::string_view> checked_errors();
-/// Finds a metric that `check` can limit. @param key empty: the first one @throws UsageError listing the known keys
+/// Finds an error metric that the command `check` can limit. @param key key of the metric; empty: the first one
+/// @throws UsageError listing the known keys
 const Metric& checked_error(const std::string& key);
 
-/// Numbers of a picture that `check` limits.
+/// Shadow errors of one picture, as the command `check` compares them with limits.
 struct CheckedNumbers {
     std::size_t compared = 0;  ///< pixels
     std::size_t acne = 0;      ///< pixels whose cause is acne
@@ -53,10 +55,13 @@ struct CheckedNumbers {
     double error = 0;          ///< distance of the metric from its best value
 };
 
-/// Returns the numbers that `check` limits. @throws Error where no pixel is compared, or the metric has no value
+/// Extracts from the errors of a picture those that the command `check` compares with limits. @param metric metric
+/// whose distance from its best value becomes CheckedNumbers::error @throws Error if no pixel could be compared, or the
+/// metric has no value
 CheckedNumbers checked_numbers(const ErrorMetrics& error, const Metric& metric);
 
-/// Circumstances of a picture, without which its numbers cannot be compared with others.
+/// Conditions under which a picture's shadow errors were measured: size, light, reference and driver. Errors measured
+/// under different conditions cannot be compared.
 struct CheckedPicture {
     int width = 0, height = 0;  ///< pixels
     int light = 0;              ///< view.light
@@ -65,25 +70,30 @@ struct CheckedPicture {
     int meaning = 0;            ///< kErrorMeaning
 };
 
-/// Numbers of an earlier `check`, which a later one may not exceed.
+/// Baseline of the command `check`: shadow errors of an earlier run, which a later run may not exceed.
 struct CheckBaseline {
     std::string file;
     CheckedPicture picture;
     CheckedNumbers numbers;
 };
 
-/// Makes the file of a baseline. @param scene name of the scene, for people
+/// Converts the shadow errors of a picture to the JSON of a baseline file, which limits later runs of `check`.
+/// @param scene name of the scene, for people @param noise noise of the ray-traced reference
 nlohmann::ordered_json check_baseline_json(const std::string& scene, const CheckedPicture& picture,
                                            const ErrorMetrics& error, double noise);
-/// Reads the file of a baseline. @throws Error "FILE: what is wrong; what to do"
+/// Parses a baseline file, which limits the shadow errors of a later run of `check`.
+/// @param file name of the file, for messages @param metric metric that CheckedNumbers::error has
+/// @throws Error "FILE: what is wrong; what to do"
 CheckBaseline parse_check_baseline(std::string_view text, const std::string& file, const Metric& metric);
 
-/// Compares the circumstances of a baseline with those of a picture. @param tolerant another driver and another meaning
-/// are remarks @returns the remarks @throws Error naming the first difference that forbids a comparison
+/// Checks that the conditions of a baseline (size, light, reference, driver) equal those of a picture, so that their
+/// errors can be compared. Returns remarks for the user.
+/// @param tolerant true: another driver or another version of the error definitions becomes a remark
+/// @throws Error naming the first difference that forbids a comparison
 std::vector<std::string> compare_circumstances(const CheckBaseline& baseline, const CheckedPicture& picture,
                                                bool tolerant);
 
-/// Limit of a run beside the number that was measured.
+/// Result of one limit of the command `check`: the limit, the measured number, and whether the limit is kept.
 struct CheckFinding {
     std::string check;       ///< "max-acne", or "baseline-acne" for a limit by the baseline
     std::string_view field;  ///< of the number: "acne_px", "wrong_px" or the key of the error
@@ -93,24 +103,28 @@ struct CheckFinding {
     std::string text;  ///< one line for people
 };
 
-/// Compares a picture's shadow errors with all limits. @param baseline numbers of an earlier check, which are limits
-/// too; null: none
+/// Compares the shadow errors of a picture with all limits of the command `check`. Returns one finding per limit.
+/// @param baseline errors of an earlier run, which are limits too; null: none
 std::vector<CheckFinding> check_findings(const ErrorMetrics& error, const CheckLimits& limits,
                                          const CheckBaseline* baseline);
 
-/// Returns true when every limit is kept.
+/// Returns true when the picture keeps every limit of the command `check`.
 bool all_passed(const std::vector<CheckFinding>& findings);
 
-/// Converts findings to JSON, an array with a member a limit.
+/// Converts the findings of the command `check` to a JSON array with one object per limit.
 nlohmann::ordered_json check_findings_json(const std::vector<CheckFinding>& findings);
 
-/// Formats findings as a JUnit report of one suite, with a test case for each limit.
-/// @param scene name of the suite @param driver for the properties of the suite @param seconds time of the run
+/// Formats the findings of the command `check` as a JUnit report (XML) for continuous integration. The report is one
+/// suite with a test case per limit.
+/// @param scene name of the suite @param driver OpenGL driver, a property of the suite @param seconds duration of the
+/// run
 std::string check_junit(const std::string& scene, const std::string& driver, const std::vector<CheckFinding>& findings,
                         double seconds);
-/// Formats a JUnit report of a suite that could not be checked. @param message the reason
+/// Formats a JUnit report (XML) of a picture that the command `check` could not measure. @param scene name of the suite
+/// @param message the reason
 std::string check_junit_error(const std::string& scene, const std::string& message);
-/// Returns true for the beginning of a report that check_junit() or check_junit_error() made.
+/// Returns true if a text begins like a JUnit report of check_junit() or check_junit_error(). Used to replace only such
+/// files.
 bool is_check_junit(std::string_view text);
 
 }  // namespace si

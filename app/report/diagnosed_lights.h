@@ -8,8 +8,9 @@
 
 namespace si {
 
-/// Diagnoses the shadow tests of a probed pixel, one for each light of the probe. @param casters ray-tracing hierarchy
-/// over the probed scene
+/// Diagnoses the shadow of every light at a probed pixel: whether it is right, the cause of an error, and the fix.
+/// Returns one diagnosis per light of the probe.
+/// @param casters ray-tracing hierarchy over the probed scene
 std::vector<PixelDiagnosis> diagnose_lights(const Probe& probe, const Scene& scene, const Settings& settings,
                                             const DriverInfo& driver, const ReferenceScene& casters);
 

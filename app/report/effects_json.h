@@ -10,17 +10,19 @@
 
 namespace si {
 
-/// Converts the pieces of rendering work of a frame (Effect) to JSON, one object each. @param saved measured times;
-/// null: each saved_ms is null
+/// Converts the pieces of rendering work of a frame (Effect) to a JSON array, one object each.
+/// @param saved measured time that each optimisation saves; null: the field saved_ms is null
 nlohmann::ordered_json effects_json(std::span<const Effect> effects, const SavedTimes* saved);
-/// Converts the table of optimisations to JSON. @param saved measured times; null: none
+/// Converts the table of optimisations (work that frames skip) to JSON. @param saved measured time that each one saves;
+/// null: not measured
 nlohmann::ordered_json optimisations_json(const SavedTimes* saved);
-/// Converts wasted work (work that changes no pixel) to JSON.
+/// Converts the result of a search for waste to JSON. Waste is work of a frame that changes no pixel.
 nlohmann::ordered_json waste_json(const Waste& waste);
 
-/// Prints the effects of a frame to stdout. @param saved measured times; null: none
+/// Prints the pieces of rendering work of a frame (Effect) to stdout as a table: state, time and reason.
+/// @param saved measured time that each optimisation saves; null: not measured
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved);
-/// Prints wasted work (work that changes no pixel) to stdout.
+/// Prints the result of a search for waste to stdout. Waste is work of a frame that changes no pixel.
 void print_waste(const Waste& waste);
 
 }  // namespace si

@@ -9,26 +9,30 @@
 
 namespace si {
 
-/// Converts changes of settings, key and value, to a JSON object.
+/// Converts changes of settings to a JSON object {key: value}. @param changes pairs of setting key and new value
 nlohmann::ordered_json changes_json(const std::vector<std::pair<std::string, std::string>>& changes);
-/// Converts the change of a cost to JSON {difference, noise, told}.
+/// Converts a change of the frame time to JSON {difference, noise, told}, in milliseconds. `told` is true if the
+/// difference exceeds its noise.
 nlohmann::ordered_json change_json(const CostChange& ms);
-/// Converts a table of fixes to JSON: one object a row, in the table's order.
+/// Converts a table of measured fixes to JSON: one object a row, in the table's order.
 /// @param engine engine whose parameters each row names too, as "engine"
 nlohmann::ordered_json fixes_json(const FixTable& table, const EngineWording& engine = {});
-/// Converts a number of an engine to JSON {value, unit, exactness, texels, metres}.
+/// Converts a parameter of another engine, with the number converted from this program's settings, to JSON {value,
+/// unit, exactness, texels, metres}.
 nlohmann::ordered_json written_parameter_json(const WrittenParameter& parameter);
-/// Converts changes of settings to changes of an engine's bias parameters, as JSON {profile, text, parameters}. Null
-/// without a profile, or if no bias parameter changes.
+/// Converts changes of settings to changes of an engine's bias parameters, as JSON {profile, text, parameters}. Null if
+/// `engine` has no profile, or if no bias parameter changes.
+/// @param changes pairs of setting key and new value
 nlohmann::ordered_json engine_changes_json(const EngineWording& engine,
                                            const std::vector<std::pair<std::string, std::string>>& changes);
 
-/// Formats the number of changes that a search left out, since the engine lacks them: "12 changes that three.js lacks
-/// were not tried".
+/// Formats the number of changes that a search for fixes left out because the engine lacks them: "12 changes that
+/// three.js lacks were not tried".
 std::string refused_text(std::size_t count, const EngineWording& engine);
 
-/// Prints a table of measured fixes to stdout. Fixes that were not tried are left out. @param rows the largest number
-/// of rows @param engine engine whose parameters are named too
+/// Prints a table of measured fixes to stdout: the best fix, then the changes that help. Changes that were not tried
+/// are listed with the reason.
+/// @param rows largest number of changes that help @param engine engine whose parameters are named too
 void print_fixes(const FixTable& table, std::size_t rows, const EngineWording& engine = {});
 
 }  // namespace si

@@ -8,23 +8,26 @@
 
 namespace si {
 
-/// File format of the maps in a bundle that this program writes. Both hold the stored depths as 32-bit floats.
+/// File format of the shadow maps in a bundle that this program writes. Both formats hold the stored depths as 32-bit
+/// floats.
 enum class MapFile {
     Pfm,
     Exr  ///< losslessly compressed
 };
 
-/// Returns a scene as it is written to files: with the objects that settings hide, and without the ground of
-/// add_ground().
+/// Returns a copy of the scene for writing to a file. It contains the objects that settings hide, but not the ground
+/// that the program adds (add_ground()).
 Scene written_scene(const Scene& shown);
 
-/// Draws a frame and returns the files of its bundle: written_scene(), camera, maps with their matrices, look-up,
-/// picture, and the settings by which it reads back as the same frame.
-/// @throws Error where no light has a shadow map, and for virtual maps
+/// Draws a frame and returns the files of its bundle: scene, camera, shadow maps with their matrices, look-up, picture
+/// and settings. The program can read the bundle back as the same frame.
+/// @param shown scene as drawn; written_scene() is written @param maps file format of the shadow maps
+/// @throws Error if no light has a shadow map, and for virtual maps
 BundleContents frame_bundle(Renderer& renderer, const Scene& shown, const Settings& settings, FrameRequest request,
                             MapFile maps = MapFile::Pfm);
 
-/// Checks that no file of the scene or its given maps lies in the bundle to be written. @throws UsageError
+/// Checks that a frame does not read from the bundle that it is to be written to: neither the scene's files nor its
+/// imported maps lie there. @param bundle path of the bundle to write @throws UsageError
 void require_other_bundle(const std::string& bundle, const Scene& scene, const Settings& settings);
 
 }  // namespace si

@@ -10,18 +10,20 @@
 
 namespace si {
 
-/// Draws a frame and searches its maps, visibility and matrices for unsound numbers. @param workers for rays that the
-/// light sources need @throws Error, Cancelled
+/// Draws a frame and searches its maps, visibility and matrices for invalid numbers (NaN, infinite, out of range).
+/// @param workers for rays that the light sources need @throws Error, Cancelled
 std::shared_ptr<const NumericHealth> search_numbers(Renderer& renderer, const Scene& scene, const Settings& settings,
                                                     FrameRequest request, const Workers& workers = {});
 
-/// Converts the findings of the search for invalid numbers (NaN, infinite, out of range) to JSON.
+/// Converts the findings of the search for invalid numbers (NaN, infinite, out of range) in a frame to JSON.
 nlohmann::ordered_json health_json(const NumericHealth& health);
 
-/// Checks that all numbers are sound. @throws Error naming each finding and its place
+/// Checks that the search for invalid numbers (NaN, infinite, out of range) in a frame found none. @throws Error naming
+/// each finding and its place
 void require_sound(const NumericHealth& health);
 
-/// Scope in which every picture that a renderer draws is searched for unsound numbers, except timed frames.
+/// Scope in which every picture that a renderer draws is searched for invalid numbers (NaN, infinite, out of range).
+/// Timed frames are left out.
 class NumberWatch {
 public:
     /// Starts the search of a renderer's pictures. @param base settings that the message about a fault compares with
@@ -31,8 +33,8 @@ public:
     NumberWatch(const NumberWatch&) = delete;
     NumberWatch& operator=(const NumberWatch&) = delete;
 
-    /// Checks that all frames were sound. @throws Error naming the first faulty frame's settings, the fault and its
-    /// place
+    /// Checks that no picture drawn so far held an invalid number. Call at the end of a command. @throws Error naming
+    /// the first faulty picture's settings, the fault and its place
     void require_sound() const;
 
 private:

@@ -7,13 +7,16 @@
 
 namespace si {
 
-/// Returns a file of assets/report/. @throws Error when the program lacks it
+/// Returns the text of a file of assets/report/, which is embedded in the program: templates, styles and scripts of
+/// pages. @throws Error when the program lacks the file
 std::string report_asset(const std::string& name);
 
-/// Replaces the first `mark` of a text. @throws Error when the text lacks the mark
+/// Replaces the first occurrence of `mark` in a text, used to fill page templates. @param by the replacement
+/// @throws Error when the text lacks the mark
 std::string replaced_mark(std::string text, std::string_view mark, std::string_view by);
 
-/// Formats bytes as a data URI. @param type media type: "image/png"
+/// Encodes the bytes of a file as a data URI, which embeds the file in an HTML page. @param type media type, such as
+/// "image/png"
 std::string data_uri(std::string_view bytes, const char* type);
 
 /// Makes a page without scripts (assets/report/still.html) whose Content-Security-Policy allows embedded pictures and

@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Data of a report about a light's path besides its measurements.
+/// Measurements of the shadows at each step along a path of the light, with the facts that their report shows.
 struct LightPathReport {
     std::string scene;  ///< name or path
     int width = 0, height = 0;
@@ -21,11 +21,12 @@ struct LightPathReport {
     ByteImage worst_picture, worst_artefacts;  ///< of the worst step; empty: not shown
 };
 
-/// Converts measurements along a path to JSON (path.json).
+/// Converts the measurements along a path of the light to JSON (path.json).
 nlohmann::ordered_json light_path_json(const LightPathReport& report);
-/// Formats measurements along a path as CSV: a header and one line a point (RFC 4180 with plain line breaks).
+/// Formats the measurements along a path of the light as CSV: a header and one line per step (RFC 4180 with plain line
+/// breaks).
 std::string light_path_csv(const LightPathReport& report);
-/// Formats measurements along a path as a self-contained page without scripts.
+/// Formats the measurements along a path of the light as a self-contained HTML page without scripts.
 std::string light_path_html(const LightPathReport& report);
 
 }  // namespace si

@@ -12,17 +12,20 @@
 
 namespace si {
 
-/// Returns true when every imported map passes the gate (MapGate).
+/// Returns true when every imported map passes the gate (MapGate): the limits within which the program's own map
+/// reproduces the imported one.
 bool all_pass_gate(std::span<const ComparedMap> maps);
 
-/// Formats the comparison of a light's maps: a table with a line a map, the gate of each, and the casters that they
-/// lack.
+/// Formats the comparison of a light's imported shadow maps with maps that the program drew. The text has a table with
+/// one line per map, the verdict on each map, and the casters that a map lacks.
 std::string map_comparison_text(std::span<const ComparedMap> maps);
 
-/// Converts the comparison of a light's maps to JSON, an array with a member a map.
+/// Converts the comparison of a light's imported shadow maps with maps that the program drew to a JSON array, one
+/// object per map.
 nlohmann::ordered_json map_comparison_json(std::span<const ComparedMap> maps);
 
-/// Bias of a light's imported maps: what the engine has, where it is known, and what the maps need.
+/// Bias of a light's imported shadow maps: the engine's own bias, if it is known, and the least bias that the maps
+/// need.
 struct MapBias {
     int light = 0;
     EngineBias knowledge = EngineBias::Unknown;
@@ -32,18 +35,19 @@ struct MapBias {
     std::vector<BiasStart> enough;  ///< least bias by theory for what the camera sees; empty: no pixel is lit
 };
 
-/// Finds the bias that a light's imported maps need, over the pixels that the camera sees.
-/// @param pixels size of the picture
+/// Finds the bias that a light's imported shadow maps need, over the pixels that the camera sees.
+/// @param maps imported maps by light @param light index of the light @param pixels size of the picture
 /// @throws Cancelled, Error
 MapBias map_bias(Renderer& renderer, const Scene& scene, const Settings& settings,
                  const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light, glm::ivec2 pixels,
                  const Workers& workers = {});
-/// Formats the bias of a light's maps in texels, metres and depth, a line a kind of bias.
+/// Formats the bias of a light's imported shadow maps in texels, metres and depth, with one line per kind of bias.
 std::string map_bias_text(const MapBias& bias);
-/// Converts the bias of a light's maps to JSON.
+/// Converts the bias of a light's imported shadow maps (MapBias) to JSON.
 nlohmann::ordered_json map_bias_json(const MapBias& bias);
 
-/// Draws a row a map: the imported map, the drawn one, and their difference, with a scale of colours in metres.
+/// Draws one row of pictures per map: the imported shadow map, the map that the program drew, and their difference with
+/// a colour scale in metres.
 /// @param side longest side of each picture, pixels; larger maps are shrunk
 ByteImage map_comparison_sheet(std::span<const ComparedMap> maps, int side = 512);
 

@@ -32,7 +32,8 @@ std::string_view convention_word(const Table& table, const T& value) {
     return "?";
 }
 
-/// Image of a map with its light, the scene that it is compared with, and the readings by their fit.
+/// Shadow map of another engine to be imported: its image, its light, and the scene. The map may be read under several
+/// conventions; `fits` ranks them.
 struct MapImport {
     LightFile light;
     std::string image_file;       ///< name of the image in the bundle
@@ -42,30 +43,35 @@ struct MapImport {
     std::optional<Scene> scene;
     ConventionFits fits;
     std::vector<std::filesystem::path> inputs;  ///< files that were read, which no output may replace
-    /// Returns true where the light has view and projection, whose product may be taken in two orders.
+    /// Returns true if the light has separate view and projection matrices, so that the order of their product may be
+    /// unknown.
     bool has_pair() const;
 };
 
-/// Reads an image of a map and its light, and compares all readings with a scene.
-/// @param scene built-in key or path; empty: only range and consistency can tell readings apart
-/// @param stated parts that the user states, which go before those of the light's file
+/// Reads a shadow map's image and its light, tries all conventions under which the map may be read, and compares each
+/// with a scene.
+/// @param scene built-in key or path; empty: only range and consistency can tell conventions apart
+/// @param stated parts of the convention that the user states, which go before those of the light's file
 /// @param file scene of the file, up axis and unit @throws Error
 MapImport read_map_import(const std::filesystem::path& image, const std::filesystem::path& light,
                           const std::string& scene, const KnownConvention& stated = {}, const FileChoices& file = {});
 
-/// Returns the options of the command `import-map` that choose a reading.
-/// @param has_pair true where the light has view and projection, so that the order of their product is an option too
+/// Formats a convention for reading a shadow map as options of the command `import-map`: "--depth-range 0..1 ...".
+/// @param has_pair the light has separate view and projection matrices, so that --product is an option too
 std::string convention_options(const Convention& convention, bool has_pair);
-/// Returns axes, hand and unit in a few words: "z up, x mirrored, 0.01".
+/// Formats axes, mirroring and unit of a light's file in a few words: "z up, x mirrored, 0.01". Returns "the scene's"
+/// if they equal the scene's own.
 std::string axes_words(const LightAxes& axes);
 
-/// Returns the readings as the dialog lists them, the best first. Numbers are rows of the list, from 1.
-/// @throws Error where all are refused
+/// Lists the conventions under which an imported shadow map may be read, the best fit first, for the import dialog.
+/// Their numbers count from 1.
+/// @throws Error if the light's matrix fits none of them
 std::vector<ImportChoice> reading_choices(const MapImport& map);
 
-/// Writes the bundle of a map under one reading (Convention), whole or not at all. Returns remarks about the bundle.
-/// @param index number of the reading in MapImport::fits, from 0
-/// @throws Error for a refused reading, or where the bundle would replace an input
+/// Writes an imported shadow map as a bundle, read under one convention. The bundle appears whole or not at all.
+/// Returns remarks for the user.
+/// @param index number of the convention in MapImport::fits, from 0 @param output bundle to write
+/// @throws Error for a refused convention, or if the bundle would replace an input
 std::vector<std::string> write_map_import(const MapImport& map, std::size_t index, const std::filesystem::path& output);
 
 }  // namespace si

@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Statistics of one light's shadow map: which texels the picture reads, and which depths the map holds.
+/// Statistics of one light's shadow map: the share of texels that the picture reads, and the depths that the map holds.
 struct MapReport {
     int light = 0, face = 0;
     MapSize size;
@@ -22,11 +22,11 @@ struct MapReport {
     DepthHistogram raw, linear;  ///< over the range of depths that was drawn
 };
 
-/// Draws a frame and measures the map of the light `view.light`; nothing if it has none. @param request the request
-/// with the size of the picture
+/// Draws a frame and collects statistics of the shadow map of the light that view.light selects. Returns nothing if
+/// that light has no map. @param request gives the size of the picture
 std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request);
 
-/// Converts the statistics of a map to JSON.
+/// Converts the statistics of one light's shadow map to JSON.
 nlohmann::ordered_json map_report_json(const MapReport& facts);
 
 }  // namespace si

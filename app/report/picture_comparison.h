@@ -10,28 +10,31 @@
 
 namespace si {
 
-/// Makes an image with all channels at `value`.
+/// Makes an image whose channels, alpha too, all have one value. @param value 0 to 255
 ByteImage plain_image(int width, int height, std::uint8_t value);
-/// Copies an image into another at a corner. Rows and columns beyond the other image are left out.
-/// @param columns columns to copy at most
+/// Copies an image into the image `to`. Rows and columns beyond its right or lower edge are left out.
+/// @param corner place of the upper left corner in `to`, pixels, not negative
+/// @param columns largest number of columns to copy
 void paste_image(ByteImage& to, const ByteImage& from, glm::ivec2 corner,
                  int columns = std::numeric_limits<int>::max());
 
-/// Shrinks an image to a width of at most `width` pixels by area averaging. Returns smaller images unchanged.
+/// Shrinks an image to at most `width` pixels across, keeping its proportions, by averaging areas. Returns smaller
+/// images unchanged.
 ByteImage shrunk(const ByteImage& image, int width);
 
-/// Returns settings that draw the view of `shown` with the shadows of `other`: maps, casters, bias, filter, lights and
-/// shading from `other`; camera, time and views from `shown`.
+/// Combines two sets of settings, to compare their shadows in one view. Maps, casters, bias, filter, lights and shading
+/// come from `other`. The pose of the scene, camera, views and reference come from `shown`.
 Settings settings_with_shadows_of(const Settings& shown, const Settings& other);
 
-/// Composes an image of `a` left of a vertical white line, two pixels wide, and `b` right of the line. Both have one
-/// size. @param at the place of the line, 0..1 of the width
+/// Composes two images of one size into one, as by a swipe: `a` left of a white line, two pixels wide, and `b` right of
+/// it. @param at place of the line, 0..1 of the width
 ByteImage swipe_image(const ByteImage& a, const ByteImage& b, double at);
-/// Composes two images side by side with a gap.
+/// Composes two images into one: `a` on the left, `b` on the right, with a gap between them.
 ByteImage side_by_side_image(const ByteImage& a, const ByteImage& b);
-/// Computes the difference image 2 |a - b| of each channel.
+/// Computes the image of the differences of two images of one size: 2 |a - b| in each channel.
 ByteImage difference_image(const ByteImage& a, const ByteImage& b);
-/// Computes the mean absolute difference of two images over pixels and colour channels, 0..1.
+/// Computes the mean absolute difference of two images of one size, over all pixels and colour channels: 0 (equal) to
+/// 1.
 double mean_difference(const ByteImage& a, const ByteImage& b);
 
 }  // namespace si

@@ -7,12 +7,12 @@
 
 namespace si {
 
-/// Point of a plot. A value that is not finite leaves the point out.
+/// Point of a line plot. A point with a value that is not finite is left out.
 struct PlotPoint {
     double x = 0, y = 0;
 };
 
-/// Data of a plot.
+/// Data of a line plot: points, labels of both axes, and a marked point.
 struct Plot {
     std::string title;                ///< text for readers who cannot see the picture
     std::string x_label, y_label;     ///< names of the axes with their units
@@ -22,10 +22,12 @@ struct Plot {
     std::optional<std::size_t> mark;  ///< index of the point that stands out
 };
 
-/// Returns rounded values for the ticks of an axis within [from, to], at most about `count`.
+/// Returns round values within [from, to] at which an axis of a plot has ticks; empty unless `from` is below `to`.
+/// @param count approximate largest number of ticks
 std::vector<double> axis_ticks(double from, double to, int count);
 
-/// Formats a plot as inline SVG with classes of assets/report/still.css. All texts are escaped.
+/// Formats a line plot as inline SVG for an HTML page, with the style classes of assets/report/still.css. All texts are
+/// escaped.
 std::string plot_svg(const Plot& plot);
 
 }  // namespace si

@@ -13,7 +13,8 @@
 
 namespace si {
 
-/// Settings that a report shows, with their name and the options that give them on a command line.
+/// Settings that a report compares with others, such as a preset, with their name and the command-line options that
+/// give them.
 struct ReportSubject {
     std::string name;   ///< preset as it was named, or a word such as "present settings"
     std::string title;  ///< title of the preset; may be empty
@@ -21,12 +22,14 @@ struct ReportSubject {
     std::vector<std::string> options;  ///< words such as "--preset", "acne", "--set", "bias.slope=2"
 };
 
-/// Returns the subject of a preset: its shadows in the view of `shown`, whose options give both. @param scene posed for
-/// `shown` @param options name scene, preset and --set @param notes receives remarks @throws UsageError, Error
+/// Returns a preset as the subject of a report: the preset's shadows, drawn in the view of `shown`, so that all
+/// subjects of the report share one view. ReportSubject::options set the preset and that view.
+/// @param scene posed for `shown` @param options scene, preset and --set of the subject
+/// @param notes receives remarks @throws UsageError, Error
 ReportSubject preset_subject(const Scene& scene, const Settings& shown, const SessionOptions& options,
                              std::vector<std::string>& notes);
 
-/// Pixel of a report with its diagnosis and the drawing of its shadow test.
+/// Pixel that a report explains: its diagnosis and the drawing of its shadow test.
 struct ReportedPixel {
     glm::ivec2 pixel{0};       ///< from the top left
     bool marked = false;       ///< named by the user; else the middle of the largest cluster of a cause
@@ -37,7 +40,7 @@ struct ReportedPixel {
     std::string section;       ///< SVG of the cross-section; empty: none
 };
 
-/// Measurements of one ReportSubject.
+/// Measurements of one set of settings (ReportSubject) for a report: errors, times and diagnosed pixels.
 struct ReportedCase {
     Classification classified;
     std::optional<TimeMeasurement> time;  ///< of whole frames
@@ -45,14 +48,14 @@ struct ReportedCase {
     std::vector<ReportedPixel> pixels;
 };
 
-/// Options of a PresetReport: pixels to diagnose, and frames to time.
+/// Options of a report that compares settings: pixels to diagnose, and frames to time.
 struct PresetReportOptions {
     std::vector<glm::ivec2> pixels;  ///< pixels to diagnose; empty: one of each cause
     bool time = true;
     CostCase cost = kDefaultCost;  ///< kind of frames to time
 };
 
-/// Report of one view of a scene under several settings.
+/// Report that compares several sets of settings in one view of a scene: pictures, errors, times and diagnosed pixels.
 struct PresetReport {
     std::string scene;    ///< name or path
     std::string command;  ///< command line that writes the report; empty: none does
@@ -65,15 +68,16 @@ struct PresetReport {
     std::optional<ShadowTime> base;   ///< of base_of_costs(), timed in the same turns; nullopt: nothing was timed
 };
 
-/// Measures error, pictures, and diagnoses of pixels under view.light, one subject after the other. Then times all of
-/// them and the base of costs in turns, so that a change of the machine's speed meets all alike.
+/// Measures everything that a report shows. For one subject after the other it draws pictures, measures the error of
+/// the light that view.light selects and diagnoses pixels. Then it times all subjects and base_of_costs() (hard kernel,
+/// 1024 texels) in turns, so that a change of the machine's speed affects all alike.
 /// @param scene posed for all subjects; objects that a subject hides are hidden for it alone
 /// @param progress receives the share done, 0..1, and the present step @throws Cancelled, Error
 PresetReport measure_report(Renderer& renderer, Scene scene, const std::string& scene_name,
                             std::vector<ReportSubject> subjects, glm::ivec2 size, const PresetReportOptions& options,
                             const Workers& workers, const std::function<void(double, const std::string&)>& progress);
 
-/// Formats a report as one self-contained page without scripts. All texts are escaped.
+/// Formats a report that compares settings as one self-contained HTML page without scripts. All texts are escaped.
 std::string preset_report_html(const PresetReport& report);
 
 }  // namespace si

@@ -9,8 +9,9 @@
 
 namespace si {
 
-/// Converts a probe of a pixel to JSON. @param diagnoses one for each light of the probe; empty without a reference
-/// @param fix the fix that was drawn, of the light Candidate::light; null: none
+/// Converts the probe of a pixel (the steps of its shadow tests) to JSON.
+/// @param diagnoses one for each light of the probe; empty without a reference
+/// @param fix the fix that was drawn and measured, for the light Candidate::light; null: none
 nlohmann::ordered_json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses,
                                   const Trial* fix = nullptr);
 

@@ -15,16 +15,17 @@ nlohmann::ordered_json matrix_json(const glm::dmat4& m);
 /// Converts a vector to JSON as an array of three numbers.
 nlohmann::ordered_json vector_json(const glm::dvec3& v);
 
-/// Converts facts about the pages of a virtual shadow map to JSON.
+/// Converts the statistics of a virtual shadow map's pages in one frame to JSON.
 nlohmann::ordered_json pages_json(const PageFacts& pages);
 /// Converts the OpenGL driver's names and limits to JSON.
 nlohmann::ordered_json driver_json(const DriverInfo& driver);
-/// Converts memory facts to JSON {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most, count}]}, in
-/// bytes.
+/// Converts the program's use of memory to JSON {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most,
+/// count}]}, in bytes.
 nlohmann::ordered_json memory_json(const MemoryReport& facts);
-/// Converts casters that leave nothing in a light's map to JSON.
+/// Converts lost casters to JSON. A lost caster should cast a shadow but leaves nothing in a light's map.
 nlohmann::ordered_json lost_casters_json(const Scene& scene, const std::vector<LostCaster>& lost);
-/// Makes the JSON report of a drawn frame (`render --report`). @param view key of the view that was drawn
+/// Makes the JSON report of a drawn frame for `render --report`: scene, settings, camera, fit of each light, passes and
+/// driver. @param view key of the view that was drawn
 nlohmann::ordered_json report_json(const Session& session, const std::string& view, const FrameRequest& request,
                                    const FrameResult& frame, const DriverInfo& driver);
 

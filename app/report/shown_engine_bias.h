@@ -9,8 +9,10 @@
 
 namespace si {
 
-/// Returns the knowledge of the bias with which an engine reads the maps of view.light; EngineBias::Own where the
-/// program draws them. @param lights lights of the frame
+/// Returns what is known about the bias with which another engine reads its shadow maps of the light that view.light
+/// selects. It may come from the engine's file, be entered by the user, changed, or unknown. Returns EngineBias::Own if
+/// this program draws the maps.
+/// @param lights lights of the frame
 EngineBias shown_engine_bias(const Settings& settings, std::span<const FittedLight> lights);
 
 }  // namespace si

@@ -12,42 +12,46 @@
 
 namespace si {
 
-/// Autosave file of one running editor, and recovery of files that crashed editors left.
+/// Autosave of the scene and settings of one running editor. It also finds the files that crashed editors left, so that
+/// their work can be restored.
 class Autosave {
 public:
     static constexpr double kSeconds = 2;  ///< shortest time between two writes
 
-    /// Looks for sessions that crashed editors left. @param folder state folder of the program; empty: autosave is off
+    /// Prepares autosave and looks for the work of editors that crashed. @param folder state folder of the program;
+    /// empty: autosave is off
     explicit Autosave(const std::filesystem::path& folder);
 
-    /// Session of an editor that crashed. Its lock keeps other running editors from offering it too.
+    /// Scene and settings that an editor left when it crashed. The lock keeps other running editors from offering them
+    /// too.
     struct Lost {
         Preset preset;
         double age_s = 0;  ///< seconds since the session's file was written last
         std::filesystem::path file;
         LockFile lock;
     };
-    /// Returns the lost session that is offered for recovery; null: none.
+    /// Returns the work of a crashed editor that the user may restore; null: none.
     const Lost* lost() const { return lost_ ? &*lost_ : nullptr; }
-    /// Removes the file of the lost session (lost()), after the user restored or declined it, and looks for the next
-    /// one.
+    /// Removes the autosave file of a crashed editor (lost()) after the user has restored or declined it. Then looks
+    /// for the next such file.
     void forget_lost();
 
-    /// Writes scene and settings to the autosave file if they differ from the start and from the last write, at most
-    /// every kSeconds. Call every frame. Never throws. @param now_s time of a steady clock, seconds
+    /// Writes scene and settings to the autosave file if they differ from the start and from the last write. Writes at
+    /// most every kSeconds. Call every frame. Never throws: errors go to take_remarks().
+    /// @param now_s time of a steady clock, seconds
     void update(const std::string& scene, const Settings& settings, double now_s);
-    /// Ends autosave. @param unsaved true: keeps scene and settings, so that the next start offers them, as after a
-    /// crash; false: removes the autosave file
+    /// Ends autosave when the editor closes. @param unsaved true: keeps scene and settings that differ from the start,
+    /// so that the next start offers them as after a crash; false: removes the autosave file
     void end(const std::string& scene, const Settings& settings, bool unsaved);
     /// Returns the errors of autosave and of reading lost sessions since the last call, one line each, and clears them.
     std::vector<std::string> take_remarks() { return std::exchange(remarks_, {}); }
 
 private:
-    /// Looks for a session that a crashed editor left.
+    /// Looks for the newest autosave file that a crashed editor left; lost() then returns its contents.
     void find_lost();
-    /// Makes and locks this editor's autosave file. Returns false if that is not possible.
+    /// Makes and locks the autosave file of this editor. Returns false if no file can be locked.
     bool claim_file();
-    /// Writes scene and settings to the autosave file.
+    /// Writes scene and settings to the autosave file of this editor. After an error autosave is off.
     void write(const std::string& scene, const Settings& settings);
 
     std::filesystem::path folder_;  ///< empty: off

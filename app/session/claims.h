@@ -9,8 +9,8 @@
 
 namespace si {
 
-/// Side of a preset's claim (PresetClaim): the metric to measure, with the preset, settings and objects it is measured
-/// with.
+/// One side of a comparison that a preset claims (PresetClaim): the metric to measure, and the preset, settings and
+/// objects with which it is measured.
 struct ClaimSubject {
     std::string metric;                  ///< name, or names whose values are added: "false_light + false_shadow"
     std::string preset;                  ///< key of a built-in preset; empty: the claim's own
@@ -20,8 +20,9 @@ struct ClaimSubject {
     std::vector<int> size = {160, 90};   ///< picture size in pixels
 };
 
-/// Claim of a preset's description, for a test: compares a metric of `subject` by `op` with value + times * the metric
-/// of `than`. Without `than` it compares with the constant `value`. Both may be one preset under changed settings.
+/// Statement of a preset's description as a comparison that a test measures. It compares a metric of `subject` by `op`
+/// with value + times * the metric of `than`. Without `than` it compares with the constant `value`. Both sides may be
+/// one preset under different settings.
 struct PresetClaim {
     ClaimSubject subject;
     std::string op;  ///< <, <=, ==, >= or >
@@ -32,7 +33,8 @@ struct PresetClaim {
     std::string text;                  ///< the claim as JSON, as files hold it
 };
 
-/// Reads the member "claims" of a preset's JSON. @throws Error "claims[2].metric: what is wrong and what is allowed"
+/// Parses the claims of a preset: statements of its description as comparisons of metrics, which a test measures.
+/// @param list member "claims" of the preset's JSON @throws Error "claims[2].metric: what is wrong and what is allowed"
 std::vector<PresetClaim> read_claims(const nlohmann::ordered_json& list);
 
 }  // namespace si

@@ -7,11 +7,13 @@
 
 namespace si {
 
-/// Returns a plan that opens the scene with these settings: base_settings() and --set for everything that differs.
+/// Returns a plan that opens a scene with the given settings. Settings that differ from base_settings() become
+/// assignments of --set.
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings);
 
-/// Formats the command that renders a scene with these settings, with --set for everything that differs from
-/// base_settings(). @param scene_name the key of a built-in scene, or a path
+/// Formats a command line that renders a scene with the given settings, for the user to copy. Settings that differ from
+/// base_settings() become options --set.
+/// @param scene_name the key of a built-in scene, or a path @param width, height size of the picture, pixels
 std::string command_line(const std::string& scene_name, const Scene& scene, const Settings& settings, int width,
                          int height);
 

@@ -15,7 +15,7 @@ namespace si {
 /// Beginning of a key that is a parameter of the engine.
 inline constexpr std::string_view kEnginePrefix = "engine.";
 
-/// Engine profile of a session, with the values that are given in the engine's parameters.
+/// Engine profile that the user has chosen, with the values that the command line gives in the engine's own parameters.
 struct EngineSession {
     const EngineProfile* profile = nullptr;  ///< null: none
     EngineValues values;
@@ -23,20 +23,26 @@ struct EngineSession {
     bool gives_bias = false;          ///< a value of `values` is one of the bias
 };
 
-/// Removes assignments of the engine's parameters from those of --set and returns them as an engine's session.
-/// @param profile name of the profile; empty: none
+/// Moves the assignments "engine.PARAMETER=VALUE" out of those of --set and returns them with the profile of the
+/// engine.
+/// @param profile name of the engine profile; empty: none @param sets assignments of --set; loses those of the engine
 /// @throws UsageError for an unknown profile, parameter or value, for a setting that the profile fixes, and for
 /// engine.* without a profile
 EngineSession take_engine_sets(const std::string& profile, std::vector<std::string>& sets);
 
-/// Returns the facts of the map of view.light: of a bundle's map, else as its fit gives them for a picture of 16:9. The
-/// first cascade counts. @throws Error for a bundle that cannot be read
+/// Returns width, depth range and texels of the shadow map of the light that view.light selects. Conversions to an
+/// engine's parameters need them. An imported map of a bundle gives them itself; else the light is fitted for a picture
+/// of 16:9. Of several cascades the first counts.
+/// @throws Error for a bundle that cannot be read
 MapFacts map_facts(const Scene& scene, const Settings& settings);
 
-/// Applies a profile to the composed settings of a posed scene: what the engine cannot turn off, then its values.
-/// Without values, preset and own bias the engine's defaults of bias, filter and casters apply.
-/// @param has_preset the settings come from a preset @param sets assignments of --set, which win over the engine's
-/// defaults @returns notes: what is not exact, what is replaced, what the engine lacks @throws Error, UsageError
+/// Changes settings so that the program draws as another engine does. First it sets what the engine cannot turn off,
+/// then the values of the engine's parameters. Without a preset, parameters without a value take the engine's defaults
+/// for filter, casters, map format and bias. The default bias gives way to bias settings of --set.
+/// @param scene posed scene @param has_preset the settings come from a preset
+/// @param sets assignments of --set, which win over the engine's defaults @param settings composed settings of the
+/// scene
+/// @returns notes: what is not exact, what is replaced, what the engine lacks @throws Error, UsageError
 std::vector<std::string> apply_engine(const EngineSession& engine, const Scene& scene, bool has_preset,
                                       std::span<const std::string> sets, Settings& settings);
 

@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Preset: settings with the scene that they were made for, a title and a description.
+/// Preset: settings with the scene for which they were made, a title and a description.
 struct Preset {
     std::string title;  ///< a few words; may be empty, like all texts here
     std::string topic;  ///< heading in lists, such as "Bias"
@@ -21,25 +21,27 @@ struct Preset {
     std::vector<PresetClaim> claims = {};  ///< statements of the description, as comparisons of metrics
 };
 
-/// Parses a preset completely or not at all. @throws Error "NAME: place: what is wrong and what is allowed"
+/// Parses the JSON text of a preset, completely or not at all. @param name name of the file, for messages @throws Error
+/// "NAME: place: what is wrong and what is allowed"
 Preset parse_preset(std::string_view json, const std::string& name);
 /// Formats a preset as JSON that parse_preset() reads. Equal settings give equal bytes.
 std::string preset_text(const Preset& preset);
 
-/// Loads a built-in preset by key, or a preset file. @throws Error
+/// Loads a preset: a built-in one by key, or a file. @throws Error; UsageError for an unknown key
 Preset load_preset(const std::string& name_or_path);
-/// Writes a preset file atomically. @throws Error, also for a name or text that is not UTF-8
+/// Writes a preset to a file, replacing it atomically. @throws Error, also for a path or text that is not UTF-8
 void save_preset(const Preset& preset, const std::filesystem::path& path);
 
-/// Key and texts of a preset that is embedded in the program.
+/// Entry of the list of presets that are embedded in the program: key and texts.
 struct BuiltinPreset {
     std::string key;  ///< file name without extension and leading number ("010-acne.json": acne)
     std::string title, topic, about, scene;
 };
-/// Lists the guided presets embedded in the program, in the order of a lecture.
+/// Lists the guided presets embedded in the program. Each has a sentence on what to look at; their order is that of a
+/// lecture.
 std::vector<BuiltinPreset> builtin_presets();
-/// Lists the hard cases as presets, each once with its fault and once with its fix (renderer/scenes/hard_cases.h).
-/// load_preset() accepts their keys too.
+/// Lists the hard cases as presets, each once with its fault and once with its fix (renderer/scenes/hard_cases.h). Hard
+/// cases are scenes in which shadow maps break. load_preset() accepts their keys too.
 std::vector<BuiltinPreset> hard_case_presets();
 
 }  // namespace si

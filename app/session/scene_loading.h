@@ -15,7 +15,7 @@ namespace si {
 /// options, and throws when the progress callback returns false.
 using SceneReader = std::function<Scene(const std::string&, const GltfOptions&)>;
 
-/// Background loading of one scene at a time.
+/// Background job that loads a scene while the editor shows another one. It loads one scene at a time.
 class SceneLoading : public Job<Scene> {
 public:
     /// Makes a loader that loads nothing yet. @param read function that reads a scene; empty: load_scene()
@@ -31,15 +31,15 @@ public:
     std::string wanted() const { return Job::wanted() ? name_ : std::string(); }
     /// Returns the progress of the scene that is being loaded, 0..1.
     double progress() const { return Job::progress().value_or(0); }
-    /// Returns the estimated seconds until the scene is loaded; 0: too early to say.
+    /// Returns the estimated seconds until the scene is loaded; 0: too early to estimate, or nothing is loading.
     double seconds_left() const;
 
-    /// Outcome of loading a scene: the scene, or the reason of a failure.
+    /// Outcome of loading a scene in the background: the scene, or the reason of the failure.
     struct Outcome {
         std::optional<Scene> scene;  ///< posed at the start of its animation; none: loading failed
         std::string error;
     };
-    /// Returns the outcome of the loading, once; nothing while the scene is loading.
+    /// Returns the loaded scene or the failure, once; nothing while the scene is loading or after a cancellation.
     std::optional<Outcome> poll();
 
 private:

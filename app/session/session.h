@@ -17,7 +17,7 @@
 
 namespace si {
 
-/// Scene, preset and settings as given on the command line.
+/// Scene, preset, engine profile and settings, as the user gave them on the command line.
 struct SessionOptions {
     std::string scene;              ///< built-in key or path; empty: the preset's scene, else the default scene
     std::string preset;             ///< built-in key or path; empty: none
@@ -29,7 +29,7 @@ struct SessionOptions {
     std::string profile = {};
 };
 
-/// Loaded scene with its composed settings.
+/// Loaded and posed scene with the settings that were composed for it. Every command and the editor begin with one.
 struct Session {
     std::string scene_name;  ///< name or path given to load_scene()
     Scene scene;
@@ -38,7 +38,7 @@ struct Session {
     EngineWording engine = {};       ///< engine whose parameters texts name; without a profile: none
 };
 
-/// Checked session options, before the scene is read.
+/// Checked options of a session, with the preset already read but the scene not yet.
 struct SessionPlan {
     std::string scene_name;  ///< for load_scene()
     std::optional<Preset> preset;
@@ -48,58 +48,67 @@ struct SessionPlan {
     EngineSession engine = {};  ///< profile, and values in the engine's parameters
 };
 
-/// Checks session options and reads the preset, but not the scene. @throws UsageError, Error (an unreadable preset)
+/// Checks the scene, preset and settings that the command line gives, and reads the preset but not the scene.
+/// @throws UsageError; Error for an unreadable preset
 SessionPlan plan_session(const SessionOptions& options);
 
-/// Returns the options for load_scene(): the scene of the file, up axis and unit that the plan names.
+/// Returns the options with which load_scene() reads the scene of a plan: the scene inside the file, its up axis and
+/// unit.
 GltfOptions scene_options(const SessionPlan& plan);
 
-/// Settings with the notes made while composing them.
+/// Settings of a session with the notes made while composing them.
 struct ComposedSettings {
     Settings settings;
     std::vector<std::string> notes;  ///< repairs and remarks
 };
 
-/// Composes the settings of a scene that is already posed. @param pose animation, time and placement of the scene
-/// @param left_out as for compose_session()
+/// Composes the settings of a scene that is already posed: program defaults, then the preset or the scene's
+/// suggestions, then --set.
+/// @param pose animation, time and placement of the scene
+/// @param left_out receives one line for each chosen object or camera that the scene lacks; null: throws instead
 ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& pose,
                                   std::vector<std::string>* left_out = nullptr);
 
-/// Poses the scene and composes its settings: program defaults, then the preset or the scene's suggestions, then --set.
+/// Poses a loaded scene and composes its settings: program defaults, then the preset or the scene's suggestions, then
+/// --set.
 /// @param left_out receives one line for each chosen thing that the scene lacks (an object, a camera), which is then
 /// ignored; null: throws instead @throws UsageError, Error
 Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out = nullptr);
 
-/// Checks that no output of a command is a file that it reads: the scene's files or the preset.
-/// @throws UsageError
+/// Checks that a command writes no file that it reads: neither a file of the scene nor the preset.
+/// @param preset path of the preset; empty: none @throws UsageError
 void require_no_input(std::span<const std::filesystem::path> outputs, const Scene& scene, const std::string& preset);
 
-/// Opens a session: checks the options, loads the scene, poses it and composes the settings. @throws UsageError, Error
+/// Opens a session for a command: checks the options, loads the scene, poses it and composes its settings.
+/// @throws UsageError, Error
 Session open_session(const SessionOptions& options);
 
-/// Applies one assignment "KEY=VALUE" of --set to settings, and nothing else. @throws UsageError
+/// Changes one setting by an assignment "KEY=VALUE" of --set. No other setting changes along. @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
-/// Applies all assignments of one command line in order. Another bias.kind brings its starting values along, except to
-/// settings that the assignments name, before or after it. @throws UsageError
+/// Changes settings by all assignments "KEY=VALUE" of --set, in order. Another bias.kind also sets its starting values,
+/// except of settings that the assignments name, before or after it.
+/// @throws UsageError
 void apply_sets(Settings& settings, std::span<const std::string> assignments);
-/// Returns the keys of the settings that assignments name, with those that a value implies. @throws UsageError
+/// Returns the keys of the settings that assignments "KEY=VALUE" of --set change, with those that a value implies.
+/// @throws UsageError
 std::set<std::string> assigned_keys(std::span<const std::string> assignments);
 
-/// Returns the program's default settings with the scene's suggested settings applied. @throws Error when a suggestion
-/// names no setting
+/// Returns the settings with which a scene opens without preset and --set: the program's defaults, then the values that
+/// the scene suggests. @throws Error when a suggestion names no setting
 Settings base_settings(const Scene& scene);
 
-/// Removes settings of objects (object.PATH.*) that the scene lacks. @param preset file of these settings, for the
-/// message; empty: the command line @param left_out receives one line for each removed object; null: throws instead
-/// @throws UsageError, Error
+/// Removes settings of objects (object.PATH.*) that the scene lacks.
+/// @param preset preset of these settings, for messages; empty: they come from the command line
+/// @param left_out receives one line for each removed object; null: throws instead @throws UsageError, Error
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
                    std::vector<std::string>* left_out);
 
-/// Returns the node paths of objects that object.PATH.shown hides.
+/// Returns the node paths of the objects that settings hide (object.PATH.shown is false).
 std::set<std::string> hidden_paths(const Settings& settings);
 
 /// Poses a scene at scene.animation and scene.time and places it by scene.distance, scene.direction and scene.scale.
-/// Adds a ground to a file without one if scene.ground allows it (renderer/scene/ground.h). Hidden objects stay hidden.
+/// Adds a ground to a scene from a file without one if scene.ground allows it (renderer/scene/ground.h). Hidden objects
+/// stay hidden.
 /// @returns a note when there is nothing to animate, else "" @throws UsageError for an unknown animation
 std::string pose_scene(Scene& scene, const SceneSettings& settings);
 

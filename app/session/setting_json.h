@@ -6,13 +6,14 @@
 
 namespace si {
 
-/// Converts a setting's value to JSON. @param ref the setting, for its type and choices
+/// Converts the value of a setting to JSON. @param ref the setting, whose type and choices give the form
 nlohmann::ordered_json setting_to_json(const SettingRef& ref, const Value& value);
 
-/// Converts JSON to a setting's value. @throws UsageError saying what is allowed, without the setting's key
+/// Converts JSON to the value of a setting. @param ref the setting @throws UsageError saying what is allowed, without
+/// the setting's key
 Value setting_from_json(const SettingRef& ref, const nlohmann::ordered_json& json);
 
-/// Returns the name of a setting's type: "bool", "int", "float" or "choice".
+/// Returns the name of a setting's type for JSON and lists: "bool", "int", "float", "choice" or "text".
 std::string_view setting_type(const SettingRef& ref);
 
 }  // namespace si

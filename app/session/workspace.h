@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Contents of the workspace file, which the editor keeps between runs: layout, window and recent files.
+/// Contents of the workspace file, which the editor keeps between runs: layout, window, theme and recent files.
 struct WorkspaceData {
     EditorLayout layout;
     int window_width = 0, window_height = 0;  ///< screen coordinates at scale 1; 0: unknown
@@ -23,16 +23,16 @@ struct WorkspaceData {
     bool operator==(const WorkspaceData&) const = default;
 };
 
-/// Returns the folder for the program's state: $XDG_STATE_HOME/shadow-inspector, else ~/.local/state/shadow-inspector
-/// (XDG base directories); empty if neither variable is set.
+/// Returns the folder in which the program keeps state between runs: $XDG_STATE_HOME/shadow-inspector, else
+/// ~/.local/state/shadow-inspector (XDG base directories). Empty if neither variable is set.
 std::filesystem::path state_folder();
 
-/// Returns the folder for the program's caches: $XDG_CACHE_HOME/shadow-inspector, else ~/.cache/shadow-inspector; empty
-/// if neither variable is set.
+/// Returns the folder for files that the program can make again: $XDG_CACHE_HOME/shadow-inspector, else
+/// ~/.cache/shadow-inspector. Empty if neither variable is set.
 std::filesystem::path cache_folder();
 
-/// File that this process holds open and locked (flock) until it is closed. Invalid (false) when another process holds
-/// the lock or the file system cannot lock.
+/// Lock among processes: a file that this process holds open and locked (flock). Converts to false when another process
+/// holds the lock or the file system cannot lock.
 class LockFile {
 public:
     LockFile() = default;
@@ -46,29 +46,32 @@ public:
     }
     /// Returns true if this process holds the lock.
     explicit operator bool() const { return fd_ >= 0; }
-    /// Releases the lock and closes the file.
+    /// Releases the lock on this file and closes it.
     void release();
 
 private:
     int fd_ = -1;
 };
 
-/// Workspace file in the state folder, shared by all running editors.
+/// Workspace file of the editor, which holds layout, window and recent files. All running editors share it.
 class Workspace {
 public:
-    /// Reads the workspace file of a state folder. @param folder made at the first write; empty: nothing is kept
+    /// Reads the workspace file (layout, window, recent files) of a state folder. @param folder made at the first
+    /// write; empty: nothing is kept
     explicit Workspace(std::filesystem::path folder);
 
     /// Returns the workspace as last read or written by this process.
     const WorkspaceData& data() const { return data_; }
-    /// Edits the workspace in memory and in its file, on top of changes that other editors wrote. Never throws: errors
-    /// go to take_remarks(). @param edit the change to make; may be called twice, on different data
+    /// Changes the workspace in memory and in its file, on top of changes that other editors wrote. Never throws:
+    /// errors go to take_remarks().
+    /// @param edit function that makes the change; may be called twice, on different data
     void change(const std::function<void(WorkspaceData&)>& edit);
     /// Returns the errors of reading and writing the workspace since the last call, one line each.
     std::vector<std::string> take_remarks() { return std::exchange(remarks_, {}); }
 
 private:
-    /// Reads the workspace file. Returns true if the file may be written: it is not of another program or version.
+    /// Reads the workspace file, if there is one. Returns false if the file must not be overwritten: it is unreadable,
+    /// or of another program or version.
     bool read(WorkspaceData& data);
 
     std::filesystem::path folder_;
@@ -77,7 +80,7 @@ private:
     std::vector<std::string> remarks_;
 };
 
-/// Moves or adds a path to the front of a list of recent files, without duplicates. Drops the oldest beyond the limit.
+/// Puts a path at the front of a list of recent files, without duplicates. Drops the oldest path beyond the limit.
 void put_first(std::vector<std::string>& recent, const std::string& path);
 
 }  // namespace si
