@@ -8,7 +8,8 @@
 
 namespace si {
 
-/// Loads scenes and composes settings for the cases of a sweep.
+/// Loader of scenes and composer of settings for the cases of a sweep (combinations of settings). Scenes stay loaded
+/// between cases.
 class CaseSessions {
 public:
     using Values = std::vector<std::pair<std::string, std::string>>;  ///< SweepCase::values
@@ -22,23 +23,23 @@ public:
         loaded_.insert_or_assign(file_choices(as), Loaded{std::move(scene), as, {}});
     }
 
-    /// Scene and settings with which one case of a sweep is drawn.
+    /// Scene and settings with which one case (combination of settings) of a sweep is drawn.
     struct Prepared {
         const Scene& scene;  ///< valid until the next call of prepare()
         Settings settings;
         std::vector<std::string> notes;
     };
-    /// Prepares one case of a sweep: loads another scene if scene.index, scene.up or scene.unit differs, poses the
-    /// scene, composes the settings.
-    /// @param values key and value of each axis @throws UsageError, Error as open_session()
+    /// Prepares one case of a sweep for drawing: poses the scene and composes the settings. Loads the scene again only
+    /// if scene.index, scene.up or scene.unit differs.
+    /// @param values key and value of each varied setting @throws UsageError, Error as open_session()
     Prepared prepare(const Values& values);
 
-    /// Checks axis values of settings of scene, camera and objects, so that errors appear before the first measurement.
-    /// @throws UsageError, Error
+    /// Checks the varied values of scene, camera and objects against the scene, so that errors appear before a sweep's
+    /// first measurement. @throws UsageError, Error
     void check(const std::vector<SweepAxis>& axes);
 
 private:
-    /// Loaded scene with the pose it has.
+    /// Loaded scene of a sweep with the scene settings under which it is posed.
     struct Loaded {
         Scene scene;
         SceneSettings posed;

@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Column of a sweep's results: one number of each case, with label, unit and noise.
+/// Column of the results of a sweep: a measured number of each case, with label, unit and noise.
 struct Column {
     std::string key;  ///< "error.mae": group and field of a row of results.json
     std::string label, unit, help;
@@ -27,20 +27,23 @@ inline constexpr const char* kMovingShadowColumn = "shadow.moving_ms.median";
 inline constexpr const char* kOfBaseColumn = "shadow.of_base";
 inline constexpr const char* kStillShadowColumn = "shadow.still_ms.median";
 
-/// Lists all columns of sweep results: error metrics first, then times and costs.
+/// Lists all columns that the results of a sweep can have: error metrics first, then times and costs.
 std::span<const Column> columns();
-/// Finds a column of sweep results by key; null: unknown key.
+/// Finds a column of sweep results by key, such as "error.mae"; null: unknown key.
 const Column* find_column(std::string_view key);
-/// Returns the label of a column of sweep results. Labels of times name the kind of frames: "Time of a frame while the
-/// camera moves".
+/// Returns the label of a column of sweep results for plots and tables. Labels of frame times name the kind of frames:
+/// "Time of a frame while the camera moves".
 std::string label_of(const Column& column, CostCase cost);
 
-/// Returns the number that a plot shows for a column: the distance of its value from the best one, so that less is
-/// better. NaN if the value was not measured, or has no best one (Better::Neither).
+/// Returns the number that plots show for a column of one case: the distance of the value from the best one, so that
+/// less is better. If the value is within its noise, its upper bound. NaN if it was not measured, or has no best value
+/// (Better::Neither).
 double plotted_value(const Column& column, const CaseNumbers& numbers);
-/// Returns true when a column's value does not differ from 0 by more than its noise, so that only a bound is known.
+/// Returns true when a case's value in a column does not differ from 0 by more than its noise. Plots then show its
+/// upper bound.
 bool is_bound(const Column& column, const CaseNumbers& numbers);
-/// Returns the noise of a column's value. Differences below the noise have no meaning.
+/// Returns the noise of a case's value in a column; 0: exact or unknown. Smaller differences between cases have no
+/// meaning.
 double noise_of(const Column& column, const CaseNumbers& numbers);
 
 }  // namespace si

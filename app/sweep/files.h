@@ -8,37 +8,41 @@
 
 namespace si {
 
-/// Set of result files of a sweep to write.
+/// Set of result files that write_sweep_files() writes into the folder of a sweep.
 enum class SweepFiles {
     Results,    ///< results.json and results.csv
-    AndReport,  ///< those, and base.json and report.html
+    AndReport,  ///< those, and base.json, frontier.svg and report.html
 };
 
-/// Writes the result files of a sweep, each atomically. @returns the results @throws Error
+/// Computes the results of a sweep and writes its result files into its folder, each atomically. Returns the results.
+/// @throws Error
 SweepResults write_sweep_files(const std::filesystem::path& folder, const SweepState& state, const SweepPlan& plan,
                                SweepFiles which = SweepFiles::AndReport);
 
-/// Makes the folder of a sweep's pictures. @throws Error when a file has its name
+/// Makes the folder for the pictures of a sweep's cases. @param folder folder of the sweep @throws Error when a file
+/// has that name
 void make_picture_folder(const std::filesystem::path& folder);
 
-/// Copies pictures of a sweep's cases that the target folder lacks. @param from, to folders of sweeps @throws Error
+/// Copies the pictures of a sweep's cases into the folder of another sweep, except those that are there already. Used
+/// to merge sweeps. @param from, to folders of the sweeps @throws Error
 void copy_pictures(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Removes the files that a sweep wrote into its folder, and no other files. @throws Error while another process writes
-/// there, or when the folder holds no sweep (require_sweep_folder())
+/// Removes the files that a sweep wrote into its folder, so that it can start again. Other files stay. @throws Error
+/// while another process writes there, or when the files are not of a sweep (require_sweep_folder())
 void remove_sweep_files(const std::filesystem::path& folder);
 
-/// Checks that a sweep may write into the folder. @throws Error when the folder holds files that a sweep would replace
-/// and no journal of a sweep
+/// Checks that a sweep may write into a folder without replacing foreign files. @throws Error when the folder holds
+/// files with names of a sweep's, and no journal of a sweep
 void require_sweep_folder(const std::filesystem::path& folder);
 
-/// Returns the files that a sweep writes into the folder, with the pictures that are there.
+/// Lists the files that a sweep writes into a folder, including the pictures that are there already.
 std::vector<std::filesystem::path> sweep_files(const std::filesystem::path& folder);
 
-/// Returns true if a picture of the case is missing in the folder.
+/// Returns true if a picture of a sweep's case is missing or empty. @param folder folder of the sweep
 bool lacks_pictures(const std::filesystem::path& folder, std::size_t case_number);
 
-/// Formats the Pareto front of a sweep as lines of cost, error and settings, for the terminal.
+/// Formats the Pareto front of a sweep (cases that no other one beats in both cost and error) as lines for the
+/// terminal. A sentence on the best trade comes first.
 std::string frontier_text(const SweepResults& results);
 
 }  // namespace si

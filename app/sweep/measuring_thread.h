@@ -17,7 +17,8 @@
 
 namespace si {
 
-/// Background thread for sweeps and single measurements.
+/// Background thread that measures sweeps and single pictures with an OpenGL context of its own, so that the editor
+/// never waits.
 class MeasuringThread {
 public:
     /// Starts the measuring thread. @param kept time that maps, programs and the GL context stay in memory after the
@@ -26,25 +27,27 @@ public:
     /// Cancels all work and joins the thread.
     ~MeasuringThread();
 
-    /// Picture whose error, cost and time are to be measured. The scene is shared and never changed.
+    /// Picture whose error, cost and frame time the measuring thread measures. The scene is shared and never changed.
     struct Picture {
         std::shared_ptr<const Scene> scene;
         Settings settings;
         int width = 0, height = 0;
         CostCase cost = kFrontierCost;  ///< kind of frames to time
     };
-    /// Starts a sweep and cancels the running one. @param scene scene of the first case, which the sweep copies
+    /// Starts a sweep on the measuring thread; a running sweep is cancelled.
+    /// @param inputs plan, timing and folder of the sweep @param scene scene of the first case, which the sweep copies
     /// @param as scene settings (index, animation, time, placement) under which `scene` is posed
     void start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene, const SceneSettings& as);
-    /// Stops the running sweep. Finished cases stay in its journal.
+    /// Stops the running sweep of the measuring thread. Results of finished cases stay in the sweep's journal.
     void cancel_sweep();
-    /// Starts measuring a picture and cancels the present measurement of a picture.
+    /// Starts to measure a picture on the measuring thread; the present measurement of a picture is cancelled. The work
+    /// begins 200 ms later, so that a series of changes is measured once.
     void start_measurement(Picture picture);
-    /// Stops the measurement of a picture.
+    /// Stops the measurement of a picture on the measuring thread. A running sweep continues.
     void cancel_measurement();
 
-    /// State of the measuring thread: progress and results of sweep and single measurement. The version grows with each
-    /// change.
+    /// State of the measuring thread: progress and results of the sweep and of the single picture. The version grows
+    /// with each change.
     struct Status {
         std::uint64_t version = 0;
         bool sweeping = false;
@@ -56,41 +59,44 @@ public:
         std::optional<CaseNumbers> measured;  ///< numbers of the last picture
         std::string measure_problem;
     };
-    /// Returns a copy of the measuring thread's present state.
+    /// Returns a copy of the present progress and results of the measuring thread. Any thread may call it.
     Status status() const;
-    /// Returns Status::version without copying the state.
+    /// Returns a number that grows with each change of status(). Used to notice changes without copying the results.
     std::uint64_t version() const;
-    /// Returns true while a sweep or a measurement runs.
+    /// Returns true while the measuring thread measures a sweep or a picture, or one waits to be measured.
     bool busy() const;
-    /// Blocks until neither a sweep nor a measurement runs or waits.
+    /// Blocks the caller until the measuring thread has no sweep and no picture left to measure.
     void wait() const;
-    /// Blocks until no sweep runs.
+    /// Blocks the caller until the measuring thread has no sweep left to measure.
     void wait_for_sweep() const;
 
 private:
-    /// Sweep that waits to be started.
+    /// Sweep that waits until the measuring thread begins it.
     struct SweepWanted {
         RunningSweep::Inputs inputs;
         std::shared_ptr<const Scene> scene;
         SceneSettings as;
         std::stop_source stop;
     };
-    /// Picture that waits to be measured.
+    /// Picture that waits until the measuring thread measures it, at `due` or later.
     struct PictureWanted {
         Picture picture;
         std::stop_source stop;
         std::chrono::steady_clock::time_point due;
     };
     struct Bench;
-    /// Measures pictures and steps of the sweep until `end` is requested. Loop of the thread. @param kept the time for
-    /// which the OpenGL context stays in memory after the last measurement
+    /// Main loop of the measuring thread: measures pictures and steps of the sweep until `end` is requested.
+    /// @param kept time for which the OpenGL context stays in memory after the last measurement
     void run(const std::stop_token& end, std::chrono::milliseconds kept);
-    /// Starts the waiting sweep.
+    /// Begins the sweep that waits: opens its journal and adds its scene. A failure becomes the text
+    /// Status::sweep_problem. @param bench OpenGL context and renderer of the measuring thread
     void begin_sweep(Bench& bench);
-    /// Measures the next step of the running sweep.
+    /// Measures the next step of the running sweep and publishes its progress. @param bench OpenGL context and renderer
+    /// of the measuring thread
     void step_sweep(Bench& bench);
-    /// Measures a requested picture (start_measurement()) and publishes the numbers in the thread's status: first error
-    /// and cost, then the frame time. A failure is published as text.
+    /// Measures a requested picture (start_measurement()) and publishes its numbers: first error and cost, then the
+    /// times of frame and shadows. A failure is published as text. @param bench OpenGL context and renderer of the
+    /// measuring thread
     void measure_picture(Bench& bench, const PictureWanted& wanted);
     /// Applies a change to the status of the measuring thread, and wakes the threads that wait for a change.
     template <typename Change>

@@ -9,16 +9,19 @@
 
 namespace si {
 
-/// Merges shards of one sweep, or repeated runs of it. For a case in several parts the first result that did not fail
-/// counts; contradicting ones are named in the notes. @param parts name for messages, and state; at least one
+/// Merges shards of one sweep (parts that several machines measured), or repeated runs of it, into one state. If
+/// several parts measured a case, the first result that did not fail counts. Contradicting results are named in the
+/// notes.
+/// @param parts name for messages, and state; at least one
 /// @throws Error when the parts belong to different sweeps, naming two and their difference
 SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts);
 
-/// Returns the journal lines of `more` that `known` lacks. Both are states of one sweep.
+/// Returns the journal lines that bring a sweep from the state `known` to one that also has the results of `more`. Both
+/// are states of one sweep. Used to append merged results to a journal.
 std::vector<nlohmann::ordered_json> missing_lines(const SweepState& known, const SweepState& more);
 
-/// Returns the numbers of the plan's cases without a result, to be measured still. A failed case counts as one with a
-/// result.
+/// Returns the numbers of the cases that a sweep has still to measure. A failed case has a result and is not among
+/// them.
 std::vector<std::size_t> missing_cases(const SweepState& state, const SweepPlan& plan);
 
 }  // namespace si

@@ -17,20 +17,22 @@ inline constexpr const char* kBasePreset = "base.json";
 /// Rounds of timed frames whose times are comparable: complete rounds (each case was drawn), by runs on one machine
 /// with one clock and one kind of frames.
 using RankedRounds = std::set<std::pair<std::string, int>>;  ///< run and round
-/// Selects the rounds of timed frames by which the cases of a sweep are ranked. Only the kind of frames (CostCase) of
-/// the latest run with a complete round counts. Of the machines that timed this kind, the one with the most complete
-/// rounds counts; the latest one if several have equally many.
+/// Selects the rounds of timed frames by which the cases of a sweep are compared. Only complete rounds of one kind of
+/// frames (CostCase) on one machine count. The kind is that of the latest run with a complete round. The machine is the
+/// one with the most such rounds; if several have equally many, the latest.
 RankedRounds ranked_rounds(const SweepState& state);
-/// Selects the complete rounds of timed frames by runs with the machine, driver, clock and kind of frames of `run`.
+/// Selects the complete rounds of timed frames in a sweep that are comparable with a process: same machine, driver,
+/// clock and kind of frames. @param run description of the process
 RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 
-/// Collects the time samples of one case in rounds whose times are comparable (see ranked_rounds()).
+/// Collects the frame times of one case of a sweep from the rounds by which cases are compared (ranked_rounds()).
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds);
 
-/// Collects the shadow times of turns in rounds whose times are comparable.
+/// Collects the shadow times of one case of a sweep from the rounds by which cases are compared (ranked_rounds()).
+/// @param turns timed frames of the case
 ShadowSamples ranked_shadow(const std::vector<Turn>& turns, const RankedRounds& rounds);
 
-/// Result of a case that was finished or has failed.
+/// Result of one case (combination of settings) of a sweep, measured or failed: settings, numbers and notes.
 struct SweepRow {
     std::size_t number = 0;                                     ///< number of the case in the plan
     std::vector<std::pair<std::string, std::string>> settings;  ///< varied settings: key and value, as drawn
@@ -40,7 +42,8 @@ struct SweepRow {
     std::vector<std::string> notes;
 };
 
-/// Results of a sweep: counts, the ranked rounds, the Pareto front and one row per case.
+/// Results of a sweep for files and plots: counts, compared rounds of timed frames, the Pareto front and one row per
+/// case.
 struct SweepResults {
     nlohmann::ordered_json spec;  ///< SweepState::spec
     std::size_t combinations = 0, cases = 0, finished = 0, failed = 0;
@@ -56,22 +59,24 @@ struct SweepResults {
     std::vector<SweepRow> rows;                 ///< by number
 };
 
-/// Computes the results of a sweep from its state.
+/// Computes the results of a sweep (summaries of times, Pareto front) from the state that its journal records.
 SweepResults sweep_results(const SweepState& state, const SweepPlan& plan);
 
-/// Converts results to JSON (results.json). Numbers that are not finite become null when it is written.
+/// Converts the results of a sweep to the JSON of results.json. Numbers that are not finite become null when the JSON
+/// is written.
 nlohmann::ordered_json results_json(const SweepResults& results);
 
-/// Converts the time of the shadows to JSON {moving_ms, still_ms, forced_ms, of_base}; a ratio within the noise is
-/// null.
+/// Converts the time of the shadows alone to JSON {moving_ms, still_ms, forced_ms, of_base}. A ratio `of_base` within
+/// the noise is null.
 nlohmann::ordered_json shadow_json(const ShadowTime& time);
 
-/// Formats results as CSV: a header and one line per case (RFC 4180 with plain line breaks).
+/// Formats the results of a sweep as CSV: a header and one line per case (RFC 4180 with plain line breaks).
 std::string results_csv(const SweepResults& results);
 
-/// Returns the path of a case's picture within the sweep's folder.
+/// Returns the path of the picture of a sweep's case, relative to the sweep's folder.
 std::string picture_path(std::size_t case_number);
-/// Returns the path of a case's artefact picture within the sweep's folder.
+/// Returns the path of the picture of a sweep's case in which wrong pixels are coloured, relative to the sweep's
+/// folder.
 std::string artefacts_path(std::size_t case_number);
 
 }  // namespace si

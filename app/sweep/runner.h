@@ -8,31 +8,31 @@
 
 namespace si {
 
-/// Error, cost and pictures of one case of a sweep.
+/// Error, cost and encoded pictures of one case (combination of settings) of a sweep, after it was drawn.
 struct DrawnCase : CaseFacts {
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };
 
-/// Timed frames of one case in one round, with the times of its shadows.
+/// Times of frames and of shadows of one case (combination of settings) of a sweep, measured in one round.
 struct CaseTimes {
     TimeSamples frames;
     ShadowSamples shadow = {};
 };
 
-/// Interface that measures cases of a sweep. The program uses RenderedCases; tests use fakes.
+/// Interface through which a sweep measures its cases. The program draws them (RenderedCases); tests use fakes.
 class CaseMeter {
 public:
     virtual ~CaseMeter() = default;
-    /// Describes the process that measures: machine, driver, clock.
+    /// Describes the process that measures the cases of a sweep: machine, driver, clock.
     virtual RunInfo run() = 0;
-    /// Measures error and cost of a case. @throws std::exception: the case has failed
+    /// Draws one case of a sweep and measures its error and cost. @throws std::exception: the case has failed
     virtual DrawnCase facts(const SweepCase& c) = 0;
     /// Times `frames` frames of a case after warm-up frames, and as many pairs of frames with and without shadows.
     /// @throws std::exception: the case has failed
     virtual CaseTimes time(const SweepCase& c, int frames, CostCase cost) = 0;
 };
 
-/// Progress of a sweep: phase, steps done, and the seconds left.
+/// Progress of a sweep: its phase, the steps done, and the estimated seconds left.
 struct SweepProgress {
     bool timing = false;              ///< phase: timed rounds; false: errors and costs
     std::size_t done = 0, total = 0;  ///< steps of this phase
@@ -41,33 +41,35 @@ struct SweepProgress {
     double seconds_left = 0;  ///< estimate for all phases; 0: unknown
 };
 
-/// Runs the steps of a sweep and appends each result to the sweep's journal.
+/// Runner that measures a sweep in steps and appends each result to the sweep's journal.
 class SweepRunner {
 public:
     /// Prepares the steps of a sweep: cases without results, then rounds of timed frames. @param retry_failed measures
     /// failed cases again @param folder folder of the journal and the pictures
     SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing, bool retry_failed, CaseMeter& meter,
                 Journal& journal, std::filesystem::path folder);
-    /// Runs the next step of the sweep: measures error and cost of one case, or times frames of one case in a round.
-    /// @returns false when the sweep is done
+    /// Runs the next step of the sweep: measures error and cost of one case, or times some frames of one case. Returns
+    /// false when the sweep is done.
     bool step();
     /// Returns the progress of the sweep.
     const SweepProgress& progress() const { return progress_; }
 
 private:
     using Clock = std::chrono::steady_clock;
-    /// Measures error, cost and pictures of the next case. Returns false if no case is left.
+    /// Measures error, cost and pictures of the next case of the sweep. Returns false if no case is left.
     bool step_facts();
-    /// Times frames of the next case of the round. Returns false if all times have settled, or after the last round.
+    /// Times some frames of the next case in the present round of the sweep. Returns false if all times are precise
+    /// enough, or after the last round.
     bool step_timing();
-    /// Begins a round of timed frames over all measured cases. The order of the cases alternates from round to round.
+    /// Begins a round in which every measured case of the sweep is timed once. The order of the cases is reversed from
+    /// round to round, so that drift affects early and late cases equally.
     void begin_round();
-    /// Returns the description of this process (machine, driver, clock), for the sweep's journal.
+    /// Returns the description of this process (machine, driver, clock, kind of timed frames), for the sweep's journal.
     RunInfo this_run() const;
     /// Writes the description of this process (machine, driver, clock) to the sweep's journal, unless it is there
-    /// already. Call before the first result.
+    /// already. Called before each result.
     void announce_run();
-    /// Updates the estimate of the seconds left.
+    /// Updates the estimated seconds until the sweep ends, from the time that its steps took so far.
     void estimate();
 
     const SweepPlan& plan_;

@@ -12,7 +12,8 @@ namespace si {
 /// Widths of a report's pictures in pixels: of the scene, and of the artefacts.
 inline constexpr int kThumbnailWidth = 320, kArtefactsWidth = 640;
 
-/// Meter that draws, times and compares each case with the program's renderer.
+/// Meter for the cases of a sweep that uses the program's renderer. It draws each case, compares it with the reference
+/// and times its frames.
 class RenderedCases : public CaseMeter {
 public:
     RenderedCases(Measurer& measurer, const DriverInfo& driver, CaseSessions& sessions)
@@ -27,10 +28,10 @@ private:
     CaseSessions& sessions_;
 };
 
-/// Sweep that runs in steps: owns sessions, measurer, journal and runner.
+/// Sweep that is measured step by step. It owns the scenes of the cases, the measurer, the journal and the runner.
 class RunningSweep {
 public:
-    /// Inputs of a running sweep: sessions of its cases, specification, plan, timing and folder.
+    /// Inputs of a sweep that is to run: scenes of its cases, specification, plan, timing and folder.
     struct Inputs {
         CaseSessions sessions;
         SweepSpec spec;
@@ -39,7 +40,8 @@ public:
         bool retry = false;  ///< measure failed cases again
         std::filesystem::path folder;
     };
-    /// Opens or begins the journal of the folder. @throws Error as Journal::Journal()
+    /// Prepares a sweep: begins the journal in its folder, or opens it to continue an earlier sweep. @throws Error as
+    /// Journal::Journal()
     RunningSweep(Inputs inputs, Renderer& renderer, const Workers& workers = {});
 
     /// Runs the next step of the sweep (see SweepRunner::step). @returns false when the sweep is done

@@ -14,7 +14,7 @@
 
 namespace si {
 
-/// Shard: one of `count` parts of a sweep, for several machines. Case n belongs to part n mod count.
+/// Part of a sweep that one of several machines measures: part `index` of `count`. Case n belongs to part n mod count.
 struct Shard {
     int index = 1, count = 1;  ///< index from 1
     /// Returns true if the case belongs to this shard of the sweep.
@@ -22,10 +22,12 @@ struct Shard {
     bool operator==(const Shard&) const = default;
 };
 
-/// Parses the value of --shard: "2/8" is the second part of eight. @throws UsageError
+/// Parses the value of the option --shard, which selects a part of a sweep: "2/8" is the second part of eight.
+/// @throws UsageError
 Shard parse_shard(std::string_view text);
 
-/// Timing options of a sweep. Rounds go on until every case's time has settled (time_sampler.h), up to a limit.
+/// Options for timing the frames of a sweep. Rounds over all cases continue until the time of every case is precise
+/// enough (time_sampler.h), up to a largest number of rounds.
 struct SweepTiming {
     bool on = true;
     CostCase cost = kFrontierCost;  ///< kind of frames to time
@@ -34,7 +36,8 @@ struct SweepTiming {
     int min_frames = 5;             ///< smallest number of frames of a case before its time can count as settled
 };
 
-/// Specification of a sweep: scene, settings, axes and picture size.
+/// Specification of a sweep: scene, common settings, varied settings (axes) and picture size. Equal specifications give
+/// equal errors and costs.
 struct SweepSpec {
     std::string scene;                ///< name or path as given
     std::uint64_t scene_content = 0;  ///< scene_content_key()
@@ -46,24 +49,29 @@ struct SweepSpec {
     Shard shard;
 };
 
-/// Computes a hash of a scene's drawable content. A file read twice, or from another place, gives the same hash.
+/// Computes a hash of everything that is drawn of a scene. A file read twice, or from another place, gives the same
+/// hash. Used to notice that a sweep's scene has changed.
 std::uint64_t scene_content_key(const Scene& scene);
 
-/// Makes the specification of a sweep.
+/// Makes the specification of a sweep for a loaded scene.
+/// @param settings settings that all cases share @param axes varied settings with their values
+/// @param width, height size of each picture, pixels
 SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Settings& settings,
                      std::vector<SweepAxis> axes, int width, int height);
 
-/// Converts the specification of a sweep to JSON.
+/// Converts the specification of a sweep (scene, settings, axes, picture size) to JSON, for the sweep's journal.
 nlohmann::ordered_json spec_json(const SweepSpec& spec);
-/// Reads the specification of a sweep from the JSON that spec_json() writes. @param settings_version version of the
+/// Reads the specification of a sweep from the JSON that spec_json() makes. @param settings_version version of the
 /// settings in the file (earlier.h) @throws Error
 SweepSpec spec_from_json(const nlohmann::ordered_json& json, int settings_version = kSettingsVersion);
 
-/// Computes a hash of a sweep's cases and their order, which follow from the specification and the settings table.
+/// Computes a hash of a sweep's cases and their order. Two programs whose hashes differ would number the cases
+/// differently.
 std::string plan_key(const SweepPlan& plan);
 
-/// Describes the first difference of two sweeps' specifications ("map.format: d16 there, d24 here"); empty if equal.
-/// @param there, here JSON of spec_json() @param with_shard also compares the shards
+/// Describes the first difference between the specifications of two sweeps ("map.format: d16 there, d24 here"); empty
+/// if they are equal. Used to refuse a folder that holds another sweep.
+/// @param there, here JSON of spec_json() @param with_shard true: also compares the shards
 std::string spec_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here,
                             bool with_shard = true);
 

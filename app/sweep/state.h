@@ -18,8 +18,8 @@ namespace si {
 
 inline constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
 
-/// Timed frames of one case in one round, in which the cases take turns. A round draws every case once, so that drift
-/// affects all equally.
+/// Times of some frames of one case (combination of settings) of a sweep, drawn in one round. A round draws every case
+/// once, so that drift affects all cases equally.
 struct Turn {
     int round = 0;
     std::string run;
@@ -27,13 +27,14 @@ struct Turn {
     ShadowSamples shadow = {};  ///< empty in journals from before shadow times
 };
 
-/// Error metrics with the noise of the reference.
+/// Error metrics of one case (combination of settings) of a sweep, with the noise of the ray-traced reference.
 struct CaseErrors {
     ErrorMetrics metrics;
     double noise = std::numeric_limits<double>::quiet_NaN();  ///< noise of the reference; NaN: unknown
 };
 
-/// Error, cost and time of one case of a sweep; parts that are not measured yet are empty.
+/// Error, cost and times of one case (combination of settings) of a sweep, as plots and tables show them. Numbers that
+/// are not measured yet are empty.
 struct CaseNumbers {
     std::optional<CaseErrors> error;
     std::optional<WorkCost> cost;
@@ -41,7 +42,8 @@ struct CaseNumbers {
     std::optional<ShadowTime> shadow = {};
 };
 
-/// Error and cost of one case of a sweep.
+/// Error and cost of one case (combination of settings) of a sweep. A repeated measurement gives the same numbers,
+/// unlike times.
 struct CaseFacts {
     CaseErrors error;
     WorkCost cost;
@@ -49,7 +51,7 @@ struct CaseFacts {
     int map_resolution = 0;  ///< resolution drawn if the driver or the memory limit made it smaller; else 0
 };
 
-/// Results of one case of a sweep so far.
+/// Results of one case (combination of settings) of a sweep so far: error, cost, failures and timed frames.
 struct CaseState : CaseFacts {
     bool finished = false;  ///< error and cost are known
     std::string failed;     ///< why the case failed; empty: it did not
@@ -60,10 +62,12 @@ struct CaseState : CaseFacts {
     bool is_measured() const { return finished && failed.empty(); }
 };
 
-/// Describes the contradiction between two measurements of one case; empty: they agree. Times may differ.
+/// Describes the first difference between two measurements of one case of a sweep; empty: they agree. Only error and
+/// cost count, since times may differ.
 std::string contradiction(const CaseState& a, const CaseState& b);
 
-/// Description of a process that measures a sweep: machine, start, driver and clock.
+/// Description of a process that measures a sweep: its machine, start, driver and clock. Decides whether times are
+/// comparable.
 struct RunInfo {
     std::string id, started;  ///< UTC, ISO 8601
     std::string machine;      ///< hash that is equal only on the same machine
@@ -71,20 +75,22 @@ struct RunInfo {
     bool software = false;             ///< the driver draws on the CPU
     double load = 0;                   ///< load of the machine at the start, running processes per core
     CostCase cost = CostCase::Forced;  ///< kind of frames that the process timed
-    /// Returns true if the times of both runs are comparable.
+    /// Returns true if frame times that this process and the other one measured are comparable: same machine, driver,
+    /// clock and kind of frames.
     bool comparable_with(const RunInfo& other) const;
 };
 
-/// Returns a description of the present process with id, started, machine and load filled in.
+/// Returns a description of the present process for a sweep's journal, with id, start, machine and load. The caller
+/// adds driver, clock and kind of timed frames.
 RunInfo this_run();
 
-/// Error for results whose metrics have another definition (kErrorMeaning) than this program's.
+/// Error for a sweep's journal whose error metrics have another definition (kErrorMeaning) than this program's.
 struct OtherMeaning : Error {
     using Error::Error;
 };
 
-/// State of a sweep as its journal records it: specification, and numbers of all cases so far. sweep_results() computes
-/// the results from it.
+/// State of a sweep as its journal records it: specification, and measured numbers of all cases so far. sweep_results()
+/// computes the results from it.
 struct SweepState {
     nlohmann::ordered_json spec;  ///< spec_json()
     std::string plan;             ///< plan_key()
@@ -94,30 +100,34 @@ struct SweepState {
     std::size_t case_count = kMaxSweepCases;  ///< number of cases in the plan; case numbers are below it
     std::vector<std::string> notes;           ///< faults of the journal, which are ignored
 
-    /// Applies one line of a sweep's journal to this state, completely or not at all. @throws OtherMeaning, and
-    /// std::exception for an unknown line
+    /// Adds the content of one line of a sweep's journal to this state, completely or not at all. @throws OtherMeaning,
+    /// and std::exception for an unknown line
     void apply(const nlohmann::ordered_json& line);
-    /// Finds the run of the sweep (a process that measured cases) with this id; null: unknown.
+    /// Finds a process that measured cases of the sweep, by the id that the journal gives it; null: unknown.
     const RunInfo* run(const std::string& id) const;
 
 private:
-    /// Returns the case whose number is in `member` of the line. @throws Error for an unknown number
+    /// Returns the state of the case whose number is in a member of a journal line. @param member name of that JSON
+    /// member @throws Error for a number that no case has
     CaseState& case_of(const nlohmann::ordered_json& line, const char* member);
 };
 
-/// Makes the first line of a sweep's journal, with the specification. @param plan plan_key()
+/// Makes the first line of a sweep's journal. @param spec specification of the sweep, spec_json() @param plan hash of
+/// its cases, plan_key()
 nlohmann::ordered_json header_line(const nlohmann::ordered_json& spec, const std::string& plan);
-/// Makes the journal line that records that a process begins to measure.
+/// Makes the line of a sweep's journal that records that a process begins to measure.
 nlohmann::ordered_json run_line(const RunInfo& run);
-/// Makes the journal line that records that the measurement of a case begins.
+/// Makes the line of a sweep's journal that records that the measurement of a case begins. A case that begins
+/// kMaxBegins times without a result has crashed the program, and counts as failed.
 nlohmann::ordered_json begin_line(std::size_t case_number);
-/// Makes the journal line that records error and cost of a case.
+/// Makes the line of a sweep's journal that records error and cost of a case.
 nlohmann::ordered_json facts_line(std::size_t case_number, const CaseFacts& facts);
-/// Makes the journal line that records that a case has failed. @param why message of the failure
+/// Makes the line of a sweep's journal that records that a case has failed. @param why message of the failure
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
-/// Makes the journal line that records timed frames of a case.
+/// Makes the line of a sweep's journal that records the times of some frames of a case.
 nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
-/// Makes the journal line that records timed frames of base_case(), of whose time the costs of cases are multiples.
+/// Makes the line of a sweep's journal that records the times of some frames of base_case(). The shadow times of all
+/// cases are also given as multiples of its time.
 nlohmann::ordered_json base_turn_line(const Turn& turn);
 
 /// Number of crashes after which a case counts as failed.
