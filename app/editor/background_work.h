@@ -25,7 +25,7 @@
 
 namespace si {
 
-/// Result of a finished search for fixes.
+/// Result of a background search for fixes, which are changes of settings that put wrong pixels right.
 struct FixesFound {
     FixTable table;
     std::optional<glm::ivec2> pixel;  ///< none: the whole picture
@@ -34,13 +34,15 @@ struct FixesFound {
 /// Result of a finished search for advice, or of the autopilot.
 using AdviceFound = std::variant<AdviceReport, AutopilotResult>;
 
-/// Shimmer of shadow edges under each variant of the settings.
+/// Result of a shimmer measurement: flips of shadow-edge pixels while camera or light moves, under each compared
+/// variant of the settings.
 struct ShimmerFound {
     std::vector<ShimmerShown> variants;
     ShimmerOptions options;
 };
 
-/// Background measurements of one editor (sweeps, searches, Lab), connected with the panels that show them.
+/// Owner of the editor's background measurements: sweeps over settings, searches for bias, fixes and advice, and
+/// timings. Starts them when a panel requests it, and gives their results to the panels.
 class BackgroundWork {
     /// Returns references to all background measurements, for calls to each of them.
     auto all() const {
@@ -53,25 +55,30 @@ public:
     BackgroundWork(EditorState& state, const std::filesystem::path& state_folder)
         : state_(state), sweep_(state_folder) {}
 
-    /// Moves results of finished background searches into the settings and the log. Returns true if a search has ended.
+    /// Collects the results of background searches that have ended. A found bias is shown beside the present picture;
+    /// errors and summaries go to the log. Call once a frame. Returns true if a search has ended.
     /// @param scene the shown scene; null: none
     bool poll(const Scene* scene);
-    /// Starts and cancels background measurements that panels request. Errors go to the log. Returns true if there was
-    /// a request. @param shown last drawn frame
+    /// Starts and cancels the background measurements that panels request. Errors go to the log. Returns true if the
+    /// editor has to be drawn again.
+    /// @param shown last drawn frame, whose size and diagnoses the measurements use
     bool fulfil(const SceneLoader& scenes, const FrameFacts& shown, const EditorRequests& requests);
-    /// Updates the facts of the running sweep, and measures the present settings while a panel shows them. Returns true
-    /// if the facts have changed. Call once a frame.
+    /// Updates the data that the panel Frontier shows about the running sweep (a measurement of many settings).
+    /// Measures the present settings while a panel requests it (EditorRequests::want_present). Call once a frame.
+    /// Returns true if the data have changed.
     bool update(const Scene* scene, const EditorRequests& requests);
     /// Shows the results in a sweep's folder in the panel Frontier. @throws Error if the folder cannot be read
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
-    /// Writes the facts of all background measurements into `frame`. Pointers in it stay valid until the next call of a
-    /// non-const member. @param size scene picture, pixels
+    /// Writes progress and results of all background measurements into `frame`, the data that panels show. A result is
+    /// marked as current only if scene, settings and picture size are those that it was measured with. Pointers in
+    /// `frame` stay valid until the next call of a non-const member. @param size scene picture, pixels
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
     /// Returns the progress of the measurement for a conversion; none: it does not run.
     std::optional<SearchProgress> conversion_progress() const { return conversion_.progress(); }
-    /// Returns the measurement for a conversion of the present settings; null: there is none. @param size scene
-    /// picture, pixels
+    /// Returns the measured error and time that the code exported for another engine states. Returns null if they were
+    /// not measured for the present settings and size.
+    /// @param scene the shown scene; null: none @param size scene picture, pixels
     const MeasuredConversion* measured_conversion(const Scene* scene, glm::ivec2 size) const;
 
     /// Returns true while something is being measured.
@@ -88,13 +95,14 @@ public:
     }
 
 private:
-    /// Shows the result of a finished bias search beside the present picture, and logs it. Returns true if a search has
-    /// ended.
+    /// Collects the result of a finished bias search, logs it, and shows the found settings beside the present picture.
+    /// Shows nothing if scene or settings have changed since the search began. Returns true if the search has ended.
     bool poll_tuning(const Scene* scene);
-    /// Polls one background search (EditorSearch) and logs the error of a failed one. Returns true if the search has
-    /// ended.
+    /// Polls one background search (EditorSearch), and logs why it has failed or was cancelled. Returns true if the
+    /// search has ended.
     bool poll_found(auto& search);
-    /// Applies the settings that all cases of the shown sweep share, as one step of undo.
+    /// Replaces the present settings by those that all cases of the shown sweep share, so that the picture is
+    /// comparable with the sweep. One step of undo; view settings stay, except the shown light (view.light).
     void apply_sweep_base();
 
     EditorState& state_;

@@ -11,17 +11,19 @@
 
 namespace si {
 
-/// Export of one frame at a time as a bundle, on a thread with an OpenGL context of its own.
+/// Background export of the shown frame as a bundle: scene, lights and shadow maps as files. Runs one export at a time,
+/// on a thread with an OpenGL context of its own.
 class BundleExport {
 public:
     /// @param state of the editor, which lives longer
     explicit BundleExport(EditorState& state) : state_(state) {}
 
-    /// Starts to write the present frame as a bundle. A bundle that exists is replaced only with `replace`; without it
-    /// the editor's question opens. @param size of the picture, pixels
-    /// @throws UsageError, Error for another name, and for a bundle that the frame reads
+    /// Starts to write the present frame as a bundle (scene, lights and shadow maps as files).
+    /// @param size the size of the picture, pixels
+    /// @param replace true: overwrites an existing bundle; false: the editor asks the user first (state.files.replace)
+    /// @throws UsageError, Error if `path` does not name a bundle, or names a bundle that the frame reads
     void start(const Scene& scene, glm::ivec2 size, const std::string& path, bool replace);
-    /// Logs the outcome of an export that has ended. Returns true if one has.
+    /// Logs the outcome of a finished bundle export. Call once a frame. Returns true if an export has ended.
     bool poll();
 
     bool busy() const { return job_.busy(); }

@@ -10,24 +10,29 @@
 
 namespace si {
 
-/// Code for the target that the dialog shows. It is made again when settings, frame or target change.
+/// Generator of the code that the dialog Convert shows: the present settings for another program, such as an engine.
+/// The code is generated again when settings, frame or target program change.
 class ConversionPreview {
 public:
-    /// @param state of the editor, which lives longer
+    /// Makes a generator without code. @param state the editor's state, which must outlive this object
     explicit ConversionPreview(EditorState& state);
 
-    /// Makes the code if the dialog is open. Returns true if it has changed. @param frame facts of the last frame
-    /// @param measuring progress of a measurement under way @param measured result for the present settings; null: none
+    /// Generates the code that the dialog Convert shows, if the dialog is open and an input has changed. Call once a
+    /// frame. Returns true if the dialog has to be drawn again.
+    /// @param frame data of the last drawn frame
+    /// @param measuring progress of the measurement whose numbers the code states; none: not running
+    /// @param measured result of that measurement for the present settings; null: none
     bool update(const EditorFrame& frame, const std::optional<SearchProgress>& measuring,
                 const MeasuredConversion* measured);
-    /// Writes the code into a file, whole or not at all. A file that exists is replaced only with `replace`. The dialog
-    /// shows what went wrong.
+    /// Writes the generated code to a file, completely or not at all. Errors are shown in the dialog Convert.
+    /// @param scene the shown scene, whose files are never overwritten; null: none
+    /// @param replace true: overwrites an existing file; false: the dialog asks first
     void save(const std::string& path, const Scene* scene, bool replace);
     /// Returns the facts for the dialog; null while it is closed.
     const ConvertFacts* facts() const { return shown_ ? &*shown_ : nullptr; }
 
 private:
-    /// Values that the code depends on.
+    /// Values that the generated code depends on. The code is generated again when one of them changes.
     struct Input {
         Settings settings;
         std::string target;

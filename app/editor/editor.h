@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Options of the command `edit`.
+/// Options of the command `edit`, which opens the editor.
 struct EditorOptions {
     SessionOptions session;              ///< the first scene and its settings
     std::filesystem::path preset;        ///< file that saving writes; may be empty
@@ -34,11 +34,14 @@ struct EditorOptions {
     std::optional<std::chrono::milliseconds> frame_patience;
 };
 
-/// Parses the name of a page, as --tab gives it ("pixel"). @throws UsageError that lists the names
+/// Returns the page of the editor's tabs that the option --tab names ("pixel"); the page Settings for an empty name.
+/// @throws UsageError that lists the names
 Page page_named(const std::string& name);
 
-/// Runs the editor until its window is closed, or (headless) its screenshot is written. Returns remarks about the first
-/// scene. @throws Error without display or OpenGL 4.5, or when the screenshot's scene or an output file fails
+/// Runs the editor until its window is closed. With EditorOptions::headless, writes a screenshot and returns instead.
+/// Returns remarks about the first scene.
+/// @throws Error without a display or OpenGL 4.5, if the screenshot's scene or an output file fails, or if a number is
+/// invalid (EditorOptions::check_numeric)
 std::vector<std::string> run_editor(const EditorOptions& options);
 
 }  // namespace si

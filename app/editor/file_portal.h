@@ -25,15 +25,17 @@ public:
         std::string problem;         ///< why there is no dialog
     };
 
-    /// Makes a client without a dialog. @param wake called from another thread when there is an answer
+    /// Makes a client without a dialog. @param wake called from another thread when take_answer() has an answer
     explicit FilePortal(std::function<void()> wake);
     /// Closes the dialog.
     ~FilePortal();
 
-    /// Opens the desktop's file dialog. An earlier dialog that is still open is closed first, and gives no answer.
+    /// Opens the desktop's file dialog and returns at once. An earlier dialog that is still open is closed first, and
+    /// gives no answer.
     /// @param parent_window "x11:" and the window's id in hexadecimal digits; empty: unknown
     void open_dialog(const DesktopFileDialog& dialog, const std::string& parent_window);
-    /// Returns the answer of the file dialog, once; nothing while the dialog is open.
+    /// Returns the answer of the file dialog once, and forgets it. Returns nothing while the dialog is open, or if
+    /// there is none.
     std::optional<Answer> take_answer();
 
 private:
@@ -42,7 +44,8 @@ private:
     std::unique_ptr<Dialog> dialog_;
 };
 
-/// Converts a file:// URI to a path, with %-escapes resolved; empty if the URI names no file on this machine.
+/// Converts a file:// URI to a path, with %-escapes decoded. Returns an empty path if the URI names no file on this
+/// machine.
 std::filesystem::path path_of_file_uri(const std::string& uri);
 
 }  // namespace si

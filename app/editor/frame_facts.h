@@ -15,7 +15,8 @@
 
 namespace si {
 
-/// Numbers read back from the GPU after a frame, each only while a panel shows it.
+/// Numbers read back from the GPU for panels: probed pixel, map depths, overlay values. Each is present only while a
+/// panel shows it.
 struct ReadBackFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
@@ -30,7 +31,8 @@ struct ReadBackFacts {
     std::vector<LostCaster> lost_casters;
 };
 
-/// Facts about one drawn frame of the editor, copied from the thread that drew it.
+/// Data of one drawn frame of the editor, copied from the thread that drew it: result, settings, errors, numbers read
+/// back. Panels show these data while the next frame is drawn.
 struct FrameFacts {
     std::optional<DriverInfo> driver;  ///< nothing: there is no picture
     FrameResult result;

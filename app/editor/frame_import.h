@@ -17,37 +17,41 @@
 
 namespace si {
 
-/// Import of one frame of another engine at a time. Work runs on a thread of its own, and captures in a child process,
-/// while the editor shows its scene. The bundle that it writes is opened as a scene.
+/// Import of a frame of another engine: a RenderDoc capture, or the image of a shadow map. The import writes a bundle
+/// (scene, lights and maps as files) and opens it as a scene. Runs in the background, one import at a time; a child
+/// process reads captures.
 class FrameImport {
 public:
     /// @param state, memory, scenes parts of the editor, which outlive this object
     FrameImport(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
         : state_(state), persistence_(memory), scenes_(scenes) {}
 
-    /// Begins to import a file of frame_files(); an earlier import is cancelled.
+    /// Starts the import of a capture or of the image of a shadow map: reads the file, or opens a dialog first. An
+    /// earlier import is cancelled. @param path a file of a kind that frame_files() lists
     void open(const std::filesystem::path& path, FrameFileKind kind);
-    /// Fulfils the requests of the dialogs. Returns true if there was one. Errors go to the log.
+    /// Performs the requests of the import dialogs: continue, write or cancel. Errors are shown in the dialog. Returns
+    /// true if there was a request.
     bool fulfil(const ImportRequests& requests);
-    /// Takes the outcome of work that has ended, and opens a written bundle. Returns true if work has ended.
+    /// Continues the import when a background step has ended: shows the choices that were read, or opens the written
+    /// bundle. Call once a frame. Returns true if a step has ended.
     bool poll();
-    /// Returns the data that the dialogs and the progress show; nothing: no frame is being imported.
+    /// Returns the data that the import's dialogs and progress bar show; nothing: no frame is being imported.
     std::optional<ImportFacts> facts() const;
 
     /// Returns true while work runs, or its outcome waits for poll().
     bool busy() const { return job_.busy(); }
-    /// Returns true if facts() have changed since their last call.
+    /// Returns true if the import's progress or elapsed seconds have changed since the last call of facts().
     bool moved() const;
     /// Waits until no work runs.
     void finish() const { job_.wait(); }
 
 private:
-    /// Progress of the work.
+    /// Progress of a background step of the import, for the progress bar.
     struct Step {
         double share = 0;
         std::string doing;
     };
-    /// Outcome of an import: the bundle that was made.
+    /// Result of a background step of the import: the choices after reading, or lines for the log after writing.
     struct Made {
         std::vector<ImportChoice> choices;     ///< after ImportStep::Reading
         std::shared_ptr<const MapImport> map;  ///< the readings of an image
@@ -55,15 +59,19 @@ private:
     };
     using Work = Job<Made, Step>;
 
-    /// Starts to list the maps of the capture, or the readings of the image. @throws Error
+    /// Starts to list the shadow maps of a capture, or the possible depth conventions of a map's image, in the
+    /// background. The user then chooses among them. @throws Error
     void start_reading();
-    /// Starts to write the chosen maps, or the chosen reading. @throws Error
+    /// Starts to write a bundle from the maps of a capture, or the depth convention of an image, that the user has
+    /// chosen. @throws Error
     void start_writing();
-    /// Runs the work of a step on a thread of its own. @param doing text beside the progress bar
+    /// Runs a step of the import on a thread of its own. @param doing text beside the progress bar @param work the
+    /// function to run
     void start_step(ImportStep step, const char* doing, Work::Work work);
-    /// Shows the choices that reading has found.
+    /// Opens the dialog in which the user chooses the maps of a capture, or the depth convention of a map's image.
+    /// @param made result of start_reading()
     void show_choices(Made made);
-    /// Ends the import.
+    /// Ends the import: cancels its background work and closes its dialogs.
     void end_import();
 
     EditorState& state_;

@@ -21,7 +21,7 @@ namespace si {
 /// Time that the editor waits for a frame. Frames that take less are shown at once.
 inline constexpr std::chrono::milliseconds kFramePatience{40};
 
-/// Options of the thread that draws the editor's frames. Without a context the calling thread draws them.
+/// Options of the thread that draws the editor's frames. Without a context, frames are drawn on the calling thread.
 struct FrameThread {
     ThreadContextMaker context;  ///< shares objects with the context that is current at construction
     std::function<void()> wake =
@@ -29,39 +29,43 @@ struct FrameThread {
     std::chrono::milliseconds patience = kFramePatience;
 };
 
-/// Scheduler of the editor's frames: update() starts a frame on the drawing thread, poll() fetches its facts. Call all
-/// functions on one thread with one OpenGL context.
+/// Drawer of the editor's frames on a thread of its own, so that a slow frame does not block the window. update()
+/// starts a frame, poll() fetches its data. All calls come from one thread with one OpenGL context.
 class FrameLoader {
 public:
     /// @param state, session of the editor; outlive this object @throws Error if the thread gets no OpenGL context
     FrameLoader(EditorState& state, FrameThread thread, SessionReport& session);
     ~FrameLoader();
 
-    /// Returns true while the drawing thread draws a frame. The scene must not change, and facts() are of the frame
-    /// before.
+    /// Returns true while the drawing thread draws a frame. Until then the scene must not change, and facts() describe
+    /// the frame before.
     bool under_way() const;
-    /// Returns true while a frame is drawn, or a finished frame waits for poll().
+    /// Returns true while a frame is being drawn, or a finished frame waits for poll().
     bool busy() const;
-    /// Fetches the facts of a finished frame from the drawing thread, and writes the frame's errors and remarks to the
-    /// log. Returns true if the editor has to be drawn again.
+    /// Fetches the data of a finished frame from the drawing thread, and logs the frame's errors and remarks. Call once
+    /// a frame of the window. Returns true if the editor has to be drawn again.
     bool poll();
-    /// Starts to draw a frame if anything has changed and no frame is under way. Returns true if the editor has to be
-    /// drawn again. @param scene must not change while under_way() @param comparison the settings that state.compare
-    /// names; null: not known
+    /// Starts to draw a frame if anything has changed and no frame is under way. Waits briefly for the frame
+    /// (FrameThread::patience). Returns true if the editor has to be drawn again.
+    /// @param scene must not change while under_way()
+    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
     bool update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison);
-    /// Waits until the drawing thread draws no frame.
+    /// Waits until the drawing thread has finished the frame under way.
     void wait() const;
-    /// Drops the drawn frame and its facts. Call when there is no scene.
+    /// Drops the last drawn frame and its data. Call while the editor shows no scene.
     void clear();
-    /// Releases memory that only further drawing needs, unless a frame is under way. Call when the editor is idle.
+    /// Releases memory that is needed only to draw further frames. Does nothing while a frame is under way. Call when
+    /// the editor is idle.
     void release_unused_memory();
 
     const FrameFacts& facts() const { return facts_; }
-    /// Returns the progress of a scene's first picture; nothing if a picture is shown already, or none is being drawn.
+    /// Returns the progress of drawing a scene's first picture, for the progress bar. Returns nothing if a picture is
+    /// shown already, or none is being drawn.
     std::optional<DrawingFacts> first_picture() const;
-    /// Returns true if the progress of the first picture has changed since the last call.
+    /// Returns true if the progress of drawing a scene's first picture has changed since the last call.
     bool first_picture_moved();
-    /// Draws a view of the shown frame into a file, in the format of its extension. @throws Error
+    /// Draws a view of the shown frame (the picture, or a depth map) into a file, in the format of its extension.
+    /// @throws Error
     void save_view(const Scene& scene, const View& view, const std::string& path);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
@@ -88,10 +92,12 @@ public:
 private:
     class DrawThread;
     class Copies;
-    /// Runs a function on the drawing thread and waits for its end. @throws the function's exceptions
+    /// Runs a function on the drawing thread, which owns the renderer, and waits until the function has returned. A
+    /// frame under way is finished first. @throws the function's exceptions
     void call(const std::function<void()>& work);
-    /// Replaces the images in the next facts by copies, so that the next frame can overwrite the originals. On a
-    /// failure the facts hold the reason instead. @param shown fence after the editor's last use of older copies
+    /// Replaces the images of a finished frame by copies, which the window shows while the next frame overwrites the
+    /// originals. On a failure, the frame's data hold the reason instead.
+    /// @param shown fence that is signalled after the window's last use of older copies
     void show_copies(GLsync shown);
 
     EditorState& state_;

@@ -20,7 +20,7 @@
 
 namespace si {
 
-/// Events of one update of the frame loop: changes, remarks for the log, driver messages, faulty numbers.
+/// Outcome of one FrameLoop::update(): changes, remarks for the log, driver messages and invalid numbers.
 struct FrameNews {
     bool changed = false;                ///< the editor now shows something else
     std::vector<LogLine> remarks;        ///< for the log
@@ -29,8 +29,8 @@ struct FrameNews {
     std::string unsound;  ///< faulty numbers (NaN, infinite, out of range) of the frame; empty: none, or not searched
 };
 
-/// Renderer of the editor with everything that is read back from its frames. Needs one current OpenGL context all its
-/// life.
+/// Renderer of the editor's picture, with the data that panels derive from the picture: numbers read back, ray-traced
+/// reference, comparisons. Draws only if something has changed. Needs one current OpenGL context all its life.
 class FrameLoop {
 public:
     /// Makes the editor's renderer. @param warm_up_shaders compile shaders of likely next frames in the background
@@ -39,21 +39,21 @@ public:
     }
 
     /// Draws the scene if anything has changed, and updates the data (FrameFacts) that shown panels need. Returns what
-    /// has changed, with lines for the log; an error becomes such a line.
-    /// @param comparison the settings that state.compare names; null: not known
+    /// has changed, with lines for the log; an error becomes such a line. Call once a frame of the window.
+    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
     FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                      const ComparisonFacts* comparison);
-    /// Drops the drawn frame and its facts. Call when there is no scene.
+    /// Drops the last drawn frame, its data and its references. Call while the editor shows no scene.
     void clear();
     /// Releases memory that only further drawing needs.
     void release_unused_memory() {
         reference_.release_unused_memory();
         renderer_.release_unused_memory();
     }
-    /// Returns the facts about the last drawn frame.
+    /// Returns the data of the last drawn frame, for the panels.
     FrameFacts facts() const;
 
-    /// Draws a view of the shown frame into a file. @throws Error
+    /// Draws a view of the shown frame (the picture, or a depth map) into a file. @throws Error
     void save_view(const Scene& scene, const Settings& settings, const View& view, const std::string& path);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
@@ -66,34 +66,41 @@ public:
     const ShaderWarmup* warmup() const { return warmup_.get(); }
 
 private:
-    /// Draws a frame if scene, settings or the requested outputs differ from those of the last frame. Returns true if
-    /// it has drawn.
+    /// Draws a frame if scene, settings or the requested outputs differ from those of the last frame. Returns true if a
+    /// frame was drawn, or could not be drawn; errors go to the log.
     bool draw(const Scene& scene, const PictureState& state, const EditorRequests& requests);
-    /// Adds one more sample per pixel to the picture of a static view (view.smooth). Returns true if the picture or the
-    /// log has changed; false: the picture has all its samples, or needs none.
+    /// Adds one more anti-aliasing sample per pixel to the picture while nothing moves (view.smooth). Returns true if
+    /// the picture or the log has changed. Returns false if the picture has all its samples, or needs none.
     bool add_sample(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     /// Adds an error to the remarks for the log.
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
-    /// Copies state and reason of the smoothing pass into the report on the shown frame's passes.
+    /// Updates the smoothing pass, which averages anti-aliasing samples, in the shown frame's list of passes: state and
+    /// reason.
     /// @param more result of the frame that has added a sample
     void report_smoothing(const FrameResult& more);
-    /// Queues shaders for background compilation that a hover, a click or the map viewer would need next.
+    /// Queues the shaders that a hover, a click or the map viewer would need next, for compilation in the background.
+    /// The first hover or click then does not wait for the driver.
     void queue_likely_shaders(const Scene& scene);
-    /// Reads back the numbers that panels show. Returns true if they have changed. @param drawn the frame is a new one
+    /// Reads back from the GPU the numbers that panels show. Returns true if they have changed. @param drawn true: the
+    /// frame was drawn in this update
     bool follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
-    /// Traces the ray-traced reference of the shown picture and compares the picture with it. Returns true if the facts
-    /// have changed. @param drawn the frame is a new one @param comparison settings that state.compare names
+    /// Continues to trace the reference of the shown picture, and updates everything compared with the picture:
+    /// reference, clusters of wrong pixels, other settings. Returns true if the editor has to be drawn again.
+    /// @param drawn true: the frame was drawn in this update
+    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
     bool follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                           const ComparisonFacts* comparison);
-    /// Compares the shown imported map with the drawn one while a panel shows that. Returns true if the facts have
-    /// changed.
+    /// Compares the shown imported map with the map that this program draws from the same light, while a panel requests
+    /// it. Returns true if the result has changed.
     bool follow_map_comparison(const Scene& scene, const PictureState& state, const EditorRequests& requests);
-    /// Searches the frame for faulty numbers (NaN, infinite, out of range) while a panel shows them. Returns true if
-    /// the result has changed.
+    /// Fetches the result of the search for invalid numbers (NaN, infinite, out of range) in the frame, while a panel
+    /// requests the search. Returns true if the result has changed, or is not finished yet.
     bool follow_health();
-    /// Searches the frame just drawn for faulty numbers (--check-numeric), and waits for the result.
+    /// Searches the frame just drawn for invalid numbers (NaN, infinite, out of range), and waits for the result. Finds
+    /// go to the log and FrameNews::unsound. Used for the option --check-numeric.
     void require_sound_numbers(const Scene& scene);
-    /// Lists the frame's effects while a panel shows them. Returns true if the list has changed.
+    /// Lists the work of the frame (effects: each drawn, cached or skipped, with a reason) while the panel Effects is
+    /// shown. Returns true if the list has changed. @param drawn true: the frame was drawn in this update
     bool follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
 
     Renderer renderer_;

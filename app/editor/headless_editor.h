@@ -20,7 +20,7 @@ public:
 
     EditorModel& model() { return model_; }
 
-    /// Mouse position, buttons and wheel for the following frames of the editor.
+    /// Simulated mouse and modifier keys, which the next frames of the headless editor read.
     struct Mouse {
         std::optional<glm::vec2> at;  ///< pixels from the top left; none: outside
         bool left = false, right = false, middle = false, ctrl = false, shift = false;
@@ -28,7 +28,8 @@ public:
     };
     Mouse mouse;
 
-    /// Draws one frame of the editor, 1/60 s after the one before. Returns the panels' requests.
+    /// Draws one frame of the editor, 1/60 s after the one before, and performs what the panels request. Returns these
+    /// requests.
     EditorRequests frame();
     /// Draws frames until nothing changes any more: the scene is loaded, layout and pictures are final, and all
     /// requested measurements have ended.
@@ -47,7 +48,8 @@ private:
     EditorModel model_;
 };
 
-/// Returns the scale of text and widgets for a screenshot of this height, pixels.
+/// Returns the default scale of text and widgets for a screenshot: height / 1080 in quarters, from 1 to 4.
+/// @param height of the screenshot, pixels
 float screenshot_scale(int height);
 
 }  // namespace si

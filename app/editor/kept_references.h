@@ -9,16 +9,18 @@
 
 namespace si {
 
-/// Traced references by their key, within a limit of memory. The least recently used ones are dropped first.
+/// Cache of ray-traced references of earlier views, by ReferencePicture::key: a view that is shown again needs no rays.
+/// Drops the least recently used references beyond a memory limit.
 class KeptReferences {
 public:
     /// Makes an empty store. @param max_bytes limit of the images and receivers of all references; the latest reference
     /// is kept in any case
     explicit KeptReferences(std::uint64_t max_bytes = std::uint64_t(512) << 20) : max_bytes_(max_bytes) {}
 
-    /// Stores a reference. References of other rays are dropped: the casters have changed.
+    /// Stores a ray-traced reference, and drops those of other casters, which are out of date.
     void add(std::shared_ptr<const ReferencePicture> picture);
-    /// Returns the reference with this ReferencePicture::key, and marks it as used; null: it is not kept.
+    /// Returns the stored reference with this ReferencePicture::key, and marks it as recently used; null: none is
+    /// stored.
     std::shared_ptr<const ReferencePicture> find(std::uint64_t key);
     /// Drops all references.
     void clear() { pictures_.clear(); }

@@ -13,7 +13,8 @@
 
 namespace si {
 
-/// Numbers and picture of a comparison, copied from the thread that made them.
+/// Result of comparing an imported shadow map with the map that this program draws: numbers, picture and error. Copied
+/// from the thread that compared the maps.
 struct MapComparisonFacts {
     std::shared_ptr<const ComparedMap> map;
     Image picture;
@@ -21,23 +22,26 @@ struct MapComparisonFacts {
     std::string problem;
 };
 
-/// Painter of the comparison of the shown imported map with the drawn one. Compares again only when scene, maps or
-/// settings have changed.
+/// Comparison of an engine's imported shadow map with the map that this program draws from the same light, for the
+/// panel Imported. Compares again only when scene, maps or settings have changed.
 class EditorMapComparison {
 public:
-    /// Compares the maps of the shown light while the panel requests it. Returns true if the facts have changed.
-    /// @param frame the shown frame, with the maps that it was given
+    /// Compares the imported and the drawn maps of the shown light while a panel requests it; else drops the result.
+    /// Returns true if the result has changed. @param frame the shown frame, with its imported maps
     bool update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                 const FrameResult& frame);
-    /// Drops the comparison, its picture and its renderer.
+    /// Drops the comparison of imported and drawn maps, its picture and its renderer, to free their memory.
     void clear();
     const MapComparisonFacts& facts() const { return facts_; }
 
 private:
-    /// Compares all maps of the light, if anything that a comparison depends on has changed.
+    /// Compares all imported maps of a light with the drawn ones, if scene, maps, settings or `left_out` have changed.
+    /// Returns true if the maps were compared again.
+    /// @param maps imported maps by light @param light the index of the light @param left_out texels that do not count
     bool compare(const Scene& scene, const Settings& settings,
                  const std::vector<std::shared_ptr<const ImportedMaps>>& maps, int light, ImportedLeftOut left_out);
-    /// Uploads the picture of a view, if another one is shown.
+    /// Uploads one picture of the comparison for a view of the light (cascade, cube face), unless it is shown already.
+    /// Returns true if a picture was uploaded. @param view the index of the view
     bool paint(std::size_t view, ImportedPicture picture);
 
     MapComparisonFacts facts_;

@@ -23,7 +23,8 @@
 
 namespace si {
 
-/// Editor without its window: state, scene, frames and background work. Needs a current OpenGL context all its life.
+/// Editor without its window: state, scene, frames and background work. The window and the headless editor draw it by
+/// draw_editor(). Needs a current OpenGL context all its life.
 class EditorModel {
 public:
     /// Starts to read the first scene. @param read makes scenes; empty: load_scene()
@@ -35,29 +36,31 @@ public:
         false;            ///< the caller can show the desktop's file dialog (EditorRequests::open_desktop_dialog)
     bool smooths = true;  ///< static pictures get more samples per pixel, if view.smooth is on
 
-    /// Returns the facts that draw_editor() shows. Pointers in them stay valid until the next fulfil().
+    /// Returns the data that draw_editor() shows. Pointers in the data stay valid until the next fulfil().
     EditorFrame facts() const;
-    /// Fulfils the requests that panels made in draw_editor(), and draws the scene if anything has changed. Returns
-    /// true if the editor has to be drawn again. Errors go to the log.
+    /// Performs the actions that panels requested in draw_editor(), and draws the scene if anything has changed. Errors
+    /// go to the log. Call once a frame. Returns true if the editor has to be drawn again.
     bool fulfil(const EditorRequests& requests);
-    /// Opens a file that was dropped on the window: a preset (.json), a scene, or a frame of another engine, which
-    /// becomes a bundle first (FrameImport). Reads a scene in the background; a later fulfil() switches to it. Errors
-    /// go to the log.
+    /// Opens a file by its extension: a preset (.json), a scene, or a frame of another engine, which becomes a bundle
+    /// first (FrameImport). Scenes are read in the background, and a later fulfil() shows them. Errors go to the log.
     void open(const std::filesystem::path& path);
-    /// Saves the settings as a preset in the file that the user chose in the desktop's file dialog. Before it replaces
-    /// a file that this editor has neither opened nor saved, the editor opens its own question and waits for the
-    /// answer. Errors go to the log.
+    /// Saves the settings as a preset in the file that the user chose in the desktop's file dialog. The editor asks
+    /// before it replaces a file that it has neither opened nor saved. Errors go to the log.
     void save_as(const std::filesystem::path& path);
-    /// Writes a screenshot of the window or a part of it into a file. Errors go to the log.
-    /// @param window picture of the window, top row first @param pixels its pixels per unit of the screen
+    /// Writes a screenshot of the window, or of a part, as a PNG file beside the preset, and copies it to the
+    /// clipboard. Errors go to the log.
+    /// @param request the part of the window, in units of the screen
+    /// @param window picture of the window, top row first
+    /// @param pixels number of pixels of `window` per unit of the screen
     void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
-    /// Writes the probed pixel's cross-section with verdict and legend into a file, drawn in a readable size. Does
-    /// nothing and returns false if the request is for another kind of screenshot, or no cross-section is shown.
+    /// Draws the cross-section of the probed pixel, with verdict and legend, in a readable size and writes it to a
+    /// file. Returns false and does nothing if `request` is for another screenshot, or no cross-section is shown.
     bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
     /// Looks whether other programs have saved the scene's files. Call regularly, also while nothing is drawn. Returns
     /// true if the editor has to be drawn again. @param now_s time of a steady clock, seconds
     bool follow_scene_files(double now_s) { return scenes_.follow_files(now_s); }
-    /// Looks for saved scene files like the function above, at the present time.
+    /// Checks whether other programs have saved the scene's files again. Call regularly, also while nothing is drawn.
+    /// Returns true if the editor has to be drawn again.
     bool follow_scene_files();
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
@@ -114,9 +117,11 @@ public:
     void require_scene() const { scenes_.require(); }
     /// Returns the remarks about the first scene.
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
-    /// Writes autosave, workspace and session report, each when it is due. Call regularly, also while nothing is drawn.
+    /// Writes autosave, workspace (layout, recent files) and session report to disk, each when it is due. Call
+    /// regularly, also while nothing is drawn.
     void write_when_due();
-    /// Writes autosave, workspace and session report at once, before an unclean end. Errors go to the log.
+    /// Writes autosave, workspace and session report to disk at once. Call before the program ends without end(), for
+    /// example when the X server is lost. Errors go to the log.
     void save_before_crash();
     /// Remembers the window's size (screen coordinates at scale 1).
     void note_window_size(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
@@ -129,20 +134,25 @@ public:
     SessionReport& session() { return session_; }
 
 private:
-    /// Opens a scene, or begins to import a file that becomes a bundle. @param name built-in key or path @throws Error
+    /// Starts to load a scene. A file that holds a frame of another engine is imported as a bundle first. @param name
+    /// key of a built-in scene, or path @throws Error
     void open_scene(const std::string& name);
-    /// Exports the shown frame. A file that exists is asked for first. @param replace the user has agreed @throws Error
+    /// Exports the shown frame as a picture, a depth map or a bundle. The editor asks before it replaces an existing
+    /// file.
+    /// @param replace true: the user has agreed to replace the file @throws Error
     void export_file(const ExportRequest& wanted, bool replace);
-    /// Returns the view that is exported as a kind of file: the picture, or the shown depth map.
+    /// Returns the view that an export draws: the shaded picture, or the depth map that the map viewer shows.
     View shown_view(ExportKind kind) const;
-    /// Copies a command line that draws the present picture to the clipboard.
+    /// Copies to the clipboard a command line of this program that draws the present picture.
     void copy_command_line();
-    /// Returns the probed pixel's cross-section for view.light; null: there is none.
+    /// Returns the cross-section of the probed pixel's shadow test for the shown light (view.light); null: there is
+    /// none.
     const Section* shown_section() const;
-    /// Returns the size of the scene's picture, pixels.
+    /// Returns the size of the scene picture in the last drawn frame, pixels.
     glm::ivec2 picture_size() const;
 
-    /// Samples the process's memory at intervals. @param wanted a panel shows the memory
+    /// Samples the memory use of this process twice a second while a panel shows it. @param wanted true: a panel shows
+    /// it
     void follow_memory(bool wanted);
 
     const bool check_numeric_;

@@ -8,14 +8,16 @@
 
 namespace si {
 
-/// Lists the work of the editor's panels as rows of the panel Effects: needed while the panel is shown, with a reason.
+/// Lists the work that shown panels cause, such as read-backs, as rows of the panel Effects. Each row is needed while
+/// its panel is shown, and has a reason.
 std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
-/// Returns the panel Effects' row about the search for clusters of wrong pixels.
-/// @param now true: the search ran for the shown frame
+/// Makes the row of the panel Effects for the search for clusters of wrong pixels.
+/// @param request the last request for a search @param found result of the last search
+/// @param now true: the search ran for the shown frame; false: for an earlier one
 Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);
 
-/// Returns the row of the panel Effects for the reference rays that are traced in the background.
+/// Makes the row of the panel Effects for the rays of the reference, which are traced in the background.
 Effect reference_effect(const ReferenceFacts& reference);
 
 }  // namespace si

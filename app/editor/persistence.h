@@ -10,40 +10,42 @@
 
 namespace si {
 
-/// Reader and writer of the workspace and the autosave of one editor.
+/// Reader and writer of the editor's files in the state folder: the workspace (layout, recent files) and the autosave.
 class EditorPersistence {
 public:
     /// Reads the workspace and looks for autosaves. @param folder state folder of the program; empty: nothing is kept
     explicit EditorPersistence(const std::filesystem::path& folder) : workspace_(folder), autosave_(folder) {}
 
     const WorkspaceData& workspace() const { return workspace_.data(); }
-    /// Adds a scene to the workspace's recent files.
+    /// Adds a scene file to the recent files of the workspace, which a menu lists. Does nothing for a built-in scene.
     void note_scene(const std::string& path);
-    /// Adds a preset to the workspace's recent files.
+    /// Adds a preset file to the recent files of the workspace, which a menu lists.
     void note_preset(const std::string& path);
-    /// Records in the workspace that the welcome was shown.
+    /// Records in the workspace file that the welcome window was shown, so that it is shown only once.
     void note_welcome();
-    /// Records in the workspace that the user was told what opening a capture does.
+    /// Records in the workspace file that the user was warned that opening a capture runs its shaders. The warning is
+    /// then not shown again.
     void note_capture_warning();
-    /// Removes a file that no longer exists from the workspace's recent files.
+    /// Removes a scene or preset from the workspace's recent files. Call when the file no longer exists.
     void drop_recent(const std::string& path);
-    /// Records at the editor's end whether the window is maximised and, if not, its size (screen coordinates at scale
-    /// 1).
+    /// Records in the workspace file whether the window is maximised and, if not, its size. Call at the editor's end.
+    /// @param width, height screen coordinates at scale 1
     void note_window(int width, int height, bool maximised);
 
-    /// Writes workspace and autosave if they have changed and the shortest time between two writes has passed. Call
-    /// once a frame, and regularly while the editor sleeps. Remarks go to the log. @param now_s time of a steady clock,
-    /// seconds
+    /// Writes changed settings to the autosave file at most every 2 s, and a changed window layout to the workspace
+    /// file after 1 s. Call once a frame, and regularly while the editor sleeps. Errors go to the log. @param now_s
+    /// time of a steady clock, seconds
     void write_when_due(EditorState& state, double now_s);
-    /// Writes recent files and the session that a crash has left into `frame`. Pointers in it stay valid until the next
-    /// non-const call.
+    /// Writes the recent files, and the session that a crash has left, into `frame`, the data that panels show.
+    /// Pointers in `frame` stay valid until the next non-const call.
     void fill(EditorFrame& frame) const;
     /// Returns the session that a crash has left; null: none.
     const Autosave::Lost* lost() const { return autosave_.lost(); }
     /// Deletes the session that a crash has left.
     void forget_lost() { autosave_.forget_lost(); }
-    /// Writes the workspace at the editor's end, and ends autosave: with `unsaved` the autosave file is kept, for the
-    /// next start to offer; otherwise it is deleted. @param unsaved true: the settings differ from every saved preset
+    /// Writes the workspace file and ends autosave, at the editor's end.
+    /// @param unsaved true: keeps the autosave file, for the next start to offer, because no saved preset has the
+    /// settings; false: deletes the file
     void end(const EditorState& state, bool unsaved);
 
 private:
@@ -53,9 +55,9 @@ private:
     std::optional<EditorLayout> seen_layout_;
 };
 
-/// Returns a path as absolute and without "." and "..".
+/// Returns the absolute path without "." and "..". Symbolic links are not resolved.
 std::string whole_path(const std::filesystem::path& path);
-/// Formats the age of a file in words: "3 minutes ago". @param seconds age
+/// Formats an age in words: "less than a minute ago", "3 minutes ago". @param seconds age
 std::string age_text(double seconds);
 
 }  // namespace si

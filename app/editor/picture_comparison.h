@@ -10,16 +10,20 @@
 
 namespace si {
 
-/// Returns true if two requests have the same picture size, references and light maps.
+/// Returns true if two frame requests have the same picture size, look (with_look), references and light maps. If not,
+/// the picture must be drawn again.
 bool same_inputs(const FrameRequest& a, const FrameRequest& b);
 
-/// Painter of the picture that the shown frame is compared with (the reference, or the frame under other settings), and
-/// of the difference image.
+/// Comparison of the shown frame with its ray-traced reference, or with the frame under other settings. Draws the other
+/// picture and the difference image.
 class EditorPictureComparison {
 public:
-    /// Draws the picture that the shown frame is compared with, if it is needed and has changed. Returns true if the
-    /// facts have changed. @param frame shown frame @param drawn the frame is a new one
-    /// @param comparison settings that state.compare names; null: not known @throws Error
+    /// Updates the picture that the shown frame is compared with, and the difference image, if they are shown and have
+    /// changed. Returns true if the editor has to be drawn again.
+    /// @param request request that the shown frame was drawn for
+    /// @param frame the shown frame @param drawn true: the frame was drawn in this update
+    /// @param comparison the loaded settings that state.compare chooses; null: not loaded yet
+    /// @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
     /// Drops the picture that the shown frame is compared with, the difference image and the second renderer. Call when
@@ -28,15 +32,15 @@ public:
     const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 
 private:
-    /// Drops the facts shown for the comparison, and the difference image. The second renderer stays, with its cached
-    /// maps.
+    /// Drops the picture that the shown frame is compared with, and the difference image. The second renderer stays
+    /// with its cached maps, so that the next comparison begins fast.
     void hide();
-    /// Draws the picture under the settings that state.compare names, with the second renderer, if its settings, scene
-    /// or size have changed.
+    /// Draws the frame under the settings that state.compare chooses, with a second renderer, if settings, scene or
+    /// size have changed. @param comparison those settings; null: not loaded yet, so that nothing is drawn
     void draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                     const ComparisonFacts* comparison);
-    /// Computes the difference image of the shown frame and the picture that it is compared with, and the mean of that
-    /// image.
+    /// Computes the difference image of the shown frame and the picture compared with it, and the mean absolute
+    /// difference. Does nothing if the two pictures differ in size.
     void find_difference(Renderer& renderer, const FrameResult& frame);
 
     std::optional<PictureComparisonFacts> facts_;

@@ -12,16 +12,18 @@
 
 namespace si {
 
-/// Diagnoses and cross-sections of the probed pixel, for each light, against its ray-traced reference.
+/// Diagnoses of the probed pixel, one a light: whether its shadow equals the ray-traced reference, why not, and a fix.
+/// Also has the cross-sections of its shadow tests.
 class EditorPixelDiagnosis {
 public:
-    /// Updates the diagnoses of the probed pixel: builds the ray hierarchy in the background, then traces the pixel.
-    /// Returns true if the diagnoses have changed. @param probe null: no pixel is probed @param fresh the probe differs
-    /// from the last call's @throws Error if the ray hierarchy cannot be built
+    /// Updates the diagnoses of the probed pixel. Builds the ray-tracing hierarchy in the background if needed; a later
+    /// call then traces the pixel. Returns true if the diagnoses have changed.
+    /// @param probe the probed pixel; null: none @param fresh true: `probe` differs from that of the last call
+    /// @throws Error if the hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
     std::span<const PixelDiagnosis> diagnoses() const { return diagnoses_; }
-    /// Lays out the cross-sections of the probed pixel's shadow tests, once, while a panel shows them. Call after
-    /// update(). Returns true if the cross-sections are new.
+    /// Computes the cross-sections of the probed pixel's shadow tests, once for each probe, while a panel shows them.
+    /// Call after update(). Returns true if the cross-sections are new. @param shown true: a panel shows them
     bool update_sections(const Probe* probe, const Settings& settings, bool shown);
     const Sections& sections() const { return sections_; }
     /// Returns true while the hierarchy is being built. The next update() after ready() has the diagnoses.

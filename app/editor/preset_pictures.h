@@ -19,26 +19,29 @@ namespace si {
 /// Width and height of a preset's small picture, pixels.
 inline constexpr int kPresetPictureWidth = 192, kPresetPictureHeight = 120;
 
-/// Draws the small picture of a preset. Needs an OpenGL context of its own thread. @throws Error
+/// Draws the small picture of a built-in preset for the gallery. Needs a current OpenGL context.
+/// @param key key of the preset @throws Error
 ByteImage draw_preset_picture(Renderer& renderer, const std::string& key);
 
-/// Small pictures of presets, kept until the end of the program. All calls come from the window's thread.
+/// Small pictures of the built-in presets for the gallery. A background job draws them; their textures are kept until
+/// the end of the program. All calls come from the window's thread.
 class PresetPictures {
 public:
-    /// Fetches pictures that were drawn, and begins to draw wanted ones. Stops drawing when none are wanted. Returns
-    /// true if there are new pictures. Needs the window's OpenGL context.
-    /// @param wanted keys of presets that lack a picture, the most urgent first
+    /// Uploads preset pictures that the background job has drawn, and starts to draw wanted ones. Needs the window's
+    /// OpenGL context. Returns true if there are new pictures.
+    /// @param wanted keys of presets without a picture, the most urgent first; empty: drawing stops
     bool update(std::span<const std::string> wanted);
-    /// Returns the texture of a preset's picture, bottom row first; 0: not drawn yet.
+    /// Returns the OpenGL texture of a preset's small picture, bottom row first; 0: not drawn yet, or drawing failed.
+    /// @param key key of the preset
     unsigned texture(const std::string& key) const;
     bool busy() const { return job_.busy(); }
-    /// Returns true if update() would find new pictures.
+    /// Returns true if the background job has drawn preset pictures that update() has not uploaded yet.
     bool moved() const;
     /// Waits until the pictures under way are drawn.
     void wait() const { job_.wait(); }
 
 private:
-    /// Exchange with the job: what it shall draw next, and the pictures that update() has not fetched yet.
+    /// Data shared with the background job that draws preset pictures: keys to draw, and pictures not uploaded yet.
     struct Drawn {
         mutable std::mutex mutex;
         std::vector<std::string> wanted;                          ///< keys without a picture, the most urgent first

@@ -9,52 +9,57 @@
 
 namespace si {
 
-/// Handler of requests that open, save and compare presets, or restore the session that a crash has left. Knows the
-/// built-in presets and the files that the editor has opened or saved.
+/// Handler of the panels' requests about presets: open, save, compare, and restore the session that a crash has left.
+/// Knows the built-in presets and the files that the editor has opened or saved.
 class PresetRequestHandler {
 public:
     /// @param state, memory, scenes the parts of one editor; outlive this object
     PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes);
 
-    /// Starts to load the plan's scene, to be shown with the plan's settings. @param remark line for the log, once the
-    /// scene is shown
+    /// Starts to load the scene of a session plan (checked command-line options or preset). The scene is then shown
+    /// with the plan's settings. @param remark line for the log once the scene is shown; empty: none
     void start(SessionPlan plan, std::string remark);
-    /// Opens a built-in preset or a preset file, and starts to load its scene. @throws Error
+    /// Opens a preset: applies its settings, and first loads its scene unless that is shown already.
+    /// @param name_or_path key of a built-in preset, or path of a preset file @throws Error
     void open(const std::string& name_or_path);
-    /// Writes the present settings into a preset file. A file that this editor has neither opened nor saved is not
-    /// replaced: a question opens instead (state.files.replace).
-    /// @param about sentence to store; none: the old one
-    /// @param replace true: replaces any file, without a question
+    /// Writes the present settings to a preset file. The editor asks before it replaces a file that it has neither
+    /// opened nor saved (state.files.replace).
+    /// @param about description to store in the preset; none: the description that the file has
+    /// @param replace true: replaces any file without asking
     /// @throws Error
     void save(const std::string& path, const std::optional<std::string>& about, bool replace);
-    /// Restores the session that a crash has left: loads its scene and settings.
+    /// Restores the session that a crash has left: loads its scene and settings. Does nothing if there is none.
     void restore_lost();
-    /// Compares the present settings with those opened or saved last, and updates the mark of unsaved settings. While a
-    /// comparison is shown, also loads the settings that state.compare names. Returns true if the mark, or the choice
-    /// of settings to compare with, has changed.
+    /// Updates the mark of unsaved settings: compares the present settings with those opened or saved last. While a
+    /// comparison is shown, also loads the settings that state.compare chooses. Call once a frame. Returns true if the
+    /// mark or the compared settings have changed.
     bool compare();
     /// Returns the settings that state.compare names, while they are shown; else null.
     const ComparisonFacts* comparison() const { return shows_comparison_ && comparison_ ? &*comparison_ : nullptr; }
-    /// Writes the lists of presets and the comparison into `frame`. Pointers in it stay valid until the next non-const
-    /// call.
+    /// Writes the built-in presets, the compared settings and the mark of unsaved settings into `frame`, the data that
+    /// panels show. Pointers in `frame` stay valid until the next non-const call.
     void fill(EditorFrame& frame) const;
-    /// Draws small pictures of presets that the gallery shows, in the background. Returns true if there are new ones.
-    /// Needs the window's OpenGL context. @param wanted see PresetRequests::want_pictures
+    /// Updates the small pictures of presets in the gallery, which a background job draws. Needs the window's OpenGL
+    /// context. Returns true if there are new pictures. @param wanted see PresetRequests::want_pictures
     bool update_pictures(std::span<const std::string> wanted);
     const PresetPictures& pictures() const { return pictures_; }
-    /// Returns true if quitting would lose unsaved changes other than moves of the camera.
+    /// Returns true if quitting would lose unsaved settings. Changes of camera and view alone count only while a preset
+    /// file is open.
     bool would_be_lost() const;
 
 private:
-    /// Registers an opened preset: a preset file becomes the file that saving writes and enters the recent files; a
-    /// built-in preset does neither. Returns the preset's title and description for the editor to show.
+    /// Registers an opened preset. A preset file becomes the file that saving writes, and enters the recent files; a
+    /// built-in preset does neither. Returns title and description for the editor to show.
+    /// @param scene_name name of the preset's scene, as the editor knows it
     GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
     /// Returns true if the key names a guided preset or hard case that ships with the program.
     bool is_built_in(const std::string& key) const;
-    /// Returns the preset of the file that saving writes, as this editor opened or saved it; null: it did neither.
+    /// Returns the contents of the preset file that saving writes (state.files.preset_path). Returns null if this
+    /// editor has neither opened nor saved the file.
     const Preset* known_file() const;
-    /// Loads the settings that state.compare names. Reads a preset's file at its first use, and again after save().
-    /// @param scene the shown scene
+    /// Loads the settings that state.compare chooses for comparison: those of a preset, the pinned ones, a search's
+    /// proposal or the defaults. A preset file is read at its first use, and again after save(). @param scene the shown
+    /// scene
     void load_comparison(const Scene& scene);
 
     EditorState& state_;

@@ -14,46 +14,55 @@
 
 namespace si {
 
-/// Read-back of numbers that panels show from the renderer's images: probe, loupe, map, overlay values.
+/// Read-back of numbers from the GPU for the panels: probed pixel, loupe, map depths, overlay values. Each is read only
+/// while a panel shows it, once a drawn frame.
 class EditorReadBack {
 public:
-    /// Reads back the numbers that `requests` name. Returns true if they have changed. Needs the renderer's OpenGL
-    /// context. @param drawn the frame is a new one @throws Error
+    /// Reads back from the GPU the numbers that `requests` name. Needs the renderer's OpenGL context. Returns true if
+    /// numbers have changed.
+    /// @param request request that the shown frame was drawn for
+    /// @param result the shown frame @param drawn true: the frame is a new one
+    /// @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& requests,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
-    /// Finds the map texels that the frozen camera's pixels read. Returns true if it drew a frame for that purpose; the
-    /// renderer may then no longer hold the last frame (Renderer::has_images_of()). @throws Error
+    /// Finds the map texels that pixels of the frozen camera read. Maps are fitted to the frozen camera while the user
+    /// moves another one. Returns true if a frame was drawn for that purpose; the renderer may then no longer hold the
+    /// last frame (Renderer::has_images_of()). @throws Error
     bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
                        const EditorRequests& requests);
-    /// Drops the numbers read back from the last frame (probe, loupe, map, overlay). The frozen camera's texel usage
-    /// stays. Call when the renderer has drawn no frame, as without a scene.
+    /// Drops the numbers read back from the last frame (probe, loupe, map, overlay), but not those of the frozen
+    /// camera. Call when there is no drawn frame, for example without a scene.
     void clear();
     /// Returns true if update() has the diagnosis of the probed pixel.
     bool has_news() const { return diagnosis_.ready(); }
     /// Waits for the diagnosis of the probed pixel.
     void finish_tracing() const { diagnosis_.wait(); }
-    /// Returns all numbers that were read back, with the diagnoses of the probed pixel.
+    /// Returns all numbers read back so far, with the diagnoses of the probed pixel.
     ReadBackFacts facts() const;
 
 private:
-    /// Lists objects that culling removes from the map, while the list of objects is shown.
+    /// Lists objects that should cast a shadow but leave nothing in the shown light's map (LostCaster), while the list
+    /// of objects is shown. Returns true if new ones were found.
     bool update_lost(const Scene& scene, const PictureState& state, const FrameResult& result);
     // The functions below return true if their numbers have changed.
-    /// Probes the chosen pixel of the frame on the GPU.
+    /// Probes the chosen pixel of the frame on the GPU: runs its shadow test again with all intermediate numbers.
+    /// Returns true if the probe has changed.
     bool update_probe(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                       const FrameResult& result);
-    /// Reads back the pixels around the loupe's centre.
+    /// Reads back the pixels around the centre of the loupe (state.loupe_pixel). Returns true if they have changed.
     bool update_loupe(const PictureState& state, const FrameResult& result);
-    /// Reads back the map viewer's depth image, and computes its statistics and histogram.
+    /// Reads back the depths of the map viewer's image, and computes their statistics and histogram. Returns true if
+    /// they have changed.
     bool update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                     const FrameResult& result);
-    /// Reads back the values of the active pane's overlay.
+    /// Reads back the values of the overlay in the active pane of the scene picture. Returns true if they have changed.
     bool update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                         const FrameResult& result);
-    /// Reads back which texels kernels fetch (FrameResult::texels_read), and computes ReadBackFacts::exact_utilisation,
-    /// their share of the map.
+    /// Reads back which map texels the kernels fetch (FrameResult::texels_read), and computes their share of the map
+    /// (ReadBackFacts::exact_utilisation). Returns true if the share has changed.
     bool update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result);
-    /// Reads back each pixel's place in the map, and finds the map texels that the picture reads.
+    /// Reads back each pixel's place in the map, and finds the map texels that the picture reads. Used to link pixels
+    /// and texels under the mouse. Returns true if the places have changed.
     bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
 

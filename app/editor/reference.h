@@ -21,8 +21,8 @@ namespace si {
 /// from the renderer's thread.
 class EditorReference {
 public:
-    /// Returns the last ray-traced reference of a light, for FrameRequest::reference; null: none. @param light the
-    /// index of the light
+    /// Returns the last ray-traced reference of a light, to pass as FrameRequest::reference; null: none.
+    /// @param light the index of the light
     std::shared_ptr<const ReferencePicture> picture(int light) const;
     /// Returns the last ray-traced references by light, for FrameRequest::traced.
     const std::vector<std::shared_ptr<const ReferencePicture>>& pictures() const { return pictures_; }
@@ -30,21 +30,23 @@ public:
     /// Returns the last baked light maps by light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
-    /// Stores finished references and light maps, and starts to compute those that `frame` lacks. Returns true if the
-    /// scene has to be drawn again, or the facts have changed. @param drawn the frame is a new one; no work starts
-    /// then, because a drag may follow @throws Error
+    /// Stores finished references and light maps, and starts the background job for those that `frame` lacks. Call once
+    /// a frame. Returns true if the scene has to be drawn again, or facts() have changed.
+    /// @param drawn true: the frame is a new one; no job starts then, because a drag may follow
+    /// @throws Error if a job has failed
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ReferenceRequests& requests);
-    /// Drops all references. Call when there is no frame.
+    /// Cancels the background job and drops all references and light maps. Call when there is no frame.
     void clear();
-    /// Releases rays of views that are no longer shown. References of earlier views are kept within their limit of
-    /// memory. Call when the editor is idle.
+    /// Releases cached rays of views that are no longer shown; finished references stay, also those of earlier views.
+    /// Call when the editor is idle.
     void release_unused_memory();
 
-    /// Returns state, progress and times of the reference of the shown light.
+    /// Returns state, progress and times of the ray-traced reference for the shown light.
     ReferenceFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }
-    /// Returns the pixels traced so far of the reference that the frame lacks, also after Cancel; null: none.
+    /// Returns the pixels that are traced so far of the shown light's reference, also after a cancelled trace. Returns
+    /// null if the frame has the reference already, or tracing was not begun.
     const TracedSoFar* so_far(const FrameResult& frame) const;
     /// Returns true if the next update() will find a finished result, or the progress has changed.
     bool moved() const { return job_.moved(); }
@@ -54,27 +56,32 @@ public:
     std::string take_remark() { return std::exchange(remark_, {}); }
 
 private:
-    /// Result of the background job: a reference, a light map or a remark.
+    /// Result of the background job that traces references: a reference, a light map, or a line for the log.
     struct Found {
         int light = 0;
         std::shared_ptr<const ReferencePicture> picture;  ///< null: unchanged
         std::string remark;
         std::shared_ptr<const LightMap> light_map;  ///< null: unchanged
     };
-    /// Stores the result of the background job. Returns true if the job has ended.
+    /// Stores the result of the background job that traces references, if it has ended. Returns true if it has. @throws
+    /// the job's exception
     bool poll();
-    /// Notes the name and the picture's key of the background job that starts now.
+    /// Records which work the background job does, for its progress text and time estimate. Call before the job starts.
+    /// @param doing name of the work: "Tracing rays" @param key cache key of the picture that the work is for
     void begin_work(const char* doing, std::uint64_t key);
-    /// Starts the background job that traces a light's reference.
+    /// Starts the background job that traces the reference of one light. @param light the index of the light
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light);
-    /// Starts the background job that bakes a light's light map.
+    /// Starts the background job that bakes a light map: visibility of one light, traced into textures.
+    /// @param light the index of the light
     void start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
-    /// Starts the background job that writes all error metrics of the frame as JSON into a file.
+    /// Starts the background job that writes all error metrics of the shown light as JSON into a file. Needs the
+    /// reference of the frame (request.reference). @throws Error if the file cannot be written
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 
-    /// Returns true if the work of the background job belongs to the shown view, whether or not a panel shows it now.
+    /// Returns true if the background job traces a reference of the shown view, also if no panel shows it now. Such a
+    /// job is not cancelled, because the panel may be shown again.
     bool is_of_view(const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const FrameResult& frame) const;
 

@@ -9,11 +9,12 @@
 
 namespace si {
 
-/// Texture with the pixels of a reference that are traced so far. Needs a current OpenGL context.
+/// Texture that shows the pixels of a ray-traced reference while it is being traced. Needs a current OpenGL context.
 class PreviewOfReference {
 public:
-    /// Uploads the pixels traced since the last call, at most five times a second. Returns true if the picture has
-    /// changed. @param so_far pixels to show; null: no reference is being traced for the picture
+    /// Uploads the pixels traced since the last call to the texture, at most five times a second. Returns true if the
+    /// picture has changed. @param so_far pixels to show; null: no reference is being traced, and the picture is
+    /// dropped
     bool update(const TracedSoFar* so_far);
     /// Returns the picture, RGBA8 with alpha 0 where nothing is traced yet; empty: there is none.
     Image image() const { return {texture_.id(), size_.x, size_.y}; }

@@ -8,20 +8,23 @@
 
 namespace si {
 
-/// Report of one request at a time, made on a thread with an OpenGL context of its own.
+/// Writer of the HTML report that compares the present settings with pinned ones and presets. Makes one report at a
+/// time, on a thread with an OpenGL context of its own.
 class ReportExport {
 public:
     /// @param state of the editor, which lives longer
     explicit ReportExport(EditorState& state) : state_(state) {}
 
-    /// Starts to write a report. Faults become ReportFacts::problem. A file that exists is replaced only if the request
-    /// says so. @param size of the picture, pixels
+    /// Starts to make the HTML report that the dialog Report requests. Errors are shown in the dialog
+    /// (ReportFacts::problem). An existing file is replaced only if request.replace is set. @param size of the picture,
+    /// pixels
     void start(const Scene& scene, glm::ivec2 size, const ReportRequest& request);
     /// Cancels the report under way; its file stays as it was.
     void cancel() { job_.cancel(); }
-    /// Logs the outcome of a report that has ended. Returns true if one has.
+    /// Writes the HTML report once its measurements have ended, and logs the outcome. Call once a frame. Returns true
+    /// if a report has ended.
     bool poll();
-    /// Returns progress and outcome for the dialog.
+    /// Returns progress and outcome of the HTML report, for the dialog Report.
     ReportFacts facts() const;
 
     bool busy() const { return job_.busy(); }

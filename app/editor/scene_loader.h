@@ -16,8 +16,8 @@
 
 namespace si {
 
-/// Scene to load, with what to apply once it is loaded: the settings of a session plan (preset and --set), or exactly
-/// given settings. With neither, the settings that the user changed are kept.
+/// Scene to load, with the settings to apply once it is loaded: those of a session plan (preset and --set), or exact
+/// ones. With neither, the settings that the user changed are kept.
 struct Arrival {
     std::string scene_name;
     FileChoices file = {};
@@ -32,32 +32,36 @@ struct Arrival {
     double aspect = 1;  ///< with `reload`: width / height of the picture, whose camera stays
 };
 
-/// Loader of scenes in the background; switches the editor to a scene once it is loaded, and poses the shown scene.
+/// Owner of the editor's scene: reads scenes in the background, shows a scene once it is loaded, and poses the shown
+/// scene by its settings.
 class SceneLoader {
 public:
     /// Makes a loader without a scene. @param state, memory parts of the editor; outlive this object @param read reads
     /// scenes; empty: load_scene() @param strict true: options that the first scene lacks are errors; false: ignored
     SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
-    /// Sets the settings that the editor shows before the first scene is loaded, and starts the history with them.
+    /// Sets the settings that the editor shows before the first scene is loaded, and starts the undo history with them.
     void set_initial_settings(const Settings& settings);
 
     /// Returns the scene that is shown; null: none yet.
     const Scene* scene() const { return has_scene_ ? &scene_ : nullptr; }
-    /// Returns the shown scene. @throws Error if there is none. With `strict` (see the constructor), also if the first
-    /// scene lacks something that the command line names
+    /// Returns the shown scene, for work that needs one. @throws Error if there is none, for example because its
+    /// loading has failed. With the constructor's `strict`, loading also fails if the first scene lacks an object or
+    /// camera that the options name
     const Scene& require() const;
     /// Returns the reason why there is no scene; empty: it is loaded, or being read.
     const std::string& problem() const { return problem_; }
     /// Returns the remarks about the first scene.
     const std::vector<std::string>& notes() const { return notes_; }
 
-    /// Starts to load a scene in the background. A later poll() shows it.
+    /// Starts to load a scene in the background, and cancels an earlier loading. A later poll() shows the scene.
     void load(Arrival arrival);
-    /// Shows the scene and settings of `arrival`. Loads the scene first unless it is shown already.
+    /// Shows a scene with exact settings (Arrival::settings must be set). Loads the scene first unless it is shown
+    /// already.
     void show(Arrival arrival);
-    /// Starts to read the shown scene's files again. A later poll() shows them; a failure keeps the shown scene.
-    /// @param aspect width / height of the picture
+    /// Starts to read the shown scene's files again, after another program has saved them. A later poll() shows the new
+    /// version; a failure keeps the shown one.
+    /// @param aspect width / height of the picture, whose camera stays @throws Error for a built-in scene
     void reload(double aspect);
     /// Looks whether the shown scene's files were saved again. Returns true if files_changed() is another one than
     /// before. @param now_s time of a steady clock, seconds
@@ -66,57 +70,61 @@ public:
     bool files_changed() const { return watch_.changed(); }
     /// Keeps the shown scene until its files change once more.
     void keep_scene() { watch_.accept(); }
-    /// Cancels the loading of a scene; the shown scene stays.
+    /// Cancels the loading of a scene and logs that; the shown scene stays. Does nothing if no scene is being loaded.
     void cancel_loading();
-    /// Resets scene.index, scene.up and scene.unit to those of the shown scene, after a cancelled or failed loading.
+    /// Resets the settings that choose how the scene's file is read (scene.index, scene.up, scene.unit) to those of the
+    /// shown scene. Call after a loading was cancelled or has failed.
     void reset_file_choices();
-    /// Switches the editor to a scene whose loading has ended. Returns true if a loading has ended or failed.
+    /// Shows a scene that was loaded in the background; the reason of a failed loading goes to the log. Call once a
+    /// frame. Returns true if a loading has ended or failed.
     bool poll();
-    /// Waits for the scene that is being loaded and switches the editor to it.
+    /// Waits until no scene is being loaded, and shows the loaded scene.
     void finish();
     const SceneLoading& loading() const { return loading_; }
     /// Returns true if a step of undo or redo waits for show_undo_step().
     bool undo_step_waits() const { return state_.between_steps && !arrival_.step; }
-    /// Shows the step of undo or redo that waits for its scene. Loads the scene first unless it is shown already.
+    /// Shows a step of undo or redo that belongs to another scene. Loads the scene first unless it is shown already.
     void show_undo_step();
-    /// Returns true if scene.* (scene of the file, time, placement) or settings of objects differ from those of the
-    /// shown scene.
+    /// Returns true if the shown scene does not match its settings: scene.* (scene of the file, time, placement) or
+    /// those of objects. follow_scene_settings() then updates the scene.
     bool scene_settings_changed() const;
-    /// Makes the shown scene match scene.* and the settings of objects. Reads the file again if
-    /// scene.index, scene.up or scene.unit has changed, else poses the shown scene. @throws Error
+    /// Makes the shown scene match its settings, scene.* and those of objects. Reads the file again in the background
+    /// if scene.index, scene.up or scene.unit has changed, else poses the shown scene. @throws Error
     void follow_scene_settings();
 
     /// Returns true if the editor shows this scene. @param file scene of the file, up axis and unit
     bool is_shown(const std::string& scene_name, const FileChoices& file) const {
         return has_scene_ && scene_name == state_.scene_name && file == file_;
     }
-    /// Returns the name under which the editor knows a scene: the shown scene's name if `name` is another path of the
-    /// same file, else `name`. Compare scenes by this name, so that a shown file is not loaded again.
+    /// Returns the shown scene's name if `name` is another path of the same file, else `name`. Scenes are compared by
+    /// this name, so that a shown file is not loaded again.
     std::string known_name(const std::string& name) const;
-    /// Replaces the settings that the scene started with. Returns a message for each object or camera that the settings
-    /// name and the scene lacks. @param what source of the settings, for these messages
+    /// Replaces all settings by those of a preset for the shown scene. Returns a message for each object or camera that
+    /// the settings name and the scene lacks. @param what name of the preset, for these messages
     std::vector<std::string> apply_settings(const Settings& settings, const std::string& what);
-    /// Resets all settings to those that the scene or preset started with.
+    /// Resets all settings to the shown scene's own ones, and closes the note of the open preset.
     void reset();
     /// Returns the settings that the scene or preset began with, without changes by the user.
     const Settings& original_settings() const { return given_; }
 
 private:
-    /// Drops the step of undo or redo that waits for its scene, and stays at the present step.
+    /// Gives up the step of undo or redo that waits for its scene. The history goes back to the step shown before.
     void drop_undo_step();
-    /// Makes the scene that was read again the shown one. @throws Error if its files have changed meanwhile
+    /// Replaces the shown scene by the version that was read again. Settings, camera and selection stay.
+    /// @param loaded the new version @throws Error if its files have changed meanwhile
     void show_reloaded(Scene loaded, const Arrival& arrival);
-    /// Makes a loaded scene the shown one, and applies the settings that arrived with it.
+    /// Makes a loaded scene the shown one, and applies the settings that `arrival` brings. Resets the probe and the
+    /// selection of the scene before.
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
     Settings base_of_scene() const { return suggests_ ? base_settings(scene_) : Settings{}; }
-    /// Starts to read the file as scene.index, scene.up and scene.unit say, unless the shown scene was read with these
-    /// values. Then it cancels a loading under way. Called when one of them has changed.
+    /// Reads the scene's file again in the background, after a change of scene.index, scene.up or scene.unit. If the
+    /// shown scene was read with these values already, only cancels the loading under way.
     void follow_file_choices();
-    /// Poses the shown scene by scene.* (time, animation, placement), and updates settings of lights that the file
-    /// animates.
+    /// Poses the shown scene by its settings scene.* (time, animation, placement), and updates settings of lights that
+    /// the file animates.
     void follow_time();
-    /// Applies object settings (shown, cast, receive, culling) to the scene.
+    /// Hides or shows the scene's objects by their settings (object.PATH.shown).
     void follow_objects();
 
     EditorState& state_;

@@ -8,22 +8,24 @@
 
 namespace si {
 
-/// Watch over the files that a scene was read from. It looks at their sizes and times at most once a second, and opens
-/// none of them.
+/// Watch over the files of the shown scene, which notices that another program has saved them. Compares sizes and times
+/// of the files at most once a second, and opens none of them.
 class SceneWatch {
 public:
     static constexpr double kSeconds = 1;  ///< shortest time between two looks
 
-    /// Watches these files in place of those before.
-    /// @param files with the stamps that they had when they were read; empty: watches nothing
+    /// Starts to watch these files, in place of earlier ones.
+    /// @param files paths, each with its size and time (FileStamp) when it was read; empty: watches nothing
     void watch_files(std::vector<StampedFile> files);
-    /// Looks at the files, if that is due. Returns true if changed() is another one than before.
+    /// Checks the watched files, at most once a second. Returns true if changed() now returns another value than
+    /// before.
     /// @param now_s time of a steady clock, seconds
     bool update(double now_s);
     /// Returns true if files were saved again since they were read, all exist, and none has changed between the last
     /// two looks: a file that is still being written counts later.
     bool changed() const { return changed_; }
-    /// Takes the present files for those that were read, so that only a further change counts.
+    /// Accepts the watched files as they are now: changed() returns false until they are saved once more. Call if the
+    /// user keeps the shown scene.
     void accept();
 
 private:
@@ -33,7 +35,7 @@ private:
     bool changed_ = false;
 };
 
-/// Returns true if a file has another stamp than when it was read.
+/// Returns true if a file has changed since it was read, by its size and time (FileStamp).
 bool differs_now(const StampedFile& file);
 
 }  // namespace si

@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Cuts a rectangle out of the window's picture. @param pixels pixels of the picture per unit of the screen
+/// Returns a copy of a rectangle of the window's picture, clipped to the picture.
+/// @param rect the rectangle, units of the screen @param pixels number of pixels of `window` per unit of the screen
 ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels);
 
 /// Writes a picture into `folder` as SCENE-PART-NUMBER.png, with the first number that no file has. Returns its path.

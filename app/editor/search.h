@@ -19,7 +19,7 @@
 
 namespace si {
 
-/// Scene, settings and picture size that a background search is about.
+/// Subject of a background search: scene, settings, picture size and engine. A result is valid for its subject only.
 struct SearchSubject {
     std::uint64_t scene = 0;  ///< Scene::id
     Settings settings;
@@ -49,7 +49,7 @@ public:
     /// Function that shows the results of a search so far.
     using Show = std::function<void(T)>;
 
-    /// End of a search: a result, or the reason why there is none.
+    /// Outcome of a background search that has ended: a result, or the reason why there is none.
     struct End {
         bool failed = false;  ///< neither a result nor cancelled
         std::string problem;  ///< empty: there is a result
@@ -113,7 +113,7 @@ public:
     const SearchSubject& subject() const { return of_; }
 
 private:
-    /// Results so far of the search under way, written by its thread.
+    /// Results so far of the background search under way, which its thread writes and poll() reads.
     struct Partial {
         std::mutex mutex;
         std::optional<T> value;

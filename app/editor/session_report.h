@@ -34,8 +34,9 @@ public:
         tracing_ = progress;
     }
     const std::string& unsound() const { return unsound_; }
-    /// Samples the process's memory and writes the report when it is due, with the errors of the log.
-    /// @param now_s time of a steady clock, seconds @throws Error
+    /// Samples the process's memory and writes the session report, if the interval since the last write has passed.
+    /// Call regularly. @param now_s time of a steady clock, seconds @param log the editor's log, whose errors go into
+    /// the report @throws Error
     void write_when_due(double now_s, const Log& log);
     /// Stops writing the session report. Call when a write has failed.
     void stop_writing() { path_.clear(); }
@@ -44,12 +45,13 @@ public:
     void write(const Log& log);
 
 private:
-    /// Memory of the process at one time of the session.
+    /// Memory use of the process at one time, for the session report.
     struct Sample {
         double seconds = 0;
         MemoryReport memory;
     };
-    /// Adds a sample of the process's memory to the report; halves the number of samples when there are too many.
+    /// Adds a sample of the process's memory use to the session report. At 200 samples drops every second one, and
+    /// doubles the interval. @param now_s time of a steady clock, seconds
     void sample(double now_s);
 
     std::filesystem::path path_;

@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Frame whose shaders the warm-up compiles, including those of its probe.
+/// Frame that the shader warm-up draws so that the driver compiles its shaders, including those of its probe.
 struct WarmupFrame {
     std::shared_ptr<const Scene> scene;  ///< proxy of the frame's scene, by stand_in()
     Settings settings;
@@ -25,21 +25,21 @@ class ShaderWarmup {
 public:
     ShaderWarmup();
 
-    /// Queues a frame whose shaders a hover, a click or the map viewer will need at the present settings. The thread
-    /// starts once nothing was queued for a while, with the newest frame.
+    /// Queues a frame whose shaders a hover, a click or the map viewer will need, for compilation in the background.
+    /// The thread begins once no frame was queued for 0.7 s, with the newest frame.
     void enqueue(WarmupFrame warmup);
-    /// Empties the queue of frames. Call when the scene or shader files have changed.
+    /// Removes all frames from the queue of the shader warm-up. Call when the scene or shader files have changed.
     void forget();
-    /// Waits until the queue of frames is empty.
+    /// Waits until the shader warm-up has drawn all queued frames.
     void wait() const;
-    /// Returns the number of frames whose shaders were compiled.
+    /// Returns the number of frames that the shader warm-up has drawn, failed ones included.
     std::size_t done() const;
 
 private:
-    /// Draws queued frames one by one until `end` is requested, only to compile their shaders. Loop of the warm-up
+    /// Draws queued frames one by one, only to compile their shaders, until `end` is requested. Runs as the warm-up
     /// thread.
     void run(const std::stop_token& end);
-    /// Waits for a queued frame and removes it from the queue; null once `end` is requested.
+    /// Waits for a queued frame and removes the newest one from the queue. Returns null once `end` is requested.
     std::unique_ptr<WarmupFrame> next_frame(const std::stop_token& end);
 
     mutable std::mutex mutex_;

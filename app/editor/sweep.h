@@ -13,32 +13,35 @@
 
 namespace si {
 
-/// Runner of the sweeps of the panel Frontier, one at a time on a thread of its own. Measures the present settings on
-/// that thread, too.
+/// Runner of sweeps for the panel Frontier: measures error and cost of many settings, one sweep at a time, on a thread
+/// of its own. Measures the present settings on that thread, too.
 class EditorSweep {
 public:
-    /// Makes the runner without a sweep. @param state_folder folder for sweeps, which later runs continue; empty: a
-    /// temporary folder
+    /// Makes the runner without a sweep.
+    /// @param state_folder folder for results of sweeps, which a later run of the program continues; empty: a temporary
+    /// folder
     explicit EditorSweep(const std::filesystem::path& state_folder);
     /// Cancels the sweep and waits for its thread.
     ~EditorSweep();
 
-    /// Starts the requested sweep, or continues an interrupted sweep with the same specification.
+    /// Starts the requested sweep (measurement of many settings), or continues an interrupted one with the same
+    /// specification.
     /// @throws UsageError, Error
     void start(const Scene& scene, const EditorState& state, const SweepRequest& request);
     /// Cancels the running sweep. Measured cases stay.
     void cancel() {
         if (thread_) thread_->cancel_sweep();
     }
-    /// Measures error and time of the present settings for the panel Frontier in the background, unless they were
-    /// measured already. Cancels a measurement of other settings. Then measures the pinned settings, and the defaults
-    /// of the chosen engine. Call it each frame.
+    /// Measures error and time of the present settings for the panel Frontier in the background, unless that is done
+    /// already. Then measures the pinned settings and the defaults of the chosen engine, which the plot marks beside
+    /// them. A measurement of other settings is cancelled. Call each frame.
     void measure_present(const Scene& scene, const EditorState& state);
-    /// Stops measuring the present settings and the marks beside them. Call when no panel shows them.
+    /// Stops measuring the present settings, the pinned ones and the engine's defaults. Call when no panel shows them.
     void stop_measuring_present();
-    /// Shows the results in a sweep's folder, and sets the panel to the sweep's axes. @throws Error
+    /// Reads a sweep from its folder and shows the results in the panel Frontier. @param panel state of the panel; gets
+    /// axes and size of the sweep @throws Error
     void open(const std::filesystem::path& folder, SweepPanel& panel);
-    /// Writes journal, pictures, tables and report of the shown sweep into a folder. @throws Error
+    /// Writes the shown sweep into a folder: journal of the measured cases, pictures, tables and report. @throws Error
     void save(const std::filesystem::path& folder) const;
 
     /// Returns true while a sweep or the present settings are measured, or wait in the queue.
@@ -49,55 +52,62 @@ public:
     void wait() const {
         if (thread_) thread_->wait();
     }
-    /// Fetches results of the measuring thread and applies the axes that the panel chose. Returns true if facts() have
-    /// changed.
+    /// Fetches new results of the measuring thread, and updates the plot for the axes that the panel Frontier has
+    /// chosen. Call each frame. Returns true if facts() have changed.
     bool update(const EditorState& state);
     const SweepFacts& facts() const { return facts_; }
     /// Returns the settings that all cases of the shown sweep share; null: no sweep is shown.
     const Settings* base() const { return shown_ ? &shown_->spec.base : nullptr; }
 
 private:
-    /// Sweep that the panel shows: specification, plan and folder.
+    /// Sweep (measurement of many settings) that the panel Frontier shows: specification, list of cases, folder of the
+    /// results.
     struct Shown {
         SweepSpec spec;
         SweepPlan plan;
         std::filesystem::path folder;
     };
-    /// Returns the measuring thread; starts it at the first call.
+    /// Returns the thread that measures sweeps and the present settings. Starts it at the first call.
     MeasuringThread& thread();
-    /// Returns a copy of the scene for the measuring thread; copies a scene only once.
+    /// Returns a copy of the scene that the measuring thread may keep. The same scene is copied only once.
     std::shared_ptr<const Scene> copy_of(const Scene& scene);
-    /// Shows another sweep in the panel Frontier, in place of the shown one.
+    /// Shows another sweep (measurement of many settings) in the panel Frontier. Results of the sweep before are
+    /// dropped.
     void show(Shown shown);
-    /// Complete measurement of one set of settings.
+    /// Finished measurement: the measured picture (scene, settings, size) and its numbers.
     struct Finished {
         MeasuringThread::Picture of;
         CaseNumbers numbers;
     };
-    /// Fetches new results from the measuring thread.
+    /// Fetches new results of the sweep (measurement of many settings) and of the present settings from the measuring
+    /// thread.
     void fetch_results();
-    /// Adds a finished measurement to a list of the last ones.
+    /// Adds a finished measurement to a list of the last 16 ones. Replaces an earlier measurement of the same settings.
     static void note_finished(std::vector<Finished>& list, const Finished& finished);
-    /// Measures the next of the settings that are marked beside the present ones.
+    /// Starts to measure the settings that the plot marks beside the present ones: the pinned settings, then the
+    /// defaults of the chosen engine. Does nothing while another measurement runs.
     void measure_marks(const Scene& scene, const EditorState& state);
-    /// Returns the present picture under other settings; none if they show another picture, or shadows alike.
+    /// Returns the present picture under other settings, as a task for the measuring thread. Returns nothing if the
+    /// settings change scene or camera, or do not change the shadows.
     std::optional<MeasuringThread::Picture> present_picture_under(const Settings& settings) const;
-    /// Computes the defaults of the chosen engine over the present settings; null: no engine, or none can be given.
+    /// Returns the present settings with the defaults of the chosen engine applied. Returns null if no engine is
+    /// chosen, or its defaults cannot be applied.
     const Settings* engine_defaults(const Scene& scene, const EditorState& state);
-    /// Returns the finished measurement of a picture; null: there is none.
+    /// Returns the stored measurement of a picture; null: the picture was not measured.
     const Finished* finished(const std::optional<MeasuringThread::Picture>& picture) const;
-    /// Earlier measurement of the same picture, which the present settings' measurement is compared with.
+    /// Earlier measurement of the same picture under other settings, which the plot shows beside the present one.
     struct Earlier {
         const Finished* is = nullptr;  ///< measurement; null: the same picture was not measured before
         bool pinned = false;
     };
-    /// Returns the measurement to compare with: of the pinned settings, else of those measured last.
+    /// Returns the measurement that the present settings are compared with: of the pinned settings, else of other
+    /// settings measured last. Earlier::is is null if there is none.
     Earlier earlier(const EditorState& state) const;
-    /// Collects in facts_.other_settings the settings that differ from the shown sweep's and that it does not vary, and
-    /// notes in facts_.other_scene whether the scene differs. The panel warns of both.
+    /// Finds differences between the present settings and the shown sweep, of which the panel Frontier warns. Writes
+    /// facts_.other_settings (settings that differ and that the sweep does not vary) and facts_.other_scene.
     void compare_settings(const EditorState& state);
-    /// Removes the folders that this run made for sweeps and in which no case was finished. A folder that cannot be
-    /// removed yet, such as one whose sweep still holds its lock, is tried again at the next call.
+    /// Removes folders that this run made for results of sweeps, if no case was measured in them. A folder that cannot
+    /// be removed yet, for example because its sweep holds the lock, is tried again at the next call.
     void drop_empty();
 
     std::filesystem::path parent_;
@@ -112,7 +122,7 @@ private:
     std::optional<MeasuringThread::Picture> mark_;   ///< marked settings that are being measured
     std::vector<Finished> marks_;                    ///< measured settings that were never the present ones
     std::vector<MeasuringThread::Picture> refused_;  ///< marked settings that cannot be measured
-    /// Defaults of an engine over settings.
+    /// Cached result of engine_defaults(), with the settings, engine and scene that it belongs to.
     struct EngineDefaults {
         const EngineProfile* profile = nullptr;
         double angle_deg = 0;

@@ -6,8 +6,9 @@
 
 namespace si {
 
-/// Uploads an image that panels show, bottom row first as the renderer's pictures. Needs a current OpenGL context.
-/// @throws gl::OutOfMemory
+/// Uploads an image to a new texture for the panels. The texture has the bottom row first, as the renderer's pictures.
+/// Needs a current OpenGL context.
+/// @param image top row first @throws gl::OutOfMemory
 gl::Texture upload_picture(const ByteImage& image);
 
 }  // namespace si
