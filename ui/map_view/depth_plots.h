@@ -9,16 +9,20 @@
 
 namespace si {
 
-/// Draws the histogram of the shown map's depths. The mouse drags the ends of the grey scale (or the thresholds of the
-/// band view) in it. @param size the size in pixels, counted from the cursor
+/// Draws the histogram of depths of the image in the map viewer. In it the mouse drags the two depths shown as black
+/// and white, or the two thresholds of the view by bands.
+/// @param size size of the plot in pixels, from the ImGui cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 
-/// Draws the curve of stored depth over distance from the light, with the band thresholds. @param marked_m the distance
-/// to mark, metres @param size the size in pixels, counted from the cursor
+/// Draws the plot of depth-buffer value over distance along the view's axis, for the image in the map viewer. Lines
+/// mark the two thresholds of the view by bands.
+/// @param marked_m distance to mark with a dot, metres; none: no dot @param size size of the plot in pixels, from the
+/// ImGui cursor
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m, ImVec2 size);
 
-/// Returns the distance along the view axis, metres, at which stored depth reaches `share` of its range, counted from
-/// the near plane.
+/// Returns the distance along the view's axis, in metres, at which the depth-buffer value is `share` of the way from
+/// the near to the far plane.
+/// @param share 0 at the near plane, 1 at the far plane, for reversed depth too
 double distance_at_share(const DepthCurve& curve, double share);
 
 }  // namespace si

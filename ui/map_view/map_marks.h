@@ -14,7 +14,8 @@
 
 namespace si {
 
-/// Placement of the depth image on the screen. Map coordinates: u to the right, v up, 0..1 over the image.
+/// Placement of the map viewer's image on the screen, which converts between pixels, map coordinates and texels. Map
+/// coordinates go from 0 to 1 over the image: u to the right, v up.
 struct MapRect {
     ImVec2 lo{0, 0}, size{1, 1};
     glm::ivec2 texels{1};
@@ -28,21 +29,26 @@ struct MapRect {
     bool holds(glm::ivec2 texel) const {
         return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;
     }
-    /// Returns two opposite corners of a texel on the screen. @param texel from the lower left
+    /// Returns the upper left and the lower right corner of a texel of the map on the screen, pixels.
+    /// @param texel from the lower left
     std::pair<ImVec2, ImVec2> square(glm::ivec2 texel) const;
 };
 
-/// Draws the outline of a rectangle of texels in the map viewer; a ring around it if the rectangle is too small to see.
-/// @param first lower left texel @param size texels
+/// Draws the outline of a rectangle of texels over the image in the map viewer. A rectangle too small to see gets a
+/// ring around it.
+/// @param first lower left texel @param size width and height in texels
 void outline_texels(const MapRect& rect, glm::ivec2 first, glm::ivec2 size, ImU32 colour);
 
-/// Draws the stored value of each visible texel onto the map, if texels are large enough on the screen.
+/// Draws the stored value of each visible texel as a number over the image in the map viewer. Draws nothing if texels
+/// are too small on the screen (fits_texel_values()).
 /// @param values shown image: one channel, top row first @param clip_lo, clip_hi visible part, pixels of the screen
 void draw_texel_values(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo, ImVec2 clip_hi);
-/// Returns true if texels are large enough on the screen for draw_texel_values().
+/// Returns true if texels of the map viewer's image are large enough on the screen to hold their values as numbers,
+/// which draw_texel_values() draws.
 bool fits_texel_values(const MapRect& rect);
 
-/// Draws line segments over the map viewer's image. @param lines the ends in map coordinates, 0..1
+/// Draws line segments over the image in the map viewer, such as the outline of a camera's frustum.
+/// @param lines both ends of each segment in map coordinates, 0..1, v up
 void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
 
 /// Formats the map viewer's text about one texel. The first line names the texel and the pixels that read it. The

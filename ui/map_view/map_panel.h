@@ -18,7 +18,7 @@ struct MapWindow {
     glm::vec2 centre{0.5f};  ///< map coordinates in the middle of the viewer, v up
 };
 
-/// State of the map viewer: pan and zoom, marked texels, and the path to save to.
+/// State of the map viewer: pan and zoom, marked texels, and the file that its Save button writes.
 struct MapPanel {
     MapWindow window;
     bool exact_texels = false;                 ///< marks the texels that kernels fetch
@@ -27,13 +27,13 @@ struct MapPanel {
     std::optional<glm::ivec2> hovered_texel;   ///< texel under the mouse, y up
 };
 
-/// Statistics of the depth image in the map viewer.
+/// Statistics of the depth image in the map viewer, for its plots.
 struct MapPlots {
     DepthStatistics statistics;
     DepthHistogram histogram;  ///< histogram of the values that view.map shows
 };
 
-/// Data that the map viewer shows, read back from the last frame. Null: not read back.
+/// Data that the map viewer shows, copied from the GPU after a frame. A null pointer means that nothing was copied.
 struct MapPanelFacts {
     const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
     const MapPlots* map_facts = nullptr;
@@ -43,7 +43,7 @@ struct MapPanelFacts {
     std::optional<double> exact_utilisation;      ///< share of texels that kernels fetch (FrameResult::texels_read)
 };
 
-/// Requests of the map viewer to the application: data to read back.
+/// Requests of the map viewer to the application: images to draw and numbers to copy from the GPU.
 struct MapRequests {
     bool want_map = false;           ///< the map is shown
     bool want_map_values = false;    ///< the cursor is over the map

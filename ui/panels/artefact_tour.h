@@ -11,19 +11,19 @@
 
 namespace si {
 
-/// Request for the clusters of wrong pixels of one cause in the shown picture.
+/// Request to find the clusters of wrong pixels in the shown picture whose errors have one cause, such as acne.
 struct ArtefactRequest {
     Artefact cause = Artefact::None;
     int number = 0;  ///< differs from that of every earlier request; 0: there was none
 };
 
-/// Cluster of wrong pixels, and the surface point at its middle.
+/// Cluster of wrong pixels, with position and normal of the surface point at its middle.
 struct ArtefactSpot : ArtefactCluster {
     glm::dvec3 position_ws{0};
     glm::dvec3 normal_ws{0, 1, 0};
 };
 
-/// Clusters of wrong pixels of one picture.
+/// Clusters of wrong pixels of one picture, with the camera of the picture: the answer to an ArtefactRequest.
 struct ArtefactSpots {
     int number = 0;                   ///< ArtefactRequest::number
     std::vector<ArtefactSpot> spots;  ///< largest first
@@ -31,13 +31,14 @@ struct ArtefactSpots {
     int height = 0;                   ///< height of the picture, pixels
 };
 
-/// Tour through the clusters of wrong pixels: clusters of the picture in which the tour began, and the position.
+/// State of the tour of wrong pixels, in which the camera visits one cluster of wrong pixels after another. The
+/// clusters are those of the picture in which the tour began.
 struct ArtefactTour {
     std::optional<Artefact> cause;  ///< chosen cause; none: the most frequent one
     int waits_for = 0;              ///< number of the request that is not fulfilled yet; 0: none
     int asked = 0;                  ///< number of the last request
     ArtefactSpots of;
-    std::size_t at = 0;  ///< index of the next cluster
+    std::size_t at = 0;  ///< index of the cluster that the camera was moved to last
     Settings left;       ///< settings after the last step; other settings restart the tour
     std::string scene;   ///< scene after the last step; another one restarts the tour
 };
@@ -45,19 +46,20 @@ struct ArtefactTour {
 struct EditorState;
 struct EditorFrame;
 
-/// Returns the cause that the tour of wrong pixels visits: the chosen cause, else the most frequent one. None if errors
-/// are not known, or no pixel is wrong.
+/// Returns the cause of errors whose clusters of wrong pixels the tour visits: the cause that the user chose, else the
+/// most frequent one. Artefact::None if errors are not known, or no pixel is wrong.
 Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame);
-/// Chooses the cause that the tour of wrong pixels visits, and shows the artefact overlay. The same cause again undoes
-/// both.
+/// Chooses the cause of errors that the tour of wrong pixels visits, and shows the artefact overlay. A second call with
+/// the same cause hides the overlay and clears the choice.
 void toggle_tour_cause(EditorState& state, Artefact cause);
-/// Moves the camera to the next cluster of wrong pixels and probes its middle. Waits for the clusters if they are not
-/// known yet.
+/// Moves the camera to the next cluster of wrong pixels and probes its middle. If the clusters are not known yet,
+/// requests them for follow_artefact_tour().
 void next_artefact(EditorState& state, const EditorFrame& frame);
-/// Continues next_artefact() once the clusters are known. Call once a frame. Returns true while the tour waits.
+/// Moves the camera to the first cluster of wrong pixels once the clusters that next_artefact() requested are known.
+/// Call once a frame. Returns true while they are not known.
 bool follow_artefact_tour(EditorState& state, const EditorFrame& frame);
 /// Formats the position in the tour of wrong pixels: "acne, 2 of 7: 153 pixels". Returns "looking for it" while the
-/// clusters are not known, and an empty text when no cluster is shown.
+/// clusters of wrong pixels are not known, and an empty text when no cluster is shown.
 std::string artefact_tour_text(const EditorState& state);
 
 }  // namespace si

@@ -16,21 +16,22 @@ struct PresetsFacts;
 /// Source of the settings that the panel Compare compares with. Pinned: PictureState::pinned. Tried:
 /// PictureState::tried.
 enum class CompareKind { Scene, Defaults, Preset, Pinned, Tried };
-/// Choice of the settings that the panel Compare compares with.
+/// Choice of the settings with which the panel Compare compares the present ones.
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;
     std::string preset;  ///< key of a built-in preset or path, if kind is Preset
     bool operator==(const CompareWith&) const = default;
 };
 
-/// Settings pinned as A, which later settings are compared with.
+/// Settings that the user has pinned as A, so that later settings can be compared with them.
 struct PinnedSettings {
     Settings settings;
     std::string scene;  ///< scene that the settings were pinned with: built-in key or path
     bool operator==(const PinnedSettings&) const = default;
 };
 
-/// Settings that PictureState::compare names, once they are loaded.
+/// Settings with which the present ones are compared (PictureState::compare), after the application has loaded them, or
+/// the reason why it could not.
 struct ComparisonFacts {
     CompareWith with;
     Settings settings;
@@ -38,18 +39,19 @@ struct ComparisonFacts {
     std::string problem;  ///< why there are no settings
 };
 
-/// Returns the name of the settings to compare with: "the scene's own settings", or a preset's key or path.
+/// Returns the name of the settings that the present ones are compared with: "the scene's own settings", or a preset's
+/// key or path.
 std::string reference_label(const CompareWith& with);
-/// Returns the label for the panel: a built-in preset's title, a file's name without folders, else reference_label().
+/// Returns the name of the settings that the present ones are compared with, as the panel Compare shows it. It is a
+/// built-in preset's title, a file's name without folders, else reference_label().
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets);
 
-/// Draws the panel Compare: the settings that differ from those of `other`.
-/// @param compare choice of the settings to compare with; the combo changes it
-/// @param settings present settings; a button replaces them by the compared ones
-/// @param pinned the pinned settings; nothing: they are no choice
-/// @param scene_name the name of the shown scene
-/// @param other the settings that `compare` names. If it is null, or belongs to an earlier choice, they are not loaded
-/// yet
+/// Draws the panel Compare: a table of the settings in which the present settings and those of `other` differ.
+/// @param compare choice of the settings to compare with, which the combo changes
+/// @param settings present settings; buttons replace one or all of them by the compared ones
+/// @param pinned the pinned settings; none: the combo does not offer them
+/// @param scene_name name of the shown scene
+/// @param other the settings that `compare` names; null or those of an earlier choice: not loaded yet
 void draw_compare(CompareWith& compare, Settings& settings, const std::optional<PinnedSettings>& pinned,
                   const std::string& scene_name, const ComparisonFacts* other, const PresetsFacts& presets,
                   PresetRequests& requests);

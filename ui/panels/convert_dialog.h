@@ -11,12 +11,12 @@
 
 namespace si {
 
-/// Target of a conversion, for the dialog's list.
+/// Engine or graphics API for which the dialog Convert makes code: name of the option --to, and title.
 struct ConvertTargetLabel {
     std::string_view name, title;
 };
 
-/// Result of converting the settings to an engine's code, for the dialog Convert.
+/// Data that the dialog Convert shows: the settings as code of another engine, with messages about the conversion.
 struct ConvertFacts {
     std::span<const ConvertTargetLabel> targets;
     std::string text;                ///< code; empty: it could not be made
@@ -27,7 +27,7 @@ struct ConvertFacts {
     bool measured = false;                         ///< the code states error and time of these settings
 };
 
-/// State of the dialog.
+/// State of the dialog Convert, which shows the settings as code of another engine.
 struct ConvertDialog {
     bool asked = false;     ///< opens in the next frame
     bool shown = false;     ///< the dialog is open, and needs facts
@@ -36,7 +36,7 @@ struct ConvertDialog {
     double angle_deg = 45;  ///< reference angle between normal and light
 };
 
-/// Requests of the dialog to the application.
+/// Requests of the dialog Convert to the application: save the code, or measure the scene for its comments.
 struct ConvertRequests {
     std::optional<std::string> save_conversion;  ///< path of the file to write
     bool replace_conversion = false;             ///< a file that exists may be replaced
@@ -44,7 +44,9 @@ struct ConvertRequests {
     bool cancel_conversion = false;              ///< stop measuring
 };
 
-/// Draws the dialog while it is open.
+/// Draws the dialog Convert while it is open. It shows the settings as code of another engine, which the user copies or
+/// saves.
+/// @param facts the code; null: there is no frame yet @param requests receives what the user requests
 void draw_convert_dialog(ConvertDialog& dialog, const ConvertFacts* facts, ConvertRequests& requests);
 
 }  // namespace si

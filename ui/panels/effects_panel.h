@@ -15,14 +15,15 @@ struct FrameTimes;
 struct Effect;
 struct SavedTimes;
 
-/// State of the panel Effects, with the optimisations that the user has switched off. The switches are no settings,
+/// State of the panel Effects, with the optimisations that the user has switched off. They are no settings of a preset,
 /// since they change no picture.
 struct EffectsPanel {
     OptimisationSet forced;   ///< optimisations that are switched off
     bool all_listed = false;  ///< lists also what nothing needs
 };
 
-/// Data that the panel Effects shows: pieces of the frame's rendering work, and the times that optimisations save.
+/// Data that the panel Effects shows: the effects (passes of the frame and their parts), and the time that each
+/// optimisation saves.
 struct EffectsFacts {
     std::span<const Effect> effects;                        ///< empty unless requested
     const SavedTimes* saved = nullptr;                      ///< last measured times; null: none, or of another scene
@@ -30,14 +31,16 @@ struct EffectsFacts {
     std::optional<SearchProgress> measuring_optimisations;  ///< under way
 };
 
-/// Requests of the panel Effects.
+/// Requests of the panel Effects to the application: list the effects of a frame, and measure the time that
+/// optimisations save.
 struct EffectsRequests {
     bool want_effects = false;         ///< the panel is shown
     bool measure_saved_times = false;  ///< measure the time that each optimisation saves
     bool cancel_measuring = false;     ///< cancel that measurement
 };
 
-/// Draws the panel Effects: a row for each effect with state, reason and cost, then the frame's sum.
+/// Draws the panel Effects, which shows the work of a frame. It has a row for each effect (a pass or a part of one)
+/// with state, reason and cost, then the frame's sum.
 /// @param times times of the last frames @param result the last frame; null: none @param driver the driver; null: not
 /// known
 void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,

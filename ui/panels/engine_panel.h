@@ -7,7 +7,8 @@ namespace si {
 
 struct FrameResult;
 
-/// Engine that the user has chosen, with the numbers of its parameters.
+/// State of the group Engine in the tab Settings, where the user edits settings as the parameters of another engine:
+/// the chosen engine and its numbers.
 struct EnginePanel {
     const EngineProfile* profile = nullptr;  ///< null: none
     double angle_deg = 45;                   ///< reference angle of conversions
@@ -15,11 +16,14 @@ struct EnginePanel {
     Settings applied;                        ///< settings that `values` stand for
 };
 
-/// Returns the wording of the chosen engine, for the shown light's map; without a profile: none.
+/// Returns the object that writes changes of settings as parameters of the chosen engine, for the shown light's map. It
+/// writes nothing if no engine is chosen.
+/// @param result frame that gives size and depth range of the map; null: the settings give them
 EngineWording engine_wording(const EnginePanel& panel, const Settings& settings, const FrameResult* result);
 
-/// Draws a combo of engines and the parameters of the chosen one. A changed parameter changes our settings.
-/// @param result frame whose maps the numbers hold for; null: the maps that the settings give
+/// Draws a combo of other engines and the parameters of the chosen one. A parameter that the user edits changes the
+/// settings to match it.
+/// @param result frame that gives size and depth range of the map; null: the settings give them
 void draw_engine_panel(EnginePanel& panel, Settings& settings, const FrameResult* result);
 
 }  // namespace si

@@ -15,13 +15,13 @@ namespace si {
 struct FixTable;
 struct Trial;
 
-/// Request for a search for fixes of wrong pixels.
+/// Request to search for fixes, which are changes of settings that put wrong pixels right.
 struct FixRequest {
     std::optional<glm::ivec2> pixel;  ///< pixel to put right; none: the whole picture
     bool first = false;               ///< stops at the first fix
 };
 
-/// State and result of the search for fixes.
+/// State and result of the search for fixes, which are changes of settings that put wrong pixels right.
 struct FixSearch {
     std::optional<SearchProgress> running;  ///< none: no search is under way
     const FixTable* table = nullptr;        ///< last result; null: none
@@ -29,7 +29,7 @@ struct FixSearch {
     bool current = false;                   ///< the last result is about the present settings
 };
 
-/// Requests of the table of fixes.
+/// Requests of the table of fixes to the application: search, cancel, drop the result, show or apply a fix.
 struct FixRequests {
     std::optional<FixRequest> find_fixes;  ///< start a search: of a pixel, or of the picture
     bool cancel_fixes = false;             ///< of the picture
@@ -40,22 +40,29 @@ struct FixRequests {
     const Trial* show_fix = nullptr;   ///< show this row beside the picture (PictureState::tried)
 };
 
-/// Returns the fix that was found for a pixel under the present settings; null: none, or not yet.
+/// Returns the fix that a search found for a pixel under the present settings. Null: there is none, or no search has
+/// ended.
+/// @param pixel the pixel; none: the whole picture
 const Trial* found_fix(const FixSearch& search, std::optional<glm::ivec2> pixel);
 
-/// Draws the button that starts the search for fixes, or the progress of the search. @param pixel pixel to make right;
-/// none: the picture @param ready true: there is a picture @param wrong true: some pixel is wrong
+/// Draws the button that starts the search for fixes of wrong pixels. While a search runs, draws its progress and a
+/// button that cancels it.
+/// @param pixel pixel to put right; none: the whole picture @param ready true: there is a picture
+/// @param wrong true: some pixel is wrong
 void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                        bool wrong);
-/// Draws the list of fixes found for the pixel or picture, if any. A click on a row requests to show it, or to hide it
-/// again; its button requests to apply it.
-/// @param settings present settings @param tried settings that are shown before they are taken; null: none
+/// Draws the list of fixes found for a pixel or the picture; nothing if there was no search. A click on a row shows its
+/// fix beside the picture, or hides it again. The row's button applies the fix.
+/// @param settings present settings @param tried settings that are shown for trial; null: none
 /// @param pixel the pixel that the fixes put right; none: the whole picture
 /// @returns true at a click that hides the shown row
 bool draw_fixes_table(const FixSearch& search, const Settings& settings, const Settings* tried, FixRequests& requests,
                       std::optional<glm::ivec2> pixel);
 
-/// Returns true if `tried` are the settings with these changes.
+/// Returns true if the settings shown for trial are the present ones with these changes. Lists of changes mark that
+/// row.
+/// @param settings present settings @param tried settings that are shown for trial; null: none
+/// @param changes pairs of setting key and value
 bool is_tried(const Settings& settings, const Settings* tried,
               std::span<const std::pair<std::string, std::string>> changes);
 

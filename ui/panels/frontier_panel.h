@@ -15,7 +15,7 @@ namespace si {
 
 struct Settings;
 
-/// Measured number that can be an axis of the frontier plot. Smaller values are better.
+/// Measured number, an error or a cost, that can be an axis of the frontier plot. Smaller values are better.
 struct MeasuredColumn {
     std::string key;
     std::string label;
@@ -36,9 +36,9 @@ struct MeasuredCase {
     std::string failed;  ///< reason why there are no values; empty: it did not fail
 };
 
-/// Cases of a sweep, placed on the two chosen axes of the frontier plot.
+/// Cases of a sweep as dots of the frontier plot, placed by the error and the cost that the user chose as axes.
 struct FrontierView {
-    /// Case of a sweep in the frontier plot.
+    /// Dot of one case of a sweep in the frontier plot.
     struct Mark {
         std::size_t of = 0;  ///< index in the cases
         Dot dot;
@@ -53,7 +53,8 @@ struct FrontierView {
     FrontierAdvice advice;       ///< better cases than the present settings, as indices of marks
 };
 
-/// Data that the panel Frontier shows: results and progress of the sweep, and the present settings' numbers.
+/// Data that the panel Frontier shows: results and progress of the sweep, and the measured numbers of the present
+/// settings.
 struct SweepFacts {
     std::vector<MeasuredColumn> columns;
     std::vector<MeasuredCase> cases;  ///< finished and failed
@@ -83,13 +84,13 @@ struct SweepFacts {
     FrontierView view;  ///< by `cost` and SweepPanel::error
 };
 
-/// Axis of a sweep while it is typed in the panel Frontier: a setting's key and its values.
+/// Setting that a sweep varies, as text that the user types in the panel Frontier: its key and its values.
 struct AxisText {
     std::string key, values;
     bool operator==(const AxisText&) const = default;
 };
 
-/// State of the panel Frontier: axes and options of the next sweep, and axes of the plot.
+/// State of the panel Frontier: settings that the next sweep varies, its options, and the axes of the plot.
 struct SweepPanel {
     std::vector<AxisText> axes = {
         {"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}, {"bias.slope", "0,1,2"}};
@@ -104,7 +105,8 @@ struct SweepPanel {
     std::string folder = "sweep";                  ///< folder that results are saved to and opened from
 };
 
-/// Request for a sweep: axes, picture size and kind of frames.
+/// Request to run a sweep, which measures many combinations of settings: varied settings, picture size and kind of
+/// timed frames.
 struct SweepRequest {
     std::vector<std::string> axes;  ///< "KEY=VALUES"
     int width = 0, height = 0;
@@ -112,7 +114,7 @@ struct SweepRequest {
     CostCase timed = kFrontierCost;
 };
 
-/// Requests of the panel Frontier, which plots error against cost and runs sweeps.
+/// Requests of the panel Frontier, which plots error against cost: start, cancel, save or open a sweep.
 struct SweepRequests {
     std::optional<SweepRequest> start_sweep;
     bool cancel_sweep = false;
@@ -122,7 +124,7 @@ struct SweepRequests {
     bool want_present = false;              ///< measure the present settings
 };
 
-/// Draws the frontier of error against time, and the sweep that measures it.
+/// Draws the panel Frontier: the plot of error over cost, and the controls of the sweep that measures its cases.
 /// @param settings changed by a click on a case @param shown null: there is no sweep, and nothing is measured
 void draw_frontier(SweepPanel& panel, Settings& settings, const SweepFacts* shown, SweepRequests& requests);
 

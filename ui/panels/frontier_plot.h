@@ -16,9 +16,9 @@ struct FrontierPlotResult {
     std::optional<PlotSpot::Kind> hovered_spot;
 };
 
-/// Draws the frontier plot, with the table of best cases below it where there is room. The caller draws the names of
-/// the axes and the sentence on the knee. Returns its mouse input.
-/// @param chosen the number of the case that gets a ring @param size the size in pixels, counted from the cursor
+/// Draws the plot of error over cost of a sweep's cases, with the table of best cases below it where there is room. The
+/// caller draws the names of the axes and the sentence on the knee. Returns the dots under the mouse.
+/// @param chosen number of the case that gets a ring; none: no ring @param size size in pixels, from the ImGui cursor
 FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, std::optional<int> chosen, ImVec2 size);
 
 }  // namespace si

@@ -27,7 +27,8 @@ struct MarkedTexel {
     bool operator==(const MarkedTexel&) const = default;
 };
 
-/// Requests of the panel Numbers.
+/// Requests of the panel Numbers to the application: search the frame for invalid numbers, sample the memory, and show
+/// a pixel or texel that was found.
 struct HealthRequests {
     bool want_health = false;               ///< search the frame, while the panel is shown
     bool want_memory = false;               ///< sample the memory, while the panel is shown
@@ -36,9 +37,8 @@ struct HealthRequests {
     bool search_all = false;                ///< search every frame, whatever is shown
 };
 
-/// Draws the panel Numbers: faulty values of the frame, and the process's memory.
-/// @param settings the settings, changed by a click that shows another map @param marked the texel that the map viewer
-/// outlines
+/// Draws the panel Numbers: invalid numbers (NaN, infinite, out of range) found in the frame, and the process's memory.
+/// @param settings changed by a click that shows another map @param marked the texel that the map viewer outlines
 /// @param result the last frame; null: none
 void draw_health(Settings& settings, const std::optional<MarkedTexel>& marked, const FrameResult* result,
                  const HealthFacts& facts, HealthRequests& requests);

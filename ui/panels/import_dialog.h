@@ -12,7 +12,8 @@
 
 namespace si {
 
-/// Step of a frame of another engine on its way to a bundle.
+/// Step of an import, which converts a frame of another engine (a RenderDoc capture, or an image of a shadow map) to a
+/// bundle.
 enum class ImportStep {
     Warning,   ///< the user is told once that opening a capture runs its shaders
     Light,     ///< the user names the light of an image of a map
@@ -21,7 +22,8 @@ enum class ImportStep {
     Writing,   ///< the bundle is written in the background
 };
 
-/// Shadow map of a capture, or reading of an image of a map, which the user can choose.
+/// Choice that an import offers. It is a shadow map of a capture, or a way to read an image of a map (its depth
+/// convention).
 struct ImportChoice {
     int number = 0;      ///< number of the map in the capture, or row of the list of readings, from 1
     std::string text;    ///< the map, or the reading's convention
@@ -30,7 +32,7 @@ struct ImportChoice {
     bool usable = true;  ///< false: the reading is refused, and `fit` says why
 };
 
-/// Data of the frame that is being imported, for its dialogs and its progress.
+/// Data about the import of another engine's frame, for its dialogs and its progress bar.
 struct ImportFacts {
     ImportStep step = ImportStep::Warning;
     bool is_capture = true;  ///< a RenderDoc capture; false: an image of a map
@@ -42,7 +44,8 @@ struct ImportFacts {
     std::string problem;  ///< why the last request was refused; empty: it was not
 };
 
-/// State of the dialogs that import a frame. The application sets it when a step begins.
+/// State of the dialogs that import another engine's frame: what the user has chosen and typed. The application sets it
+/// when a step begins.
 struct ImportDialog {
     std::vector<int> picks;  ///< numbers of the chosen maps, or of the chosen reading
     std::string output;      ///< path of the bundle while it is being typed
@@ -50,7 +53,7 @@ struct ImportDialog {
     bool over_scene = true;  ///< an image of a map is compared with the shown scene
 };
 
-/// Requests of the dialogs to the application.
+/// Requests to the application by the dialogs that import another engine's frame.
 struct ImportRequests {
     bool start_import = false;                 ///< goes on after ImportStep::Warning or ImportStep::Light
     bool write_import = false;                 ///< writes the chosen maps as the bundle ImportDialog::output
@@ -58,11 +61,14 @@ struct ImportRequests {
     std::optional<ExportRequest> export_file;  ///< write the shown frame
 };
 
-/// Draws the dialog of the present step, where it has one.
+/// Draws the dialog for the present step of the import of another engine's frame. Steps in the background have no
+/// dialog.
+/// @param facts the import under way; none: there is no import @param scene name of the shown scene
 void draw_import_dialog(ImportDialog& dialog, const std::optional<ImportFacts>& facts, const std::string& scene,
                         ImportRequests& requests);
-/// Draws the progress of an import, with a button that cancels it, over the upper edge of a picture.
-/// @param left, top, width the place, pixels of the screen
+/// Draws the progress of the import of another engine's frame, with a button that cancels it, over the upper edge of a
+/// picture. Draws nothing unless a step runs in the background.
+/// @param left, top, width place of the picture, pixels of the screen
 void draw_import_progress(const std::optional<ImportFacts>& facts, float left, float top, float width,
                           ImportRequests& requests);
 

@@ -14,14 +14,15 @@ struct ComparedMap;
 /// Picture that the panel Imported shows.
 enum class ImportedPicture { Imported, Drawn, Difference };
 
-/// Texels that the comparison of an imported map leaves out.
+/// Kinds of texels that the comparison of an engine's imported shadow map with the drawn map leaves out.
 struct ImportedLeftOut {
     bool masked = false;  ///< those that masked casters may cover
     bool border = false;  ///< extra texels next to covered ones, as of blurred maps of moments
     bool operator==(const ImportedLeftOut&) const = default;
 };
 
-/// Data that the panel Imported shows, while it is shown.
+/// Data that the panel Imported shows: the comparison of an engine's imported shadow map with the map that this program
+/// draws.
 struct ImportedFacts {
     const ComparedMap* compared_map = nullptr;  ///< comparison of the shown light and view; null: not known
     Image compared_picture;                     ///< picture of the comparison that PictureState::imported_picture names
@@ -29,13 +30,15 @@ struct ImportedFacts {
     std::string comparison_problem;             ///< why the maps were not compared; empty: they were, or will be
 };
 
-/// Requests of the panel Imported.
+/// Requests of the panel Imported to the application: compare the maps, and select an object.
 struct ImportedRequests {
     bool want_map_comparison = false;          ///< the shown map is imported, and the panel is shown
     std::optional<std::string> select_object;  ///< select this object alone, by node path
 };
 
-/// Draws the panel Imported: the engine's bias, numbers, gate, missing casters, and one of the three pictures.
+/// Draws the panel Imported, which compares an engine's shadow map with the map that this program draws. It shows the
+/// engine's bias, the differences, their limits (the gate), and the casters that the engine's map lacks. One of three
+/// pictures stands beside them.
 /// @param picture choice of the picture, which the switch changes
 /// @param left_out texels that the comparison leaves out, which two switches change
 /// @param settings the settings, changed by the widgets of map.bundle_maps, map.bundle_bias and bias.*

@@ -21,14 +21,15 @@ struct Waste;
 enum class ImproveMode { Pixel, Picture, Cheaper, Limits };
 inline constexpr int kImproveModes = index_of(ImproveMode::Limits) + 1;
 
-/// State of the panel Improve: its aim, and the limits of a search within limits.
+/// State of the panel Improve, where the user starts searches for better settings: the chosen aim, and limits of error
+/// and time.
 struct ImprovePanel : LimitFields {
     ImproveMode mode = ImproveMode::Picture;
     bool area = false;  ///< the search for kernel and resolution compares with an area light instead of a point
 };
 
-/// Data that the panel Improve shows: progress and last results of advice, autopilot and the search
-/// for waste.
+/// Data that the panel Improve shows: progress and last results of its searches. These are advice, the autopilot, and
+/// the search for waste (work that changes no byte of the picture).
 struct ImproveFacts {
     std::optional<SearchProgress> advising;      ///< under way
     const AdviceReport* advice = nullptr;        ///< last result for this scene, also while it runs, if of advice
@@ -47,9 +48,9 @@ struct ImproveRequests {
     bool cancel_waste = false;
 };
 
-/// Brings the panel Improve to the front, with an aim.
+/// Brings the panel Improve, which searches for better settings, to the front and chooses the aim of the search.
 void open_improve(EditorState& state, ImproveMode mode);
-/// Draws the panel Improve.
+/// Draws the panel Improve, which searches for settings that are more accurate or cheaper.
 void draw_improve_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 
 }  // namespace si

@@ -13,12 +13,12 @@ namespace si {
 struct FrameResult;
 struct Scene;
 
-/// State of the panel Lab.
+/// State of the panel Lab: options of its measurement of shimmering shadow edges.
 struct LabPanel {
     ShimmerOptions shimmer;
 };
 
-/// Shimmer of shadow edges under one variant of the settings, with the variant's name.
+/// Result of the measurement of shimmering shadow edges for one variant of the settings, with the variant's name.
 struct ShimmerShown {
     std::string_view label;  ///< name of the variant
     Shimmer shimmer;
@@ -35,7 +35,7 @@ struct LabFacts {
     bool shimmer_current = false;                       ///< `shimmer` is of the present settings and size
 };
 
-/// Requests of the panel Lab: measurements of numerical precision and of shimmer.
+/// Requests of the panel Lab to the application: start or cancel measurements of numerical precision and of shimmer.
 struct LabRequests {
     bool compare_pipelines = false;
     bool cancel_pipelines = false;
@@ -43,7 +43,7 @@ struct LabRequests {
     bool cancel_shimmer = false;
 };
 
-/// Draws the panel Lab: placement of the scene, error of single precision, shimmer of shadow edges.
+/// Draws the panel Lab: placement of the scene, error of single against double precision, shimmer of shadow edges.
 /// @param scene null: none is loaded @param result the last frame; null: none
 void draw_lab(LabPanel& panel, Settings& settings, const Scene* scene, const FrameResult* result, const LabFacts& facts,
               LabRequests& requests);

@@ -12,7 +12,8 @@ namespace si {
 /// Number that the strip plots.
 enum class StripPlots { Error, Time, Shimmer };
 
-/// State of the strip along a light's path: the path's ends, and the number that the strip plots.
+/// State of the strip, a plot of error, time or shimmer along the path of a light: ends of the path, and the plotted
+/// number.
 struct LightStripPanel {
     bool day = false;                               ///< the sun over a day; else from one direction to another
     double azimuth_from = -90, azimuth_to = 90;     ///< degrees
@@ -23,14 +24,14 @@ struct LightStripPanel {
     StripPlots plots = StripPlots::Error;
 };
 
-/// Data that the strip along a light's path shows.
+/// Data for the strip, a plot along the path of a light: progress and last result of its measurement.
 struct LightStripFacts {
     std::optional<SearchProgress> measuring_path;  ///< none: not under way
     const LightPathResult* path = nullptr;  ///< last result for this scene, also while it is measured; null: none
     bool path_current = false;              ///< of the present settings, the light's direction aside
 };
 
-/// Requests of the strip.
+/// Requests of the strip, a plot along the path of a light: measure a path, cancel, save the worst step as a preset.
 struct LightStripRequests {
     std::optional<std::string> measure_along;  ///< path for straight_path()
     std::optional<std::string> measure_day;    ///< path for day_path()
@@ -39,12 +40,16 @@ struct LightStripRequests {
     bool save_worst = false;  ///< the settings are at the worst step: choose a file for the preset
 };
 
-/// Returns the position on a path's strip, 0..1, of the settings; none: they are not on the path.
+/// Returns the position of the present settings along a measured path of a light, 0 at its first point to 1 at its
+/// last. None if the settings are not on the path.
 std::optional<double> strip_position(const LightPathResult& result, const Settings& settings);
-/// Sets the settings of a light to a position on a path, 0..1, between its points, too.
+/// Sets the settings that move along a measured path of a light to their values at a position. Values between the
+/// points of the path are interpolated.
+/// @param position 0 at the first point to 1 at the last
 void set_strip_position(const LightPathResult& result, double position, Settings& settings);
 
-/// Draws the fields of the path and the strip. @param settings changed by a drag, and by going to the worst step
+/// Draws the fields that define the path of a light, and the plot of error, time or shimmer along it.
+/// @param settings changed by a drag over the plot, and by the button that goes to the worst step
 void draw_light_strip(LightStripPanel& panel, Settings& settings, const LightStripFacts& facts,
                       LightStripRequests& requests);
 

@@ -17,15 +17,15 @@ struct LightRename {
     bool begun = false;  ///< its text field has the keyboard
 };
 
-/// State of the list of lights.
+/// State of the list of lights in the editor, with the name that is being typed.
 struct LightsPanel {
     std::optional<LightRename> rename;
     bool listed = false;  ///< the list was in sight in the last frame
 };
 
 /// Draws the list of lights: a row for each light (shown, on, alone, colour, intensity) and the buttons of the list.
-/// For a point light a cross of six faces follows, which chooses the shown map. @param log receives the
-/// reason why a name is not accepted @param result last frame; null: not known
+/// For a point light six buttons follow, in a cross, which choose the cube face in the map viewer.
+/// @param log receives the reason why a name is not accepted @param result last frame; null: not known
 void draw_lights(LightsPanel& panel, Settings& settings, Log& log, const FrameResult* result);
 /// Opens the text field that renames a light in the list of lights. @param light index
 void begin_light_rename(LightsPanel& panel, const Settings& settings, int light);

@@ -19,13 +19,13 @@ struct PresetEntry {
     unsigned picture = 0;  ///< texture of its small picture, bottom row first; 0: not drawn yet
 };
 
-/// State of the gallery of presets.
+/// State of the gallery of presets: the search text and the chosen topic.
 struct GalleryPanel {
     std::string search;  ///< words that listed presets have
     std::string topic;   ///< heading of the listed presets; empty: all
 };
 
-/// Session that a crash has left, as the panel shows it when it offers to restore the session.
+/// Unsaved session that a crash has left, as the question whether to restore it describes it.
 struct LostFacts {
     std::string scene;
     std::string when;  ///< age in words: "3 minutes ago"
@@ -47,7 +47,7 @@ struct PresetsFacts {
     std::optional<LostFacts> lost;
 };
 
-/// Requests to the application: scenes and presets to load, save or restore.
+/// Requests of menus and panels to the application: scenes and presets to load, save or restore.
 struct PresetRequests {
     std::optional<std::string> load_scene;   ///< key of a built-in scene, or path of a file
     std::optional<std::string> load_preset;  ///< key of a built-in preset, or path of a file
@@ -64,11 +64,12 @@ struct PresetRequests {
     std::vector<std::string> want_pictures;  ///< keys of presets on the screen that have no picture yet
 };
 
-/// Draws the gallery of presets as the popup `id`, while it is open: pictures and sentences by topic, with search. A
-/// hard case and its fix are a pair beside each other. @param open key of the preset that is open
+/// Draws the gallery of presets as an ImGui popup while it is open: cards with picture, title and sentence, by topic,
+/// with a search field. A hard case and its fix stand beside each other.
+/// @param id ImGui id of the popup @param open key of the preset in use, which is highlighted
 void draw_gallery(const char* id, GalleryPanel& panel, std::span<const PresetEntry> presets, const std::string& open,
                   PresetRequests& requests);
-/// Returns the width of the gallery, pixels.
+/// Returns the width of the gallery of presets, pixels.
 float gallery_width();
 
 }  // namespace si

@@ -30,9 +30,10 @@ struct ProbeFacts {
     bool verdict_follows = false;  ///< the data belongs to an earlier picture; the next picture is being drawn
 };
 
-/// Drawings of the cross-sections, kept until the pixel or their size changes.
+/// Cache of drawn cross-sections of a probed pixel's shadow test. It is valid until the pixel or the size on the screen
+/// changes.
 struct SectionViews {
-    /// Drawing of the cross-section of one light's shadow test, for one size on the screen.
+    /// Cross-section of one light's shadow test, drawn for one size on the screen.
     struct View {
         std::size_t light = 0;
         double width = 0, height = 0, em = 0;
@@ -43,12 +44,12 @@ struct SectionViews {
     int drawn = 0;  ///< number of drawings made so far
 };
 
-/// State of the panel Pixel: its drawings, and a fix that waits for the pixel's verdict.
+/// State of the panel Pixel: its cached drawings, its unfolded part, and a requested fix that is still searched for.
 struct ProbePanel {
     SectionViews section_views;
     bool fix_waits = false;      ///< the fix was requested before it was found
     bool lists_numbers = false;  ///< the numbers of the shadow test are unfolded
-    /// Probed pixel, scene, picture size and settings for which a fix was searched.
+    /// Pixel, scene, picture size and settings for which a fix was searched last, so that the search is not repeated.
     struct Searched {
         glm::ivec2 pixel{0}, size{0};
         std::uint64_t scene = 0;  ///< Scene::id

@@ -27,7 +27,8 @@ struct ReferenceFacts {
     int height = 0;     ///< pixels
 };
 
-/// Requests of the panel Error about the reference.
+/// Requests of the panel Error to the application: measure errors against the ray-traced reference, cancel tracing, or
+/// save the metrics.
 struct ReferenceRequests {
     bool want_error = false;                ///< the error panel is shown
     bool cancel_reference = false;          ///< stop tracing until something changes

@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// State of the dialog.
+/// State of the dialog Report, which writes an HTML page that compares settings.
 struct ReportDialog {
     bool asked = false;                ///< opens in the next frame
     bool shown = false;                ///< the dialog is open
@@ -22,7 +22,7 @@ struct ReportDialog {
     std::string output = "report.html";
 };
 
-/// Data that the dialog shows.
+/// Data that the dialog Report shows: progress and result of writing an HTML report.
 struct ReportFacts {
     std::optional<SearchProgress> writing;  ///< none: no report is being made
     std::string problem;                    ///< why none was written, and what to do; empty: none failed
@@ -30,7 +30,7 @@ struct ReportFacts {
     bool replaces = false;                  ///< the file of the last request exists; writing again replaces it
 };
 
-/// Request for a report.
+/// Request to write an HTML report, which compares the present settings with pinned ones and presets.
 struct ReportRequest {
     std::string output;  ///< path, .html
     bool pinned = false;
@@ -39,13 +39,14 @@ struct ReportRequest {
     std::optional<glm::ivec2> pixel;  ///< pixel to diagnose; none: one of each cause
 };
 
-/// Requests of the dialog to the application.
+/// Requests of the dialog Report to the application: write an HTML report, or cancel that.
 struct ReportRequests {
     std::optional<ReportRequest> write_report;
     bool cancel_report = false;
 };
 
-/// Draws the dialog while it is open. @param has_pinned there are pinned settings @param probed the probed pixel
+/// Draws the dialog Report, which writes an HTML page that compares settings, while it is open.
+/// @param has_pinned true: there are pinned settings @param probed the probed pixel; none: no pixel is probed
 void draw_report_dialog(ReportDialog& dialog, const ReportFacts& facts, const PresetsFacts& presets, bool has_pinned,
                         const std::optional<glm::ivec2>& probed, ReportRequests& requests);
 

@@ -9,19 +9,21 @@
 
 namespace si {
 
-/// Draws the cross-section of one light's shadow test into the panel, with tooltips on its marks. Does nothing without
-/// a section. @param light the index of the light @param size the size in pixels, counted from the cursor
+/// Draws the cross-section of one light's shadow test at the probed pixel into the current window, with tooltips on its
+/// marks. Draws nothing if there is no section.
+/// @param views cache of drawings @param light index of the light @param size size in pixels, from the ImGui cursor
 void draw_section_view(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size);
 
-/// Drawing of a cross-section for a picture of its own. Coordinates are pixels from the upper left corner.
+/// Cross-section of a shadow test, drawn as an image of its own to be saved. Coordinates are pixels from the upper left
+/// corner.
 struct SectionSheet {
     std::unique_ptr<ImDrawList> list;
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
 };
 
-/// Lays out a cross-section with verdict and legend as a picture of its own, in the editor's fonts and colours. Call
-/// within an ImGui frame, in any window.
+/// Draws a cross-section of a shadow test with verdict and legend as an image of its own, in the editor's fonts and
+/// colours. Call within an ImGui frame, in any window.
 SectionSheet section_sheet(const Section& section);
 
 }  // namespace si

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// State of the tab that lists all settings: search and folded groups.
+/// State of the tab that lists all settings: search text, filter and unfolded groups.
 struct SettingsPanel {
     std::string search;
     bool focus_search = false;                    ///< the next frame puts the keyboard into the search field

@@ -11,8 +11,8 @@ namespace si {
 
 struct FoundBias;
 
-/// Request for a search. Without limits: for the least bias, or for advice. With limits: for kernels and resolutions,
-/// or for the autopilot.
+/// Request to search for better settings: for the least bias, or for advice on all settings. With a limit, the bias
+/// search also tries kernels and resolutions, and the autopilot replaces advice.
 struct SearchRequest {
     std::optional<double> max_error;  ///< largest mean error of visibility
     std::optional<double> max_ms;     ///< longest time of a frame
@@ -29,23 +29,24 @@ struct LimitFields {
     CostCase cost = kDefaultCost;  ///< kind of frames that are timed
     /// Returns true when a limit is switched on.
     bool any() const { return bound_error || bound_ms; }
-    /// Makes a request for a search within the limits that are switched on.
+    /// Returns a request for a search within those limits of error and frame time that are switched on.
     SearchRequest request() const;
 };
-/// Draws a limit: its checkbox and its value, which switches it on. @param about its tooltip @param least smallest
-/// value
+/// Draws the checkbox and the number field of one limit of a search. Typing a number switches the limit on.
+/// @param about tooltip @param on true: the limit counts @param value the limit @param least smallest value
+/// @param format printf format of the number
 void limit_field(const char* label, const char* about, bool& on, double& value, double least, const char* format);
 
-/// Progress of a background search or measurement.
+/// Progress of a search or measurement that runs in the background.
 struct SearchProgress {
     std::string about;        ///< attempt under way
     double progress = 0;      ///< 0..1
     double seconds_left = 0;  ///< estimated; 0: not known yet
 };
-/// Formats the progress of a search: "42 %, 12 s left".
+/// Formats the progress of a search in the background: "42 %, 12 s left".
 std::string progress_text(const SearchProgress& progress);
 
-/// Facts of the bias search: progress and last results.
+/// Data about the search for the least bias that panels show: progress and last results.
 struct TunePanelFacts {
     std::optional<SearchProgress> tuning;    ///< none: not under way
     const FoundBias* tuned = nullptr;        ///< last result for this scene, also while the search runs; null: none
@@ -53,7 +54,7 @@ struct TunePanelFacts {
     const Settings* tuned_result = nullptr;  ///< bias, kernel and resolution that the search found; null: none
 };
 
-/// Requests of the controls of the bias search.
+/// Requests to the application about the search for the least bias: start, cancel, show a bias for trial.
 struct TuneRequests {
     std::optional<SearchRequest> tune;
     bool cancel_tune = false;
@@ -61,14 +62,14 @@ struct TuneRequests {
     bool hide_tried = false;                ///< end that
 };
 
-/// Draws the progress of the bias search with a button that cancels it.
+/// Draws the progress of the search for the least bias, with a button that cancels it.
 void draw_tune_progress(const SearchProgress& progress, TuneRequests& requests);
-/// Draws the table of biases that the search tried. A click on a row requests to show it; its button takes it.
-/// @param settings changed by a row's button
-/// @param tried settings that are shown before they are taken; null: none
+/// Draws the table of biases that the search for the least bias has tried. A click on a row shows its bias beside the
+/// picture, or hides it again. The row's button sets the bias.
+/// @param settings changed by a row's button @param tried settings that are shown for trial; null: none
 void draw_biases_table(const TunePanelFacts& shown, Settings& settings, const Settings* tried, TuneRequests& requests);
-/// Draws the button that takes kernel, resolution and bias of a finished search within limits. Draws nothing if the
-/// search changed the bias alone.
+/// Draws the button that sets the kernel, resolution and bias that a search within limits has found. Draws nothing if
+/// the search changed the bias alone.
 void draw_tuned_result(const TunePanelFacts& shown, Settings& settings, TuneRequests& requests);
 
 }  // namespace si

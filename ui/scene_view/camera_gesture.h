@@ -8,31 +8,33 @@
 
 namespace si {
 
-/// Returns the point that the camera looks at, world.
+/// Returns the point in world space that the camera looks at, metres.
 glm::dvec3 target_of(const CameraSettings& camera);
-/// Sets the point that the camera looks at, world.
+/// Sets the point in world space that the camera looks at, metres. Angles and distance of the camera stay.
 void set_target(CameraSettings& camera, const glm::dvec3& target);
-/// Orbits the camera about its target. @param dx, dy mouse movement, pixels, y down
+/// Orbits the camera about the point that it looks at. @param dx, dy mouse movement, pixels, y down
 void orbit_camera(CameraSettings& camera, double dx, double dy);
-/// Pans the camera: moves eye and target so that the point at the focus stays under the mouse.
-/// @param seen the camera of the picture @param dx, dy mouse movement, pixels, y down @param height picture height,
-/// pixels
+/// Pans the camera: moves the eye and the point that it looks at, so that this point stays under the mouse.
+/// @param seen camera with which the picture was drawn @param dx, dy mouse movement, pixels, y down
+/// @param height picture height, pixels
 void pan_camera(CameraSettings& camera, const Camera& seen, double dx, double dy, int height);
-/// Moves the camera closer to its focus or away from it. The point at the focus on the ray `towards` keeps its place in
-/// the picture. @param seen the camera of the picture @param steps notches of the wheel; positive: closer
+/// Zooms the camera towards the mouse: moves it closer to the point that it looks at, or away. The point on the ray
+/// `towards` at the same depth keeps its place in the picture. An orthographic camera narrows or widens its view.
+/// @param seen camera with which the picture was drawn @param steps notches of the wheel; positive: closer
 void zoom_camera(CameraSettings& camera, const Camera& seen, const Ray& towards, double steps);
-/// Turns the camera about its own eye. @param dx, dy mouse movement, pixels, y down
+/// Turns the camera about its own eye, for looking around while flying. @param dx, dy mouse movement, pixels, y down
 void turn_camera(CameraSettings& camera, double dx, double dy);
 /// Moves the camera to its right, upwards (world y) and forwards, metres. An orthographic camera narrows its view
 /// instead of moving forwards, because distance does not change its picture.
 void move_camera(CameraSettings& camera, const glm::dvec3& right_up_forward);
-/// Turns the camera so that it looks at its target along a world axis. @param axis 0 x, 1 y, 2 z @param positive true:
-/// looks from the axis's positive side
+/// Turns the camera about the point that it looks at, so that it looks along a world axis.
+/// @param axis 0 x, 1 y, 2 z @param positive true: from the axis's positive side; false: from its negative side
 void look_along_axis(CameraSettings& camera, int axis, bool positive);
-/// Moves the camera along its direction of view until `bounds` fill the picture.
+/// Moves the camera without turning it, so that the box `bounds` fills the picture. Near and far planes become
+/// automatic. An empty box changes nothing. @param aspect width / height of the picture
 void fill_picture_with(CameraSettings& camera, const Bounds& bounds, double aspect);
 /// Turns a light about its target, following the mouse to the right and upwards in the picture.
-/// @param seen the camera of the picture @param dx, dy mouse movement, pixels, y down
+/// @param seen camera with which the picture was drawn @param dx, dy mouse movement, pixels, y down
 void turn_light(LightSettings& light, const Camera& seen, double dx, double dy);
 
 }  // namespace si

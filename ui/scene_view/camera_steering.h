@@ -8,23 +8,26 @@ namespace si {
 
 inline constexpr float kClickPixels = 3;  ///< movement beyond which a press is a drag, pixels
 
-/// Moves the camera by mouse and keys over the scene picture. Call right after the picture's ImGui item, unless a mark
-/// in the picture has taken the press. Sets state.viewport.press_moved and state.viewport.dragging.
+/// Moves the camera by mouse and keys over the scene picture. A drag with Ctrl turns the shown light instead. Call
+/// right after the picture's ImGui item, unless a mark in the picture has taken the press. Sets
+/// state.viewport.press_moved and state.viewport.dragging.
 void steer_camera(EditorState& state, const EditorFrame& frame, const PictureView& view);
 
-/// Sets camera.source to manual with the present camera, so that it can be moved.
+/// Copies the picture's present camera into manual settings (camera.source), so that gestures can move it.
 void take_camera(EditorState& state, const EditorFrame& frame);
-/// Moves the camera until the selected objects fill the picture; without a selection the scene.
+/// Moves the camera until the selected objects fill the picture, or the whole scene if no object is selected.
 void frame_selection(EditorState& state, const EditorFrame& frame);
 /// Moves the camera until the scene and a light at `position` fill the picture.
 void frame_light(EditorState& state, const EditorFrame& frame, const glm::dvec3& position);
-/// Resets the camera to the scene's own one, or to the one that the scene suggests.
+/// Resets the camera to the scene's own camera, or to the settings that the scene suggests.
 void reset_camera(EditorState& state, const EditorFrame& frame);
-/// Switches between the view through the shown light and the camera before.
+/// Switches the picture between the view from the shown light and the camera that was in use before.
 void toggle_light_camera(EditorState& state);
-/// Returns a frame's camera as a frozen camera, with manual settings. @param settings the frame's camera settings
+/// Returns the camera of a frame as a frozen camera, for which shadow maps are made while another camera moves.
+/// @param settings camera settings of the frame
 FrozenCamera frozen_camera_of(const FrameResult& result, const CameraSettings& settings);
-/// Freezes the present camera, or releases the frozen one.
+/// Freezes the present camera, so that shadow maps are made for it while another camera moves. A second call releases
+/// the frozen camera.
 void toggle_frozen_camera(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

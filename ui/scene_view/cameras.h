@@ -10,14 +10,14 @@
 
 namespace si {
 
-/// State of the camera that flies while the right mouse button is held.
+/// State of flying: moving the camera by keys while the right mouse button is held.
 struct Flight {
     bool on = false;      ///< the button was down in the last frame
     bool moving = false;  ///< a key of movement was down in the last frame
     double speed = 1;     ///< factor of the usual speed
 };
 
-/// Frozen camera: shadow maps are made for it while another camera moves.
+/// Frozen camera: shadow maps stay fitted to it while another camera moves, which can then see them from outside.
 struct FrozenCamera {
     Camera camera;
     CameraSettings settings;          ///< manual settings with this camera

@@ -8,20 +8,22 @@
 
 namespace si {
 
-/// Returns the colour of a kernel's tap: lit, shadowed by another surface, or shadowed by the surface itself. Small
-/// weights are faint. @param heaviest heaviest_tap()
+/// Returns the colour of a kernel's tap: lit, shadowed by another surface, or shadowed by the surface itself. Taps with
+/// a small weight are faint.
+/// @param heaviest largest weight of the kernel's taps (heaviest_tap()), which gets the full colour
 ImU32 tap_colour(const KernelTap& tap, double heaviest);
-/// Returns the largest weight among the taps of a probed pixel's kernel.
+/// Returns the largest weight among the taps of a probed pixel's kernel, for tap_colour(); 0 without taps.
 double heaviest_tap(const Probe::PerLight& light);
 
-/// Draws a probed pixel's kernel as a square grid of taps at the cursor, the map's top row first. A tooltip shows
-/// the numbers of the tap under the mouse. @param side width of the grid, pixels
+/// Draws the kernel of a probed pixel as a square grid of taps at the ImGui cursor, the map's top row first. A tooltip
+/// shows the numbers of the tap under the mouse. @param side width of the grid, pixels
 void draw_tap_grid(const Probe::PerLight& light, float side);
 
-/// Draws the legend of the tap colours, one a line.
+/// Draws the legend of the colours of a kernel's taps, one a line.
 void draw_tap_key();
 
-/// Draws the outline of each texel of the probed pixel's kernel on the plane of the surface, in its tap's colour.
+/// Draws the texels of the probed pixel's kernel into the scene picture, on the plane of the receiver and in the
+/// colours of their taps.
 void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight& light);
 
 }  // namespace si

@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// Returns the pose from which a drag of a light's handle starts. Values that the light's fit has chosen become
-/// settings, as far as the handle needs them:
+/// Returns the pose (position, direction and settings) from which a drag of a light's handle starts. Values that the
+/// light's fit has chosen become settings, as far as the handle needs them:
 /// - Extent, near or far of any light, place or target of a directional light: all fitted values become settings, and
 ///   light.fit becomes manual.
 /// - Place, direction, cone or target of another light: the fitted distance becomes light.distance, and the map is
@@ -17,20 +17,21 @@ namespace si {
 /// - Range of any light, direction of a directional light: no fitted value becomes a setting.
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
-/// Returns the light's settings with `handle` dragged to `to` (pixels); nothing if the handle cannot appear there.
-/// @param start the pose at the press of the button @param step step of lengths, metres (angles then step by 5
-/// degrees); 0: no steps
+/// Returns the light's settings after a drag of `handle` to the place `to` on the screen (pixels). Nothing if the
+/// handle cannot appear there.
+/// @param start the pose at the press of the button (grab_light())
+/// @param step step of lengths, metres (angles then step by 5 degrees); 0: no steps
 std::optional<LightSettings> drag_light(const LightPose& start, LightHandle handle, const PictureView& view,
                                         const glm::dvec2& to, double step = 0);
 
-/// Light's mark under the mouse: a handle of the shown light, or (without a handle) another light's mark, or the
-/// pointer to the shown light outside the picture.
+/// Mark of a light under the mouse in the scene picture. It is a handle of the shown light, the mark of another light,
+/// or the arrow that points to the shown light outside the picture.
 struct LightHit {
     int light = 0;
     std::optional<LightHandle> handle;
 };
 
-/// Drag of a light's handle that is under way.
+/// State of the drag of a light's handle that is under way.
 struct HandleDrag {
     int light = 0;
     LightHandle handle = LightHandle::Position;
@@ -42,11 +43,11 @@ struct HandleDrag {
     bool over = false;         ///< cancelled, while the button is still held
 };
 
-/// Returns a round step for dragged lengths, metres: 1, 2 or 5 times a power of ten, about a fiftieth of the scene's
-/// radius (metres).
+/// Returns the step in metres to which lengths snap while a light is dragged with Ctrl. It is 1, 2 or 5 times a power
+/// of ten, about a fiftieth of the scene's radius. @param scene_radius metres
 double snap_step(double scene_radius);
 
-/// Formats the numbers that a light's handle changes, with units. @param pose the present pose of the light
+/// Formats the numbers that a drag of a light's handle changes, with units. @param pose the present pose of the light
 std::string handle_numbers(const LightPose& pose, LightHandle handle);
 
 }  // namespace si

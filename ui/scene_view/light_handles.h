@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Kind of a light's handle in the scene picture.
+/// Handle of a light in the scene picture: a mark that the mouse drags to change one property of the light.
 enum class LightHandle {
     Position,
     AxisX,
@@ -30,17 +30,17 @@ enum class LightHandle {
     Far
 };
 
-/// Returns true for the arrows that move a light along a world axis.
+/// Returns true for the handles that are arrows, which move a light along a world axis.
 bool is_axis(LightHandle handle);
-/// Returns true for the handles of a directional light's width and height.
+/// Returns true for the handles that change the width and height of a directional light's map.
 bool is_extent(LightHandle handle);
-/// Returns true for the handles of a spot light's cone angle.
+/// Returns true for the handles that change the cone angle of a spot light.
 bool is_cone(LightHandle handle);
 
 /// Returns the name of a light's handle for tooltips: "Near plane".
 std::string_view handle_name(LightHandle handle);
 
-/// Pose of a light: position, direction and planes, which its handles show and change.
+/// Pose of a light: the position, direction and planes that its handles in the scene picture show and change.
 struct LightPose {
     LightSettings settings;
     LightType type = LightType::Directional;
@@ -60,38 +60,39 @@ struct LightPose {
     bool ranged() const { return type != LightType::Directional && settings.range > 0; }
 };
 
-/// Returns the pose of a light for its handles. @param face the index of the light's shown view
+/// Returns the pose of a light, from which its handles in the scene picture are placed.
+/// @param fitted the light as the last frame fitted it @param face index of the view (cube face, cascade) that is shown
 LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, int face);
 
-/// Returns all handles that the light has, visible in the picture or not.
+/// Returns all handles that a light has by its type and fit, visible in the picture or not.
 std::vector<LightHandle> handles_of(const LightPose& pose);
 
 /// Returns the position of a light's handle in world space. Arrows and the direction's ball have a constant size on the
 /// screen, so that their positions depend on the view.
 glm::dvec3 handle_position(const LightPose& pose, LightHandle handle, const PictureView& view);
 
-/// Returns the radius, metres, of the ball on which the handle of a light's direction moves. Its centre is the target
-/// of a directional light, or the spot light.
+/// Returns the radius in metres of the ball on which the handle of a light's direction moves. The ball's centre is a
+/// spot light itself, or the target of a directional light.
 double direction_ball_radius(const LightPose& pose, const PictureView& view);
-/// Returns the distance, metres, from a spot light at which the rim of its cone is drawn.
+/// Returns the distance in metres from a spot light at which the rim of its cone is drawn in the scene picture.
 double cone_rim_distance(const LightPose& pose);
-/// Returns the unit vector, world, along which an arrow, extent or cone handle of a light moves.
+/// Returns the unit vector in world space along which the mouse drags an arrow, extent or cone handle of a light.
 glm::dvec3 handle_axis(const LightPose& pose, LightHandle handle);
-/// Returns the unit vector, world, from a light to the handle of its range: on the cone's rim between two handles
-/// (spot), or across the line to the target (point).
+/// Returns the unit vector in world space from a light to the handle of its range. For a spot light it lies on the
+/// cone, for a point light across the line to the target.
 glm::dvec3 range_axis(const LightPose& pose);
 /// Returns half the angle of a spot light's cone, radians.
 double half_cone_rad(const LightSettings& settings);
 
-/// Handle of a light with its position in the world and on the screen.
+/// Handle of a light with its position in world space and on the screen.
 struct PlacedHandle {
     LightHandle handle = LightHandle::Position;
     glm::dvec3 at{0};         ///< world
     glm::dvec2 on_screen{0};  ///< pixels
 };
 
-/// Returns the light's handles that can be dragged in this view: inside the picture, and not moving along the line of
-/// sight.
+/// Returns the handles of a light that can be dragged in this view: those inside the picture that do not move along the
+/// line of sight.
 std::vector<PlacedHandle> place_handles(const LightPose& pose, const PictureView& view);
 
 }  // namespace si

@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// Returns the path of the node whose triangle the ray hits first; empty: none. Both sides count, and holes of masked
-/// materials are solid. The time is proportional to the triangles of objects whose boxes the ray hits.
+/// Returns the node path of the object whose triangle a ray hits first; empty: none. Both sides of triangles count, and
+/// holes of masked materials are solid. The time is proportional to the triangles of objects whose boxes the ray hits.
 std::string object_at(const Scene& scene, const Ray& ray);
 
 }  // namespace si

@@ -9,7 +9,8 @@ namespace si {
 
 /// Arrangement of the shown picture and the one that it is compared with. Alone: only the latter, while a key is held.
 enum class ComparisonView { Off, Swipe, SideBySide, Difference, Alone };
-/// State of the comparison of the shown picture with another one.
+/// State of the comparison of the scene picture with another one: arrangement, kind of the other picture, and dividing
+/// line.
 struct PictureComparison {
     ComparisonView view = ComparisonView::Off;
     bool reference = true;  ///< compares with the ray-traced reference; else with the settings of PictureState::compare
@@ -17,7 +18,8 @@ struct PictureComparison {
     bool held = false;  ///< the line is being dragged
 };
 
-/// Picture that the shown one is compared with, and the difference image of these two.
+/// Data of the comparison of the scene picture with another one: the other picture, and the difference image of these
+/// two.
 struct PictureComparisonFacts {
     Image picture;        ///< without a texture: not there yet
     Image difference;     ///< without a texture: not there yet

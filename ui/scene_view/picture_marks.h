@@ -12,20 +12,27 @@ namespace si {
 
 // `origin` and `size` are the picture's place on the screen, pixels.
 
-/// Draws a cross over the scene picture at the probed pixel.
+/// Draws a cross over the scene picture at the probed pixel. @param origin, size place of the picture on the screen,
+/// pixels
 void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2 origin, ImVec2 size);
 
-/// Marks the pixels whose kernels read the texel under the mouse in the map viewer.
+/// Marks the pixels of the scene picture whose kernels read the shadow-map texel under the mouse in the map viewer.
+/// @param origin, size place of the picture on the screen, pixels
 void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
 
-/// Draws a readout next to the mouse: the pixel's coordinates and the overlay's value there.
+/// Draws the coordinates of the pixel under the mouse, and the overlay's value there, in the upper left corner of the
+/// picture.
+/// @param light light whose views the overlay's colours name; null: not known
+/// @param origin upper left corner of the picture, or of its part below a caption, pixels of the screen
 void draw_hover_readout(const EditorFrame& frame, const Pane& pane, const FittedLight* light, ImVec2 origin,
                         glm::ivec2 pixel);
 
-/// Draws the enlarged pixels around state.loupe_pixel in a corner, with colour and visibility of the middle one.
+/// Draws the enlarged pixels around state.loupe_pixel in an upper corner of the scene picture, with colour and
+/// visibility of the middle one. @param origin, size place of the picture on the screen, pixels
 void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
 
-/// Draws text on a dark background, readable over any picture. @param at the upper left corner, pixels of the screen
+/// Draws text on a dark background, readable over any picture. @param at upper left corner of the text, pixels of the
+/// screen
 void draw_text_on_picture(ImVec2 at, const std::string& text, ImU32 colour = theme::kOnPicture);
 
 }  // namespace si

@@ -23,24 +23,25 @@ public:
     /// Returns `units` of scale 1 in pixels of the screen.
     float px(double units) const { return float(units * view_.ui_scale); }
 
-    /// Draws a world line with a dark edge, visible on any picture. @param from, to the ends, world @param width pixels
-    /// at scale 1
+    /// Draws a line between two points of the world over the picture, with a dark edge, visible on any background.
+    /// @param from, to the ends, world @param width pixels at a UI scale of 1
     void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.4) const;
-    /// Draws a world line one pixel wide without the dark edge of line(), for many or faint lines. @param from, to the
-    /// ends, world
+    /// Draws a line between two points of the world over the picture, one pixel wide and without the dark edge of
+    /// line(). For many or faint lines. @param from, to the ends, world
     void thin_line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour) const;
-    /// Draws a dashed world line. @param from, to the ends, world @param width pixels at scale 1
+    /// Draws a dashed line between two points of the world over the picture.
+    /// @param from, to the ends, world @param width pixels at a UI scale of 1
     void dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.2) const;
-    /// Draws a filled circle over the picture. @param at the centre, pixels of the screen @param radius pixels at scale
-    /// 1
+    /// Draws a filled circle over the picture.
+    /// @param at the centre, pixels of the screen @param radius pixels at a UI scale of 1
     void dot(const glm::dvec2& at, double radius, ImU32 colour) const;
 
-    /// Draws text on a dark background, moved into the picture if it would leave it. @param at the upper left corner,
-    /// pixels of the screen
+    /// Draws text on a dark background over the picture. Text that would leave the picture is moved into it.
+    /// @param at upper left corner of the text, pixels of the screen
     void caption(const glm::dvec2& at, const std::string& text, ImU32 colour) const;
 
 private:
-    /// Projects a world-space line segment to the screen, and clips it a few pixels outside the rectangle of the
+    /// Projects a line segment in world space to the screen, and clips it a few pixels outside the rectangle of the
     /// picture. Occluders are ignored. Returns the ends in pixels of the screen; nothing if all of the segment is
     /// outside.
     std::optional<std::pair<glm::dvec2, glm::dvec2>> visible(const glm::dvec3& from, const glm::dvec3& to) const;

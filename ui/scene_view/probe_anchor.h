@@ -26,11 +26,12 @@ enum class AnchorPlace {
     Outside,  ///< outside the picture or behind the camera; nothing is probed
 };
 
-/// Returns the pixel of the probe's anchor in a picture of this size, row 0 at the top; nothing if the anchor is
-/// outside the picture.
+/// Returns the pixel at which a picture shows the surface point that the probe follows, row 0 at the top. Nothing if
+/// the point is outside the picture. @param width, height size of the picture, pixels
 std::optional<glm::ivec2> anchored_pixel(const ProbeAnchor& anchor, const Camera& camera, int width, int height);
 
-/// Returns true if the probe has hit a nearer surface than the anchor's, which hides the anchor.
+/// Returns true if the probe has hit a surface that is nearer to the camera than the point that the probe follows, and
+/// hides this point.
 bool hides(const Probe& probe, const ProbeAnchor& anchor);
 
 /// Ray of a probed pixel's shadow test, from the light to the surface.
@@ -41,11 +42,11 @@ struct ProbeRay {
     bool blocked = false;    ///< the stored depth keeps light from the surface
 };
 
-/// Returns the shadow test's ray from one light to the probed pixel; nothing if the light has no map, or the surface is
-/// behind the light.
+/// Returns the ray of the shadow test from a light to the surface at the probed pixel, for drawing. Nothing if the
+/// light has no map, or the surface is behind the light.
 std::optional<ProbeRay> probe_ray(const Probe& probe, const Probe::PerLight& light, const FittedLight& fitted);
 
-/// Pixels of the renderer's picture that the loupe enlarges.
+/// Pixels of the picture that the loupe (magnifier) of the editor enlarges.
 struct LoupeFacts {
     glm::ivec2 at{0};                 ///< pixel in the middle
     ByteImage pixels;                 ///< kLoupeRadiusPixels pixels on each side of it; alpha is 0 outside the picture

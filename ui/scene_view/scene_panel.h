@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// State of the scene picture's panel: marks and pixel under the mouse, gestures under way.
+/// State of the panel with the scene picture: marks and pixel under the mouse, and gestures under way.
 struct ScenePanel {
     glm::ivec2 wanted_size{0};                ///< pixels of the picture that was requested last
     float covered = 0;                        ///< height at the picture's lower edge that the open strip covers, pixels

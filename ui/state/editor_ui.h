@@ -45,7 +45,8 @@
 
 namespace si {
 
-/// Comparison to restore when the key that shows A alone is released.
+/// Picture comparison as it was before a held key showed the pinned settings (A) alone. It is restored when the key is
+/// released.
 struct Flicker {
     PictureComparison picture_comparison;
     CompareWith compare;
@@ -54,20 +55,22 @@ struct Flicker {
 /// Centre of the loupe: the probed pixel, or the pixel under the mouse.
 enum class LoupeMode { Probed, Mouse, Off };
 
-/// Part of the editor's state that the drawn frame and the numbers read back from it depend on.
+/// Part of the editor's state that the drawn frame, and the numbers read back from it, depend on. The drawing thread
+/// gets a copy.
 struct PictureState {
     Settings settings;
     CompareWith compare;
     PictureComparison comparison;
     std::optional<PinnedSettings> pinned;
-    /// Settings that a search proposes, shown before they are taken.
+    /// Settings that a search proposes, shown beside the present ones until the user applies or dismisses them.
     struct Tried : PinnedSettings {
         PictureComparison comparison_before;  ///< the comparison that they replace
         CompareWith compare_before;
         Settings shown_beside;  ///< the present settings at that time
     };
     std::optional<Tried> tried;
-    /// Measurements that a search promised for settings which were then applied.
+    /// Errors that a search has measured for proposed settings which were then applied. The log compares them with the
+    /// errors of the shown frame.
     struct Predicted {
         Settings settings;  ///< as measured: measured_settings()
         std::size_t wrong = 0;
@@ -91,7 +94,7 @@ struct PictureState {
     bool shows(Page page) const { return inspector_page == page || strip_page == page; }
 };
 
-/// State of the editor: the state of each panel, and the state that panels share.
+/// Whole state of the editor: the state of each panel, and the state that panels share.
 struct EditorState : PictureState {
     History history;
     Log log;
@@ -126,21 +129,21 @@ struct EditorState : PictureState {
     ConvertDialog convert;
 };
 
-/// Progress of a scene that is loading while the editor shows another one.
+/// Progress of loading a scene, for the progress bar over the scene picture.
 struct LoadingFacts {
     std::string name;         ///< built-in key or path
     double progress = 0;      ///< 0..1
     double seconds_left = 0;  ///< estimated; 0: not known yet
 };
 
-/// Progress of a scene's first picture while it is drawn.
+/// Progress of drawing a scene's first picture, for the progress bar.
 struct DrawingFacts {
     std::string pass;     ///< pass under way
     double progress = 0;  ///< 0..1
 };
 
-/// Data that panels show: the last frame, the scene and background work. Pointers may be null: the editor then draws
-/// without this data.
+/// Data that panels show in one frame: the last drawn picture, the scene and results of background work. Pointers may
+/// be null: the editor then draws without this data.
 struct EditorFrame : ProbeFacts,
                      TunePanelFacts,
                      MapPanelFacts,
@@ -179,8 +182,8 @@ struct EditorFrame : ProbeFacts,
     const ArtefactSpots* artefacts = nullptr;  ///< clusters of the last fulfilled request
 };
 
-/// Requests of the panels to the application in one frame. Members want_...: data that a shown panel needs from the
-/// next frame.
+/// Actions that the panels request from the application in one frame, such as loading a scene. Members want_... name
+/// data that a shown panel needs in the next frame.
 struct EditorRequests : MapRequests,
                         ReferenceRequests,
                         PresetRequests,
@@ -214,8 +217,8 @@ struct EditorRequests : MapRequests,
 inline constexpr float kMinWindowWidth = 640;
 inline constexpr float kMinWindowHeight = 360;
 
-/// Draws the whole editor into the current ImGui frame, and edits state.settings in place. Returns the panels'
-/// requests, which the caller fulfils before the next frame.
+/// Draws the whole editor into the current ImGui frame, and edits state.settings in place. Returns the actions that
+/// panels request, which the caller performs before the next frame.
 EditorRequests draw_editor(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

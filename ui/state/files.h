@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Paths of the open preset and scene, and the state of the dialogs that choose files.
+/// State of the editor's files: paths of preset and scene, notes about them, and the dialogs that choose files.
 struct FilesState {
     std::string scene_input;                  ///< path of a scene while it is being typed
     std::string preset_path = "preset.json";  ///< file that saving writes

@@ -18,7 +18,7 @@ struct TimedFrame {
     bool drew_maps = false;  ///< else maps were cached, or there are none
 };
 
-/// Times of one scene's last frames and passes.
+/// GPU times of one scene's last frames and passes, for the plot of frame times.
 struct FrameTimes {
     static constexpr double kKept_s = 30;  ///< age up to which frames are kept
 
@@ -29,8 +29,10 @@ struct FrameTimes {
     bool newest_is_shown = false;           ///< the newest is the frame that is shown
 };
 
-/// Adds the shown frame's times to the times of the last frames, if passes were timed and ran. Call in every frame of
-/// the window; a frame that stays is added once. @param now_s time of the window's clock, seconds
+/// Adds the GPU times of the shown frame to the recorded ones, if its passes were timed. Call in every frame of the
+/// window; a frame that stays on the screen is added once.
+/// @param scene the name of the scene; times of another scene are dropped
+/// @param now_s time of the window's clock, seconds
 void keep_times(FrameTimes& times, const FrameResult& shown, std::string_view scene, double now_s);
 
 }  // namespace si

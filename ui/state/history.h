@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Note about the preset that was opened last: title and description, shown in a strip.
+/// Note about the preset that was opened last: title and description, shown in a strip above the pictures.
 struct GuideNote {
     std::string key;  ///< key of a built-in preset, or the file's path; empty: none is open
     std::string title;
@@ -18,58 +18,64 @@ struct GuideNote {
     bool operator==(const GuideNote&) const = default;
 };
 
-/// Scene and preset that a step of the history belongs to.
+/// Scene and preset that a step of the undo history belongs to.
 struct Place {
     std::string scene;  ///< built-in key or path; empty: any
     GuideNote guide;
 };
 
-/// History of settings for undo and redo, one entry for each step.
+/// History of settings for undo and redo, with the whole settings of each step.
 class History {
 public:
-    /// Drops all steps of the history and starts again from `settings` (a new scene, or the start of the program).
+    /// Drops all steps of the undo history and starts again from `settings`, when the program or its first scene
+    /// starts.
     void reset(const Settings& settings);
     /// Sets the scene and preset of the next step. Another scene is a step of its own.
     void set_place(Place place) { present_ = std::move(place); }
-    /// Records changed settings as a step of undo. While `busy` (a gesture is under way) nothing is recorded;
-    /// afterwards all changes since the last step become one step. Consecutive moves of the camera are one step. Call
-    /// once a frame.
+    /// Records changed settings as a step of undo. Call once a frame. Consecutive moves of the camera are one step.
+    /// @param busy true: a gesture such as a drag is under way and nothing is recorded; all its changes become one step
+    /// afterwards
     void record(const Settings& settings, bool busy);
-    /// Sets scene.time while an animation plays. The undo history gets no entry until commit().
+    /// Accepts the time of a playing animation (scene.time, seconds), so that record() makes no step of undo for each
+    /// frame. commit() makes the step when the animation stops.
     void set_time(double time_s);
-    /// Adds a change that the program itself has made (lights that a file animates) to the last step of undo.
+    /// Adds a change that the program itself has made, such as to lights that a file animates, to the present step of
+    /// undo. No new step is made. @param before, after settings before and after the change
     void amend_step(const Settings& before, const Settings& after);
-    /// Records a step of undo if `settings` differ from the last step's.
+    /// Records a step of undo at once, also during a gesture, if `settings` differ from the present step's. Steps that
+    /// could be redone are dropped.
     void commit(const Settings& settings);
-    /// Returns the name of each step of undo: the settings that it has changed, or its scene or preset. The first step,
-    /// which changes nothing, is named "the beginning".
+    /// Returns a name for each step of undo, oldest first: the settings that the step changed, or its scene or preset.
+    /// The first step, which changes nothing, is named "the beginning".
     std::vector<std::string> names() const;
     /// Returns the index of the step that is shown.
     std::size_t index() const { return at_; }
-    /// Goes to a step of the history, clamped to the existing ones. Returns the step's settings.
+    /// Goes to a step of the undo history and returns the step's settings. @param step the index of the step, clamped
+    /// to the existing ones
     const Settings& go_to(std::size_t step);
     /// Returns true if there is a step before the shown one.
     bool can_undo() const { return at_ > 0; }
     /// Returns true if there is a step after the shown one.
     bool can_redo() const { return at_ + 1 < steps_.size(); }
-    /// Goes one step back in the history. Returns that step's settings; the present ones at the beginning.
+    /// Goes one step back in the undo history and returns that step's settings. Stays at the first step.
     const Settings& undo();
-    /// Goes one step forward in the history. Returns that step's settings; the present ones at the end.
+    /// Goes one step forward in the undo history and returns that step's settings. Stays at the last step.
     const Settings& redo();
     /// Returns the scene and preset of the step that is shown.
     const Place& place() const { return steps_[at_].place; }
     /// Returns the settings of the step that is shown.
     const Settings& settings() const { return steps_[at_].settings; }
-    /// Returns to the step shown before the last undo(), redo() or go_to(). Call when the scene of the new step could
+    /// Goes back to the step shown before the last undo(), redo() or go_to(). Call when the scene of the new step could
     /// not be loaded.
     void cancel_move();
 
 private:
     static constexpr std::size_t kLimit = 500;
-    /// Makes a step of the history the shown one. Returns the step's settings.
+    /// Makes a step of the undo history the shown one and returns its settings. @param step the index of an existing
+    /// step
     const Settings& show_step(std::size_t step);
 
-    /// Step of the history: settings with their scene and preset.
+    /// Step of the undo history: settings with their scene and preset.
     struct Step {
         Settings settings;
         Place place;

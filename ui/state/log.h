@@ -9,17 +9,17 @@ namespace si {
 
 enum class LogKind { Info, Warning, Error };
 
-/// Message of the log.
+/// Message of the editor's log, with the number of its repetitions.
 struct LogLine {
     LogKind kind = LogKind::Info;
     std::string text;
     int count = 1;  ///< times that it was added in a row
 };
 
-/// Log of the last messages for the user, oldest first.
+/// Log of the last 1000 messages for the user, oldest first.
 class Log {
 public:
-    /// Adds a message to the log. A repetition of the last message only raises its count.
+    /// Adds a message to the log. A repetition of the last message only raises that message's count.
     void add(LogKind kind, std::string_view text);
     /// Removes all messages from the log.
     void clear();

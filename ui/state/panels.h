@@ -14,111 +14,126 @@ namespace si {
 
 struct Trial;
 
-/// Draws the row of menus, scene, presets, undo and save.
+/// Draws the bar at the top of the editor: menus, scene, presets, undo and save.
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the scene pictures with their toolbar and marks, and steers camera and lights by the mouse.
+/// Draws the scene pictures with their toolbar and marks, and moves camera and lights with the mouse.
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the shadow map with its toolbar, marks and plots.
+/// Draws the map viewer: the shadow map with its toolbar, marks and plots.
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the inspector on the right: tabs of settings, objects, lights, the probed pixel, and improvements.
+/// Draws the inspector, the panel on the right: tabs of settings, objects, lights, the probed pixel and improvements.
 void draw_inspector(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the strip below the pictures: tabs of plots and tables. While it is closed, its tabs alone.
+/// Draws the strip, the panel below the pictures: tabs of plots and tables. Draws only the tabs while the strip is
+/// closed.
 void draw_strip(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Returns the height of the closed strip, pixels.
+/// Returns the height of the closed strip (the panel below the pictures, only its tabs), pixels.
 float closed_strip_height();
-/// Draws all settings, with search.
+/// Draws the page Settings of the inspector: all settings, with search.
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the list of lights with all settings of the shown light.
+/// Draws the page Lights of the inspector: the list of lights, and all settings of the shown light.
 void draw_lights_page(EditorState& state, const EditorFrame& frame);
-/// Draws the probed pixel: its shadow test, verdict and cross-section.
+/// Draws the page Pixel of the inspector: shadow test, verdict and cross-section of the probed pixel.
 void draw_probe(EditorState& state, const EditorFrame& frame);
-/// Draws the errors of the shown light's shadows in numbers, by cause.
+/// Draws the page Error of the strip: errors of the shown light's shadows against the reference, in numbers and by
+/// cause.
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the tree of the scene's nodes with their settings.
+/// Draws the page Objects of the inspector: the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);
 /// Draws the welcome window, while state.window.show_welcome is set.
 void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the animation's controls. Call only while time_bar_height() is not 0.
+/// Draws the controls of the animation: play, time, speed and loop. Call only while time_bar_height() is not 0.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
-/// Returns the height of the animation's controls, pixels; 0: the scene has no animation.
+/// Returns the height of the controls that draw_time_bar() draws, pixels; 0: the scene has no animation.
 float time_bar_height(const EditorFrame& frame);
-/// Draws the note of the open preset and the offer to restore a lost session, each if there is one.
-/// @param width pixels; the height follows the text
+/// Draws the notes above the pictures, each if there is a reason. They concern the open preset, a lost session, saved
+/// scene files, far objects, and a reset of the graphics driver. @param width pixels; the height follows the text
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
-/// Returns the sequence of presets that the open preset belongs to: the hard cases, or else the guided presets.
+/// Returns the list of built-in presets through which the buttons Next and Previous go. The list is that of the hard
+/// cases (corner cases of shadow maps) if one of them is open, else that of the guided presets.
 std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame);
-/// Returns the key of the preset `step` places after the open preset in its sequence; none beyond either end.
+/// Returns the key of the preset `step` places after the open one in open_preset_sequence(); none beyond either end. If
+/// no preset of the list is open, returns the first, or the last for a negative step.
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
-/// Draws the colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner. Overlays
-/// with one colour for each view of a light list these colours, with range and texel size. @param left, bottom the
-/// corner, pixels of the screen @param room the size of the picture, pixels @param light the light; null: none
-/// @param map_size texels of each view's map
+/// Draws the colour scale of a pane's overlay, with numbers and unit, over the lower left corner of the pane's picture.
+/// For an overlay with one colour for each view of the light, lists the views instead, with range and texel size.
+/// @param light the shown light; null: none @param map_size texels of each view's map
+/// @param left, bottom lower left corner of the picture, pixels of the screen @param room size of the picture, pixels
 void draw_legend(const Pane& pane, const FittedLight* light, MapSize map_size, float left, float bottom, ImVec2 room);
 
-/// Draws sliders for opacity and scale of a pane's overlay, below its legend.
+/// Draws widgets for opacity and scale of a pane's overlay, below its legend (draw_legend()).
+/// @param left, bottom lower left corner of the picture, pixels of the screen @param room size of the picture, pixels
 void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float bottom, ImVec2 room);
-/// Returns the width of draw_legend_widgets(), pixels.
+/// Returns the width of the widgets that draw_legend_widgets() draws for a pane, pixels.
 float legend_widgets_width(const Settings& settings, const Pane& pane);
-/// Returns the height of draw_legend_widgets(), pixels; 0: the picture is too small for sliders.
+/// Returns the height of the widgets that draw_legend_widgets() draws, pixels; 0: no overlay, or too small a picture.
+/// @param room size of the picture, pixels
 float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 room);
 
-/// Draws the colours of the artefact overlay with their causes and pixel counts, in its picture's corner.
+/// Draws the legend of the artefact overlay over the lower left corner of its picture: colours, causes of wrong pixels
+/// and pixel counts. @param error errors of the frame; null: not known, so that no counts are drawn
+/// @param left, bottom the corner, pixels of the screen @param room width of the picture, pixels
 void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);
 
-/// Formats the progress of the ray-traced reference, or the time that tracing took. Requires frame.reference.
+/// Formats the state of the ray-traced reference: progress, why it is missing, or the rays and time that it took.
+/// Requires frame.reference.
 std::string reference_status(const EditorFrame& frame);
 
-/// Draws the progress of the traced rays over a picture whose overlay waits for the reference.
+/// Draws the progress of the ray-traced reference, with a button that cancels tracing, over a picture whose overlay
+/// needs the reference. Draws nothing if the reference is complete.
+/// @param left, bottom lower left corner of the picture, pixels of the screen @param width of the picture, pixels
 void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left, float bottom, float width);
 
-/// Draws the combo that chooses the view of the picture comparison (swipe, side by side, difference). @param width
-/// pixels
+/// Draws the combo that chooses the arrangement of the compared pictures: off, swipe, side by side or difference.
+/// @param width of the combo, pixels
 void comparison_view_widget(EditorState& state, float width);
-/// Draws the combo that chooses what the shown picture is compared with: the reference, or other settings.
-/// @param width pixels
+/// Draws the combo that chooses the other side of the picture comparison: the reference, or other settings.
+/// @param width of the combo, pixels
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width);
-/// Returns the chosen view of the picture comparison, also while a held key shows another view.
+/// Returns the arrangement of the compared pictures (off, swipe, side by side, difference) that the user has chosen. A
+/// held key that shows the pinned settings alone does not change it.
 ComparisonView chosen_comparison(const EditorState& state);
-/// Drags the line of the swipe comparison with the mouse. Call before the picture's own gestures. Returns true if the
-/// line has taken the press.
+/// Moves the line of the swipe comparison, between the two compared pictures, with the mouse. Call before the picture's
+/// own gestures. Returns true while the line is dragged: the picture then ignores the mouse.
 bool steer_swipe(EditorState& state, const PictureView& view);
-/// Draws the compared picture (right of the swipe's line, side by side or as a difference) and the names of both sides.
-/// @param lo the upper left corner of the picture, pixels of the screen
-/// @param size the size of the picture, pixels
+/// Draws the other picture of a comparison over the shown one: right of the swipe's line, side by side, or as a
+/// difference. Labels the two sides with the names of their settings.
+/// @param lo upper left corner of the pane, pixels of the screen @param size size of the pane, pixels
+/// @param right_half true: the right pane of a comparison side by side
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
-/// Pins the present settings as A, to compare later settings with. While no pictures are compared, A becomes the side
-/// that the next comparison shows. Removes the pin if the present settings are pinned already. Does nothing during the
-/// flicker comparison.
+/// Pins the present settings as A, to compare later settings with them. If no pictures are compared, the next
+/// comparison shows A. Removes the pin if these settings are pinned already. Does nothing while a key shows A alone.
 void pin_settings(EditorState& state);
-/// Shows settings right of the swipe's line, before they are taken.
+/// Shows settings that a search proposes right of the swipe's line, beside the present ones, before the user applies
+/// them. Does nothing while a key shows the pinned settings alone.
 void show_tried(EditorState& state, const Settings& settings);
-/// Ends show_tried(), and restores the comparison that it replaced.
+/// Ends the preview of proposed settings that show_tried() began, and restores the comparison before.
 void hide_tried(EditorState& state);
-/// Ends show_tried() when other settings than bias, kernel and resolution, the scene or the comparison have changed.
-/// Call once a frame.
+/// Ends the preview that show_tried() began when scene, comparison, or settings other than bias, kernel and resolution
+/// have changed. Call once a frame.
 void follow_tried(EditorState& state);
-/// Applies a drawn change to the settings. The log then compares the predicted errors with the measured ones
-/// (check_prediction()).
+/// Applies a change of settings that a search has drawn and measured. The log then compares the measured errors with
+/// those of the shown frame (check_prediction()).
 void apply_trial(EditorState& state, const Trial& trial);
-/// Logs the errors that a search predicted for the present settings beside the measured ones, once those are known.
-/// Requests them until then. Call once a frame.
+/// Logs the errors that a search predicted for the applied settings beside the measured ones, once these are known.
+/// Requests the errors until then. Call once a frame.
 void check_prediction(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
+/// Shows the picture of the pinned settings (A) alone, until end_flicker(). Call when the key is pressed. If nothing is
+/// pinned, the log says so.
 void begin_flicker(EditorState& state);
-/// Shows the present settings again, with the comparison that begin_flicker() has replaced.
+/// Ends begin_flicker(): shows the present settings again, and restores the comparison before.
 void end_flicker(EditorState& state);
 
-/// Draws the progress of a loading scene, with a button that cancels the loading, at the top of a picture.
-/// @param left, top, width the place, pixels of the screen
+/// Draws the progress of loading a scene, with a button that cancels it, over the upper part of a picture. Draws
+/// nothing if no scene is being loaded. @param left, top, width upper edge of the picture, pixels of the screen
 void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width);
 
-/// Returns true while a text field has the keyboard, in this frame or from the next one on.
+/// Returns true while the user types into a text field, in this frame or from the next one on. Shortcuts then do not
+/// act.
 bool text_is_typed();
 
-/// Makes a panel fill the window, or shows all panels again if the panel fills it already.
+/// Makes a panel fill the editor's window, or shows all panels again if the panel fills the window already.
 void toggle_maximised(EditorState& state, Panel panel);
 
 /// Draws the status bar below all panels: last message, frame time, map's bytes and taps, picture's size, driver.

@@ -6,25 +6,28 @@
 
 namespace si {
 
-/// Returns the chosen animation; null: the scene has no such animation, or the rest pose is shown.
+/// Returns the animation that scene.animation chooses; null: the scene has no such animation, or the rest pose is
+/// shown.
 const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings& settings);
 
-/// Starts or stops the chosen animation; starts from the beginning after the end. Does nothing without an animation of
-/// some length. The change of scene.time becomes one step of undo at the stop.
+/// Starts or stops the chosen animation. At the end of the animation, starts from the beginning. Does nothing if there
+/// is no animation, or its length is 0. The change of scene.time becomes one step of undo at the stop.
 void toggle_play(EditorState& state, const EditorFrame& frame);
 /// Stops the playing animation and records the change of scene.time as a step of undo.
 void stop_playing(EditorState& state);
 
-/// Undoes the last step of the history. Stops a playing animation first, so that its change can be undone, too. A step
-/// of another scene sets state.between_steps and is shown once that scene is loaded.
+/// Undoes the last change of settings (the last step of the history). Stops a playing animation first, whose change can
+/// then be undone, too. A step of another scene sets state.between_steps and is shown once its scene is loaded.
 void undo(EditorState& state);
-/// Redoes the next step of the history. A step of another scene is shown once that scene is loaded, as in undo().
+/// Redoes the change of settings that was undone last. A step of another scene is shown once its scene is loaded, as in
+/// undo().
 void redo(EditorState& state);
-/// Goes to any step of the history, back or forward. Stops a playing animation first. A step of another scene is shown
-/// once that scene is loaded, as in undo(). @param step the index of the step
+/// Goes to any step of the undo history, back or forward. Stops a playing animation first. A step of another scene is
+/// shown once its scene is loaded, as in undo(). @param step the index of the step
 void go_to_step(EditorState& state, std::size_t step);
 
-/// Advances scene.time by `seconds` while the animation plays. Call once a frame, before the panels are drawn.
+/// Advances scene.time while the animation plays, and stops the animation at its end unless it loops. Call once a
+/// frame, before the panels are drawn. @param seconds time since the last frame
 void advance_animation(EditorState& state, const EditorFrame& frame, double seconds);
 
 }  // namespace si

@@ -18,12 +18,14 @@ std::string scene_label(const std::string& name_or_path);
 /// Values of a whole-number setting with their names; empty: plain numbers are shown.
 using NamedValues = std::vector<std::pair<int, std::string>>;
 
-/// Returns the names of the file's animations, scenes or cameras as choices of scene.animation, scene.index or
-/// camera.index. Empty for other keys, without a scene, and if there is nothing to choose from.
+/// Returns the choices of a setting that numbers parts of the scene's file, with their names: scene.animation,
+/// scene.index or camera.index. Empty for other keys, without a scene, and if there is nothing to choose from.
+/// @param key key of the setting
 NamedValues scene_choices(const Scene* scene, std::string_view key);
 
-/// Returns the names of the shown light's views (faces, cascades) as choices of view.face. A number beyond the last
-/// means the last. Empty for other keys and for lights with a single view.
+/// Returns the choices of the setting view.face: the views of the shown light (cube faces, cascades), with their names.
+/// A number beyond the last view means the last. Empty for other keys and for lights with a single view.
+/// @param key key of the setting
 NamedValues view_choices(const Settings& settings, const FrameResult* result, std::string_view key);
 
 }  // namespace si

@@ -13,43 +13,44 @@
 
 namespace si {
 
-/// Returns the last part of a node's or a file's path, after the last slash.
+/// Returns the part after the last slash of a path of a node or a file; the whole path without a slash.
 std::string last_path_part(const std::string& path);
 
-/// Returns the world bounds of the meshes at these nodes; empty: there are none.
+/// Returns the world bounds of the meshes at these nodes, without nodes below; empty: there are none.
 Bounds bounds_of(const Scene& scene, const std::set<std::string>& paths);
-/// Returns the world bounds of the meshes at this node; empty: there are none.
+/// Returns the world bounds of the meshes at this node, without nodes below; empty: there are none.
 Bounds bounds_of(const Scene& scene, const std::string& path);
-/// Returns the world bounds of the meshes at this node and all nodes below it.
+/// Returns the world bounds of the meshes at this node and all nodes below it; empty: there are none.
 Bounds bounds_below(const Scene& scene, const std::string& path);
 
-/// Returns the eight world corners of a node's mesh box, aligned to the node's own axes. Bits 0, 1, 2 of a corner's
-/// index choose x, y, z. Nothing for a node without a mesh.
+/// Returns the eight world corners of the box around a node's mesh, aligned to the node's own axes. Bits 0, 1, 2 of a
+/// corner's index choose x, y, z. Nothing for a node without a mesh.
 std::optional<Box> box_of(const Scene& scene, const std::string& path);
 
-/// Returns the paths of the nodes with a mesh among `node` (an index) and all nodes below it.
+/// Returns the paths of all nodes with a mesh, among a node and all nodes below it. @param node the index of the node
 std::vector<std::string> mesh_nodes_below(const Scene& scene, int node);
 
-/// Returns the paths of all selected objects.
+/// Returns the node paths of all objects that are selected in the editor.
 std::set<std::string> selected_objects(const EditorState& state);
-/// Returns true if the object is selected.
+/// Returns true if the object with this node path is selected in the editor.
 bool is_selected(const EditorState& state, const std::string& path);
-/// Makes these objects the whole selection; others are no longer selected.
+/// Selects these objects in the editor and deselects all others. @param paths node paths; empty: selects nothing
 void select_objects(EditorState& state, std::span<const std::string> paths);
-/// Adds an object to the selection, or removes it if it is selected.
+/// Adds an object to the editor's selection, or removes it if it is selected. @param path node path of the object
 void toggle_object(EditorState& state, const std::string& path);
 
-/// Makes these objects the only casters (object.PATH.cast).
+/// Makes these objects the only shadow casters (setting object.PATH.cast). @param paths node paths of the objects
 void cast_alone(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
-/// Makes all objects casters again: resets object.PATH.cast.
+/// Makes all objects shadow casters again: switches object.PATH.cast on.
 void cast_all(Settings& settings);
-/// Hides these objects (object.PATH.shown).
+/// Hides these objects in the scene (setting object.PATH.shown). @param paths node paths of the objects
 void hide(Settings& settings, const std::set<std::string>& paths);
-/// Hides all objects except these and the ground under the scene.
+/// Shows only these objects and hides all others, except the ground under the scene. @param paths node paths of the
+/// objects
 void isolate(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
-/// Shows all objects.
+/// Shows all objects again that hide() or isolate() has hidden.
 void show_all(Settings& settings);
-/// Returns true if no object is hidden.
+/// Returns true if no object of the scene is hidden (object.PATH.shown).
 bool all_shown(const Settings& settings);
 
 }  // namespace si

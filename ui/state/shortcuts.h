@@ -11,7 +11,7 @@ struct EditorState;
 struct EditorFrame;
 struct EditorRequests;
 
-/// Command that a key triggers. Most have a menu item or a button, too.
+/// Action of the editor that a keyboard shortcut triggers. Most have a menu item or a button, too.
 enum class Command {
     MouseGesture,  ///< row without a key, for the overview only
     FlyForwards,
@@ -94,7 +94,8 @@ enum class When {
     HandleDragged,    ///< a light's handle is being dragged
 };
 
-/// Returns true if both situations can hold at the same time, so that their shortcuts must not share a key.
+/// Returns true if two situations of shortcuts can hold at the same time. Used to check that no key has two shortcuts
+/// then.
 bool can_coincide(When a, When b);
 
 /// State of a modifier key that a shortcut requires.
@@ -131,29 +132,33 @@ struct Shortcut {
     const char* section = nullptr;                    ///< heading of the overview that begins with this row
 };
 
-/// Returns all shortcuts, in the order of the overview (F1).
+/// Returns the table of all keyboard shortcuts, in the order of the overview (F1).
 std::span<const Shortcut> shortcuts();
 
-/// Formats a shortcut's required modifiers and key: "Ctrl+Shift+S".
+/// Formats the modifiers and the key of a shortcut: "Ctrl+Shift+S".
 std::string chord_text(const Chord& chord);
-/// Returns the text of a command's first key ("Ctrl+S"), for menus. The pointer stays valid.
+/// Returns the text of the first key that triggers a command ("Ctrl+S"), for menus. The pointer stays valid.
 const char* key_text(Command command);
 /// Returns a tooltip with a command's key in parentheses added: "Writes preset.json (Ctrl+S)".
 std::string with_key(std::string_view tooltip, Command command);
 
-/// Returns true while a command's key is down.
+/// Returns true while the key of a command is held down. Modifiers do not count.
 bool is_held(Command command);
-/// Performs a command's action, as its key does, for menus and buttons.
+/// Performs the action of a command as its key would, for menus and buttons.
 void run_command(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Performs the actions of all shortcuts whose keys were pressed in this frame. Call once a frame.
+/// Performs the actions of all shortcuts whose keys were pressed in this frame and whose situation holds. Call once a
+/// frame.
 void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 
-/// Draws the overview of mouse and keyboard, while it is shown. @param shown false once it was closed
+/// Draws the window with the overview of mouse and keyboard, while it is open.
+/// @param shown true: the window is open; becomes false when the user closes it
 void draw_shortcuts(bool& shown);
 
-/// Assigns the arrow keys to the probe or to ImGui's keyboard navigation, for the next frame.
+/// Gives the arrow keys to the probed pixel (they then move the probe) or to ImGui's keyboard navigation, from the next
+/// frame on. Call once a frame.
 void assign_arrow_keys(EditorState& state);
-/// Keeps Page up and Page down from scrolling panels, except in menus, for the next frame.
+/// Hides Page up and Page down from ImGui, so that they do not scroll panels, except in menus and dialogs. Takes effect
+/// in the next frame; call once a frame.
 void assign_page_keys(EditorState& state);
 
 }  // namespace si

@@ -20,7 +20,7 @@ enum class Panel { Scene, Map, Strip, Inspector };
 enum class Tab { Settings, Objects, Lights, Pixel, Improve, Error, Cost, Compare, Lab, Log };
 inline constexpr int kTabs = index_of(Tab::Log) + 1;
 
-/// Contents of the tabs. A tab with more than one page has a button for each.
+/// Content of a tab of the editor. A tab with more than one page has a button for each.
 enum class Page {
     Settings,
     Objects,
@@ -39,7 +39,7 @@ enum class Page {
 };
 inline constexpr int kPages = index_of(Page::Log) + 1;
 
-/// Row of the table of pages.
+/// Row of the table of the editor's pages: tab, button and name for --tab.
 struct PageRow {
     Page page;
     Tab tab;
@@ -81,8 +81,8 @@ constexpr std::array<Page, kTabs> first_pages() {
     return pages;
 }
 
-/// Places of the splitters, and the theme. The workspace keeps them. Sizes are in ems (heights of the font), so that
-/// they survive a change of scale.
+/// Places of the window's splitters, and the theme; kept between runs in the workspace file. Sizes are in ems (heights
+/// of the font), so that they survive a change of scale.
 struct EditorLayout {
     float settings_width = 24;  ///< width of the inspector
     float bottom_height = 15;   ///< height of the open strip below, whichever tab is shown
@@ -97,7 +97,7 @@ struct EditorLayout {
     bool operator==(const EditorLayout&) const = default;
 };
 
-/// Panels, tabs and popups that are open. Lasts as long as the window.
+/// Open panels, tabs and popups of the editor's window. Not kept between runs.
 struct WindowState {
     std::optional<Panel> maximised;                 ///< panel that fills the window; none: all are shown
     Panel hovered_panel = Panel::Scene;             ///< panel that the mouse was over last
@@ -120,7 +120,8 @@ constexpr WindowPart part_after(WindowPart part, int step) {
     return static_cast<WindowPart>((index_of(part) + step + kWindowParts) % kWindowParts);
 }
 
-/// Owner of the keyboard, and of the arrow keys and page keys, which ImGui uses for its own navigation.
+/// Part of the window that has the keyboard, and assignment of arrow and page keys, which ImGui uses for its own
+/// navigation.
 struct KeyboardState {
     WindowPart focused = WindowPart::Status;  ///< part that was given the keyboard last
     std::optional<WindowPart> wanted;         ///< part that gets the keyboard as soon as it is drawn
@@ -133,19 +134,19 @@ struct KeyboardState {
 /// Part of the editor that a screenshot shows. Drawing: the probe's cross-section.
 enum class Shot { Scene, Map, Window, Drawing };
 
-/// Rectangle of the screen in ImGui's units, y down. The size is 0 if that part was not drawn.
+/// Rectangle of the screen in ImGui's units, y down. Size 0: the part of the window that it describes was not drawn.
 struct ScreenRect {
     glm::vec2 lo{0};
     glm::vec2 size{0};
 };
 
-/// Request for a screenshot of this frame.
+/// Request for a screenshot of this frame of the editor.
 struct ShotRequest {
     Shot of = Shot::Window;
     ScreenRect rect;  ///< part of the window to cut out
 };
 
-/// Screenshots that are due, and the places of the pictures in the window.
+/// Screenshot to take in the next frame, and the places of the pictures in the window, which a screenshot can cut out.
 struct ShotState {
     std::optional<Shot> next;  ///< taken in the next frame, once the menu that requested it is closed
     ScreenRect scene_rect;     ///< scene picture in the last frame

@@ -12,11 +12,11 @@ namespace si {
 /// Keys of settings with new values, for set_settings().
 using ShownChanges = std::span<const std::pair<std::string, std::string>>;
 
-/// Lists changes for a tooltip, one a line, with their keys: "Resolution: 512 texels   map.resolution".
+/// Formats changes of settings for a tooltip, one a line, with their keys: "Resolution: 512 texels   map.resolution".
 /// @param settings before the changes @throws UsageError for a setting or value that does not exist
 std::string changes_list(const Settings& settings, ShownChanges changes);
 
-/// Lists changes in one line: "Kernel: hard (nearest), Resolution: 512 texels".
+/// Formats changes of settings as one line for display: "Kernel: hard (nearest), Resolution: 512 texels".
 /// @param settings before the changes @throws UsageError for a setting or value that does not exist
 std::string changes_line(const Settings& settings, ShownChanges changes);
 

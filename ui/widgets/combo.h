@@ -31,7 +31,7 @@ inline bool begin_combo(const char* label, const std::string& shown, ImGuiComboF
     return false;
 }
 
-/// Choice of a combo: value, label and tooltip.
+/// Choice in a combo box: value, label and tooltip.
 struct ComboItem {
     int value;
     std::string_view label;

@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Kind of file that File, Export writes.
+/// Kind of file that the menu command Export writes.
 enum class ExportKind {
     Bundle,   ///< scene, camera, maps and matrices of the frame
     Picture,  ///< scene picture with its overlay

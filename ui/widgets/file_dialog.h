@@ -13,13 +13,13 @@ struct EditorState;
 struct EditorRequests;
 struct EditorFrame;
 
-/// State of the editor's own file dialog.
+/// State of the file dialog that the editor draws itself.
 struct FileDialog {
     /// Purpose of the dialog.
     enum class Job { Open, SavePreset, ChooseBundle, Export };
     /// Kind of files that the dialog lists.
     enum class Kind { All, Models, Presets };
-    /// File or folder that the dialog lists.
+    /// File or folder that the editor's file dialog lists.
     struct Entry {
         std::string name;
         bool folder = false;
@@ -39,7 +39,7 @@ struct FileDialog {
     bool type_on = false;                      ///< a folder was read; the next typed text is a name in it
 };
 
-/// Request to open the desktop's own file dialog.
+/// Request to open the file dialog of the desktop in place of the editor's own.
 struct DesktopFileDialog {
     FileDialog::Job job = FileDialog::Job::Open;
     FileDialog::Kind kind = FileDialog::Kind::All;
@@ -47,26 +47,30 @@ struct DesktopFileDialog {
     std::string name;  ///< name that is proposed for saving
 };
 
-/// Opens the editor's file dialog in the folder of `path`, with the file's name when saving. @param about the sentence
-/// to save in the preset, or the name of the exported file without its extension
+/// Opens the editor's file dialog in the folder of `path`. For saving, the dialog proposes the name of the file.
+/// @param job purpose of the dialog
+/// @param about the sentence to save in the preset, or the name of the exported file without its extension
 void open_file_dialog(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
                       const std::string& about = {});
-/// Opens the editor's file dialog to choose the file of a setting. @param key key of the setting @param path its value
+/// Opens the editor's file dialog to choose the bundle (a frame of an engine as files) that a setting names.
+/// @param key key of the setting @param path present value of the setting
 void open_bundle_dialog(FileDialog& dialog, const std::string& key, const std::filesystem::path& path);
-/// Returns the path with the extension of a preset (.json) added if it is missing.
+/// Returns the path of a preset with its extension (.json), which is added if it is missing.
 std::filesystem::path with_preset_extension(std::filesystem::path path);
-/// Returns the path with the extension of a bundle (.bundle) added unless it names a bundle.
+/// Returns the path of a bundle with the extension .bundle added, unless it ends with .bundle or .zip.
 std::filesystem::path with_bundle_extension(std::filesystem::path path);
-/// Returns the path with an extension of the exported kind added if it has none of them.
+/// Returns the path of an exported file with the usual extension of its kind added, unless it has an extension of this
+/// kind.
 std::filesystem::path with_export_extension(std::filesystem::path path, ExportKind kind);
-/// Completes a typed path as far as all matching files and folders agree, as Tab does in a shell. @param folder base of
-/// relative paths
+/// Completes a path that the user types, as the Tab key does in a shell: as far as all matching files and folders
+/// agree. Returns the typed text if nothing matches.
+/// @param folder base of relative paths @param job, kind, exported select the files that match
 std::string completed_path(const std::filesystem::path& folder, const std::string& typed, FileDialog::Job job,
                            FileDialog::Kind kind, ExportKind exported = ExportKind::Bundle);
-/// Draws the file dialog while it is open. The chosen file becomes a request. If the desktop's own dialog is available
-/// and switched on, the request is to open that one instead.
+/// Draws the editor's file dialog while it is open. The chosen file becomes a request to the application. For scenes
+/// and presets the request is to open the desktop's own dialog, if it is available and switched on.
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the question whether a file may be replaced that this editor has neither opened nor saved.
+/// Draws the dialog that confirms the replacement of an existing file which this editor has neither opened nor saved.
 void draw_replace_dialog(EditorState& state, EditorRequests& requests);
 
 }  // namespace si

@@ -7,7 +7,7 @@ namespace si {
 
 /// Returns the embedded font for body text as the bytes of a TrueType file; empty: none.
 std::span<const unsigned char> regular_font();
-/// Returns the embedded font between body text and bold as the bytes of a TrueType file; empty: none.
+/// Returns the embedded font of medium weight as the bytes of a TrueType file; empty: none.
 std::span<const unsigned char> medium_font();
 /// Returns the embedded bold font as the bytes of a TrueType file; empty: none.
 std::span<const unsigned char> strong_font();

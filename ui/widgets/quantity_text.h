@@ -11,11 +11,11 @@ namespace si {
 /// @param unit as tables of settings, metrics and overlays name it; empty: none
 std::string quantity_text(double value, std::string_view unit = {});
 
-/// Formats a share of 1 in percent: "12.5 %".
+/// Formats a share in percent: 0.125 as "12.5 %". "no value" when not finite.
 std::string percent_text(double share);
 
-/// Formats a stored value with `digits` significant digits at any size, for values that differ by little: "0.0000123".
-/// Numbers of more than fifteen digits get a power of ten: "3.2 × 10^36".
+/// Formats a number with `digits` significant digits and without an exponent, for values that differ by little, such as
+/// depths: "0.0000123". Numbers of more than fifteen digits get a power of ten: "3.2 × 10^36".
 std::string stored_text(double value, int digits);
 
 }  // namespace si

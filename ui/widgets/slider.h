@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Draws a slider whose mark lies below the number; ImGui's knob would cover it. Arguments are those of
+/// Draws an ImGui slider whose mark lies below the number, which ImGui's knob would cover. Arguments are those of
 /// ImGui::SliderScalar(). Returns true if the value has changed.
 bool slider(const char* label, ImGuiDataType type, void* value, const void* least, const void* most, const char* format,
             ImGuiSliderFlags flags);

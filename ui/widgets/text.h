@@ -134,7 +134,8 @@ inline void coloured_wrapped(const std::string& text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
-/// Scope in which panels draw numbers of an earlier picture: in grey, and still clickable. Nothing if not `on`.
+/// Scope in which panels draw numbers of an earlier picture in grey, and still clickable. If `on` is false, nothing
+/// changes.
 class Greyed {
 public:
     explicit Greyed(bool on) : on_(on) {
@@ -180,7 +181,7 @@ inline void help_text(const std::string& text) {
     ImGui::PopFont();
 }
 
-/// Column of a table: heading and width.
+/// Column of an ImGui table for begin_table(): heading and width.
 struct TableColumn {
     const char* heading;
     float ems = 0;    ///< fixed width, ems; 0: not fixed

@@ -9,8 +9,8 @@
 
 namespace si::theme {
 
-/// Colours of a theme. Hovered and pressed widgets have greys of their own, which are not among the members. Every text
-/// is readable on its background (tests/ui/theme_test.cpp).
+/// Colours of the light or the dark theme of the editor. Hovered and pressed widgets have greys of their own, which are
+/// not among the members. Every text is readable on its background (tests/ui/theme_test.cpp).
 struct Colours {
     ImU32 text, muted, faint;
     ImU32 panel, popup, title, well;  ///< grounds; well: behind pictures and inputs
@@ -21,12 +21,12 @@ struct Colours {
     ImU32 done;  ///< filled part of a progress bar
     ImU32 bar;   ///< bars of a plot
 };
-/// Returns the colours of the light or the dark theme.
+/// Returns the colours of the editor's light or dark theme.
 const Colours& colours(bool light);
-/// Returns the colours of the theme in use.
+/// Returns the colours of the editor's theme in use.
 const Colours& colours();
 
-/// Colour of the theme in use, called as a function: theme::text().
+/// Colour that follows the theme in use. A call returns its present value: theme::text().
 struct ThemeColour {
     ImU32 Colours::*colour;
     ImU32 operator()() const { return colours().*colour; }
@@ -67,11 +67,11 @@ inline ImU32 rgb(const std::array<std::uint8_t, 3>& c) {
     return IM_COL32(c[0], c[1], c[2], 255);
 }
 
-/// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small, [3] verdict,
-/// [4] heading, [5] value. Call before the first frame.
+/// Adds the editor's fonts to the font atlas of the current ImGui context: [0] body, [1] strong, [2] small, [3]
+/// verdict, [4] heading, [5] value. Call before the first frame. @param scale 1: a screen of about 96 dots per inch
 void load_fonts(float scale);
-/// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch. Dark until
-/// set_light().
+/// Sets spacing and colours of the current ImGui context to the editor's style. Colours are dark until set_light().
+/// @param scale 1: a screen of about 96 dots per inch
 void apply_style(float scale);
 /// Switches the editor's colours to the light theme or the dark one.
 void set_light(bool light);
@@ -79,15 +79,15 @@ void set_light(bool light);
 /// Converts an RGB colour with components 0 to 1 to an opaque ImGui colour.
 ImU32 colour(const glm::vec3& rgb);
 
-/// Returns the bold font, for headings and names.
+/// Returns the editor's bold font, for headings and names.
 ImFont* strong();
-/// Returns the largest font, bold, for the verdict on a pixel.
+/// Returns the editor's largest font, bold, for the verdict on a pixel.
 ImFont* verdict();
-/// Returns the font of headings: medium weight, between body and verdict in size.
+/// Returns the editor's font of headings: medium weight, between body and verdict in size.
 ImFont* heading();
-/// Returns the font of values: medium weight, in the size of body text.
+/// Returns the editor's font of values: medium weight, in the size of body text.
 ImFont* value();
-/// Returns the small font, for help, and for marks over pictures and plots.
+/// Returns the editor's small font, for help, and for marks over pictures and plots.
 ImFont* small();
 
 }  // namespace si::theme

@@ -10,29 +10,29 @@ namespace si {
 /// Toolbar: a row of widgets that never wraps. Widgets without room move into a menu at its end.
 class Toolbar {
 public:
-    /// Starts a row of widgets in the rest of the current line. @param id the ImGui id of the menu @param free_right
-    /// the width to leave free at the right end of the line, pixels
+    /// Starts a toolbar, a row of widgets in the rest of the current line.
+    /// @param id ImGui id of the menu @param free_right width to leave free at the right end of the line, pixels
     explicit Toolbar(const char* id, float free_right = 0);
     /// Sets the gap before the next widget, pixels.
     void space(float width) { space_ = width; }
-    /// Adds a widget to the toolbar. From the first widget without room on, all go into the menu at the end.
-    /// @param label text before it; empty: none @param width pixels
-    /// @param draw a function that draws the widget in a given width; 0: in its own
+    /// Adds a widget to the toolbar. The first widget without room and all after it go into the menu at the end.
+    /// @param label text before the widget; empty: none @param width width of the widget, pixels
+    /// @param draw function that draws the widget in a given width; 0: in its own
     void item(const char* label, float width, std::function<void(float)> draw);
-    /// Draws a title as the toolbar's next widget, if it fits; leaves it out otherwise.
+    /// Draws a title as the toolbar's next widget if it fits, else leaves it out.
     void title(const char* text);
     /// Ends the toolbar: draws the button of the menu, if some widgets had no room.
     void end();
 
 private:
-    /// Widget without room, which waits for the menu.
+    /// Widget without room in the toolbar, which the menu at its end draws.
     struct Waiting {
         const char* label;
         float width;
         std::function<void(float)> draw;
     };
-    /// Moves the cursor behind the last widget, and returns true if a widget of `width` pixels fits there. Returns
-    /// false once a widget waits for the menu.
+    /// Moves the cursor behind the last widget of the toolbar. Returns true if a widget of `width` pixels fits there.
+    /// Returns false once a widget waits for the menu.
     bool fits(float width);
 
     const char* id_;
