@@ -18,7 +18,8 @@ enum class BiasStage {
     Raster,   ///< the stored depth, while the map is drawn; acts in addition to bias.kind
 };
 
-/// Inputs of a bias for one receiver, in double precision: BiasInput of shaders/lib/bias.glsl.
+/// Numbers about one receiver from which a bias is computed on the CPU, in double precision. Counterpart of the struct
+/// BiasInput in shaders/lib/bias.glsl.
 struct BiasInput {
     DepthCurve curve;            ///< depth curve, of the light's view
     double texel_m = 1;          ///< texel size at the receiver, metres
@@ -32,13 +33,13 @@ struct BiasInput {
     bool in_map = true;          ///< the map holds the receiver's own face, which can then shadow itself
 };
 
-/// Setting and the value that a choice brings along.
+/// Starting value of a setting: the value that the setting gets when a person chooses another bias.kind.
 struct StartingValue {
     std::string_view key;
     std::string_view value;  ///< text for set_setting()
 };
 
-/// Row of the bias table. The GLSL functions of its file depend on its stage:
+/// Row of the bias table: one technique against self-shadowing. The GLSL functions of its file depend on its stage:
 ///   Compare  float depth_bias(BiasInput b): shift of the compared depth towards the light, depth-buffer units, >= 0.
 ///            With `per_texel` also vec2 reference_slope(BiasInput b): change of the compared depth per map width.
 ///            With `remainder` also float remainder_per_texel(BiasInput b).
@@ -62,24 +63,29 @@ struct Bias {
     double (*remainder)(const BiasInput&) = nullptr;
 };
 
-/// Returns all rows of the bias table.
+/// Returns all rows of the bias table, one for each technique against self-shadowing.
 std::span<const Bias> biases();
-/// Returns the choices of the setting bias.kind: the table's rows of stage Compare, which come first.
+/// Returns the choices of the setting bias.kind, in its order. They are the rows of the bias table that change the
+/// compared depth (BiasStage::Compare), which come first in the table.
 std::span<const Choice> bias_choices();
 
 /// Returns the bias row that the setting bias.kind chooses.
 const Bias& bias_of(const Settings& settings);
-/// Returns the only bias row of stage LookUp or Raster.
+/// Returns the only row of the bias table with this stage: LookUp for the normal offset, Raster for the polygon offset.
+/// @param stage LookUp or Raster; for Compare, which has several rows, bias_of() returns the chosen one
 const Bias& bias_of_stage(BiasStage stage);
-/// Returns true when the bias row reads the setting `key`: the row lists the key, or no row does.
+/// Returns true when a bias reads the setting `key`. Either its row lists the key, or no row does, because the setting
+/// belongs to all biases.
 bool reads_setting(const Bias& row, std::string_view key);
 
-/// Returns the shift of the look-up's point by bias.normal, metres.
-/// @param normal unit, the one that bias.normal_source selects @param to_light unit
+/// Returns the vector by which the normal offset (bias.normal) moves a surface point before the look-up in the shadow
+/// map, in metres.
+/// @param normal unit vector, the one that bias.normal_source selects @param to_light unit vector
+/// @param texel_m size of a shadow-map texel at the point, metres
 glm::dvec3 normal_offset(const BiasSettings& bias, const glm::dvec3& normal, const glm::dvec3& to_light,
                          double texel_m);
 
-/// Returns the slope-scaled bias max(bias.slope (1 - n.l), bias.constant), in bias.unit.
+/// Returns the amount of the slope-scaled bias, max(bias.slope (1 - n.l), bias.constant), in the unit of bias.unit.
 /// @param n_dot_l cosine between normal and light
 double slope_amount(const BiasSettings& bias, double n_dot_l);
 

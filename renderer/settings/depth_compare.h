@@ -6,15 +6,17 @@
 
 namespace si {
 
-/// Returns true when each texel of a look-up is compared with its own depth: the bias row is per texel, and the kernel
-/// compares depths.
+/// Returns true when every texel that the kernel fetches is compared with a depth of its own, that of the receiver's
+/// plane at the texel. Conditions: the chosen bias computes such depths (Bias::per_texel), and the kernel compares
+/// depths.
 bool compares_per_texel(const Settings& settings);
-/// Returns true when the kernel compares through a shadow sampler (sampler2DShadow). Conditions: filter.method requests
-/// it, the map has a depth format and no pages, and a bilinear kernel compares all texels with one depth.
+/// Returns true when the texture unit compares the depths through a shadow sampler (sampler2DShadow), instead of the
+/// shader. Conditions: filter.method requests it, the map has a depth format and no pages, and a bilinear kernel
+/// compares all texels with one depth.
 bool uses_sampler(const Settings& settings);
 
-/// Returns the cost per pixel of the chosen kernel in texture fetches, by the comparison method in use (gathers or
-/// shadow sampler).
+/// Returns the texture calls and fetched texels of the chosen kernel for one light and one lit pixel. They depend on
+/// the comparison method in use (gathers or shadow sampler).
 FilterCost cost_of(const Settings& settings);
 
 }  // namespace si

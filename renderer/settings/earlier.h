@@ -14,18 +14,19 @@ namespace si {
 /// Version number written to all files that hold settings. Each release that changes a default increases it.
 inline constexpr int kSettingsVersion = 3;
 
-/// Default value of one setting before a release changed it.
+/// Row of the table of former defaults: the default value that a setting had until a release changed it. Files of that
+/// time are read with it.
 struct EarlierDefault {
     int version = kSettingsVersion;  ///< last version with this default
     std::string_view key;            ///< key of the setting; "light.X" for all lights
     std::string_view value;          ///< text for set_setting()
 };
 
-/// Returns the table of former defaults that later versions have changed, oldest first. Only tests assign another
-/// table, to read files of versions that no program has written.
+/// Returns the table of defaults that later versions have changed, oldest first. Files of earlier versions are read
+/// with it. Only tests assign another table through the reference, to read files of versions that do not exist.
 std::span<const EarlierDefault>& earlier_defaults();
 
-/// Returns the oldest readable version of settings files: the lowest version in earlier_defaults().
+/// Returns the lowest version of settings files that the program can read: the lowest version in earlier_defaults().
 int oldest_settings_version();
 /// Returns the readable versions of settings files as text for a message: "version 2", "versions 2 to 3".
 std::string readable_versions();
@@ -33,13 +34,15 @@ std::string readable_versions();
 /// Setting and the value that a file gives it.
 using SettingValue = std::pair<SettingRef, Value>;
 
-/// Returns the number of lights that a file's values configure: the larger of light.count and the last light with a
-/// value, plus one.
+/// Returns the number of lights that a settings file configures, for defaults_of_version(). It is the larger of
+/// light.count and one more than the highest index of a light that has a value.
+/// @param values all settings of the file with their values
 int configured_light_count(std::span<const SettingValue> values);
 
-/// Returns the default settings of a version of the program, the base on which a file of this version is applied.
-/// @param lights number of lights with defaults of this version (configured_light_count()); further lights get the
-/// present defaults
+/// Returns the default settings of a version of the program. A file of that version is applied on top of them, since
+/// the file holds only settings that differ from its defaults.
+/// @param lights number of lights that get the defaults of this version (configured_light_count()); further lights get
+/// the present defaults
 Settings defaults_of_version(int version, int lights = kMaxLights);
 
 }  // namespace si

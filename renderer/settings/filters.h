@@ -13,21 +13,21 @@
 
 namespace si {
 
-/// Largest distances from the receiver to the texels of a kernel, per axis, in texels: for the needed bias, for the
-/// widening of shadow edges, and for the texels that are read.
+/// Reach of a shadow kernel: the largest distances from the look-up to its texels, in texels along each axis. There is
+/// one distance for the needed bias, one for the widening of shadow edges, and one for all texels that are read.
 struct Reach {
     double bias = 0.5;  ///< centres of texels compared with the receiver's own plane (kappa of the bias formula)
     double edge = 0.5;  ///< displacement or widening of a shadow edge
     double read = 0.5;  ///< centres of texels that are read
 };
 
-/// Data of the map that a kernel reads.
+/// Data that a shadow kernel reads from the map: depths, or moments computed from depths.
 enum class Samples {
     Depth,    ///< stored depths, for comparisons
     Moments,  ///< averaged functions of depths (lib/moments.glsl, Filter::moments)
 };
 
-/// Rule by which a kernel bounds the lit share from its moments.
+/// Rule by which a kernel that reads moments (VSM, ESM, EVSM, MSM) computes the upper bound of the lit share.
 enum class BoundRule {
     Chebyshev,            ///< of depths: lib/variance.glsl
     Exponential,          ///< mean of e^(c x): filters/esm.glsl
@@ -36,8 +36,9 @@ enum class BoundRule {
     FourMoments,          ///< lib/moment_problem.glsl
 };
 
-/// Moments that the moments pass stores for a kernel in place of depths. `vec4 moments_of(float share)` of the kernel's
-/// file gives them for one depth; the pass averages them around each texel.
+/// Moments of depth that are stored for a kernel such as VSM or MSM, in place of depths. The GLSL function `vec4
+/// moments_of(float share)` of the kernel computes them from one depth. The moments pass averages them around each
+/// texel.
 struct StoredMoments {
     std::span<const std::string_view> names = {};  ///< names of the 1, 2 or 4 channels
     int power = 0;                                 ///< highest stored power of the exponential; 0: none
@@ -48,30 +49,31 @@ struct StoredMoments {
     std::string_view bound = {};  ///< text: upper bound of the lit share, by mean m, variance v and own depth z
 };
 
-/// Work of a kernel for each light and lit pixel, in texture calls and fetched texels.
+/// Work of a shadow kernel for one light and one lit pixel, in texture calls and fetched texels.
 struct FilterCost {
     int gathers = 0;       ///< textureGather calls with method gather; 0: one call fetches one texel
     int sampler_taps = 1;  ///< texture calls with the other methods
     int texels = 1;        ///< texels fetched by the sampler; from cost_of(): by the method in use
 };
 
-/// Largest allowed error of a kernel against the reference at pixels without an edge in reach, and the reason.
+/// Largest error of visibility against the reference that tests allow a kernel, and the reason. It holds at pixels with
+/// no shadow edge within the kernel's reach.
 struct Tolerance {
     double lit = 1e-5;   ///< missing visibility on lit surfaces: rounded weights sum to a little less or more than 1
     double dark = 1e-5;  ///< remaining visibility in full shadow
     std::string_view why = "rounding of the weights";
 };
 
-/// Convergence of a sampling kernel to its own result with 4096 samples. Random samples converge with the square root
-/// of their number, evenly spread samples faster.
+/// Noise of a kernel that samples: its error against its own result with 4096 samples, and how fast that falls. With
+/// random samples the error falls with the square root of their number, with evenly spread samples faster.
 struct Noise {
     std::string_view taps;  ///< key of the setting with the number of samples; empty: the kernel does not sample
     double slope = 0;       ///< slope of log RMSE over log number
     double tolerance = 0.15;
 };
 
-/// Row of the table of shadow filter kernels. The GLSL file that a row names defines `float filter_visibility(Receiver
-/// r)`.
+/// Row of the table of shadow filter kernels, such as PCF, PCSS or VSM. The GLSL file that a row names defines `float
+/// filter_visibility(Receiver r)`.
 struct Filter {
     std::string_view key, label, help;
     std::string_view paper;          ///< source
@@ -102,64 +104,77 @@ struct Filter {
     bool square() const { return reach == square_reach; }
     /// Returns the values that the kernel samples.
     Samples samples() const { return moments.names.empty() ? Samples::Depth : Samples::Moments; }
-    /// Returns the reach of a square kernel, in texels.
+    /// Returns the reach of a kernel that is a fixed square of taps, in texels. Value of Filter::reach for such
+    /// kernels.
+    /// @param widest_texels not used
     static Reach square_reach(const Filter& row, const Settings&, double widest_texels);
-    /// Returns the cost of a square kernel in texture fetches.
+    /// Returns the texture calls and fetched texels of a kernel that is a fixed square of taps. Value of Filter::cost
+    /// for such kernels.
     static FilterCost square_cost(const Filter& row, const Settings& settings);
 };
 
-/// Returns true when the kernel row lists the setting `key` among its own settings.
+/// Returns true when the kernel row lists the setting `key` in Filter::settings. Only kernels that list such a setting
+/// read it.
 bool owns_setting(const Filter& row, std::string_view key);
 
-/// Returns the taps per axis of a square kernel, the GLSL define KERNEL_SIZE.
+/// Returns the number of taps along one side of a square kernel: the size of its row, or filter.size. Shaders have it
+/// as the define KERNEL_SIZE.
 int taps_across(const Filter& row, const Settings& settings);
 /// Returns true when each tap of the kernel blends 2x2 texels.
 bool is_bilinear(const Filter& row, const Settings& settings);
 /// Returns the chosen kernel's label for display, with its size if the size is a setting: "PCF 5×5".
 std::string kernel_label(const Settings& settings);
-/// Returns the number of disk points that a kernel samples, for cost estimates; disk_points() returns the points.
+/// Returns the number of points on a disk that a kernel such as Poisson or PCSS samples, for cost estimates.
+/// disk_points() returns the points themselves.
 /// @param places the requested number of points, which the size of the table limits
 int disk_point_count(const Filter& row, const Settings& settings, int places);
-/// Returns the `places` points in the unit disk that a kernel samples, from the Poisson table or the spiral.
+/// Returns the points of the unit disk that a kernel samples, from the Poisson table or along the spiral of golden
+/// angles.
+/// @param places the requested number of points
 std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, int places);
 
-/// Memory for data that a kernel needs prepared besides the depths, in bytes.
+/// Memory for the data that is computed from the depths before a kernel runs (moments, mip levels, tables), in bytes.
 struct PrefilterBytes {
     double kept = 0;     ///< bytes per texel of the maps, mip levels included
     double scratch = 0;  ///< bytes per texel of one map, during the preparation
 };
-/// Returns the memory for prepared data (moments, mip levels, tables) of the chosen kernel, in bytes per texel.
+/// Returns the memory for the data that the chosen kernel needs besides depths (moments, mip levels, tables), in bytes
+/// per texel. It is 0 for kernels that compare depths.
 PrefilterBytes prefilter_bytes(const Settings& settings);
-/// Returns the bytes per texel of a map and of the data that is stored for it: 4 for depth in any format, 4 more for
-/// the blurred depth (map.blur_texels), and those of the prefiltered moments. Temporary images do not count.
+/// Returns the memory of a shadow map with all data that is kept for it, in bytes per texel. Depth counts 4 in any
+/// format, blurred depth (map.blur_texels) 4 more. Prefiltered moments are added, temporary images are not.
 double stored_texel_bytes(const Settings& settings);
 
-/// Returns the moment that the map viewer shows, counted from 1. Returns 0 for depth, or if view.map_channel names no
-/// moment of the kernel.
+/// Returns the number of the moment that the map viewer shows (view.map_channel), counted from 1. Returns 0 when the
+/// viewer shows depth: the kernel has no moment of this number, or the image is the camera's depth.
 int shown_channel(const Settings& settings);
-/// Returns true when the moments have mip levels: filter.mips is on and the kernel reads moments, but not from a
-/// summed-area table.
+/// Returns true when the chosen kernel's moments are stored with mip levels: filter.mips is on, and the kernel reads
+/// moments, but not from a summed-area table.
 bool keeps_mips(const Settings& settings);
-/// Returns the requested mip level of the shown moment, which may exceed the coarsest; 0 without mip levels.
+/// Returns the mip level at which the map viewer shows a moment (view.map_mip). It may exceed the coarsest level of the
+/// map. Returns 0 for depth and for moments without mip levels.
 int requested_mip(const Settings& settings);
 
 /// Returns the highest exponent (filter.exponent) for which the stored exponentials and their powers neither overflow
 /// nor flush to zero in the moment format. Infinite if the kernel stores no exponential.
 double safe_exponent(const Settings& settings);
 
-/// Returns all rows of the kernel table.
+/// Returns all rows of the table of shadow filter kernels.
 std::span<const Filter> filters();
-/// Appends a kernel row that is not built in. Call it before the first use of the settings table. The row's GLSL text
-/// comes from gl::add_shader_text().
+/// Appends a kernel that is not built in to the table of kernels. Call it before the first use of the settings table.
+/// The row's GLSL text comes from gl::add_shader_text().
 void add_filter(const Filter& row);
-/// Returns the kernels of a sweep over all kernels, each at its short list of sizes: "hard", "pcf3", "pcf5", ...
+/// Returns the names that sweeps and searches over all kernels try as values of filter.kernel. A kernel with a size
+/// appears at a few sizes: "hard", "pcf3", "pcf5", ...
 std::span<const std::string_view> sweep_kernels();
 
 /// Returns the kernel row that the setting filter.kernel chooses.
 const Filter& filter_of(const Settings& settings);
-/// Returns the distances that the chosen kernel reaches from the look-up, in texels: to the texels that need bias, that
-/// soften an edge, and that are read at all. For a given light use kernel_reach_in_light().
-/// @param widest_texels radius of the kernel's widest area; infinite if no light is known
+/// Returns the reach of the chosen kernel in texels: its largest distances from the look-up. There is one to the texels
+/// that need bias, one to those that soften an edge, and one to all that are read. For a given light use
+/// kernel_reach_in_light().
+/// @param widest_texels radius of the kernel's widest area in texels, which limits the reach; infinite if no light is
+/// known
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 
 }  // namespace si

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Row of the table of fits: one way to choose the region of a shadow map (light.fit).
+/// Row of the table of fits: one rule that chooses the region of the scene that a shadow map covers (light.fit).
 struct FitRow {
     std::string_view key, label, help;
     std::string_view paper;     ///< source; empty: common knowledge
@@ -18,9 +18,10 @@ struct FitRow {
     bool narrows = false;       ///< a map may leave out regions without shadow
 };
 
-/// Returns the table of fits, in the order of the enumeration LightFit.
+/// Returns the table of fits, the rules that choose the region of a shadow map, in the order of the enumeration
+/// LightFit.
 std::span<const FitRow> fits();
-/// Returns the table row of a fit; for an invalid number the row of LightFit::Scene.
+/// Returns the table row of a fit. For a number outside the enumeration it returns the row of LightFit::Scene.
 const FitRow& fit_row(LightFit fit);
 
 /// Returns true when light.near and light.far give the depth range of the light's maps, instead of the fit.
@@ -28,11 +29,11 @@ constexpr bool uses_manual_near_far(const LightSettings& light) {
     return light.near_far == NearFar::Manual || (light.near_far == NearFar::Fitted && light.fit == LightFit::Manual);
 }
 
-/// Returns true when the light's maps are made for depth slices of the view frustum: several cascades, or one map that
-/// is stabilised or warped.
+/// Returns true when each map of the light is fitted to a depth slice of the view frustum. Such a light is directional
+/// and has several cascades, or one map that is stabilised or warped.
 bool uses_camera_slices(const LightSettings& settings);
 
-/// Returns true when the maps of light number `light` change with the camera.
+/// Returns true when the maps of light number `light` are fitted again whenever the camera moves.
 bool fit_reads_camera(const Settings& settings, int light);
 /// Returns true when the fit of light number `light` uses depths measured in the camera's depth buffer (sample
 /// distribution shadow maps).

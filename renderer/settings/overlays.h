@@ -39,19 +39,21 @@ struct Overlay {
     bool keeps_optimisations = false;  ///< drawn with the optimisations of the picture's look-ups
     OverlayDraw draw = OverlayDraw::Fragments;
     std::size_t first_pane = 0;  ///< pane (1 to 3) that shows it when several panes open without any; 0: none
-    /// Returns the GLSL file of the overlay below shaders/: its key with underscores.
+    /// Returns the path of the overlay's GLSL file below shaders/, which is the overlay's key with underscores.
     std::string file() const;
 };
 
-/// Returns all rows of the overlay table.
+/// Returns all rows of the table of overlays, which are quantities drawn over the scene picture.
 std::span<const Overlay> overlays();
 /// Returns the choices of the setting view.overlay: "none", then one for each row of the overlay table.
 std::span<const Choice> overlay_choices();
 
-/// Returns the member of `view` that chooses the overlay of a pane: 0 for none, else the table row + 1.
-/// @param pane 0 to 3
+/// Returns the setting that chooses the overlay of one pane, for reading and writing. Its value is 0 for no overlay,
+/// else the overlay's row in overlays() plus 1.
+/// @param pane index of the pane, 0 to 3
 int& overlay_of_pane(ViewSettings& view, std::size_t pane);
-/// Returns the chosen overlay of each visible pane: 0 for none, else the table row + 1.
+/// Returns the chosen overlay of each visible pane, one entry a pane: 0 for no overlay, else the overlay's row in
+/// overlays() plus 1.
 std::vector<int> pane_overlays(const ViewSettings& view);
 
 /// Returns true when the overlay of any visible pane has the property `what`, for example &Overlay::reads_reference.

@@ -7,18 +7,21 @@
 
 namespace si {
 
-/// Returns a text for panels that explains why map.virtual has no effect; empty if it has an effect. Kernels and blurs
-/// that process whole maps exclude pages.
+/// Returns the reason, as a text for panels, why map.virtual (maps drawn by pages) has no effect; empty if it has an
+/// effect. Kernels that read moments exclude pages, and so does map.blur_texels, since they process whole maps.
+/// @param light not used
 std::string_view paging_idle_reason(const Settings& settings, int light);
 
-/// Returns true when shadow maps are drawn by pages (map.virtual is on and has an effect).
+/// Returns true when shadow maps are drawn by pages: map.virtual is on and has an effect. Only the pages that pixels
+/// read are drawn.
 bool draws_pages(const Settings& settings);
 
-/// Returns true when light number `light` has clip levels around the camera instead of the map of its fit.
+/// Returns true when light number `light` has clip levels instead of the map of its fit. Clip levels are virtual maps
+/// around the camera, each with larger texels than the one before.
 bool has_clip_levels(const Settings& settings, int light);
 
-/// Returns the side of a page in texels: map.page_size rounded down to a power of two, at most an eighth of
-/// map.resolution.
+/// Returns the side of a page of a virtual map in texels: map.page_size rounded down to a power of two, at most an
+/// eighth of map.resolution.
 int page_texels(const Settings& settings);
 
 }  // namespace si

@@ -17,8 +17,8 @@ namespace si {
 /// Data that the renderer rebuilds after a change of a setting: uniforms, GLSL programs, or render targets.
 enum class Cost { Uniform, Program, Target };
 
-/// Reference to a member of any enumeration type, read and written as the index of its choice. Only this class converts
-/// settings between enumerators and numbers.
+/// Reference to a setting of any enumeration type, so that code can read and write it as the index of its choice. Only
+/// this class converts settings between enumerators and numbers.
 class EnumRef {
 public:
     /// Refers to an enumeration member.
@@ -47,7 +47,7 @@ private:
 /// Reference to one member of Settings, by its type.
 using FieldRef = std::variant<bool*, int*, double*, std::string*, EnumRef>;
 
-/// Allowed value of a setting with named values.
+/// Allowed value of a setting with named values, with its key for files, label and help.
 struct Choice {
     std::string_view key, label, help;
 };
@@ -70,8 +70,9 @@ enum class DriverFeature { None, PolygonOffsetClamp };
 /// Scope of a setting: one value for the scene, one for each light, or one for each object.
 enum class Scope { Scene, Light, Object };
 
-/// Render passes that read a setting directly on the CPU, as bit flags. Not counted are settings read by shaders
-/// (Param::shader) and settings that change lights or camera. A pass draws again only if one of its settings changes.
+/// Set of the render passes that read a setting directly on the CPU, as bit flags. Settings that shaders read
+/// (Param::shader) and settings that change lights or camera are not counted. A pass draws again only if one of its
+/// settings changes.
 enum class ReadBy : unsigned {
     None = 0,
     Maps = 1 << 0,          ///< passes that draw the shadow maps
@@ -141,8 +142,9 @@ struct SettingRef {
 std::optional<SettingRef> find_setting(std::string_view key);
 /// Returns the canonical dotted key of a setting. Keys of light 0 have no number: "light.azimuth".
 std::string setting_key(const SettingRef& ref);
-/// Returns the key of a setting of one light, such as "light.2.size". @param light index of light.*
-/// @param setting the name of a setting of lights, such as "size"
+/// Returns the key of a setting of one light, such as "light.2.size".
+/// @param light index of the light; light 0 gives "light.size" @param setting the name of a setting of lights, such as
+/// "size"
 std::string light_setting_key(std::size_t light, std::string_view setting);
 /// Returns the setting key nearest to an unknown `key` by edit distance, for "did you mean"; empty if none is near.
 std::string nearest_key(std::string_view key);
@@ -152,8 +154,8 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 
 /// Value of a setting. A choice is stored as its index, an int.
 using Value = std::variant<bool, int, double, std::string>;
-/// Returns true when the setting's values are texts: for people (a light's name), which never change a picture, or
-/// paths (Param::file).
+/// Returns true when the values of a setting are strings. A string is either a name for people (a light's name), which
+/// never changes a picture, or the path of a file (Param::file).
 bool is_text(const Param& p);
 /// Converts a setting's value to a number: a switch to 0 or 1, a choice to its index, a text to 0.
 double numeric_value(const Value& v);
@@ -165,15 +167,15 @@ void set_value(Settings& s, const SettingRef& ref, const Value& v);
 /// Returns the default value of a setting.
 Value default_value(const SettingRef& ref);
 
-/// Converts a setting's value to the text of presets and --set: choice keys, true or false, shortest round-trip
-/// numbers.
+/// Converts a setting's value to the text of preset files and of the option --set. A choice becomes its key, a switch
+/// "true" or "false", and a number its shortest text that reads back as the same number.
 std::string value_text(const Param& p, const Value& v);
-/// Parses the text of a setting's value and checks its range. The setting filter.kernel also accepts the names of
-/// sized_kernels.h.
+/// Parses the text of a setting's value and checks its range. For filter.kernel it also accepts the name of a kernel
+/// with its size, such as "pcf5" (sized_kernels.h).
 /// @throws UsageError naming the key, the text and the allowed values
 Value parse_value(const SettingRef& ref, std::string_view text);
-/// Returns the further settings that a value's text implies: filter.size and filter.point for a sized kernel ("pcf5"),
-/// else none.
+/// Returns the further settings that change when the setting `ref` is set from a text. The name of a kernel with its
+/// size ("pcf5") implies filter.size and filter.point. Empty for all other texts.
 std::vector<std::pair<SettingRef, Value>> implied_values(const SettingRef& ref, std::string_view text);
 /// Sets the setting with the dotted key `key` from a text, and the settings that the text implies.
 /// @throws UsageError for a bad value, or for an unknown key with the nearest known one
@@ -183,25 +185,30 @@ void set_settings(Settings& s, const auto& changes) {
     for (const auto& [key, text] : changes) set_setting(s, key, text);
 }
 
-/// Returns all settings in `s`, in table order: those of the scene, of lights 0 to 15, and of objects with an override.
+/// Returns all settings in `s`, in table order: those of the scene, of lights 0 to 15, and of objects with settings of
+/// their own.
 std::vector<SettingRef> all_settings(const Settings& s);
 /// Returns the settings in `s` that differ from their defaults, in table order.
 std::vector<SettingRef> changed_settings(const Settings& s);
-/// Returns the settings in which `a` and `b` differ, in table order. A missing object override counts as its defaults.
+/// Returns the settings in which `a` and `b` differ, in table order. An object without settings of its own counts as
+/// having the defaults.
 std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b);
 
-/// Returns the unit of a setting's number for display under the settings `s`. A unit can depend on other settings: bias
-/// has the unit chosen by bias.unit, and light.size is an angle for directional lights and metres for others.
+/// Returns the unit in which a setting's number is displayed under the settings `s`. A unit can depend on other
+/// settings: bias has the unit chosen by bias.unit, and light.size is an angle for directional lights and metres for
+/// others.
 std::string_view shown_unit(const Settings& s, const SettingRef& ref);
 /// Formats a setting's value for display: a choice's label, "on" or "off", a number with its unit.
 std::string shown_value(const Settings& s, const SettingRef& ref, const Value& v);
-/// Returns the title of light number `light` for display, with its name if it has one: "Light 1", "Light 1 (key)".
+/// Returns the title of light number `light` (from 0) for display, with its name if it has one: "Light 1", "Light 1
+/// (key)".
 std::string light_title(const Settings& s, int light);
-/// Formats the change of one setting from `a` to `b` for display: "0.1 → 0 texels". An equal unit appears once.
+/// Formats the change of one setting from its value in `a` to its value in `b` for display: "0.1 → 0 texels". A unit
+/// that both values share is written once.
 std::string change_text(const Settings& a, const Settings& b, const SettingRef& ref);
 
-/// Repairs invalid settings in place: non-finite and out-of-range values and reversed pairs. Returns one line for
-/// display per repair.
+/// Repairs invalid settings in place: numbers that are not finite or out of range, and pairs or cascade splits in
+/// reversed order (near above far). Returns one line for display per repair.
 std::vector<std::string> sanitise(Settings& s);
 
 }  // namespace si

@@ -14,17 +14,19 @@ namespace si {
 
 // Rows of the settings table by topic; params() joins them.
 
-/// Returns the rows of the settings table for shadow maps: map.*, caster.*, bias.*, filter.*.
+/// Returns the rows of the settings table, for params(), about shadow maps: map.*, caster.*, bias.*, filter.*.
 std::vector<Param> shadow_rows();
-/// Returns the rows of the settings table for lights: light.count and light.*.
+/// Returns the rows of the settings table, for params(), about lights: light.count and light.*.
 std::vector<Param> light_rows();
-/// Returns the rows of the settings table for shadows without a map: volumes.*, contact.*, blob.*, light_map.*.
+/// Returns the rows of the settings table, for params(), about shadows without a map: volumes.*, contact.*, blob.*,
+/// light_map.*.
 std::vector<Param> source_rows();
-/// Returns the rows of the settings table for picture, camera and scene: shading.*, camera.*, scene.*.
+/// Returns the rows of the settings table, for params(), about picture, camera and scene: shading.*, camera.*, scene.*.
 std::vector<Param> picture_rows();
-/// Returns the rows of the settings table for map viewer, panes and overlays: view.*.
+/// Returns the rows of the settings table, for params(), about map viewer, panes and overlays: view.*.
 std::vector<Param> view_rows();
-/// Returns the rows of the settings table for the ray-traced reference and for single objects: truth.*, object.*.
+/// Returns the rows of the settings table, for params(), about the ray-traced reference and single objects: truth.*,
+/// object.*.
 std::vector<Param> reference_rows();
 
 namespace rows {
@@ -64,7 +66,7 @@ constexpr std::array<Param, N> only_of_maps(std::array<Param, N> list) {
     return list;
 }
 
-/// Placeholder that converts to any type, for counting the members of an aggregate.
+/// Placeholder that converts to any type, used to count the members of an aggregate at compile time.
 struct AnyValue {
     template <class T>
     constexpr operator T() const;  // NOLINT: never defined, only its type matters

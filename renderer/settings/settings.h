@@ -123,7 +123,7 @@ struct CameraSettings {
     bool operator==(const CameraSettings&) const = default;
 };
 
-/// Settings of the shown scene: scene.*.
+/// Settings of the shown scene (scene.*): how its file is read, animation, placement and ground.
 struct SceneSettings {
     int index = -1;  ///< index of the file's scene; -1: default scene
     UpAxis up = UpAxis::File;
@@ -138,7 +138,7 @@ struct SceneSettings {
     bool operator==(const SceneSettings&) const = default;
 };
 
-/// Choices about reading a scene's file. A change reads the file again.
+/// Settings that choose how a scene's file is read. When one of them changes, the file has to be read again.
 struct FileChoices {
     int scene = -1;  ///< index of the file's scene; -1: default scene
     UpAxis up = UpAxis::File;
@@ -216,7 +216,7 @@ struct BiasSettings {
     double normal_metres() const { return normal_unit == OffsetUnit::Metres ? normal : 0; }
 };
 
-/// Settings of the filter kernel: filter.*.
+/// Settings of the shadow filter kernel: filter.*.
 struct FilterSettings {
     int kernel = default_filter();  ///< index of a row of the kernel table
     FilterMethod method = FilterMethod::Automatic;

@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Short name of a kernel at one size, and the settings that the name implies.
+/// Short name of a kernel at one size ("pcf5"), and the settings that the name stands for.
 struct SizedKernel {
     std::string_view name;      ///< short name, such as "pcf5"
     std::string_view kernel;    ///< key of the kernel's row (filters.h)
@@ -16,9 +16,9 @@ struct SizedKernel {
     std::optional<bool> point;  ///< value of filter.point, for kernels that read it
 };
 
-/// Returns the table of short names, each with the kernel and the size that it stands for.
+/// Returns the table of short names of kernels at one size ("pcf5"), each with its kernel and size.
 std::span<const SizedKernel> sized_kernels();
-/// Returns the sized kernel with the short name `name`; nullptr if there is none.
+/// Returns the kernel and size for a short name such as "pcf5"; nullptr if there is no such name.
 const SizedKernel* find_sized_kernel(std::string_view name);
 
 }  // namespace si

@@ -9,8 +9,8 @@
 
 namespace si {
 
-/// Data that the frame prepares for a visibility source (light.source: shadow map, shadow volumes, traced rays, blobs,
-/// light map).
+/// Data that a frame prepares for a visibility source. A source is the technique that makes a light's shadows
+/// (light.source: shadow map, shadow volumes, traced rays, blobs, light map).
 struct SourceNeeds {
     bool map = false;                 ///< shadow maps
     bool stencil = false;             ///< stencil buffer of its own
@@ -21,8 +21,8 @@ struct SourceNeeds {
     bool light_map = false;           ///< FrameRequest::light_maps
 };
 
-/// Row of the table of visibility sources. A source gives a light's visibility, 1 lit to 0 in shadow, into one layer of
-/// the visibility texture.
+/// Row of the table of visibility sources, the techniques that make a light's shadows (light.source). A source gives
+/// the light's visibility, from 1 (lit) to 0 (in shadow), in one layer of the visibility texture.
 struct Source {
     std::string_view key, label, help, paper;
     /// Shading can evaluate the source itself; else it reads the visibility texture.
@@ -36,15 +36,16 @@ struct Source {
     std::string_view approximation = {};
 };
 
-/// Returns all rows of the table of visibility sources.
+/// Returns all rows of the table of visibility sources, the techniques that make a light's shadows (light.source).
 std::span<const Source> sources();
 
-/// Returns the visibility source that light number `light` chooses, even if the light casts no shadow.
+/// Returns the technique that makes the shadows of light number `light` (light.source), even if the light casts no
+/// shadow.
 const Source& source_of(const Settings& settings, int light);
 /// Returns true when the source of any light that casts shadows has the need `what`, for example &SourceNeeds::map.
 bool any_source_needs(const Settings& settings, bool SourceNeeds::*what);
-/// Returns true when there are lights and none has a shadow map as its source, so that settings of shadow maps have no
-/// effect.
+/// Returns true when there are lights and the shadows of none come from a shadow map (light.source). Settings of shadow
+/// maps then have no effect.
 bool no_source_is_map(const Settings& settings);
 
 }  // namespace si

@@ -18,19 +18,22 @@ struct SplitRow {
     std::span<const std::string_view> settings = {};  ///< setting keys that only rows listing them read
 };
 
-/// Returns the table of cascade splits, in the order of the enumeration Split.
+/// Returns the table of cascade splits, the ways to divide the camera's depth among cascades, in the order of the
+/// enumeration Split.
 std::span<const SplitRow> splits();
 
 /// Returns the manual far ends of all cascades but the last (light.split_1 to light.split_7), as shares of the divided
 /// depth.
 std::array<double, kMaxCascades - 1> manual_splits(const LightSettings& light);
 
-/// Keeps manual splits in order after an edit of the split `changed`. Earlier splits above its value are lowered to it,
-/// and later splits below its value are raised to it. Does nothing if `changed` is no manual split.
+/// Keeps the manual cascade splits of a light in order after an edit of one of them. Splits before it are lowered to
+/// its value where they are above, and splits after it are raised where they are below.
+/// @param changed the edited setting; nothing happens if it is no manual split
 void push_splits(Settings& settings, const SettingRef& changed);
 
-/// Raises each manual split that is below the split before it to that one, for lights with manual cascades. Appends one
-/// line per repair.
+/// Puts the manual cascade splits of all lights in order: a split that is below the one before it is raised to the same
+/// value. Lights without manual cascades stay as they are.
+/// @param repairs receives one line of text per repair
 void repair_splits(Settings& settings, std::vector<std::string>& repairs);
 
 }  // namespace si

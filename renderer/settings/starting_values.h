@@ -12,20 +12,20 @@
 
 namespace si {
 
-/// Returns the starting values of other settings that come with the choice of bias.kind in `after`; none if `before`
-/// has the same kind.
+/// Returns the values that other settings get when a person changes bias.kind from its value in `before` to that in
+/// `after`. Empty if both have the same kind.
 std::span<const StartingValue> starting_values(const Settings& before, const Settings& after);
 
-/// Sets in `after` the starting values of starting_values().
+/// Sets in `after` the values that come with its new bias.kind, as starting_values() returns them.
 /// @param held keys of settings that keep their values, since the same person set them too
 void set_starting_values(const Settings& before, Settings& after, const std::set<std::string>& held = {});
 
-/// Returns the keys of all settings that some choice of the setting `ref` sets to a starting value; empty for settings
-/// other than bias.kind.
+/// Returns the keys of all settings that change along when a person chooses a value of the setting `ref`, whichever it
+/// is. Empty for settings other than bias.kind.
 std::set<std::string> keys_with_starting_values(const SettingRef& ref);
 
-/// Returns the settings that several --set have to name to change `a` to `b`: those that differ, then those that b's
-/// bias.kind would start at another value.
+/// Returns the settings that a command line must name with --set to turn the settings `a` into `b`. First come those
+/// that differ, then those that the bias.kind of `b` would otherwise start at another value.
 std::vector<SettingRef> settings_to_set(const Settings& a, const Settings& b);
 
 }  // namespace si
