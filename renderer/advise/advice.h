@@ -10,14 +10,15 @@
 
 namespace si {
 
-/// Row of the table of advice rules: the condition under which a setting change is proposed, and the change.
+/// Rule of the advice search: proposes changes of shadow settings when its condition on a measured frame holds. Row of
+/// advice_rules().
 struct AdviceRule {
     std::string_view key, label;
     std::string_view help;  ///< condition; a sentence
     Claim claim = Claim::Same;
     /// Change of the settings that a rule proposes.
     using Change = std::function<void(Settings&)>;
-    /// Receiver of proposed changes, each with its reason.
+    /// Callback through which an advice rule proposes setting changes, each with a sentence that gives the reason.
     struct Offer {
         std::function<void(std::string sentence, const Change& change, int light)> receive;
         /// Offers a change. @param light index of light.*; negative: the light of the facts
@@ -29,11 +30,12 @@ struct AdviceRule {
     void (*propose)(const Settings& settings, const AdviceFacts& facts, const Offer& offer) = nullptr;
     bool reads_map = true;  ///< proposes nothing for a light that draws no map, or that no pixel faces
 };
-/// Returns the table of advice rules.
+/// Returns the table of advice rules, which propose setting changes for a measured frame.
 std::span<const AdviceRule> advice_rules();
 
-/// Collects the setting changes that all advice rules propose. Leaves out changes without effect and repetitions under
-/// the same claim. Draws nothing.
+/// Collects the setting changes that the advice rules propose for a frame with these settings and measurements. Leaves
+/// out changes without effect, and changes that another rule proposes with the same claimed benefit (Claim). Draws
+/// nothing: try_advice() measures the candidates.
 std::vector<Candidate> advice_candidates(const Settings& settings, const AdviceFacts& facts);
 
 /// Draws, times and ranks candidates. First come changes that lower the error, whichever rule proposed them, then those
@@ -58,19 +60,19 @@ struct Finding {
     std::vector<std::pair<std::string, std::string>>
         settings;  ///< changes of settings that fix the problem: setting keys and new values
 };
-/// Lists the problems of a frame, the worst first: warnings of the renderer, limits of the maps, wrong pixels by cause.
-/// Each cause comes with the fix that puts most of its pixels right, among fixes that make nothing worse (FixTable).
-/// Draws nothing.
+/// Lists the problems of a frame, the worst first: warnings of the renderer, limits of the shadow maps, and wrong
+/// pixels by cause. Each cause comes with the fix that puts most of its pixels right, among tried fixes that raise
+/// neither wrong pixels nor mean error (FixTable). Draws nothing: both arguments are measured before.
 std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fixes);
 
-/// Options of a search for advice: metric of the error, kind of timed frames, and whether fixes are measured.
+/// Options of find_advice(): error metric to compare, kind of frames that are timed, and whether fixes are measured.
 struct AdviceOptions {
     const Metric* error = &metrics().front();  ///< metric to compare; not Better::Neither
     CostCase cost = kDefaultCost;              ///< kind of frames that are timed
     bool fixes = true;                         ///< draws and measures fixes for the findings
 };
 
-/// Result of a search for advice: measured setting changes, ranked, and problems found in the frame.
+/// Result of find_advice(): setting changes, ranked by measured error and frame time, and problems found in the frame.
 struct AdviceReport {
     AdviceFacts facts;
     std::vector<Trial> holds;  ///< changes that are better, the best first

@@ -5,8 +5,8 @@
 
 namespace si {
 
-/// Measurements of a frame that the conditions of advice rules read, for view.light and its counted pixels unless
-/// stated otherwise. Unknown numbers are NaN.
+/// Measurements of a frame on which advice rules decide which setting changes to propose. They concern the light
+/// view.light and its counted pixels (PixelState::Counted), unless stated otherwise. Unknown numbers are NaN.
 struct AdviceFacts {
     ErrorMetrics error;
     std::vector<BiasStart> starts;  ///< rows of the bias table; empty when no pixel needs bias
@@ -28,8 +28,8 @@ struct AdviceFacts {
     }
 };
 
-/// Takes the measurements that advice rules read: draws a frame and traces its reference.
-/// @param measured the settings from measured_settings()
+/// Measures a scene for the advice rules: draws a frame, traces its reference and classifies the pixels.
+/// @param measured settings of the frame, as returned by measured_settings()
 /// @throws Cancelled, Error
 AdviceFacts advice_facts(const SearchTools& tools, const Settings& measured);
 

@@ -12,7 +12,8 @@
 
 namespace si {
 
-/// Goals of an autopilot search: limits on error or frame time, and the metric of the error.
+/// Goals of an autopilot search for the best combination of shadow settings: a limit on error or frame time, the error
+/// metric, and limits on the search itself.
 struct AutopilotGoals {
     std::optional<double> max_error, max_ms;   ///< limits; at least one
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
@@ -21,14 +22,17 @@ struct AutopilotGoals {
     std::size_t max_combinations = 160;        ///< limit of an exhaustive search; above, axes are searched in pairs
 };
 
-/// Chooses the settings that the autopilot varies, with their values, from measurements of the frame. The first value
-/// of each axis is empty and keeps the present setting.
+/// Chooses the settings that the autopilot varies, and the values that it tries, from measurements of the frame. Each
+/// axis is one setting. Its first value is empty and keeps the present setting.
+/// @param max_resolution largest map resolution to try, texels per side; never more than 4096 is tried
 std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
 
-/// Removes values that an engine cannot draw, and axes that are left without any. @param engine null: none
+/// Removes the values that an engine cannot draw from the axes of a settings search, then the axes without any value.
+/// @param engine engine that is searched for; null: nothing is removed
+/// @param base present settings, in which each value is tested alone
 void remove_refused(std::vector<SweepAxis>& axes, const EngineProfile* engine, const Settings& base);
 
-/// One combination of settings that the autopilot measured.
+/// One combination of settings that the autopilot tried, with its error and frame time.
 struct AutopilotCase {
     std::vector<std::size_t> axis_values;  ///< index of the value on each axis
     Settings settings;
@@ -39,14 +43,15 @@ struct AutopilotCase {
     std::optional<bool> holds;    ///< within the limits; none: not timed, or undecided within noise
 };
 
-/// Setting that the autopilot changed, with error and time of its best result if this setting kept its old value.
+/// Share of one setting in the autopilot's result: error and frame time of the best settings found, with this setting
+/// alone put back to its old value.
 struct DroppedEffect {
     std::string key, before, now;  ///< setting with its old and new value
     double error = 0;              ///< error with the old value
     CostChange ms;                 ///< frame time that the old value adds
 };
 
-/// Result of an autopilot search.
+/// Result of an autopilot search: the best settings found, and all combinations that were measured.
 struct AutopilotResult {
     bool goals_met = false;
     AutopilotCase best;  ///< best measured settings within the limits, or those nearest to the limits

@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// Pixels of a frame that lack bias, and side effects of the bias that it has.
+/// Numbers of pixels of a frame that are darkened for lack of bias, and the side effects of its present bias: lit gaps
+/// at casters and shifted shadow edges.
 struct BiasNeeds {
     std::size_t pixels = 0;  ///< number of pixels that are lit in the reference and covered by the map
     /// Number of faintly darkened pixels, half lit or more, on planes with less bias than they need.
@@ -24,33 +25,39 @@ struct BiasNeeds {
     double shift_p95_m = 0;
 };
 
-/// Computes which pixels of a measured frame lack bias, over pixels that are counted, lit in the reference and covered
-/// by the map. Only these can show acne. Widths come from an even sample of them.
+/// Counts the pixels of a measured frame that lack bias, and measures lit gaps at casters and shifts of shadow edges.
+/// Considers only pixels that are counted, lit in the reference and covered by the shadow map: only these can show
+/// acne. Gaps and shifts come from an even sample of these pixels.
 /// @param settings settings of the measured frame
+/// @param driver traits of the rasteriser, on which polygon offset depends
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
-/// Returns true when some pixel is counted, lit in the reference and covered by the map.
+/// Returns true when a measured frame has a pixel that can show acne. Such a pixel is counted in the comparison with
+/// the reference, lit in the reference, and covered by the shadow map.
 bool has_lit_receivers(const MeasuredError& measured);
 
-/// Returns the distance of a point from the camera along its axis, metres.
+/// Returns the distance of a point from the camera along the viewing axis, metres. Negative behind the camera.
 double depth_along_axis_m(const Camera& camera, const glm::dvec3& position_ws);
-/// Returns the width of a pixel at a depth along the camera's axis, metres. @param lines height of the picture in
-/// pixels
+/// Returns the width that one pixel covers at a distance along the camera's viewing axis, metres.
+/// @param depth_m distance along the axis; no effect for an orthographic camera
+/// @param lines height of the picture in pixels
 double pixel_m(const Camera& camera, double depth_m, int lines);
 
-/// Computes the bias terms of one receiver of a measured frame under given settings, and the bias that it needs.
+/// Computes the depth bias that settings give to the surface point of one pixel of a measured frame, by setting, and
+/// the least bias that avoids acne there.
+/// @param settings settings with the bias to examine, which need not be that of the frame
 BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
                                       const RasterTraits& driver);
 
-/// Computes the least settings of one row of the bias table under which 999 of 1000 pixels of bias_needs() have enough
-/// bias, from an even sample of them. Amounts are in texels where they count in bias.unit. Rows that compute the needed
-/// bias by themselves get no amounts. Rows that act beside bias.kind are taken alone.
-/// Amounts end at the limits of the settings.
-/// @return none when no amount of the row has an effect where bias is needed
+/// Computes the least settings of one kind of bias (row of the bias table) under which 999 of 1000 pixels that can show
+/// acne have enough bias. Uses an even sample of the pixels that bias_needs() considers. Amounts are in texels where
+/// bias.unit applies, and end at the limits of the settings. Kinds that compute the needed bias per pixel get no
+/// amounts. Normal offset and polygon offset, which act beside bias.kind, are not combined with another kind.
+/// @return none when the light draws no map, or when no amount of the row has an effect where bias is needed
 std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
                                               const RasterTraits& driver);
 
-/// Multiplies all amounts of bias by a factor and clamps them to the limits of the settings.
+/// Returns bias settings whose amounts are all multiplied by a factor and clamped to the limits of the settings.
 BiasSettings scale_bias(const BiasSettings& bias, double factor);
 
 }  // namespace si

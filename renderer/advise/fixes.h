@@ -16,7 +16,7 @@
 
 namespace si {
 
-/// Measurements of a frame from which fixes are proposed.
+/// Measurements of a frame from which fix_candidates() proposes setting changes for its wrong pixels.
 struct FixFacts {
     std::vector<BiasStart> starts;  ///< rows of the bias table; empty when no pixel needs bias
     std::vector<FittedLight> lights;
@@ -27,27 +27,31 @@ struct FixFacts {
     /// undersampled.
     double sampling_resolution = 0;
 };
-/// Collects the measurements of a frame from which fixes are proposed. @param settings settings of the measured frame
+/// Collects the measurements of a frame from which fix_candidates() proposes setting changes for its wrong pixels.
+/// @param settings settings of the measured frame
 FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
 
-/// Returns the kernels that blur shadow edges over the next smaller and the next larger width, of all square kernels at
-/// their own sizes. Empty: none.
+/// Returns the keys of two filter kernels: the one that blurs shadow edges over the next smaller width than the present
+/// kernel, and the one over the next larger width. Only square kernels of sweep_kernels() are considered, at the sizes
+/// given there. A key is empty if there is no such kernel.
 std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings);
 
-/// Returns the change that a pixel diagnosis suggests as a candidate, which search_fixes() draws and measures.
+/// Converts the fix that a pixel diagnosis suggests into a candidate, which search_fixes() draws and measures.
+/// @param settings present settings, to which the fix is applied
 Candidate suggested_candidate(const SuggestedFix& fix, const Settings& settings);
 
-/// Number of candidates to try.
+/// Length of the list of setting changes that fix_candidates() proposes.
 enum class FixList {
     Short,  ///< changes that help most often
     Whole,  ///< all kernels, and more strengths of each bias, too
 };
 
-/// Proposes setting changes that may put wrong pixels right, the most promising first: bias, culling, planes, kernel,
-/// resolution, fit, format. Leaves out changes without effect and values at a setting's limit. Draws nothing.
+/// Proposes setting changes that may put wrong pixels right, the most promising first. They concern bias, culling, near
+/// and far planes, kernel, map resolution, fit and map format. Leaves out changes without effect. Candidates whose bias
+/// would reach the limit of a setting are listed as untried (Candidate::untried). Draws nothing.
 std::vector<Candidate> fix_candidates(const Settings& settings, const FixFacts& facts, FixList list);
 
-/// Table of measured changes for the wrong pixels of a frame.
+/// Result of a search for fixes: all tried setting changes for the wrong pixels of a frame, the best first.
 struct FixTable {
     /// Trials: the fix first, then by mean error, wrong pixels and time. Undrawn ones come last. A fix of an imported
     /// map itself comes before one that was tried on the program's own map. Trial::why_not is empty for a fix: the
@@ -60,19 +64,20 @@ struct FixTable {
     std::size_t candidates = 0;                      ///< number of candidates, drawn or not
     std::size_t refused = 0;                         ///< number of changes that the engine lacks, beside the candidates
     bool stopped = false;                            ///< stopped before all candidates were tried
-    /// Returns the best fix; null: none of the tried changes is one.
+    /// Returns the best fix of this search; null: no tried setting change is a fix.
     const Trial* fix() const;
-    /// Returns the trial that puts most pixels of a cause right, of those that are a fix but for a price that may be
-    /// unknown; null: none.
+    /// Returns the trial that puts most wrong pixels of one cause right; null: none. Considers fixes, and trials that
+    /// would be fixes if their unknown frame time is low enough.
     const Trial* fix_of(Artefact cause) const;
-    /// Returns the number of candidate changes that were drawn.
+    /// Returns the number of candidate setting changes that the search has drawn.
     std::size_t drawn() const;
 };
 
 /// Largest difference from the reference at which a fix counts as making its pixel right.
 inline constexpr float kRightVisibilityError = 0.25f;
 
-/// Options of find_fixes(): pixel to put right, timing, and further candidates.
+/// Options of find_fixes(), which searches setting changes that put wrong pixels right: watched pixel, timing, and
+/// further candidates.
 struct FixOptions {
     /// Pixel to put right, from the top left, under a light without size as in a pixel diagnosis; none: the picture.
     std::optional<glm::ivec2> pixel;

@@ -18,7 +18,7 @@ namespace si {
 /// Largest share of the counted pixels with acne that counts as no acne.
 inline constexpr double kMaxAcneShare = 1e-4;
 
-/// Measured frame under one bias.
+/// Trial of one bias: error, lack of bias and score of the frame that was drawn with it.
 struct BiasTrial {
     ErrorMetrics error;
     BiasNeeds needs;
@@ -27,28 +27,30 @@ struct BiasTrial {
     double score = 0;
     /// Returns the number of wrong pixels with acne.
     std::size_t acne() const { return error.artefacts[std::size_t(Artefact::Acne)]; }
-    /// Returns the number of pixels that are wrong by too much bias: light that bias or normal offset lets in
-    /// (peter-panning), and shadow that normal offset casts (OffsetShadow).
+    /// Returns the number of pixels that are wrong by too much bias: false light that a bias or offset lets in
+    /// (peter-panning), and false shadow that a normal offset casts (Artefact::OffsetShadow).
     std::size_t lost() const;
     /// Returns true when acne is within kMaxAcneShare.
     bool has_no_acne() const { return double(acne()) <= kMaxAcneShare * double(error.counted); }
 };
 
-/// Score of a bias, less is better: the sum of |V - R| over counted pixels where it exceeds three standard errors of
-/// the reference and no edge of the reference's shadow lies within the reach of the kernel, plus 1 for each wrong
-/// pixel. V: visibility in the picture, R: in the reference.
+/// Error score of a frame, by which biases are compared; less is better. It is the sum of |V - R| over counted pixels,
+/// plus 1 for each wrong pixel. V is the visibility in the picture, R that in the reference. The sum leaves out
+/// differences within three standard errors of the reference, and pixels within the kernel's reach of a shadow edge.
 class BiasScore {
 public:
     /// Finds the pixels near edges. @param measured, settings a frame with the scored kernel, map and reference
     BiasScore(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
-    /// Returns the score of a frame. @param measured frame, compared with the same reference as that of the constructor
+    /// Returns the error score of a frame that was drawn with another bias; less is better.
+    /// @param measured frame, compared with the same reference as the frame given to the constructor
     double compute_score(const MeasuredError& measured) const;
 
 private:
     std::vector<bool> near_edge_;
 };
 
-/// Row of the bias table with its least bias by theory, from which strengths are multiples.
+/// Kind of bias (row of the bias table) with its least amounts by theory. A search for the least bias tries multiples
+/// of these amounts.
 struct BiasStart {
     const Bias* row = nullptr;
     BiasSettings least;  ///< strength 1
@@ -57,12 +59,13 @@ struct BiasStart {
     /// Returns true when the row has amounts that the strength changes.
     bool has_strength() const { return !(at_strength(1) == at_strength(0)); }
 };
-/// Computes the least bias by theory of each row of the bias table; none when no pixel is lit within the map. Rows that
-/// compute it by themselves and add bias.constant get a quarter of a texel. Leaves out rows whose limits do not allow
-/// enough bias.
+/// Computes for each kind of bias (row of the bias table) the least amounts by theory, from which a search starts.
+/// Empty when no pixel is lit within the map. Kinds that compute the needed bias per pixel, and add bias.constant, get
+/// a constant of a quarter of a texel. Leaves out kinds without effect where bias is needed, and polygon offset of
+/// imported maps.
 std::vector<BiasStart> bias_starts(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
-/// Bias of one row of the bias table that was tried.
+/// Bias settings that a search for the least bias tried, with the error of their frame.
 struct TriedBias {
     const Bias* row = nullptr;
     double strength = 1;  ///< multiple of the bias by theory (BiasStart)
@@ -70,7 +73,8 @@ struct TriedBias {
     BiasTrial trial;
 };
 
-/// Row of the table of found biases.
+/// Row of FoundBias::table(): the best bias of one kind, marked if it has the least score of all, or of all without
+/// acne.
 struct FoundBiasRow {
     const TriedBias* tried;
     bool least = false;  ///< the least score
@@ -89,16 +93,20 @@ struct FoundBias {
     const TriedBias* best() const { return least_score(nullptr, false); }
     /// Returns the bias with the least score among those without acne; null: none.
     const TriedBias* best_without_acne() const { return least_score(nullptr, true); }
-    /// Returns the best trial of each row that has one, in the order of the search. @param no_acne only those without
-    /// acne
+    /// Returns the trial with the least error score for each kind of bias (row of the bias table), in the order of the
+    /// search. Kinds without an allowed trial are left out.
+    /// @param no_acne true: only trials without acne are allowed
     std::vector<const TriedBias*> best_of_rows(bool no_acne = false) const;
-    /// Returns the best trial of each row that has one, and the best one without acne.
+    /// Returns the found biases as a table: the best trial of each kind of bias, and the best trial without acne.
     std::vector<FoundBiasRow> table() const;
-    /// Returns the result in one sentence.
+    /// Returns the result of the search for the least bias in one sentence.
+    /// @param no_acne true: states the best bias among those without acne
     std::string summary(bool no_acne) const;
 
 private:
-    /// Returns the trial with the least score. @param row only trials of this row of the bias table; null: of all rows
+    /// Returns the trial with the least error score whose gap at casters is allowed (max_gap_m); null: none.
+    /// @param row only trials of this row of the bias table; null: of all rows
+    /// @param no_acne true: only trials without acne
     const TriedBias* least_score(const Bias* row, bool no_acne) const;
 };
 
@@ -120,12 +128,12 @@ FoundBias search_least_bias(const BiasTrial& before, const std::vector<BiasStart
 FoundBias find_least_bias(const SearchTools& tools, const Settings& settings, std::optional<double> max_gap_m = {},
                           const FoundBiasShown& shown = {});
 
-/// Returns the reason why the bias of a light cannot be searched, such as a light without a map; empty: it can.
+/// Returns the reason why a light has no bias to search for, such as that it draws no shadow map; empty: it has one.
 /// @param light index of light.*
 std::string reason_without_bias(std::span<const FittedLight> lights, int light);
 
-/// Formats bias settings: "bias.normal 3.1, bias.constant 0.02 texels". A row that computes the bias itself is named by
-/// its key.
+/// Formats the amounts of bias settings for people: "bias.normal 3.1 texels, bias.constant 0.02 texels". A kind of bias
+/// that computes the needed amount per pixel is named by its key. "no bias" when there is none.
 std::string bias_text(const BiasSettings& bias);
 
 }  // namespace si

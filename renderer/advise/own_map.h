@@ -11,17 +11,19 @@ namespace si {
 /// Remark on a change that is tried on the program's own map.
 inline constexpr std::string_view kTriedOnOwnMap = "tried on the inspector's own map from the same light";
 
-/// The program's own maps of a light, drawn with the matrices, viewports and raster state of its imported ones. They
-/// stand for the imported maps where both agree within the limits of the gate (MapGate).
+/// Shadow maps that this program draws for a light with imported ones, with the same matrices, viewports and raster
+/// state. Changes that an imported image cannot show are tried on them, if both maps agree within limits (MapGate).
 struct OwnMap {
     Settings settings;        ///< present settings with map.bundle_maps drawn
     MeasuredSettings before;  ///< measured under them
     std::string why_not;      ///< reason why the own maps do not stand for the imported ones; empty: they do
 };
 
-/// Compares a light's imported maps with the program's own maps. Measures the own maps if all maps of the light pass
-/// the gate (MapGate); else OwnMap::why_not has the reason.
-/// @param base settings whose map.bundle gives the maps @param before measured under `base` @throws Cancelled, Error
+/// Draws this program's own shadow maps for a light with imported ones, and compares the two. Measures a frame with the
+/// drawn maps if all maps of the light agree within limits (MapGate); else OwnMap::why_not has the reason.
+/// @param base settings whose map.bundle gives the imported maps
+/// @param before frame measured under `base`
+/// @throws Cancelled, Error
 OwnMap own_map_of(const SearchTools& tools, const Settings& base, const MeasuredSettings& before,
                   const TrialMeter& meter);
 

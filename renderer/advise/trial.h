@@ -25,7 +25,8 @@ namespace si {
 /// Receives the share of a search that is done, 0..1, and its present step. May throw Cancelled.
 using TrialReport = std::function<void(double share, const std::string& step)>;
 
-/// Tools of one search, for use on the renderer's thread: what draws, what is drawn, and who hears of the progress.
+/// Renderer, scene, picture size, caches and progress callback of a search over settings. For the renderer's thread
+/// only.
 struct SearchTools {
     Renderer& renderer;
     const Scene& scene;
@@ -34,17 +35,17 @@ struct SearchTools {
     Workers workers = {};                   ///< threads of the reference, with the stop token of the search
     TrialReport report = {};                ///< receives progress; empty: nobody does
     const EngineProfile* engine = nullptr;  ///< engine for which is searched: changes that it lacks are left out
-    /// Returns tools for a part of the search: its progress 0..1 is reported as lo..hi. The report of these tools is
-    /// never empty, and throws Cancelled once a stop was requested.
+    /// Returns a copy of these tools for one step of a search: the step's progress 0..1 is reported as lo..hi. The
+    /// `report` of the copy is never empty, and throws Cancelled once a stop was requested.
     SearchTools part(double lo = 0, double hi = 1) const;
 };
 
 /// Setting changes: keys and new values for set_setting().
 using SettingChanges = std::vector<std::pair<std::string, std::string>>;
-/// Lists the settings that differ between two sets. @param with the settings whose values are returned
+/// Lists the setting changes that turn `base` into `with`: keys, with their values in `with`.
 SettingChanges setting_changes(const Settings& base, const Settings& with);
 
-/// Measured frame time, or change of it, with its noise.
+/// Measured frame time, or difference of two frame times, in milliseconds with its noise.
 struct CostChange {
     double value = 0;  ///< milliseconds; a change below 0 is faster
     double noise = 0;  ///< half the confidence interval, milliseconds
@@ -53,7 +54,8 @@ struct CostChange {
 };
 /// Formats a change of the frame time: "+1.2 ms", "< noise", or "-" when not timed.
 std::string time_text(const std::optional<CostChange>& ms);
-/// Formats a change of the maps' memory: "+12 MiB", or "same".
+/// Formats a change of the shadow maps' memory: "+12 MiB", or "same".
+/// @param bytes bytes that are added; negative: saved
 std::string map_bytes_text(long long bytes);
 
 /// Measured error and work of one frame under given settings.
@@ -65,12 +67,13 @@ struct MeasuredSettings {
     std::shared_ptr<const MeasuredError> frame = nullptr;  ///< classified pixels; null in tests without a renderer
 };
 
-/// Returns the number of wrong pixels of all causes.
+/// Returns the number of wrong pixels of a measured frame, of all causes of error together.
 std::size_t wrong_pixels(const ErrorMetrics& error);
 
 struct Candidate;
 
-/// Functions that measure settings: by the renderer (renderer_trial_meter()), or by a test's model.
+/// Functions by which searches draw, measure and time settings. renderer_trial_meter() makes them from a renderer;
+/// tests use a model instead.
 struct TrialMeter {
     /// Draws a frame and measures the error of one light.
     std::function<MeasuredSettings(const Settings&, int light)> measure;
@@ -90,7 +93,7 @@ struct TrialMeter {
     }
 };
 
-/// Options of a trial meter: metric of the error, timed frames, reference.
+/// Options of renderer_trial_meter(): error metric, kind of timed frames, and options of the reference.
 struct TrialOptions {
     const Metric* error = &metrics().front();        ///< metric of MeasuredSettings::error; not Better::Neither
     CostCase cost = kDefaultCost;                    ///< kind of frames that are timed
@@ -101,7 +104,7 @@ struct TrialOptions {
 /// Makes a trial meter that draws and times frames with a renderer. What the tools refer to must outlive the meter.
 TrialMeter renderer_trial_meter(const SearchTools& tools, const TrialOptions& options = {});
 
-/// Times of two kinds of frames that were drawn in turns.
+/// Times of two kinds of frames that time_alternately() drew in turns: mean of the first, and the difference.
 struct AlternatingTimes {
     double before_ms = 0;  ///< mean of the first kind
     CostChange more;       ///< milliseconds that the second kind takes more
@@ -113,14 +116,14 @@ struct AlternatingTimes {
 AlternatingTimes time_alternately(const std::function<double()>& before, const std::function<double()>& with,
                                   const std::stop_token& stop, std::optional<double> limit_ms = {});
 
-/// Benefit that a rule claims for a setting change. The measurement confirms or rejects the claim.
+/// Benefit that an advice rule claims for a setting change. The measurement confirms or rejects the claim.
 enum class Claim {
     Same,   ///< same error in less time, or with fewer bytes
     Right,  ///< fewer wrong pixels
     Trade,  ///< less time for a little more error
 };
 
-/// Setting change to try.
+/// Setting change that a search may draw and measure, with the reason for it.
 struct Candidate {
     std::string name;            ///< the change, or the reason for it with its numbers
     Settings settings;           ///< settings with the whole change
@@ -135,13 +138,14 @@ struct Candidate {
     const std::string& shown_name() const { return label.empty() ? name : label; }
 };
 
-/// Visibility of one pixel under a candidate.
+/// Visibility of one watched pixel in a trial, beside that of the reference.
 struct PixelTrial {
     float visibility = 1, reference = 1;
     bool right = true;  ///< no artefact
 };
 
-/// Candidate that was drawn, with the present settings beside it.
+/// Result of trying a setting change: error, cost and numbers of cured and broken pixels, compared with the present
+/// settings.
 struct Trial {
     Candidate candidate;
     SettingChanges changes;
@@ -160,16 +164,18 @@ struct Trial {
     bool is_drawn() const { return candidate.untried.empty(); }
     /// Returns the error that the change adds; negative: the error falls.
     double added_error() const { return after.error - before.error; }
-    /// Returns the largest added_error() at which the change still counts as leaving the error unchanged: a share of
-    /// the error before the change (kSameErrorShare), at least kSameError and a tenth of the reference's noise.
+    /// Returns the largest rise of the error at which a tried change still counts as leaving the error unchanged. It is
+    /// kSameErrorShare of the error before, at least kSameError and a tenth of the reference's noise.
     double tolerance() const;
-    /// Returns the largest fall of the error that counts as none: kSameError, or twice the noise of the mean.
+    /// Returns the fall of the error that a tried change must exceed to count as an improvement: kSameError, or twice
+    /// the noise of the mean error if that is larger.
     double least_gain() const;
     /// Returns the bytes of maps and look-ups that the change adds; negative: saves.
     long long more_bytes() const { return (long long)after.work.bytes_touched - (long long)before.work.bytes_touched; }
     /// Returns the bytes of maps that the change adds.
     long long map_bytes() const { return (long long)after.work.map_bytes - (long long)before.work.map_bytes; }
-    /// Returns true when the change helps: it is accepted, or lowers the error and puts the watched pixel right.
+    /// Returns true when the tried change was drawn and helps: it is accepted, or it lowers the error and leaves no
+    /// watched pixel wrong.
     bool helps() const;
     /// Returns the number of cured minus broken pixels.
     long long gain() const { return (long long)cured - (long long)broken; }
@@ -192,7 +198,9 @@ bool try_each(std::vector<C> list, const TrialReport& report,
     }
 }
 
-/// Removes the candidates that an engine cannot draw. @param engine null: none @returns the number of removed ones
+/// Removes the candidate setting changes that an engine cannot draw. Returns the number of removed ones.
+/// @param engine engine that is searched for; null: nothing is removed
+/// @param base present settings
 std::size_t remove_refused(std::vector<Candidate>& list, const EngineProfile* engine, const Settings& base);
 
 /// Largest error added by a change that counts as none: as a share of the error before the change, and absolute.

@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Goals of tuning: limits of error, frame time and gap.
+/// Goals of tune(): limits of error, frame time and lit gap at casters that bias, kernel and map resolution have to
+/// keep.
 struct TuneGoals {
     std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
     const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
@@ -20,7 +21,7 @@ struct TuneGoals {
     bool any() const { return max_error || max_ms; }
 };
 
-/// Result of tuning.
+/// Result of tune(): the least bias and, with limits of error or time, the best kernel and map resolution.
 struct Tuned {
     FoundBias bias;
     std::optional<AutopilotResult> limits;  ///< kernels and resolutions that were tried; none: without limits
@@ -34,7 +35,7 @@ struct Tuned {
 Tuned tune(const SearchTools& tools, const Settings& settings, const TuneGoals& goals,
            const FoundBiasShown& shown = {});
 
-/// Replaces bias, kernel and resolution of `settings` by those that tuning found.
+/// Replaces bias, kernel and map resolution in `settings` by those of `found`, the result of tune().
 void apply_tuning(Settings& settings, const Settings& found);
 
 }  // namespace si

@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// One piece of a frame's work, with the change of the picture when the work is left out.
+/// Trial of leaving out one piece of a frame's work, such as a cascade, and whether the picture then changes.
 struct WasteTrial {
     std::string name;             ///< "cascade 2 of 4 of light 0"
     bool changes = false;         ///< the picture changes; false: waste
@@ -23,26 +23,29 @@ struct WasteTrial {
     bool is_undrawn() const { return read >= 0 && triangles == 0 && !changes; }
     /// Returns "needed", "not drawn" or "waste".
     std::string_view verdict() const { return changes ? "needed" : is_undrawn() ? "not drawn" : "waste"; }
-    /// Returns the name, with the share of the texels that are read.
+    /// Returns the name of the work that was left out and, for a map, the share of its texels that the picture reads.
     std::string text() const;
 };
 
-/// Wasted work of a frame: all trials, with sums over those that change nothing.
+/// Result of find_waste(): trials that leave out each piece of a frame's work, with sums over work that changes
+/// nothing.
 struct Waste {
     std::vector<WasteTrial> tried;
     std::optional<double> maps_ms;  ///< time of all maps, milliseconds; none: not timed
     bool stopped = false;           ///< stopped before all work was left out once
-    /// Returns the number of triangles that the frame draws into maps.
+    /// Returns the number of triangles that the frame draws into shadow maps.
     std::uint64_t triangles() const;
-    /// Returns the number of triangles drawn into maps without changing the picture.
+    /// Returns the number of triangles that the frame draws into shadow maps without changing the picture.
     std::uint64_t wasted() const;
-    /// Returns the milliseconds of map drawing that change nothing.
+    /// Returns the time that drawing shadow maps takes without changing the picture, milliseconds. 0 if not timed.
     double wasted_ms() const;
     /// Returns the wasted share of the triangles drawn into maps.
     double share() const { return triangles() ? double(wasted()) / double(triangles()) : 0; }
-    /// Returns the wasted share of the maps' time; none: not timed, or no time.
+    /// Returns the share of the shadow maps' time, 0 to 1, that is spent on maps without changing the picture; none:
+    /// not timed, or no time.
     std::optional<double> share_of_time() const;
-    /// Returns a line with the wasted share of triangles, and one with that of the time where it is known.
+    /// Returns a text on work that does not change the picture: a line with its share of the triangles and, if timed, a
+    /// line with its share of the shadow maps' time.
     std::string summary() const;
 };
 

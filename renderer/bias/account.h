@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Point on a triangle with the data that its bias depends on: normals, and the origin of positions in shaders.
+/// Surface point whose bias bias_breakdown() computes: position, normals, and the origin of positions in shaders.
 struct SurfacePoint {
     glm::dvec3 position_ws{0};
     glm::dvec3 geometric{0, 1, 0};    ///< unit normal of the triangle, on the side that the camera sees
@@ -23,9 +23,9 @@ struct SurfacePoint {
     std::optional<std::array<glm::dvec3, 3>> corners_ws = std::nullopt;
 };
 
-/// A shift of a point's depth in three units: depth-buffer units, texels and metres. Texels and metres come from the
-/// inverse depth curve: in perspective maps they are not proportional to the depth, and never exceed the distance to
-/// the light.
+/// Shift of a point's depth in three units: depth-buffer units, texels and metres. Texels and metres come from the
+/// inverse depth curve of the view. In perspective maps they are not proportional to the depth, and they never exceed
+/// the distance to the light.
 struct DepthShift {
     double depth = 0;   ///< depth-buffer units; above 0 is towards the light
     double texels = 0;  ///< along the view's axis, in texel widths at the point (the unit of bias.unit)
@@ -65,7 +65,8 @@ struct BiasBreakdown {
     /// Further bias of a texel per texel of its distance from the look-up (Bias::remainder); 0: the plane alone.
     double remainder_per_texel = 0;
     MapSize map_size{1};  ///< texels of the map
-    /// Returns the depth that is compared with one texel of the shadow map. @param centre the texel's map coordinates
+    /// Returns the depth of the receiver, with its bias, that is compared with one texel of the shadow map.
+    /// @param centre map coordinates of the texel's centre
     double compared_depth_at(const glm::dvec2& centre) const;
     /// Converts a depth shift at the surface point from depth-buffer units to texels and metres.
     DepthShift amount(double depth) const {
@@ -73,16 +74,17 @@ struct BiasBreakdown {
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};
     }
     double moved_aside_m = 0;  ///< way of shadows over the surface by a sideways offset, beside contact_gap()
-    /// Returns the width in metres of the lit strip next to a caster that touches the receiver (peter-panning): the
-    /// bias along the ray times sin(theta), which is h tan(theta) for a normal offset. A sideways offset of h moves
-    /// shadows by h tan(theta) as well.
+    /// Returns the width in metres of the lit strip next to a caster that touches the receiver (peter-panning). It is
+    /// the bias along the light's ray times sin(theta), with theta between the surface normal and the light. For a
+    /// normal offset h this is h tan(theta). A sideways offset of h moves shadows by h tan(theta) as well.
     double contact_gap_m() const;
-    /// Returns the way in metres by which the normal offset moves edges of shadows over the surface: its part across
-    /// the light's ray over cos(theta).
+    /// Returns the distance in metres by which the normal offset moves shadow edges along the surface: the part of the
+    /// offset across the light's ray, divided by cos(theta), with theta between the surface normal and the light.
     double offset_shift_m() const;
 };
 
-/// Computes the bias that the settings give a surface point under a light's shadow map, and the least that it needs.
+/// Computes the bias that the settings give a surface point under a light's shadow map, split by setting, and the least
+/// bias that avoids acne there.
 /// @param size texels of the light's maps
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
 BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, MapSize size,

@@ -17,7 +17,7 @@ inline bool faces_light(double n_dot_l) {
     return n_dot_l > double(shared::FACES_AWAY_COSINE);
 }
 
-/// Place of a surface point relative to a light's map.
+/// Position of a surface point relative to the volume that a light's shadow map covers.
 enum class MapPlace {
     Inside,
     BeforeNear,           ///< nearer to the light than the near plane
@@ -27,11 +27,11 @@ enum class MapPlace {
     OutsideCasterRegion,  ///< outside the caster region: the light's fit has found that nothing can cast a shadow there
 };
 
-/// Returns the name of a surface point's place relative to a light's map, as the probe prints it: "inside", "beyond
-/// far"; "no map" for nullopt, a light without a map.
+/// Returns the name of a surface point's place relative to a light's shadow map, as the command `probe` prints it:
+/// "inside", "beyond far". Returns "no map" for nullopt, which stands for a light without a map.
 std::string_view place_name(std::optional<MapPlace> place);
 
-/// A surface point projected into a light's shadow map, with its texel size, depth curve, bias and compared depth.
+/// Surface point projected into a light's shadow map, with its texel size, depth curve, bias and compared depth.
 struct LightReceiver {
     std::size_t view = 0;        ///< index among the light's views (cascade or face)
     std::size_t other_view = 0;  ///< view whose visibility is blended in
@@ -57,9 +57,10 @@ struct LightReceiver {
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };
 
-/// Projects a surface point into a light's shadow map, with the normal offset. Leaves `bias_depth` and `bias_m` at 0:
-/// bias_breakdown() computes the depth bias of bias.kind.
-/// @param geometric_normal,bias_normal unit, world; the second is the one that bias.normal_source selects
+/// Projects a surface point into a light's shadow map, and applies the normal offset of `bias` to the look-up. Leaves
+/// `bias_depth` and `bias_m` at 0: bias_breakdown() computes the depth bias of bias.kind.
+/// @param geometric_normal unit normal of the triangle, world space
+/// @param bias_normal unit normal that bias.normal_source selects, world space
 /// @param size texels of the light's maps
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, MapSize size,
                              const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,

@@ -9,8 +9,8 @@
 
 namespace si {
 
-/// Plane of a receiver in the space of a shadow map: depth as an affine function of map coordinates (u, v), d(u,v) = d0
-/// + g.x u + g.y v. Holds for orthographic and perspective lights, as projections map planes to planes.
+/// Plane of a receiver in the space of a shadow map. Its depth is an affine function of map coordinates (u, v): d(u,v)
+/// = d0 + g.x u + g.y v. Holds for orthographic and perspective lights, as projections map planes to planes.
 struct ReceiverPlane {
     glm::dvec2 gradient{0};  ///< depth-buffer units per map width; infinite edge-on to the light, never NaN
     glm::dvec3 uvd{0};       ///< map coordinates and depth of the receiver's point
@@ -23,19 +23,22 @@ struct ReceiverPlane {
     }
 };
 
-/// Returns the receiver plane through a world-space point in the map of `view`, without screen derivatives. With T the
-/// transform to (u, v, d, w) and pi the plane, pi' = T^-T pi = (a, b, c, e) gives the gradient -(a, b) / c.
+/// Returns a receiver's plane in the space of a shadow map, computed from its normal instead of screen derivatives.
+/// With T the transform from the world to (u, v, d, w) and pi the plane in the world, pi' = T^-T pi = (a, b, c, e)
+/// gives the gradient -(a, b) / c.
+/// @param view view of the shadow map
+/// @param point_ws point on the plane, world
 /// @param normal_ws normal of the plane, world, any length
 ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws);
 
 /// Returns the smallest step of a depth format at a depth in [0,1]: 1 / (2^n - 1) for n-bit formats, one ulp for
 /// floats.
 double depth_quantum(MapFormat format, double depth);
-/// Returns the smallest step of a map format at a depth in [0,1], in depth-buffer units. Also for maps that store
-/// distances, whose steps are converted by the view's depth curve.
+/// Returns the smallest step of a map format at a depth in [0,1], in depth-buffer units. Handles maps that store
+/// distances as well: the view's depth curve converts their steps.
 double depth_quantum(MapFormat format, const DepthCurve& curve, double depth);
 
-/// Parts of the least bias of a receiver, in depth-buffer units.
+/// Parts of the least bias with which a receiver's plane does not shadow itself, in depth-buffer units.
 struct LeastBias {
     double kernel = 0;    ///< taps read texels up to kappa away on a tilted plane
     double quantum = 0;   ///< rounding of stored depths to the map's format
@@ -47,34 +50,41 @@ struct LeastBias {
     double total() const { return kernel + without_kernel(); }
 };
 
-/// Computes the least depth bias with which a plane does not shadow itself:
+/// Computes the least depth bias with which a plane does not shadow itself, in depth-buffer units:
 ///   b_min = kappa (|g_u| + |g_v|) / N + q c_q + 2^-(B+1) (|g_u| + |g_v|) / N + e_fp.
-/// @param gradient g, depth-buffer units per map width (ReceiverPlane) @param resolution N, texels a side
+/// @param gradient g, depth-buffer units per map width (ReceiverPlane)
 /// @param kappa_texels largest distance of a tap's texel centre from the receiver, per axis: 0.5 nearest, 1 filtered
 ///        2x2, R + 0.5 for (2R+1)^2 nearest and R + 1 for (2R+1)^2 bilinear taps
+/// @param size texels of the map, N a side
 /// @param quantum q, step of the stored depth; c_q = 1, as a driver may truncate
-/// @param subpixel_bits B, GL_SUBPIXEL_BITS; 0 or less leaves the snapping out
+/// @param subpixel_bits B, GL_SUBPIXEL_BITS; 0 or less leaves out the term of snapped vertices
 /// @param rounding e_fp, see rounding_bias()
 LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, MapSize size, double quantum, int subpixel_bits,
                      double rounding = 0);
 
 /// Returns the depth bias that covers float rounding in the shaders at a point, in depth-buffer units:
-/// 4 2^-23 max(|P| (|d'| + d |w'| / w), d). The first term is the rounding of coordinates P, which a warped view also
-/// divides by w. The second is the rounding of the depth itself, which dominates where perspective depths crowd at 1.
+/// 4 2^-23 max(P (|d'| + d |w'| / w), d). P is `extent_m`, d the depth, w that of clip space, and ' the change per
+/// metre. The first term is the rounding of coordinates, which a warped view also divides by w. The second is the
+/// rounding of the depth itself, which dominates where perspective depths crowd at 1.
 /// @param extent_m largest coordinate in the shaders, metres
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m);
 
 /// Returns the depth bias that covers float rounding of map coordinates on a plane, in depth-buffer units:
-/// 4 2^-23 |P| (1 / across + |w'| / w) (|g_u| + |g_v|). Needed where texels are compared with the plane's depth at
-/// their own centre. `across` is the width of the map at the point in metres, by its shortest texels; w' belongs to a
-/// warped view. @param extent_m largest coordinate P in the shaders, metres
+/// 4 2^-23 P (1 / across + |w'| / w) (|g_u| + |g_v|). P is `extent_m`, and `across` the width of the map at the point
+/// in metres, by its shortest texels. w'/w is the relative change of clip-space w per metre in a warped view. Needed
+/// where texels are compared with the plane's depth at their own centre.
+/// @param gradient g, depth-buffer units per map width (ReceiverPlane)
+/// @param extent_m largest coordinate in the shaders, metres
 double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
                         MapSize size);
 
-/// Returns the normal offset in metres that is equivalent to a depth bias `b_min` (depth-buffer units). Moving a plane
-/// by h along its normal n moves it by h / |n . r| along the light's ray r. For an orthographic light and texel size s
-/// the offset is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), at most sqrt(2) kappa s plus the
-/// step. Holbert, Saying Goodbye to Shadow Acne, GDC 2011.
+/// Returns the normal offset in metres that acts against acne as much as the depth bias `b_min` does. Moving a plane by
+/// h along its normal n moves it by h / |n . r| along the light's ray r. For an orthographic light and texel size s the
+/// offset is kappa s sin(theta) (|cos phi| + |sin phi|) + delta_z cos(theta), at most sqrt(2) kappa s plus the depth
+/// step delta_z. theta is the angle between n and r, phi the direction of the slope in the map. Holbert, Saying Goodbye
+/// to Shadow Acne, GDC 2011.
+/// @param normal_ws normal of the plane, world, any length
+/// @param b_min depth bias, depth-buffer units
 double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, const glm::dvec3& normal_ws,
                            double b_min);
 
