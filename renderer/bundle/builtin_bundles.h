@@ -13,7 +13,7 @@ namespace si {
 /// Start of the name of a bundle that the program makes itself, as map.bundle takes it: "builtin:strip".
 inline constexpr std::string_view kBuiltinBundlePrefix = "builtin:";
 
-/// Body of the scene that maps of built-in bundles show, metres. Its sides are parallel to the axes.
+/// Box in the scene that the maps of built-in bundles show, metres. Its sides are parallel to the axes.
 struct GivenBody {
     glm::dvec3 lo{0}, hi{0};
 };
@@ -24,7 +24,7 @@ inline constexpr std::array kGivenBodies = {GivenBody{{-0.75, 0.25, -1}, {0.75, 
 /// Place of that scene where its engine draws relative to the camera, world.
 inline constexpr glm::dvec3 kGivenFarPlace{4194304, -2097152, 4194304};
 
-/// Light of a built-in bundle.
+/// Light of a built-in bundle: a sun (parallel rays) or a spot light.
 struct GivenLight {
     double azimuth_deg = 0, elevation_deg = 0;  ///< as light.azimuth and light.elevation
     double distance = 0;                        ///< of a spot light from the middle of the scene's bounds, metres
@@ -35,10 +35,12 @@ inline constexpr GivenLight kGivenSun{30, 40};
 /// Lamp of the bundles of a spot light.
 inline constexpr GivenLight kGivenSpot{30, 70, 12, 60};
 
-/// Returns true for the name of a built-in bundle, known or not: such a name is no path of a file.
+/// Returns true for a name with the prefix of built-in bundles ("builtin:"), which is no path of a file. A bundle of
+/// this name need not exist.
 bool is_builtin_bundle(const std::filesystem::path& path);
 
-/// Returns the files of a built-in bundle. Depths are those of rays through the texels' middles, computed in double.
+/// Returns the files of a bundle that the program computes itself, for hard cases about imported maps. Depths are those
+/// of rays through the texels' centres, computed in double precision.
 /// @throws Error for a name that no built-in bundle has
 BundleContents builtin_bundle(std::string_view name);
 

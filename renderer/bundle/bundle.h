@@ -30,8 +30,8 @@ struct BundleWorld {
     bool operator==(const BundleWorld&) const = default;
 };
 
-/// Matrix from the engine's world to clip space, whole or in two parts. Exactly one of `clip_from_world`, `view` and
-/// `world_from_view` is set; `projection` is set beside the latter two.
+/// Matrix from the engine's world to clip space: one matrix, or a view and a projection. Exactly one of
+/// `clip_from_world`, `view` and `world_from_view` is set; `projection` is set beside the latter two.
 struct BundleMatrix {
     std::optional<glm::dmat4> clip_from_world;
     std::optional<glm::dmat4> view;             ///< view space from world
@@ -61,7 +61,7 @@ enum class FirstRow { Bottom, Top };
 /// Number type of the texels of a raw image, little-endian. U24 takes four bytes, the value in the low 24 bits.
 enum class RawFormat { F32, F16, U16, U24, U32 };
 
-/// Image of a map: `image` of a map of frame.json.
+/// Image file that holds a shadow map, and its layout: `image` of a map in frame.json.
 struct BundleImage {
     std::string file;                   ///< path in the bundle
     std::optional<FirstRow> first_row;  ///< not set: see first_row_of()
@@ -71,7 +71,7 @@ struct BundleImage {
     bool operator==(const BundleImage&) const = default;
 };
 
-/// Part of an atlas, texels from the image's first stored row and its left side.
+/// Rectangle of an atlas that holds one shadow map, in texels from the image's first stored row and its left side.
 struct BundleRegion {
     int x = 0, y = 0, width = 0, height = 0;
     bool operator==(const BundleRegion&) const = default;
@@ -85,7 +85,7 @@ enum class BundleStored { Depth, Linear, AxisMetres, DistanceMetres, DistanceSha
 /// Storage of depth in the engine, for the step of depth.
 enum class BundleDepthFormat { D16, D24, D32F, R16F, R32F };
 
-/// Meaning of a map's texels: `depth` of a map of frame.json.
+/// Meaning of the values in a shadow map's texels: `depth` of a map in frame.json.
 struct BundleDepth {
     DepthConvention convention;
     BundleStored stored = BundleStored::Depth;
@@ -102,7 +102,8 @@ struct BundleDepth {
 /// Winding of front faces in the map's image.
 enum class BundleFront { Ccw, Cw };
 
-/// State while casters were drawn, as in OpenGL: `raster` of a map of frame.json.
+/// Raster state with which an engine drew casters into a map, in terms of OpenGL: `raster` of a map in frame.json.
+/// Members that are not set are unknown.
 struct BundleRaster {
     std::optional<double> offset_factor, offset_units, offset_clamp;
     std::optional<Cull> cull;
@@ -114,7 +115,7 @@ struct BundleRaster {
     bool operator==(const BundleRaster&) const = default;
 };
 
-/// One shadow map: a member of `maps` of a light of frame.json.
+/// One shadow map of an engine: a member of `maps` of a light in frame.json.
 struct BundleMap {
     BundleImage image;
     std::optional<BundleRegion> region;  ///< not set: the whole image
@@ -131,7 +132,8 @@ struct BundleMap {
     bool operator==(const BundleMap&) const = default;
 };
 
-/// Bias of an engine's look-up. The unit of an amount that is not set counts for nothing.
+/// Bias with which an engine's shader reads a shadow map. An amount that is not set is unknown, and its unit is
+/// ignored.
 struct BundleBias {
     std::optional<double> constant, slope, normal;
     std::array<BiasUnit, 3> units = {BiasUnit::Depth, BiasUnit::Depth, BiasUnit::Metres};  ///< in the order above
@@ -146,7 +148,8 @@ enum class BundleFilter { Nearest, Linear };
 /// Wrapping of the sampler that reads the map.
 enum class BundleWrap { Border, Clamp, Repeat };
 
-/// Reading of the maps by the engine's shader: `lookup` of a light of frame.json.
+/// Shadow look-up of the engine's shader (bias, kernel, sampler): `lookup` of a light in frame.json. Members that are
+/// not set are unknown.
 struct BundleLookup {
     BundleBias bias;
     std::optional<std::string> kernel;  ///< value of filter.kernel, such as "pcf3"
@@ -157,7 +160,7 @@ struct BundleLookup {
     bool operator==(const BundleLookup&) const = default;
 };
 
-/// Light with its shadow maps: a member of `lights` of frame.json.
+/// Light of an engine with its shadow maps: a member of `lights` in frame.json.
 struct BundleLight {
     std::string name;
     LightType type = LightType::Directional;
@@ -172,8 +175,8 @@ struct BundleLight {
     bool operator==(const BundleLight&) const = default;
 };
 
-/// One frame of an engine: the content of frame.json. Lengths of the engine's world are in its units until
-/// BundleWorld::metres_per_unit turns them into metres; members with `_m` are metres.
+/// One frame of an engine, exported for inspection: the content of frame.json. Lengths in the engine's world have its
+/// own unit; BundleWorld::metres_per_unit converts them. Members with `_m` are metres.
 struct Bundle {
     std::string made_by;
     std::string scene;  ///< path in the bundle of the scene's glTF file; empty: none
@@ -188,12 +191,12 @@ struct Bundle {
     bool operator==(const Bundle&) const = default;
 };
 
-/// Returns the end of the map that an image's first stored row shows: as stated, else Bottom for .raw and .pfm and Top
-/// for other files.
+/// Returns which edge of a shadow map the first stored row of its image holds. An image that does not state it has the
+/// Bottom row first in .raw and .pfm files, and the Top row in others.
 FirstRow first_row_of(const BundleImage& image);
 
-/// Returns the choice of a light's maps: as stated, else One for one map, Face for six maps of a point light, Interval
-/// where all maps have intervals, else Map.
+/// Returns the rule by which a surface point chooses one of a light's maps. A light that does not state it has One for
+/// a single map, Face for six maps of a point light, Interval if all maps have intervals, and otherwise Map.
 ViewChoice choice_of(const BundleLight& light);
 
 }  // namespace si

@@ -14,62 +14,67 @@ namespace si::bundle {
 
 // Kinds of values. Io classes know how each is read, written and described.
 
-/// Kind of value: a text of at most `max_bytes` bytes.
+/// Schema of a value in frame.json (an engine's exported frame): a text of at most `max_bytes` bytes.
 struct Text {
     using Type = std::string;
     std::size_t max_bytes = 4096;
 };
-/// Kind of value: the name of a file in the bundle.
+/// Schema of a value in frame.json (an engine's exported frame): the name of a file in the bundle.
 struct Path {
     using Type = std::string;
 };
-/// Kind of value: a number from `least` to `most`; `above`: greater than `least`.
+/// Schema of a value in frame.json (an engine's exported frame): a number from `least` to `most`; greater than `least`
+/// if `above` is true.
 struct Number {
     using Type = double;
     double least = -std::numeric_limits<double>::max(), most = std::numeric_limits<double>::max();
     bool above = false;
 };
-/// Kind of value: a whole number from `least` to `most`.
+/// Schema of a value in frame.json (an engine's exported frame): a whole number from `least` to `most`.
 struct Integer {
     using Type = int;
     int least = 0, most = std::numeric_limits<int>::max();
 };
-/// Kind of value: true or false.
+/// Schema of a value in frame.json (an engine's exported frame): true or false.
 struct Switch {
     using Type = bool;
 };
-/// Kind of value: a 4 x 4 matrix as sixteen numbers, column by column.
+/// Schema of a value in frame.json (an engine's exported frame): a 4 x 4 matrix as sixteen numbers, column by column.
 struct Matrix {
     using Type = glm::dmat4;
 };
-/// Kind of value: a vector of three numbers.
+/// Schema of a value in frame.json (an engine's exported frame): a vector of three numbers.
 struct Vector {
     using Type = glm::dvec3;
 };
-/// Kind of value: two numbers, the first below the second or, where `may_equal`, equal to it.
+/// Schema of a value in frame.json (an engine's exported frame): two numbers from `least` to `most`, the first below
+/// the second. They may be equal if `may_equal` is true.
 struct Pair {
     using Type = std::array<double, 2>;
     double least = -std::numeric_limits<double>::max(), most = std::numeric_limits<double>::max();
     bool may_equal = false;
 };
-/// Kind of value: ranges of the rows of a warped map: middle, near, far, rise.
+/// Schema of a value in frame.json (an engine's exported frame): depth ranges of the rows of a warped map (LiSPSM), as
+/// the numbers middle, near, far and rise (DepthWarp).
 struct Warp {
     using Type = DepthWarp;
 };
-/// Kind of value: a rectangle of texels: x, y, width, height.
+/// Schema of a value in frame.json (an engine's exported frame): a rectangle of texels as x, y, width and height.
 struct Region {
     using Type = BundleRegion;
 };
-/// Kind of value: a list of at most `most` texts.
+/// Schema of a value in frame.json (an engine's exported frame): a list of at most `most` texts.
 struct Texts {
     using Type = std::vector<std::string>;
     std::size_t most = 100'000;
 };
-/// Kind of value: a JSON object of any keys, whose values are texts, numbers or booleans.
+/// Schema of a value in frame.json (an engine's exported frame): an object with any keys, whose values are texts,
+/// numbers or booleans.
 struct Dictionary {
     using Type = std::map<std::string, std::string>;
 };
-/// Kind of value: the units of a bundle's bias terms (constant, slope, normal) in one text, separated by commas.
+/// Schema of a value in frame.json (an engine's exported frame): the units of the bias terms constant, slope and normal
+/// in one text, separated by commas.
 struct BiasUnits {
     using Type = std::array<BiasUnit, 3>;
 };

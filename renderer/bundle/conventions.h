@@ -15,7 +15,8 @@
 
 namespace si {
 
-/// Returns the step of depths stored in a format, depth-buffer units; of floats that of the values from 0.5 to 1.
+/// Returns the step between depths that a bundle's depth format can store, in depth-buffer units. For floats it is the
+/// step of values from 0.5 to 1.
 double depth_step(BundleDepthFormat format);
 
 /// Order of the 16 numbers of a matrix that multiplies columns.
@@ -27,18 +28,19 @@ enum class ProductOrder { ProjectionView, ViewProjection };
 /// Axis of the light's file that points the other way in the scene's world.
 enum class MirroredAxis { None, X, Y, Z };
 
-/// Axes, hand and unit of the light's file (the JSON file that `import-map` reads), compared with those of the scene's
-/// world.
+/// Axes, handedness and unit of a light file (the JSON file with the light of an imported map image), relative to the
+/// scene's world.
 struct LightAxes {
     UpAxis up = UpAxis::Y;  ///< axis of the light's file, after mirroring, that becomes the scene's y; never File
     MirroredAxis mirrored = MirroredAxis::None;
     double unit = 1;  ///< lengths of the scene's world in one length of the light's file; above 0
-    /// Returns the matrix from the world space of the light's file to that of the scene.
+    /// Returns the matrix from the world space of the light file to that of the scene.
     glm::dmat4 scene_from_light() const;
     bool operator==(const LightAxes&) const = default;
 };
 
-/// Reading of a map and its matrix: one combination of conventions that the file may follow.
+/// One combination of conventions by which a shadow map and its matrix may be written: depth range, order of rows,
+/// order of matrix elements, axes and others.
 struct Convention {
     DepthConvention depth;
     FirstRow first_row = FirstRow::Bottom;
@@ -50,7 +52,8 @@ struct Convention {
     bool operator==(const Convention&) const = default;
 };
 
-/// Parts of a Convention that are known.
+/// Conventions of a shadow map (depth range, order of rows, axes and others) that are stated. Those that are not set
+/// are unknown and have to be tried by fit_conventions().
 struct KnownConvention {
     std::optional<bool> zero_to_one, reversed;
     std::optional<FirstRow> first_row;
@@ -60,13 +63,13 @@ struct KnownConvention {
     std::optional<UpAxis> up;
     std::optional<MirroredAxis> mirrored;
     std::optional<double> unit;
-    /// Returns the axes of the scene's world with the known parts in their place.
+    /// Returns the stated axes and unit of the light file, with those of the scene's world where nothing is stated.
     LightAxes own_axes() const;
-    /// Returns true for a reading that contradicts no known part.
+    /// Returns true when a combination of conventions contradicts none of the stated ones.
     bool allows(const Convention& convention) const;
 };
 
-/// Ray of a light from the near to the far plane of a map, world space, metres.
+/// Ray of a light through a shadow map, from the near to the far plane, in world space, metres.
 struct MapRay {
     glm::dvec3 from_ws{0}, to_ws{0};
 };
@@ -74,7 +77,7 @@ struct MapRay {
 /// Function that returns the distance from the start of each ray to the first caster, metres; NaN without one.
 using FirstCasters = std::function<std::vector<double>(std::span<const MapRay>)>;
 
-/// Fit of one reading (Convention) to the scene.
+/// Result of reading a shadow map by one combination of conventions: differences between its texels and the scene.
 struct ConventionFit {
     Convention convention;
     bool known = true;        ///< contradicts no known part
@@ -92,7 +95,8 @@ struct ConventionFit {
     double share_off() const { return samples == 0 ? 1 : double(off) / double(samples); }
 };
 
-/// Fits of all readings, the best first. Readings with the same effect are listed once.
+/// Results of all combinations of conventions that were tried on a shadow map, the best first. Combinations with the
+/// same effect are listed once.
 struct ConventionFits {
     std::vector<ConventionFit> fits;
     /// Number of known readings at the start of `fits` that fit the map equally well; 0: none fits.
@@ -103,21 +107,24 @@ struct ConventionFits {
     bool over_scene = false;  ///< compared with surfaces, not only with the map's own range
 };
 
-/// Tries every reading of the maps of a light, and compares some 4,000 texels a map with the casters of a scene.
-/// Without a scene only range and consistency can tell readings apart: readings that put texels outside the depth
-/// range, or the sky on the near plane, do not fit. Over a scene other axes, hands and units of the light's file are
-/// tried too: with few texels first, and all texels for the readings that may fit.
-/// @param light stated conventions are those of `known`; its maps read one image
+/// Finds the conventions by which an imported shadow map is written, where they are not stated. Reads the map by every
+/// possible combination, and compares some 4,000 texels a map with the casters of a scene. Without a scene, a
+/// combination does not fit if it puts texels outside the depth range, or the sky on the near plane. With a scene,
+/// other axes, hands and units of the light file are tried too: with few texels first, and with all texels where they
+/// may fit.
+/// @param light light whose maps all read one image; its stated conventions are those of `known`
 /// @param type_known false: BundleLight::type is not stated
-/// @param world from the engine's world to metres, y up, right-handed
-/// @param casters empty: no scene
+/// @param world matrix from the engine's world to metres, y up, right-handed
+/// @param casters empty: there is no scene
 ConventionFits fit_conventions(const BundleLight& light, bool type_known, const glm::dmat4& world,
                                const FloatImage& image, const KnownConvention& known, const FirstCasters& casters);
 
-/// Returns a light whose maps are read as a convention says, in the form that frame.json has.
+/// Returns a copy of a light, in the form of frame.json, whose maps are described by these conventions.
 BundleLight with_convention(const BundleLight& light, const Convention& convention);
 
-/// Returns the sentence that a fit amounts to: "the scene lies behind the map at 93 % of its texels".
+/// Returns a sentence for people on how well a shadow map fits under some conventions: "the scene lies behind the map
+/// at 93.0 % of the texels: reversed depth?".
+/// @param over_scene true: the map was compared with the scene's surfaces; false: only with its own depth range
 std::string fit_sentence(const ConventionFit& fit, bool over_scene);
 
 }  // namespace si

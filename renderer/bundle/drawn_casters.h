@@ -15,7 +15,8 @@ struct DrawnCasters {
     std::size_t unknown = 0;         ///< names that are no node with triangles
 };
 
-/// Compares the objects of a scene with a list of those drawn. @param drawn node paths, as BundleMap::drawn
+/// Compares the objects of a scene with the casters that an engine has drawn into a map, to find those left out.
+/// @param drawn node paths of the drawn casters, as in BundleMap::drawn
 DrawnCasters drawn_casters(const Scene& scene, const std::set<std::string>& drawn);
 
 }  // namespace si

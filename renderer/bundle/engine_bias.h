@@ -10,7 +10,7 @@ namespace si {
 
 struct ImportedMaps;
 
-/// Knowledge of the bias with which an engine reads its own shadow map.
+/// State of knowledge about the bias with which an engine reads its own shadow map, and its source.
 enum class EngineBias {
     Own,      ///< the map is no engine's: this program draws it
     File,     ///< bias.* are the engine's bias, as its bundle states it
@@ -19,11 +19,12 @@ enum class EngineBias {
     Unknown,  ///< nobody knows it; it is never taken as 0
 };
 
-/// Returns the state of knowledge about the bias with which the engine reads these maps.
+/// Returns whether the bias with which an engine reads its maps is known, and from which source.
 /// @param maps imported maps of one light; null, or without images: this program draws the maps
 EngineBias engine_bias(const ImportedMaps* maps, const Settings& settings);
 
-/// Returns true when two settings move the look-up alike. Polygon offset, which acts while maps are drawn, may differ.
+/// Returns true when two bias settings shift the shadow look-up equally. Polygon offset, which acts while maps are
+/// drawn, may differ.
 bool is_same_look_up_bias(const BiasSettings& a, const BiasSettings& b);
 
 /// Returns true when bias.* are the engine's, so that verdicts speak of the engine's pixel.
@@ -64,7 +65,9 @@ constexpr std::string_view engine_bias_text(EngineBias bias) {
     return "";
 }
 
-/// Returns a remark on the engine's bias of one light's maps; empty: verdicts speak of the engine's pixel.
+/// Returns a sentence which warns that the engine's bias of a light's maps is unknown or changed, so that wrong pixels
+/// are not those of the engine. Empty when it is known, or when this program draws the maps.
+/// @param maps imported maps of the light; null: this program draws the maps
 /// @param light index of light.*
 std::string engine_bias_remark(const ImportedMaps* maps, const Settings& settings, int light);
 

@@ -16,29 +16,35 @@
 
 namespace si {
 
-/// Returns the transform from the engine's world to metres, y up, right-handed.
+/// Returns the transform from an engine's world to that of this program: metres, y up, right-handed.
 glm::dmat4 world_from_engine(const BundleWorld& world);
 
-/// Returns the view of a map, in metres, y up, right-handed.
+/// Returns the view of an engine's shadow map (its light camera) in this program's world: metres, y up, right-handed.
 /// @throws Error "the matrix: what; what to do" for matrices that view_of_matrix() refuses
 LightView view_of_map(const BundleWorld& world, const BundleMap& map);
 
-/// Depth-buffer values of one map, and what was wrong with its texels.
+/// Depth-buffer values of one imported map, and the numbers of its invalid texels.
 struct MapDepths {
     FloatImage depths;              ///< top row first
     std::size_t not_a_number = 0;   ///< texels that are no number, read as the far plane
     std::size_t outside_range = 0;  ///< texels beyond near or far plane, read as on it
 };
 
-/// Returns the depth-buffer values of a map.
+/// Converts the image of an engine's shadow map to depth-buffer values, whichever form of depth it stores
+/// (BundleStored).
+/// @param view view of the map, see view_of_map()
 /// @param image decoded image of BundleMap::image, rows in the order of the file
 /// @throws Error "what; what to do" for a region or channel that the image lacks
 MapDepths depths_of_map(const BundleMap& map, const LightView& view, const FloatImage& image);
 
-/// Returns the choice of a light's views. @param views views of its maps @throws Error
+/// Returns the rule by which a surface point chooses one of a light's views: by camera depth, cube face or place in the
+/// maps.
+/// @param bundle has the camera from which camera depths are measured
+/// @param views views of the light's maps, in the same order
+/// @throws Error
 ViewChooser chooser_of(const Bundle& bundle, const BundleLight& light, const std::vector<LightView>& views);
 
-/// Maps of a bundle, by light.
+/// Content of a bundle, as read: its description, and the imported maps of each light.
 struct GivenMaps {
     Bundle bundle;
     std::vector<std::shared_ptr<const ImportedMaps>> lights;  ///< as Bundle::lights; null: no map
@@ -46,35 +52,38 @@ struct GivenMaps {
     std::vector<std::string> notes;                           ///< faults that do not hinder reading, one sentence each
 };
 
-/// Returns a setting of bias.* and its value for each part of a look-up's normal offset; nothing where the offset is
-/// unknown or counts in depth, which is no length.
+/// Converts the normal offset of an engine's look-up to settings: pairs of a key of bias.* and a value. Empty where the
+/// offset is unknown, or is given as a depth, which is no length.
 std::vector<std::pair<std::string_view, std::string>> normal_offset_settings(const BundleBias& bias);
 
-/// Returns true when the settings that a bundle holds state the bias of every look-up, as those of this program do.
+/// Returns true when the settings that a bundle holds include kind, unit and all amounts of bias.*, which then hold for
+/// every look-up.
 bool settings_state_bias(const Bundle& bundle);
 
-/// Returns bias.* of a light's look-up, without polygon offset, if the bundle states all its terms in units and amounts
-/// that bias.* can hold; else nothing.
+/// Returns the bias of a light's look-up as settings bias.*, without polygon offset, if the bundle states it. Nothing
+/// if a term is missing, or if bias.* cannot hold its unit or amount.
 std::optional<BiasSettings> stated_bias(const Bundle& bundle, const BundleLight& light);
 
-/// Returns which bias a light's look-ups have: that of the settings, one that its bundle states, or an unknown one of
-/// the engine that drew its maps. @throws Error as read_given_maps()
+/// Returns whether the bias with which an engine reads the maps of a light is known, and from which source.
+/// EngineBias::Own if the settings open no bundle, or draw its maps again.
 /// @param light index of light.*
+/// @throws Error as read_given_maps()
 EngineBias engine_bias_of_light(const Settings& settings, int light);
 
-/// Parses the frame.json of a bundle. @throws Error
+/// Parses the frame.json of an opened bundle, without reading its images. @throws Error
 Bundle read_bundle(BundleFiles& files);
 
-/// Reads the maps of a bundle. @throws Error "FILE: place: what; what to do"
+/// Reads an opened bundle: its frame.json and the shadow maps of all lights.
+/// @throws Error "FILE: place: what; what to do"
 GivenMaps read_given_maps(BundleFiles& files);
 
-/// Returns the maps of a bundle. The last few bundles are kept until one of their files changes. Usable from any
-/// thread.
+/// Returns the content of a bundle with its shadow maps. Keeps the last few bundles in memory, each until one of its
+/// files changes. Usable from any thread.
 /// @throws Error as read_given_maps()
 std::shared_ptr<const GivenMaps> given_maps(const std::filesystem::path& path);
 
-/// Returns maps whose views are moved with a scene that is placed elsewhere. @param placement rotation, translation and
-/// uniform scale
+/// Returns imported maps whose views are moved along with a scene that was placed elsewhere.
+/// @param placement rotation, translation and uniform scale of the scene
 std::shared_ptr<const ImportedMaps> placed_maps(const std::shared_ptr<const ImportedMaps>& maps,
                                                 const glm::dmat4& placement);
 

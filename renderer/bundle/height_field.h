@@ -9,13 +9,13 @@
 
 namespace si {
 
-/// Limits of a height field.
+/// Limits for height_field(), which makes a mesh from the depths of a shadow map.
 struct HeightFieldOptions {
     std::size_t max_triangles = 500'000;
     double depth_step = 0;  ///< step of the map's format, depth-buffer units; surfaces are not followed more closely
 };
 
-/// Triangles of a height field. Their fronts face the light.
+/// Mesh of the surface that a shadow map shows, for maps that come without a scene. Front faces face the light.
 struct HeightField {
     glm::dvec3 origin_ws{0};  ///< position that the mesh is relative to
     Mesh mesh;                ///< metres, relative to `origin_ws`, without normals

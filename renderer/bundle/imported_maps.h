@@ -15,14 +15,15 @@
 
 namespace si {
 
-/// Views that come with imported images, in place of those that a fit makes.
+/// Views with which imported shadow maps were drawn. They replace the views that light.fit would give.
 struct ImportedViews {
     std::vector<LightView> views;  ///< one an image
     ViewChooser chooser;           ///< choice of the view in which a point is looked up
     bool closed = false;           ///< no surface that the light reaches lies in shadow outside the maps
 };
 
-/// Raster state in which casters are drawn into one map, in place of bias.raster_* and caster.cull.
+/// Raster state (polygon offset and culling) in which casters are drawn into one shadow map. Replaces the settings
+/// bias.raster_* and caster.cull.
 struct CasterRaster {
     double offset_factor = 0, offset_units = 0;  ///< as glPolygonOffset() takes them, with the signs of reversed depth
     double offset_clamp = 0;                     ///< as glPolygonOffsetClampEXT() takes it; 0: no clamp
@@ -31,8 +32,8 @@ struct CasterRaster {
     bool operator==(const CasterRaster&) const = default;
 };
 
-/// Maps of one light that are given: an image a view, and what they were drawn with, where it is known. Without images
-/// the maps are drawn, with the given views.
+/// Shadow maps of one light that an engine has drawn: one image for each view, and the raster state and bias where
+/// these are known. Without images, this program draws maps with the given views.
 struct ImportedMaps {
     std::vector<FloatImage> images;      ///< depths by view, top row first, as Renderer::read_shadow_map() returns them
     std::optional<ImportedViews> views;  ///< nullopt: the light's own views
@@ -64,9 +65,11 @@ std::shared_ptr<const ImportedMaps> imported_maps(std::vector<FloatImage> images
 std::shared_ptr<const ImportedMaps> drawn_maps(ImportedViews views, MapSize size,
                                                std::vector<CasterRaster> raster = {});
 
-/// Returns the faces that OpenGL's culling leaves out of a map, by the winding of glTF as seen from the light.
+/// Converts the face culling of an engine: returns the faces that are left out of a shadow map, by the winding of glTF
+/// as seen from the light.
 /// @param culled GL_CULL_FACE_MODE of the engine, as in clip space whose y points up
-/// @param front_is_clockwise GL_FRONT_FACE is GL_CW
+/// @param front_is_clockwise true: GL_FRONT_FACE is GL_CW
+/// @param view view of the map
 Cull culled_faces(Cull culled, bool front_is_clockwise, const LightView& view);
 
 }  // namespace si

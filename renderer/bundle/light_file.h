@@ -8,17 +8,18 @@
 
 namespace si {
 
-/// Light of a map image, and which of its parts the file states.
+/// Content of a light file, the JSON file with the light of an imported map image, and which conventions it states.
 struct LightFile {
     Bundle bundle;            ///< `world` and one light, whose maps all read the image
     bool type_known = false;  ///< false: BundleLight::type is not stated
     KnownConvention known;    ///< the product and the order of matrices are never stated
 };
 
-/// Parses a light file: an object as in `lights` of frame.json, beside which `world` may stand. Members of its map may
-/// stand beside those of the light where there is one map. A matrix alone is enough: members that frame.json requires
-/// may be missing here.
-/// @param file name of the file, for messages @param image_file name of the image in the bundle to be
+/// Parses a light file, which describes the light of an imported map image: an object as in `lights` of frame.json, and
+/// `world` beside its members. A light with one map may hold the members of the map itself. A matrix alone is enough:
+/// members that frame.json requires may be missing here.
+/// @param file name of the file, for messages
+/// @param image_file name that the image gets in the bundle
 /// @throws Error "FILE: PLACE: what is wrong; what to do"
 LightFile parse_light_file(std::string_view text, std::string_view file, std::string_view image_file);
 

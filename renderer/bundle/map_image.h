@@ -11,16 +11,19 @@
 
 namespace si {
 
-/// Layout of a raw image, which its file does not state. Files of other formats ignore it.
+/// Layout of a shadow map in a raw file, which does not state it. Ignored for other file formats.
 struct MapImageFormat {
     int width = 0, height = 0;  ///< texels
     int channels = 1;           ///< numbers a texel
     std::optional<RawFormat> format;
 };
 
-/// Decodes the image of a shadow map by the extension of its name. All channels are returned. Rows stay in the order of
-/// the file: row 0 of the result is the first stored row. Integers of n bits become value / (2^n - 1).
+/// Decodes the image file of a shadow map. The extension of its name tells the format. All channels are returned. Rows
+/// stay in the order of the file: row 0 of the result is the first stored row. Integers of n bits become value / (2^n -
+/// 1).
 /// @param file_name for the extension and for messages
+/// @param bytes content of the file
+/// @param raw layout of a .raw file
 /// @throws Error "FILE: what is wrong; what to do"; sizes are checked before memory is taken
 FloatImage decode_map_image(std::string_view file_name, std::span<const std::byte> bytes, const MapImageFormat& raw);
 

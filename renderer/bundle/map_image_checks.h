@@ -6,9 +6,11 @@
 
 namespace si {
 
-/// Checks the sides of an image. @throws Error without the file's name, for a side below 1 or above kMaxBundleImageSide
+/// Checks width and height of a shadow map's image, before memory is taken for it.
+/// @throws Error without the file's name, for a side below 1 or above kMaxBundleImageSide
 void check_map_image_sides(std::int64_t width, std::int64_t height);
-/// Checks how many numbers all channels of an image have. @throws Error without the file's name, for more than `most`
+/// Checks the size of a shadow map's image, before memory is taken for it.
+/// @throws Error without the file's name, if all channels together have more than `most` numbers
 void check_map_image_numbers(std::int64_t width, std::int64_t height, int channels, std::size_t most);
 
 }  // namespace si

@@ -17,19 +17,21 @@ namespace si {
 /// Job that decodes one image in a child process.
 extern const ForeignJob kExrJob;
 
-/// Decodes an OpenEXR file of scanlines or tiles in a child process: half, float and whole numbers. Row 0 is the top of
-/// its data window. At most four channels are returned: Z, Y, R, G, B, A, then others by name. A whole number n becomes
-/// n / (2^32 - 1).
+/// Decodes an OpenEXR file with a shadow map in a child process, as the file may be hostile. Reads scanlines or tiles
+/// of half, float and whole numbers. Row 0 is the top of the file's data window. At most four channels are returned: Z,
+/// Y, R, G, B, A, then others by name. A whole number n becomes n / (2^32 - 1).
 /// @throws Error "what is wrong; what to do", without the file's name
 FloatImage decode_exr_map(std::span<const std::byte> bytes);
 
-/// Decodes an image in this process and packs it as an answer. The child process runs it. @throws Error without the
-/// file's name
+/// Decodes an OpenEXR file in the calling process, and packs the image as bytes for another process. Only the child
+/// process of decode_exr_map() calls it.
+/// @param progress is called with 0..1
+/// @throws Error without the file's name
 std::vector<std::uint8_t> decode_packed_exr(std::span<const std::uint8_t> bytes,
                                             const std::function<void(double)>& progress);
 
-/// Encodes the first channel of an image as an OpenEXR file of 32-bit floats, channel Y, losslessly compressed. Equal
-/// images give equal bytes.
+/// Encodes the first channel of an image as the bytes of an OpenEXR file: 32-bit floats, channel Y, losslessly
+/// compressed. Equal images give equal bytes.
 std::string exr_bytes(const FloatImage& image);
 
 }  // namespace si

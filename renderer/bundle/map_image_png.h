@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Decodes a PNG file of 16 bits a channel; a number n becomes n / 65535. Row 0 is the first row of the file.
+/// Decodes a PNG file with a shadow map of 16 bits a channel. A stored number n becomes n / 65535. Row 0 is the first
+/// row of the file.
 /// @throws Error "what is wrong; what to do", without the file's name
 FloatImage decode_png_map(std::span<const std::byte> bytes);
 

@@ -8,13 +8,15 @@
 
 namespace si {
 
-/// Returns the raster state with which the settings of a bundle begin: that of its first map, with offsets above 0 away
-/// from the light. Unknown offsets are 0, unknown culling is none.
+/// Returns the polygon offset and culling of a bundle's first map, with which the settings of the bundle begin. Offsets
+/// above 0 are away from the light. An unknown offset is 0, unknown culling is none.
 CasterRaster first_raster(const Bundle& bundle);
 
-/// Returns maps of one light that the program draws with the views of given maps. map.resolution is the longer side.
-/// Each map keeps its own raster state, but for polygon offset and culling that the settings have changed.
-/// @param maps has views @param begun first_raster() of the bundle
+/// Returns maps of one light that the program draws itself, with the views of imported maps. map.resolution is the
+/// longer side. Each map keeps the raster state of the imported one, except polygon offset and culling that the user
+/// has changed in the settings.
+/// @param maps imported maps of the light, with views
+/// @param begun first_raster() of the bundle, from which changes are told
 std::shared_ptr<const ImportedMaps> redrawn_maps(const ImportedMaps& maps, const Settings& settings,
                                                  const CasterRaster& begun);
 

@@ -11,8 +11,8 @@
 
 namespace si {
 
-/// Parser that runs in a child process. The child is this program itself with a hidden first argument, so every main()
-/// that loads files calls foreign_child_main() first.
+/// Parser of untrusted files that runs in a child process. The child is this program itself with a hidden first
+/// argument, so every main() that loads files calls foreign_child_main() first.
 struct ForeignJob {
     const char* name;   ///< key of the job on the hidden command line
     const char* label;  ///< subject of error sentences: "the Draco decoder"
@@ -23,7 +23,8 @@ struct ForeignJob {
                                       const std::function<void(double)>& progress, int folder);
 };
 
-/// Limits of one child process. Its wall time is limited to ten times its processor time.
+/// Limits of memory, processor time and answer size of a child process that parses a file. Its wall time is limited to
+/// ten times its processor time.
 struct ForeignLimits {
     std::size_t memory_bytes = std::size_t{2} << 30;  ///< address space beyond that of the program at its start
     int processor_s = 60;
@@ -42,8 +43,9 @@ std::vector<std::uint8_t> run_foreign_job(const ForeignJob& job, std::span<const
                                           const std::filesystem::path* folder = nullptr,
                                           const std::function<bool(double)>& progress = {});
 
-/// Runs the job that the command line names and ends the process, where the process is a child of run_foreign_job().
-/// Returns at once otherwise. @param jobs every job that this program may run
+/// Runs the parser job that the command line names and then ends the process, if the process is a child of
+/// run_foreign_job(). Returns at once otherwise. Every main() calls it first.
+/// @param jobs every job that this program may run
 void foreign_child_main(int argc, char** argv, std::span<const ForeignJob> jobs);
 
 }  // namespace si

@@ -12,7 +12,8 @@
 
 namespace si {
 
-/// Writer of whole numbers and byte blocks, each block at a multiple of four bytes.
+/// Writer of a message between parent and child process: whole numbers and byte blocks, each block at a multiple of
+/// four bytes.
 class PackWriter {
 public:
     /// Appends a number in eight bytes.
@@ -34,7 +35,8 @@ private:
     std::vector<std::uint8_t> bytes_;
 };
 
-/// Reader of what PackWriter wrote, by a process that nobody trusts. Every call throws Error where the bytes end early.
+/// Reader of messages from an untrusted child process, as PackWriter writes them. Every call throws Error if the bytes
+/// end early.
 class PackReader {
 public:
     explicit PackReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -8,14 +8,14 @@
 
 namespace si::foreign {
 
-/// Kinds of messages from a child.
+/// Kinds of messages that a child process sends to its parent.
 enum class Message : std::uint8_t {
     Progress = 'p',  ///< one double, 0..1
     Answer = 'a',    ///< the last message: bytes of the answer
     Failure = 'e'    ///< the last message: an error sentence
 };
 
-/// Header of a message from child to parent: its kind, and the number of bytes that follow.
+/// Header of a message from a child process to its parent: kind of the message, and number of bytes that follow.
 struct MessageHeader {
     Message kind = Message::Failure;
     std::uint64_t bytes = 0;
@@ -42,9 +42,11 @@ inline constexpr const char* kChildOption = "--foreign-job";  ///< hidden first 
 /// Descriptors of a child: the socket, through which the request comes and messages go, and the readable folder.
 inline constexpr int kSocket = 0, kFolder = 3;
 
-/// Restricts the calling process for good: descriptors, memory, processor time, system calls, files.
-/// @param folder true where the descriptor kFolder is a folder that stays readable
-/// Returns false where the kernel offers no filter of system calls.
+/// Restricts the calling process for good, before it parses an untrusted file: its descriptors, memory, processor time,
+/// system calls and files. Returns false where the kernel offers no filter of system calls (seccomp).
+/// @param memory_bytes address space beyond that in use
+/// @param processor_s limit of processor time, seconds
+/// @param folder true: the descriptor kFolder is a folder that stays readable
 bool confine(std::size_t memory_bytes, int processor_s, bool folder);
 
 }  // namespace si::foreign

@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// Loads a scene from a file that Assimp reads. A child process without network and without other files than those
-/// below the model's folder converts it to a GLB, which passes all checks of a glTF file.
+/// Loads a scene from a model file in any format that Assimp reads. A child process converts the file to a GLB, without
+/// network and without files outside the model's folder. The GLB passes all checks of a glTF file.
 /// @throws Error naming the file, the reason and a fix; "cancelled"
 Scene load_by_assimp(const std::filesystem::path& path, const GltfOptions& options);
 

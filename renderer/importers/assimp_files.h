@@ -13,16 +13,16 @@ namespace si::assimp {
 /// Limit of the bytes of each file that is read.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 
-/// Folder of a model, with the regular files in it and below it. Never follows a link and never waits for a pipe or
-/// device. Names are relative paths, in which '\' counts as '/'.
+/// Folder of a model, with access to the regular files in it and below it. Never follows a link and never waits for a
+/// pipe or device. File names are relative paths, in which '\' counts as '/'.
 class ModelFolder {
 public:
     /// @param descriptor of the folder; stays open while this object lives
     explicit ModelFolder(int descriptor) : descriptor_(descriptor) {}
-    /// Returns true for a regular file that can be opened.
+    /// Returns true when the model's folder has a regular file of this name that can be opened.
     bool has(const std::string& name) const;
-    /// Reads a whole file. Returns nothing for a path that is absolute or leaves the folder, and for a file that is
-    /// missing or larger than 1 GiB.
+    /// Reads a whole file from the model's folder. Returns nothing for a path that is absolute or leaves the folder,
+    /// and for a file that is missing or larger than 1 GiB.
     std::optional<std::vector<std::uint8_t>> read(const std::string& name);
     /// Returns the names of all files that read() was called for, missing ones too; at most 1,000.
     const std::vector<std::string>& names() const { return names_; }
@@ -32,7 +32,7 @@ private:
     std::vector<std::string> names_;
 };
 
-/// File access of Assimp, limited to one folder. Reads whole files and writes none.
+/// File system for Assimp, limited to a model's folder. Reads whole files and writes none.
 class FolderFiles final : public Assimp::IOSystem {
 public:
     explicit FolderFiles(ModelFolder& folder) : folder_(folder) {}

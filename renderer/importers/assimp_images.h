@@ -13,30 +13,34 @@
 
 namespace si::assimp {
 
-/// Encoded image of a texture.
+/// Image of a texture as a PNG or JPEG file in memory.
 struct EncodedImage {
     std::vector<std::uint8_t> bytes;  ///< a PNG or JPEG file
     bool masks = false;               ///< its alpha is below 255 somewhere, and the material uses it
 };
 
-/// Reader of the images that a model names, in its file or below its folder.
+/// Reader of the texture images of a model, which lie in the model's file or below its folder.
 class Images {
 public:
     /// @param scene model with embedded images; outlives this object @param folder outlives it too
     Images(const aiScene& scene, ModelFolder& folder) : scene_(scene), folder_(folder) {}
 
-    /// Returns the image of a texture; nothing, with a reason, where it cannot be read.
-    /// PNG and JPEG files stay as they are. Others are decoded and become PNG files.
-    /// @param path name in the model @param why reason of a failure, for people
+    /// Returns the colour image of a texture; nothing, with a reason, if it cannot be read. PNG and JPEG files stay
+    /// unchanged. Images of other formats become PNG files.
+    /// @param path name of the image in the model
+    /// @param why receives the reason of a failure, for people
     std::optional<EncodedImage> colour(const std::string& path, std::string& why) const;
 
-    /// Returns a PNG whose alpha is the opacity of a second texture: its alpha, or its brightness where it has none.
-    /// @param path colour image; empty: white @param opacity_path image of the opacity
+    /// Returns a colour image as a PNG whose alpha channel is the opacity from a second image: the alpha of that image,
+    /// or its brightness if it has no alpha. Returns nothing, with a reason, on failure.
+    /// @param path colour image; empty: white
+    /// @param opacity_path image of the opacity
+    /// @param why receives the reason of a failure, for people
     std::optional<EncodedImage> masked(const std::string& path, const std::string& opacity_path,
                                        std::string& why) const;
 
 private:
-    /// Returns the bytes of an image file; nothing, with a reason, where there is none.
+    /// Returns the content of one of the model's image files; nothing, with a reason in `why`, if there is none.
     std::optional<std::vector<std::uint8_t>> file(const std::string& path, std::string& why) const;
 
     const aiScene& scene_;

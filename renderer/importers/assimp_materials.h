@@ -13,30 +13,37 @@
 
 namespace si::assimp {
 
-/// Writer of the materials of one model. Textures are shared between materials that use them alike.
+/// Writer of the materials of an Assimp model into a GLB. Materials that use a texture alike share it.
 class Materials {
 public:
     /// @param notes receives a sentence for each texture that cannot be read
     Materials(const aiScene& scene, ModelFolder& folder, GlbWriter& glb, std::vector<std::string>& notes)
         : scene_(scene), images_(scene, folder), glb_(glb), notes_(notes) {}
 
-    /// Writes all materials, so that a material keeps its index.
+    /// Writes all materials of the model into the GLB, in the same order, so that each keeps its index.
     void write();
 
 private:
-    /// Texture of a material, as Assimp names it.
+    /// Texture of a model's material, as Assimp names it.
     struct Named {
         std::string path;  ///< empty: none
         int uv = 0;        ///< channel of texture coordinates
         aiTextureMapMode wrap[2] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
     };
-    /// Texture in the GLB.
+    /// Texture that was written into the GLB.
     struct Written {
         int texture = -1;  ///< -1: none
         bool masks = false;
     };
+    /// Returns the first texture of a material with one of the given texture types, in their order; none: its path is
+    /// empty.
     static Named named(const aiMaterial& material, std::initializer_list<aiTextureType> types);
+    /// Writes a texture with its image and sampler into the GLB, once for equal arguments. Notes an image that cannot
+    /// be read.
+    /// @param opacity_path image whose opacity becomes the alpha of the texture; empty: none
+    /// @param material_name for the note
     Written texture(const Named& colour, const std::string& opacity_path, const std::string& material_name);
+    /// Converts a material of Assimp to a glTF material, and writes its textures.
     nlohmann::json material(const aiMaterial& from);
 
     const aiScene& scene_;

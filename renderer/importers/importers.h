@@ -12,30 +12,30 @@
 
 namespace si {
 
-/// Row of the table of importers: a file format with its name for people, its extensions and its loader.
+/// Importer of a file format for scenes: its name for people, its extensions and its loader. Row of importers().
 struct Importer {
     std::string_view label;                                                        ///< "glTF"
     std::span<const std::string_view> extensions;                                  ///< lower case, with the dot: ".glb"
     Scene (*load)(const std::filesystem::path& path, const GltfOptions& options);  ///< throws Error, as load_gltf()
 };
 
-/// Returns the table of importers in the order of lists and help texts.
+/// Returns the table of importers, one for each format of scene files, in the order in which texts list them.
 std::span<const Importer> importers();
 
-/// Returns the importer of a file by its extension, in either case; null: no importer reads such files.
+/// Returns the importer of a scene file by its extension, in either case; null: no importer reads such files.
 const Importer* find_importer(const std::filesystem::path& path);
 
-/// Returns the names of all formats: "glTF, OBJ, FBX, others by Assimp".
+/// Returns the names of all file formats that can be opened as a scene: "glTF, OBJ, FBX, others by Assimp".
 std::string importer_labels();
 
-/// Returns the extensions of the usual formats with their dots, and that there are others: ".gltf, .glb, .obj, others
-/// by Assimp".
+/// Returns the extensions of the most common scene files, and a note on others: ".gltf, .glb, .obj, others by Assimp".
 std::string importer_extensions();
 
 /// Kind of a file that holds a frame of another engine, or a part of one.
 enum class FrameFileKind { Capture, MapImage };
 
-/// Row of the table of files that become a bundle: name for people, extensions, and the command that makes the bundle.
+/// Kind of file with another engine's frame, such as a RenderDoc capture, which a command converts to a bundle before
+/// it is opened: its name for people, extensions, and the command.
 struct FrameFile {
     std::string_view label;                        ///< "RenderDoc capture"
     std::span<const std::string_view> extensions;  ///< lower case, with the dot: ".rdc"
@@ -43,10 +43,11 @@ struct FrameFile {
     std::string_view command;  ///< command line that makes the bundle, with FILE for the file
 };
 
-/// Returns the table of files that become a bundle.
+/// Returns the table of files with another engine's frame, which are converted to a bundle before they are opened.
 std::span<const FrameFile> frame_files();
 
-/// Returns the row of a file by its extension, in either case; null: the file becomes no bundle.
+/// Returns the row of frame_files() for a file, by its extension in either case; null: the file cannot be converted to
+/// a bundle.
 const FrameFile* find_frame_file(const std::filesystem::path& path);
 
 }  // namespace si

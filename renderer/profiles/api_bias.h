@@ -7,21 +7,24 @@
 
 namespace si {
 
-/// Names of the polygon offset of an API, and where they are from.
+/// Names of the polygon offset parameters in a graphics API, and the document that they are from.
 struct ApiNames {
     std::string_view factor, units, clamp;
     std::string_view source;
     bool whole_units = false;  ///< units are integers
 };
 
-/// Returns the parameters of an API: its polygon offset, and two numbers of an own shader.
+/// Returns the bias parameters of a graphics API as an engine profile lists them: three of its polygon offset, and a
+/// depth bias and normal offset that the program's own shader may add.
 std::array<EngineParameter, 5> api_parameters(const ApiNames& names);
 
-/// Converts the polygon offset of an API and the numbers of an own shader into a bias.
+/// Converts the bias parameters of a graphics API (polygon offset, and the numbers of the program's own shader) to the
+/// bias terms that all engines share.
 BiasNumbers read_api_bias(const ApiNames& names, const EngineProfile& profile, const EngineValues& values,
                           const MapFacts& facts);
-/// Converts a bias into a polygon offset, and into numbers of an own shader where no offset gives it. A constant goes
-/// into the units of formats with equal steps.
+/// Converts a bias in the terms that all engines share to the bias parameters of a graphics API. A constant becomes
+/// polygon offset units for formats with equal depth steps; otherwise it becomes a number for the program's own shader.
+/// @param to receives the numbers
 void write_api_bias(const ApiNames& names, const BiasNumbers& bias, const MapFacts& facts, EngineOutput& to);
 
 /// Returns the profile of an API. @tparam kNames names of its polygon offset

@@ -9,10 +9,12 @@
 
 namespace si {
 
-/// Returns the equivalent depth bias of a normal offset of one texel at an angle, in texels.
+/// Returns the depth bias in texels that acts like a normal offset of one texel on a surface at an angle to the light.
+/// @param by dependence of the offset on the angle
+/// @param angle_deg angle between surface normal and light
 double offset_equivalent(OffsetBy by, double angle_deg);
 
-/// Bias in terms that all engines share.
+/// Bias in terms that all engines share: constant, normal offset and polygon offset, in texels.
 struct BiasNumbers {
     double constant_texels = 0;             ///< along the light's axis
     Exactness constant = Exactness::Exact;  ///< EqualAtAngle: the constant stands for a bias that grows with the angle
@@ -27,38 +29,45 @@ struct BiasNumbers {
     MapFormat format = MapFormat::D32F;
     bool reversed_z = false;
 
-    /// Returns the equivalent depth bias of the constant and the normal offset, in texels.
+    /// Returns the depth bias in texels that acts like the constant and the normal offset together (equivalent depth
+    /// bias).
     double receiver_texels(const MapFacts& facts) const;
-    /// Returns the equivalent depth bias of the polygon offset, in texels.
+    /// Returns the depth bias in texels that acts like the polygon offset (equivalent depth bias).
     double raster_texels(const MapFacts& facts) const;
-    /// Returns the equivalent depth bias of all terms, in texels.
+    /// Returns the depth bias in texels that acts like constant, normal offset and polygon offset together (equivalent
+    /// depth bias).
     double total_texels(const MapFacts& facts) const;
 };
 
-/// Returns the bias of settings. A bias that is computed from the receiver's plane counts with the kernel's reach times
-/// the tangent of the reference angle. A normal offset by another rule than Length counts as the one by Length that is
-/// equal at the reference angle. @throws Error when an amount is not finite
+/// Converts this program's bias settings to terms that all engines share. A bias that is computed from the receiver's
+/// plane becomes a constant: the kernel's reach times the tangent of the reference angle. A normal offset with another
+/// dependence on the angle than Length becomes one with Length that is equal at the reference angle.
+/// @throws Error when an amount is not finite
 BiasNumbers bias_numbers(const Settings& settings, const MapFacts& facts);
 
-/// Returns the tangent, sine and cosine of the reference angle.
+/// Returns the tangent of the reference angle between surface normal and light (MapFacts::angle_deg).
 double tan_angle(const MapFacts& facts);
+/// Returns the sine of the reference angle between surface normal and light (MapFacts::angle_deg).
 double sin_angle(const MapFacts& facts);
+/// Returns the cosine of the reference angle between surface normal and light (MapFacts::angle_deg).
 double cos_angle(const MapFacts& facts);
 
-/// Returns the equivalent depth bias of a polygon offset at the reference angle, in texels.
+/// Returns the depth bias in texels that acts like a polygon offset at the reference angle (equivalent depth bias).
+/// @param slope factor of the polygon offset
+/// @param units units of the polygon offset
 double raster_equivalent(double slope, double units, const MapFacts& facts);
 
-/// Returns a / b, or 0 where b is no more than rounding.
+/// Returns a / b, or 0 where b is so small that it is a rounding error of zero.
 double quotient(double a, double b);
 
-/// Returns the lower of two exactnesses.
+/// Returns the worse of two degrees to which conversions are exact.
 Exactness least_exact(Exactness a, Exactness b);
 
-/// Returns the unit of a polygon offset in depth [0,1], by the format: 2^-16, or 2^-24 for D24 and for floats from a
-/// half to 1.
+/// Returns the size of one unit of polygon offset in depth [0,1], by the map's format: 2^-16 for D16, else 2^-24, which
+/// for float formats holds from a half to 1.
 double raster_unit_depth(MapFormat format);
 
-/// Receiver of converted numbers.
+/// Collector of the values of an engine's parameters, to which this program's bias is converted.
 class EngineOutput {
 public:
     /// Receives numbers of a profile's parameters.
@@ -68,11 +77,14 @@ public:
     /// @param texels equivalent depth bias of the number @param literal see WrittenParameter::literal
     void put(std::string_view key, double value, Exactness exactness, double texels, double literal,
              std::string note = {});
-    /// Adds a normal offset that acts with its whole length, as normal_texels counts. @param value in the engine's unit
+    /// Adds the value of an engine's normal offset parameter, which moves the look-up by its whole length at any angle.
+    /// @param key EngineParameter::key
+    /// @param value length in the engine's unit
+    /// @param bias bias that is converted
     void put_length_offset(std::string_view key, double value, const BiasNumbers& bias);
-    /// Adds a setting without counterpart.
+    /// Records in the result that a setting has no counterpart in the engine. A value of 0 needs none and is ignored.
     void miss(std::string_view key, double value, std::string reason);
-    /// Adds a remark.
+    /// Adds a remark on the conversion, for people.
     void note(std::string text);
 
 private:
@@ -87,23 +99,44 @@ inline constexpr std::string_view kRasterAndNormal[] = {"raster", "normal-offset
 
 // Rows of the table of engines and graphics APIs: parameters of their shadows, and conversion to and from settings. One
 // function a file.
+/// Returns the profile that converts between shadow parameters of three.js and settings of this program.
 const EngineProfile& three_profile();
+/// Returns the profile that converts between shadow parameters of Babylon.js and settings of this program.
 const EngineProfile& babylon_profile();
+/// Returns the profile that converts between shadow parameters of PlayCanvas and settings of this program.
 const EngineProfile& playcanvas_profile();
+/// Returns the profile that converts between shadow parameters of Godot 4 and settings of this program.
 const EngineProfile& godot_profile();
+/// Returns the profile that converts between shadow parameters of Unity URP with its legacy depth bias and settings of
+/// this program.
 const EngineProfile& urp_profile();
+/// Returns the profile that converts between shadow parameters of Unity URP with its slope-scale depth bias and
+/// settings of this program.
 const EngineProfile& urp_slope_profile();
+/// Returns the profile that converts between shadow parameters of Unity HDRP and settings of this program.
 const EngineProfile& hdrp_profile();
+/// Returns the profile that converts between shadow parameters of Unreal Engine 5 with cascaded shadow maps and
+/// settings of this program.
 const EngineProfile& unreal_profile();
+/// Returns the profile that converts between shadow parameters of Filament and settings of this program.
 const EngineProfile& filament_profile();
+/// Returns the profile that converts between shadow parameters of Bevy and settings of this program.
 const EngineProfile& bevy_profile();
+/// Returns the profile that converts between shadow parameters of O3DE and settings of this program.
 const EngineProfile& o3de_profile();
+/// Returns the profile that converts between shadow parameters of OpenGL and settings of this program.
 const EngineProfile& opengl_profile();
+/// Returns the profile that converts between shadow parameters of Vulkan and settings of this program.
 const EngineProfile& vulkan_profile();
+/// Returns the profile that converts between shadow parameters of Direct3D 12 and settings of this program.
 const EngineProfile& d3d12_profile();
+/// Returns the profile that converts between shadow parameters of WebGPU and settings of this program.
 const EngineProfile& webgpu_profile();
+/// Returns the profile that converts between shadow parameters of Godot 3 and settings of this program.
 const EngineProfile& godot3_profile();
+/// Returns the profile that converts between shadow parameters of OGRE 1.12 and settings of this program.
 const EngineProfile& ogre_profile();
+/// Returns the profile that converts between shadow parameters of Filament 1.9 and settings of this program.
 const EngineProfile& filament19_profile();
 
 }  // namespace si

@@ -11,7 +11,8 @@
 
 namespace si {
 
-/// Facts of a shadow map that conversions depend on. Lengths in metres. The defaults are those of the worked example.
+/// Facts of a shadow map on which conversions between settings and engine parameters depend. Lengths are in metres. The
+/// defaults are those of the documentation's example.
 struct MapFacts {
     double width_m = 20;       ///< W: width of the map of one cascade
     int texels = 2048;         ///< N: texels across the map of one cascade
@@ -27,10 +28,11 @@ struct MapFacts {
     double texel_m() const { return width_m / texels; }
 };
 
-/// Checks facts of a map. @throws Error naming the fact that is no finite number in its range
+/// Checks the facts of a shadow map before engine parameters are converted.
+/// @throws Error naming the fact that is no finite number in its range
 void require_sound(const MapFacts& facts);
 
-/// Degree to which a converted number draws the same shadows.
+/// Degree to which a converted bias or setting draws the same shadows in the other program.
 enum class Exactness {
     Exact,         ///< at every angle of a flat surface
     EqualAtAngle,  ///< at MapFacts::angle_deg only
@@ -39,7 +41,7 @@ enum class Exactness {
 /// Keys of the degrees in JSON, by Exactness.
 inline constexpr std::string_view kExactnessKeys[] = {"exact", "equal-at-angle", "missing"};
 
-/// Choice of an engine's parameter with named values.
+/// Named value of an engine's parameter, with the settings of this program that it stands for.
 struct EngineChoice {
     std::string_view key;  ///< the engine's name: "PCFShadowMap"
     /// Our assignments, separated by spaces: "filter.kernel=vogel filter.taps=5". Behind "|" follow values for which
@@ -47,7 +49,7 @@ struct EngineChoice {
     std::string_view settings;
 };
 
-/// Parameter of an engine, under the engine's own name and in its unit.
+/// Shadow parameter of an engine, under the engine's own name and in its unit.
 struct EngineParameter {
     std::string_view key;       ///< "normalBias"
     std::string_view unit;      ///< "m", "texels", "normalised depth"; empty: a plain number
@@ -65,13 +67,13 @@ struct EngineParameter {
     bool holds_for_double_sided = false;
 };
 
-/// Setting of this program that a profile sets because the engine cannot turn it off.
+/// Setting that an engine profile fixes at a value, because the engine cannot turn the feature off.
 struct ForcedSetting {
     std::string_view key, value;
     std::string_view reason;
 };
 
-/// Setting or choice of this program that the engine lacks.
+/// Setting of this program, or one of its values, that the engine lacks.
 struct LackingSetting {
     std::string_view key;    ///< setting
     std::string_view value;  ///< choice; empty: every value but 0 or the first choice
@@ -81,14 +83,14 @@ struct LackingSetting {
 /// Numbers of an engine by parameter key; choices as indices. Parameters that are absent have their default.
 using EngineValues = std::map<std::string, double, std::less<>>;
 
-/// Setting of this program with the value that an engine's numbers are converted to.
+/// Setting of this program, with the value to which an engine's parameters were converted.
 struct ReadSetting {
     std::string key, value;  ///< as for set_setting()
     Exactness exactness = Exactness::Exact;
     std::string note;
 };
 
-/// Engine parameter with the number to which this program's settings were converted.
+/// Parameter of an engine, with the value to which this program's settings were converted.
 struct WrittenParameter {
     const EngineParameter* parameter = nullptr;
     double value = 0;  ///< in the engine's unit; for choices the index
@@ -99,13 +101,13 @@ struct WrittenParameter {
     double metres = 0, texels = 0;  ///< equivalent depth bias at the reference angle; 0 for parameters of no bias
 };
 
-/// Setting of this program without counterpart in an engine.
+/// Setting of this program that has no counterpart in an engine, with its value and the reason.
 struct MissingSetting {
     std::string key, value;
     std::string reason;
 };
 
-/// This program's settings as numbers of an engine.
+/// Result of converting this program's settings to the parameters of an engine.
 struct WrittenValues {
     std::vector<WrittenParameter> parameters;
     std::vector<MissingSetting> missing;
@@ -114,16 +116,21 @@ struct WrittenValues {
     double hidden_texels = 0;  ///< equivalent depth bias that the engine adds by itself
     double given_texels = 0;   ///< equivalent depth bias of the written numbers, hidden bias included
 
-    /// Returns the converted parameter with this key (EngineParameter::key); null if the settings give it no number.
+    /// Returns the converted parameter of the engine with this key (EngineParameter::key); null if the settings give it
+    /// no value.
     const WrittenParameter* find(std::string_view key) const;
-    /// Returns the written numbers as values for read_engine_values().
+    /// Returns the converted values by parameter key, as read_engine_values() takes them. Parameters without a
+    /// counterpart are left out.
     EngineValues values() const;
 };
 
-struct BiasNumbers;  // bias_numbers.h
-class EngineOutput;  // bias_numbers.h
+/// Bias in terms that all engines share, defined in bias_numbers.h.
+struct BiasNumbers;
+/// Collector of the parameter values of an engine, defined in bias_numbers.h.
+class EngineOutput;
 
-/// Row of the table of engines. A new engine is one file and one row.
+/// Profile of an engine or graphics API: its shadow parameters, what it fixes or lacks, and the conversion to and from
+/// settings of this program. A new engine is one file and one row of the table.
 struct EngineProfile {
     std::string_view name, title;
     std::string_view version;  ///< version of the engine whose parameters these are
@@ -148,22 +155,23 @@ struct EngineProfile {
     void (*write_bias)(const BiasNumbers&, const EngineValues&, const MapFacts&, EngineOutput&) = nullptr;
 };
 
-/// Returns all engine profiles.
+/// Returns the profiles of all known engines and graphics APIs.
 std::span<const EngineProfile> engine_profiles();
-/// Returns the profile with a name. @throws UsageError with the nearest name and all names
+/// Returns the engine profile with a name. @throws UsageError with the nearest name and all names
 const EngineProfile& engine_profile(std::string_view name);
-/// Returns the parameter of a profile with a key; upper and lower case are equal. @throws UsageError with the nearest
-/// key and all keys
+/// Returns the parameter of an engine with a key, ignoring case. @throws UsageError with the nearest key and all keys
 const EngineParameter& engine_parameter(const EngineProfile& profile, std::string_view key);
-/// Returns the value of a parameter: the given one, else its default. @throws Error for an unknown key
+/// Returns the value of an engine's parameter: that in `values`, or else its default. @throws Error for an unknown key
 double engine_value(const EngineProfile& profile, const EngineValues& values, std::string_view key);
-/// Parses a value of a parameter: a number in its range, true or false, or the name of a choice.
+/// Parses the value of an engine's parameter: a number in its range, true or false, or the name of a choice. A choice
+/// gives its index.
 /// @throws UsageError with the allowed values
 double parse_engine_value(const EngineProfile& profile, const EngineParameter& parameter, std::string_view text);
-/// Formats a value of a parameter: the name of a choice, else the shortest number.
+/// Formats the value of an engine's parameter: the name of a choice, or else a number of up to six digits.
 std::string engine_value_text(const EngineParameter& parameter, double value);
 
-/// Converts engine values into this program's settings: the bias always, other parameters only where a value is given.
+/// Converts parameter values of an engine to settings of this program. The bias is always converted, with defaults for
+/// absent values; other parameters only where a value is given.
 /// @throws Error for facts or values that are not finite or out of range
 std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const EngineValues& values,
                                             const MapFacts& facts);
@@ -175,18 +183,23 @@ std::vector<ReadSetting> read_engine_values(const EngineProfile& profile, const 
 WrittenValues write_engine_values(const EngineProfile& profile, const Settings& settings, const MapFacts& facts,
                                   const EngineValues& kept = {});
 
-/// Sets in place all that the engine cannot turn off. @returns a line for each setting that had another value
+/// Changes settings to those that an engine fixes and cannot turn off. Returns a line for people about each changed
+/// setting that was not at its default.
 std::vector<std::string> apply_forced_settings(const EngineProfile& profile, Settings& settings);
-/// Returns the reason why the profile fixes the setting with a key, and at which value; null if it does not.
+/// Returns the fixed value of a setting that an engine cannot turn off, with the reason; null if the setting is free.
+/// @param key setting key without a light's index
 const ForcedSetting* forced_setting(const EngineProfile& profile, std::string_view key);
-/// Returns true when an engine has the bias with a key of the bias table.
+/// Returns true when an engine has a kind of bias. @param key key of a row of the bias table, such as "normal-offset"
 bool has_bias_row(const EngineProfile& profile, std::string_view key);
-/// Returns a bias with at least what the engine adds by itself.
+/// Returns bias settings that are raised to at least the bias that the engine adds by itself and cannot turn off.
 BiasSettings with_hidden_bias(const EngineProfile& profile, const BiasSettings& bias, const MapFacts& facts);
-/// Returns the reason why an engine cannot draw a change of settings: a setting that it fixes or lacks, or a kernel
-/// without a counterpart. Empty: it can.
+/// Returns the reason why an engine cannot draw a change of settings: it fixes or lacks a setting, or has no such
+/// kernel or bias. Empty: it can draw the change.
+/// @param before present settings
+/// @param with changed settings
 std::string reason_engine_lacks(const EngineProfile& profile, const Settings& before, const Settings& with);
-/// Returns the row of LackingSetting for the present value of a setting; null if the engine has that value.
+/// Returns the entry of the profile by which an engine lacks the present value of a setting; null if the engine has it.
+/// @param key key of the setting
 const LackingSetting* lacking_setting(const EngineProfile& profile, const Settings& settings, std::string_view key);
 
 }  // namespace si

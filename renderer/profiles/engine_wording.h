@@ -11,27 +11,33 @@
 
 namespace si {
 
-/// Engine in whose parameters texts speak, with the settings and the map that they are about.
+/// Translator of setting changes into the parameters of an engine, for texts. Holds the engine, the present settings
+/// and the facts of the map.
 struct EngineWording {
     const EngineProfile* profile = nullptr;  ///< null: none, and all texts are empty
     MapFacts facts;
     Settings settings;  ///< before any change
 
-    /// Returns the parameters of the bias that changes of settings, key and value, give another number.
+    /// Returns the engine's bias parameters that get another value when some settings change, with the new values.
+    /// @param changes pairs of setting key and new value
     std::vector<WrittenParameter> changed(std::span<const std::pair<std::string, std::string>> changes) const;
-    /// Formats the same: "in three.js: set normalBias to 0.0098". Empty where no parameter changes.
+    /// Formats the change of the engine's bias parameters that follows from changed settings: "in three.js: set
+    /// normalBias to 0.0098". Empty if no parameter changes.
+    /// @param changes pairs of setting key and new value
     std::string text(std::span<const std::pair<std::string, std::string>> changes) const;
 };
 
-/// Returns true when a setting has the name of an engine's parameter. Case does not matter.
+/// Returns true when a text is the name of an engine parameter that stands for a setting, ignoring case. Used to find
+/// settings by the names of other engines.
 bool engine_name_matches(const SettingRef& ref, std::string_view text);
 /// Returns one line for each parameter of an engine that a setting stands for, with its conversion: "three.js
 /// normalBias (m): Shift of ... 1 m = 102 texels at W 20 m, N 2048".
 /// @param name only parameters with this name; empty: all @param only engine; null: all
 std::vector<std::string> engine_names_of(const SettingRef& ref, std::string_view name = {},
                                          const EngineProfile* only = nullptr);
-/// Returns the equivalent depth bias in texels of an engine's bias parameters at the reference angle, hidden bias
-/// included. @throws Error as read_engine_values(); also for a profile without conversions
+/// Returns the depth bias in texels that acts like all bias parameters of an engine at the reference angle, with the
+/// bias that the engine adds by itself (equivalent depth bias).
+/// @throws Error as read_engine_values(); also for a profile without conversions
 double engine_bias_texels(const EngineProfile& profile, const EngineValues& values, const MapFacts& facts);
 
 }  // namespace si
