@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// File descriptor that closes itself; -1: none.
+/// Owner of a POSIX file descriptor, which the destructor closes. `fd` is -1 without one.
 struct Descriptor {
     int fd = -1;
     Descriptor() = default;

@@ -18,7 +18,7 @@ inline glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const gl
 }
 
 /// Returns the unit vector of an azimuth (degrees about +y, 0 = +z, 90 = +x) and elevation (degrees above the horizon).
-/// It is exact at multiples of 90.
+/// The vector is exact at multiples of 90 degrees.
 glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg);
 
 }  // namespace si

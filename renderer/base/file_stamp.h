@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Inode, size and time of the last write of a regular file. A file that was saved again has another stamp.
+/// State of a regular file: device, inode, size and time of the last write. A later change of the file is found by
+/// comparing stamps, without reading the file.
 struct FileStamp {
     std::uint64_t device = 0, inode = 0;
     std::int64_t bytes = 0;
@@ -27,7 +28,8 @@ inline std::optional<FileStamp> file_stamp(const std::filesystem::path& path) {
                      .written_ns = std::int64_t(status.st_mtim.tv_sec) * 1'000'000'000 + status.st_mtim.tv_nsec};
 }
 
-/// File with its stamp at the time when it was read; no stamp: it did not exist.
+/// File that was read, with its FileStamp from that time, by which later changes are found. No stamp: the file did not
+/// exist.
 struct StampedFile {
     std::filesystem::path path;
     std::optional<FileStamp> stamp;

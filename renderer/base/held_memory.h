@@ -10,8 +10,9 @@
 
 namespace si {
 
-/// Entry in the process-wide memory accounting that exists as long as this object. It allocates nothing: an owner of
-/// much memory keeps one as a member and states its size. A copy counts the bytes again. Usable from any thread.
+/// Entry in the process-wide accounting of memory, which memory_report() lists. An owner of much memory keeps one as a
+/// member and states its size; the entry itself allocates nothing. A copy counts the bytes again. Usable from any
+/// thread.
 class TrackedMemory {
 public:
     TrackedMemory() = default;
@@ -23,11 +24,13 @@ public:
     TrackedMemory(TrackedMemory&& other) noexcept;
     TrackedMemory& operator=(TrackedMemory other) noexcept;
 
-    /// Adds `bytes` (negative: subtracts) to this accounting entry. An entry without a holder ignores it.
+    /// Adds bytes to this entry of the memory accounting, when its owner allocates more. An entry without a holder
+    /// ignores the call.
+    /// @param bytes negative: subtracted
     void add(std::int64_t bytes);
     /// Returns the bytes that this entry counts at present.
     std::uint64_t bytes() const { return bytes_; }
-    /// Removes this entry from the memory accounting; its owner has freed the memory.
+    /// Removes this entry from the memory accounting, after its owner has freed the memory.
     void drop();
 
 private:
@@ -36,7 +39,7 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// Memory counted under one holder, as the memory report lists it.
+/// Line of the memory report: bytes that all owners of one kind, such as "shadow maps", hold now and have held at most.
 struct MemoryUse {
     std::string holder;
     std::uint64_t bytes = 0, most = 0;  ///< now, and the peak so far
@@ -49,23 +52,23 @@ struct ProcessMemory {
     std::uint64_t heap = 0, heap_free = 0;  ///< allocated by malloc(), and freed but kept by malloc()
 };
 
-/// Memory of the process and of each counted part of the program (MemoryHolder), all read at one time.
+/// Memory of the process, and of each kind of owner in the program (TrackedMemory), at one time.
 struct MemoryReport {
     ProcessMemory process;
     std::vector<MemoryUse> holders;  ///< the largest first
-    /// Returns the bytes of all holders of this memory report together.
+    /// Returns the sum of the bytes that all owners in this memory report hold.
     std::uint64_t held() const;
 };
 
-/// Returns the memory of the process and of every TrackedMemory holder now.
+/// Returns a report of the memory that the process and each kind of owner (TrackedMemory) hold now.
 MemoryReport memory_report();
 /// Returns resident, peak and heap bytes of this process now.
 ProcessMemory process_memory();
 /// Returns the bytes that this process can still get: free memory of the machine, within the limits of its control
 /// group and of the process. 0: unknown on this system.
 std::uint64_t available_memory();
-/// Returns freed heap pages that malloc() keeps to the system (malloc_trim). Call after a large scene was closed or a
-/// sweep ended: it takes some ten milliseconds. Does nothing where the C library has no such function.
+/// Gives heap pages that are free, but kept by malloc(), back to the system (malloc_trim). Call after a large scene was
+/// closed or a sweep ended: it takes some ten milliseconds. Does nothing where the C library has no such function.
 void trim_heap();
 /// Formats a number of bytes for people: "12.5 MiB".
 std::string bytes_text(std::uint64_t bytes);

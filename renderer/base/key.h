@@ -24,8 +24,8 @@ constexpr std::uint64_t splitmix64(std::uint64_t z) {
     return z ^ (z >> 31);
 }
 
-/// Running 64-bit hash that serves as a cache key: add() all inputs of a result, then read value(). Never 0, which
-/// stands for "undefined contents".
+/// Running 64-bit hash that serves as a cache key: add() all inputs of a result, then read value(). The value is never
+/// 0, which stands for "undefined contents".
 class Key {
 public:
     template <typename T>

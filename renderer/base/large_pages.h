@@ -6,7 +6,8 @@
 
 namespace si {
 
-/// Returns "large" where large allocations of this program get large memory pages from the system, else "small".
+/// Returns the size of the memory pages that the system gives to large allocations of this program: "large" (huge
+/// pages) or "small".
 std::string_view memory_pages();
 
 }  // namespace si

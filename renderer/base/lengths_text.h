@@ -5,8 +5,8 @@
 
 namespace si {
 
-/// Formats a number with three significant digits, or all digits before the point: "0.628", "41.2", "1250". Below
-/// 1/10,000 one digit: "0.00006".
+/// Formats a number for people with three significant digits, or all digits before the point: "0.628", "41.2", "1250".
+/// Numbers below 1/10,000 have one digit: "0.00006".
 std::string digits_text(double value);
 /// Formats a number with its sign and three significant digits: "+0.628".
 std::string signed_text(double value);

@@ -8,7 +8,7 @@ namespace si {
 /// Thread of this process, by the kernel's number.
 using ThreadId = int;
 
-/// Returns the threads of this process, the calling one left out. Empty where the kernel does not list them.
+/// Returns the ids of all threads of this process except the calling one. Empty where the system does not list threads.
 std::vector<ThreadId> other_threads();
 
 /// Returns the processor time that a thread has used, milliseconds. 0 for a thread that has ended.

@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Owned block of bytes without initialisation.
+/// Owner of a block of heap memory, which is not initialised, for the content of a file.
 struct Bytes {
     /// Deleter for malloc() memory.
     struct Free {
@@ -21,8 +21,9 @@ struct Bytes {
     std::unique_ptr<std::uint8_t[], Free> data;
     std::size_t size = 0;
     Bytes() = default;
-    /// Allocates `size` bytes, in huge pages for large blocks: page faults of 4 KiB pages take as long as reading the
-    /// file. @throws std::bad_alloc
+    /// Allocates `size` bytes, which are not initialised. Large blocks lie in huge pages, since page faults of 4 KiB
+    /// pages would take as long as reading a file into them.
+    /// @throws std::bad_alloc
     explicit Bytes(std::size_t size);
     /// Returns the bytes of the block.
     std::span<const std::uint8_t> span() const { return {data.get(), size}; }

@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    /// Elements that copies of one array share, with their memory accounting.
+    /// Storage that copies of one copy-on-write array share: the elements, and their entry in the memory report.
     struct Block {
         explicit Block(std::vector<T> of) : elements(std::move(of)) {}
         std::vector<T> elements;

@@ -7,10 +7,10 @@
 
 namespace si {
 
-/// New folder that the destructor removes with everything in it, unless it was renamed.
+/// Owner of a new folder on disk. The destructor removes the folder with everything in it, unless it was renamed.
 class TemporaryFolder {
 public:
-    /// Makes a folder that only its owner may use. path() is empty if that fails, and errno says why.
+    /// Makes a new folder on disk that only its owner may use. path() is empty if that fails, and errno says why.
     /// @param pattern path that ends in XXXXXX, which a free name replaces
     explicit TemporaryFolder(const std::filesystem::path& pattern);
     ~TemporaryFolder();
@@ -26,7 +26,8 @@ private:
     std::filesystem::path path_;
 };
 
-/// Makes a folder in the system's folder of temporary files, or in TMPDIR. @param name first part of its name
+/// Makes a temporary folder in TMPDIR or the system's folder of temporary files.
+/// @param name first part of the folder's name
 /// @throws Error
 TemporaryFolder make_temporary_folder(std::string_view name);
 

@@ -9,19 +9,20 @@
 
 namespace si {
 
-/// Exception that ends a long computation when its stop token requests it.
+/// Exception that ends a long computation after a stop was requested (Workers::stop).
 struct Cancelled : Error {
     Cancelled() : Error("cancelled") {}
 };
 
-/// Thread count, stop token and progress callback of a long computation.
+/// Thread count, stop token and progress callback for a long computation.
 struct Workers {
     int threads = 0;  ///< 0: as many as the hardware runs at once
     std::stop_token stop;
     std::function<void(double)> progress = nullptr;  ///< called with 0..1, rising, on the caller's thread only
-    /// Returns the number of threads of a parallel loop, at least 1.
+    /// Returns the number of threads that a parallel loop of this computation uses, at least 1.
     int count() const;
-    /// Returns a copy for one step of a longer computation: its progress 0..1 is reported as lo..hi.
+    /// Returns a copy of thread count, stop token and progress callback for one step of a longer computation. The
+    /// step's progress 0..1 is reported as lo..hi.
     Workers with_progress_range(double lo, double hi) const;
 };
 

@@ -18,32 +18,39 @@ struct AlphaTexture {
     bool nearest = false;  ///< nearest instead of bilinear: the magnification filter, used by GL at level 0
     std::vector<std::uint8_t> alpha;
 
-    /// Copies the alpha channel of a texture.
+    /// Copies the alpha channel of a texture for the alpha test of shadow rays.
     explicit AlphaTexture(const Texture& texture);
-    /// Samples alpha in [0,1] at texture coordinates, nearest or bilinear (OpenGL 4.5, section 8.14).
+    /// Samples this texture's alpha at texture coordinates, nearest or bilinear (OpenGL 4.5, section 8.14). Returns 0
+    /// to 1.
     double sample(const glm::dvec2& uv) const;
-    /// Returns true when sample(uv) is at least `cutoff`. The bounds of the blended texels decide where they can.
+    /// Returns true when the alpha that sample() gives at `uv` is at least `cutoff`. Faster than sample(), since the
+    /// least and largest alpha of the blended texels often decide.
     bool reaches(const glm::dvec2& uv, double cutoff) const;
 
 private:
+    /// Returns the alpha of one texel, after the texture's wrapping (repeat, clamp or mirror). @param x,y texel, not
+    /// yet wrapped
     std::uint8_t texel(double x, double y) const;
-    /// Least and largest alpha of 2x2 texels, between which their bilinear blend lies.
+    /// Least and largest alpha of 2x2 texels. Their bilinear blend lies between the two.
     struct Bounds {
         std::uint8_t least, most;
     };
     std::vector<Bounds> bounds_;  ///< of each texel, and those to the right and below
 };
 
-/// Alpha test for one mesh with a masked material. Shares the mesh's arrays, so that a trace outlives its scene.
+/// Alpha test of one mesh with a masked material, for shadow rays. Shares the mesh's arrays, so that a trace may
+/// outlive its scene.
 class AlphaMask {
 public:
     /// Prepares the alpha test of a mesh. @param cutoff alpha below it is a hole @param texture null: alpha 1
     AlphaMask(const Mesh& mesh, const Material& material, double cutoff, std::shared_ptr<const AlphaTexture> texture);
-    /// Returns true when the point (1-u-v) a + u b + v c of triangle abc passes the alpha test.
-    /// A ray hits such points and passes through others.
+    /// Returns true when a point of a triangle passes the alpha test. A shadow ray hits such points and passes through
+    /// others.
+    /// @param triangle index of the triangle abc in the mesh
+    /// @param u,v barycentric coordinates of the point (1-u-v) a + u b + v c
     bool is_solid(std::uint32_t triangle, double u, double v) const;
-    /// Adds the mask's cutoff, texture coordinates and alpha to the content key of the ReferenceGeometry that it
-    /// belongs to. ReferenceGeometry::add_content() adds the triangles.
+    /// Adds the cutoff, texture coordinates and alpha of this alpha test to the content key of its ReferenceGeometry.
+    /// The triangles are added by ReferenceGeometry::add_content().
     void add_content(Key& key) const;
 
 private:

@@ -11,8 +11,8 @@
 
 namespace si {
 
-/// Light as a ray-traced area light: a directional light is a disk on the sky, a spot light a disk across its axis, a
-/// point light a sphere.
+/// Light in the form that the ray tracer samples: a directional light is a disk on the sky, a spot light a disk across
+/// its axis, a point light a sphere.
 struct Emitter {
     LightType type = LightType::Directional;
     glm::dvec3 position_ws{0};     ///< spot and point
@@ -38,7 +38,7 @@ struct Emitter {
     }
 };
 
-/// Returns the ray-traced area light for a light of a frame.
+/// Returns a light of a frame in the form that the ray tracer samples. @param settings settings of this light
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings);
 
 /// Ray segment from a surface point to a point on a light.
@@ -47,8 +47,8 @@ struct LightRay {
     double length_m = std::numeric_limits<double>::infinity();
 };
 
-/// Cell of a grid on the light that holds a sample point: 16 bits across and down, of which a coarser grid takes the
-/// upper ones.
+/// Cell of a fine grid on an area light that holds a sample point: column and row of 16 bits. Their upper bits are the
+/// column and row in a coarser grid.
 struct LightCell {
     std::uint16_t x = 0, y = 0;
     /// Returns the row-major index of the enclosing cell in a grid of 2^digits cells, digits at most 32: as many
@@ -59,22 +59,24 @@ struct LightCell {
     }
 };
 
-/// Sample points on an area light for one surface point: a (0,2)-sequence (Sobol') under Owen's nested scrambling. Its
-/// first 2^k points have one in each of the 2^k cells of every grid of powers of two, so that a longer run keeps the
-/// points of a shorter one. Error at an edge falls with N^(-3/4), against N^(-1/2) of independent samples: Owen,
-/// Scrambled Net Variance for Integrals of Smooth Functions, 1997; Kollig and Keller, Efficient Multidimensional
-/// Sampling, Eurographics 2002. Each surface point has one of 64 scramblings and a rotation of its own, both fixed by
-/// its pixel, so that results repeat. Disks use the concentric map of Shirley and Chiu, A Low Distortion Map Between
-/// Disk and Square, 1997; spheres their solid angle.
+/// Sample points on an area light for the shadow rays of one surface point: a (0,2)-sequence (Sobol') under Owen's
+/// nested scrambling. Its first 2^k points have one in each of the 2^k cells of every grid of powers of two. A longer
+/// run keeps the points of a shorter one. The error at a shadow edge falls with N^(-3/4), against N^(-1/2) of
+/// independent samples: Owen, Scrambled Net Variance for Integrals of Smooth Functions, 1997; Kollig and Keller,
+/// Efficient Multidimensional Sampling, Eurographics 2002. Each surface point has one of 64 scramblings and a rotation
+/// of its own. Both follow from its pixel, so that results repeat. Disks use the concentric map of Shirley and Chiu, A
+/// Low Distortion Map Between Disk and Square, 1997; spheres use their solid angle.
 class LightSamples {
 public:
     /// Prepares the sample points of one surface point. @param pixel seed of scrambling and rotation
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, std::uint64_t pixel);
-    /// Returns the ray from the surface point to sample `k`.
+    /// Returns the ray from the surface point to sample point `k` on the light.
     LightRay ray(std::uint32_t k) const;
-    /// Returns the cell of the light's grid that holds sample point `k`.
+    /// Returns the cell of the grid on the light that holds sample point `k`.
     LightCell cell(std::uint32_t k) const;
-    /// Lists, by LightCell::index(), the one of the first 2^digits sample points in each cell of a grid of as many.
+    /// Lists the sample point in each cell of a grid of 2^digits cells on the light. Each cell holds exactly one of the
+    /// first 2^digits sample points.
+    /// @param out receives the index of the sample point for each cell, by LightCell::index()
     void points_in_cells(int digits, std::vector<std::uint32_t>& out) const;
 
 private:

@@ -15,11 +15,12 @@ struct LightRaySegment {
     glm::dvec3 from_ws{0}, to_ws{0};
 };
 
-/// Traces ray segments from a light to the first caster, whichever side it shows. Returns metres along each segment;
-/// NaN without a hit. Relative precision is that of 32-bit floats, of the segment's length and the scene's size.
+/// Traces ray segments from a light to the first caster, whichever face of it they hit. Returns metres along each
+/// segment; NaN without a hit. The precision is that of 32-bit floats, relative to the segment's length and the scene's
+/// size.
 std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> segments);
 
-/// First caster of a ray segment from a light.
+/// First caster that a ray segment from a light hits.
 struct FirstCaster {
     double distance_m = 0;     ///< metres along the segment
     std::uint32_t object = 0;  ///< index in Scene::objects

@@ -14,7 +14,7 @@ inline constexpr double kFlipPixelsPerDegree = 67.0206;
 /// Range of pixels per degree for which flip_difference() has filters. The filters' width grows with it.
 inline constexpr double kMinPixelsPerDegree = 1, kMaxPixelsPerDegree = 500;
 
-/// Perceived difference of two pictures, 0 (none) to 1 (largest).
+/// Perceived difference of two pictures by the metric FLIP, 0 (none) to 1 (largest): for each pixel, mean and maximum.
 struct Flip {
     FloatImage map;  ///< one number a pixel, top row first
     double mean = 0, max = 0;
@@ -28,7 +28,9 @@ struct Flip {
 Flip flip_difference(const ByteImage& a, const ByteImage& b, double pixels_per_degree = kFlipPixelsPerDegree,
                      const Workers& workers = {});
 
-/// Draws a map of differences with the sequential colour scale of the overlays: 0 dark blue to 1 yellow.
+/// Draws the FLIP difference of two pictures as an image in the sequential colour scale of the overlays: 0 is dark
+/// blue, 1 is yellow.
+/// @param map difference by pixel, 0 to 1 (Flip::map)
 ByteImage flip_picture(const FloatImage& map);
 
 }  // namespace si

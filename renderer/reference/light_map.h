@@ -19,7 +19,8 @@
 
 namespace si {
 
-/// Input of a light map bake, independent of scene and GPU: any thread may bake it.
+/// Input for baking a light map, which holds the traced visibility of one light on all surfaces. Independent of scene
+/// and GPU, so that any thread may bake it.
 struct LightMapTask {
     std::shared_ptr<const ReferenceGeometry> geometry;
     Emitter emitter;
@@ -52,13 +53,14 @@ std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const 
 /// @param frame a frame of this scene and these settings @throws Error when the frame needs no light map of that light
 LightMapTask light_map_task(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
 
-/// Returns the cache key of a light map's content (placed triangles, alpha masks, light, settings). It is the same in
-/// every process, for files on disk.
+/// Returns the cache key of a light map's content (placed triangles, alpha masks, light, settings). The key is equal in
+/// every process, so that it finds light maps stored on disk.
 std::uint64_t light_map_content_key(const LightMapTask& task);
 
-/// Bakes a light map: traces every texel that a look-up may read, on the lit side of its surface. Texels outside their
-/// chart are traced at its nearest point, a quarter of a texel inside the border, so that none lies in the plane of an
-/// adjoining wall. The result does not depend on the number of threads.
+/// Bakes a light map: traces the light's visibility for every texel that a look-up may read, on the lit side of its
+/// surface. A texel outside its chart (patch of triangles in the atlas) is traced at the chart's nearest point, a
+/// quarter of a texel inside the border. So no ray starts in the plane of an adjoining wall. The result does not depend
+/// on the number of threads.
 /// @throws Cancelled; Error as ReferenceScene does
 LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
                         const ReferenceScene& scene, const Workers& workers);

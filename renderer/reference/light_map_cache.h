@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Cache of baked light maps by content, in memory and on disk. Usable from any thread.
+/// Cache of baked light maps in memory and on disk, found by a hash of their input. Usable from any thread.
 class LightMapCache {
 public:
     /// Limits in bytes of the files on disk and of the maps in memory; the least recently used are removed.
@@ -22,17 +22,18 @@ public:
     /// writes.
     /// @throws Cancelled, without storing anything; Error as light_map_layout() and ReferenceScene do
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
-    /// Sets the folder of light maps on disk, created by the first write. Empty: none are stored on disk.
-    /// @param max_bytes limit of all its files
+    /// Sets the folder in which baked light maps are stored on disk. The first write creates it. Empty: none are
+    /// stored.
+    /// @param max_bytes limit of all its files together; the least recently used are removed
     void set_disk_folder(std::filesystem::path folder, std::uint64_t max_bytes = kMaxDiskBytes);
-    /// Removes all light maps from memory; files stay.
+    /// Removes all light maps from memory. Files on disk stay.
     void clear();
 
-    /// Numbers of light maps that get() baked, read from disk, and found in memory.
+    /// Numbers of light maps that the cache baked, read from disk, and found in memory.
     struct Counts {
         std::size_t baked = 0, read = 0, known = 0;  ///< number of maps baked, read from disk, found in memory
     };
-    /// Returns how often get() baked, read and found a light map so far.
+    /// Returns the numbers of light maps that get() has baked, read from disk and found in memory so far.
     Counts counts() const;
 
 private:
@@ -47,13 +48,15 @@ private:
     std::uint64_t max_bytes_ = kMaxDiskBytes;
     Counts counts_;
 
-    /// Finds a light map in memory by its content key, and sets LightMap::key to the `key` that the requesting frame
-    /// expects. Null: not in memory.
+    /// Finds a baked light map in memory; null: none.
+    /// @param content light_map_content_key() of the light map
+    /// @param key light_map_key() that the requesting frame expects; becomes LightMap::key
     std::shared_ptr<const LightMap> find(std::uint64_t content, std::uint64_t key);
-    /// Returns the light map's layout for the task's geometry and size, cached from the last call where both are the
-    /// same. Thread-safe.
+    /// Returns the atlas layout of a task's light map. Reuses the layout of the last call if geometry and size are
+    /// equal. Thread-safe.
     std::shared_ptr<const LightMapLayout> layout_of(const LightMapTask& task, const Workers& workers);
-    /// Stores a light map in memory and removes the least recently used ones above the limit.
+    /// Stores a light map in memory under its content key, and removes the least recently used ones above the limit.
+    /// Returns the stored light map.
     std::shared_ptr<const LightMap> keep(std::uint64_t content, LightMap map);
 
     std::shared_ptr<const LightMapLayout> layout_;  ///< layout of the last task; all lights of a scene share one

@@ -13,8 +13,9 @@
 
 namespace si {
 
-/// Neighbouring triangles of one object, projected along a common normal into a rectangle of the light map. A point p
-/// on them has the atlas position (dot(u, p - centre), dot(v, p - centre)) * texels_per_metre + at, in texels.
+/// Chart of a light map: neighbouring triangles of one object, projected along a common normal into a rectangle of the
+/// atlas. A point p of the chart has the atlas position (dot(u, p - centre), dot(v, p - centre)) * texels_per_metre +
+/// at, in texels.
 struct LightMapChart {
     glm::dvec3 u{1, 0, 0}, v{0, 1, 0};  ///< unit, across the normal
     glm::dvec2 lo{0}, extent_m{0};      ///< corner and size of the projection, metres
@@ -25,12 +26,13 @@ struct LightMapChart {
     bool flat = true;                    ///< true when the triangles lie in one plane
 };
 
-/// Assignment of every triangle of a scene to a chart, and of every chart to a rectangle of a square light map.
+/// Layout of a light map's atlas: the chart of every triangle of a scene, and the rectangle of every chart in the
+/// square atlas.
 struct LightMapLayout {
     static constexpr std::uint32_t kNoChart = 0xffffffff;
     static constexpr int kGutter = 1;              ///< texels around each chart that bilinear look-ups may reach
     static constexpr double kMaxTiltDegrees = 30;  ///< angle between a triangle and its chart
-    /// Range of one object's triangles among those of all objects.
+    /// Range of one object's triangles in a list of the triangles of all objects.
     struct ObjectPart {
         std::uint32_t first = 0, count = 0;
     };

@@ -5,7 +5,8 @@
 
 namespace si {
 
-/// Shadow error of a frame by the GPU's own sums, available when the frame has a reference.
+/// Error metrics of a frame's shadows, which the GPU computes while the frame is drawn. Available when the frame has a
+/// reference.
 struct LiveError {
     /// Equal to error_metrics(), except boundary_px_* and any_leak, which are NaN. `flip` is NaN unless an overlay
     /// shows it.

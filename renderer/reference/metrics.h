@@ -14,8 +14,8 @@
 
 namespace si {
 
-/// Classification of one pixel against the reference, as shaders/passes/compare.frag.glsl and causes.frag.glsl write
-/// it.
+/// Result of comparing one pixel's shadow with the reference: flags, cause of its error and visibility, as the shaders
+/// compare.frag.glsl and causes.frag.glsl write them.
 struct ClassifiedPixel {
     /// Flags of a pixel that was compared with the reference: false shadow, false light, acne and others.
     enum Bits : std::uint32_t {
@@ -39,24 +39,28 @@ struct ClassifiedPixel {
     bool has(Bits b) const { return (bits & b) != 0; }
 };
 
-/// Compares a counted pixel's visibility with the reference. Returns ClassifiedPixel::Bits without kAnyAcne and kSeam.
-/// @param visibility visibility in the picture, not NaN @param outside true: the map does not cover the surface
+/// Compares the visibility of a counted pixel (PixelState::Counted) with the reference. Returns flags of the
+/// enumeration ClassifiedPixel::Bits, all but kAnyAcne and kSeam.
+/// @param visibility visibility in the picture, not NaN
+/// @param outside true: the shadow map does not cover the surface
 std::uint32_t compared_bits(float visibility, const ReferencePixel& reference, bool outside);
 
-/// Returns one pixel of a ray-traced reference, for classification. @param i index, top row first
+/// Returns one pixel of a ray-traced reference in the form that compared_bits() takes.
+/// @param i index of the pixel, top row first
 ReferencePixel true_pixel(const Reference& reference, std::size_t i);
 
-/// Decodes the class of each pixel, with the cause of its error, from the image FrameResult::classified.
+/// Decodes the class of each pixel, with the cause of its error, from the image FrameResult::classified, read back from
+/// the GPU.
 /// @param classified image of two channels, one texel for each pixel of the reference (ReferenceOptions::step)
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified);
 
-/// Returns for each pixel whether its right (bit 0) and lower (bit 1) neighbour show the same surface: a contour
-/// between them is then a shadow edge.
+/// Returns two bits for each pixel: its right (bit 0) and its lower (bit 1) neighbour show the same surface. A change
+/// of visibility between two such pixels is a shadow edge, not the outline of an object.
 std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers);
 
-/// Error metrics of visibility V against the reference R over the n counted pixels (PixelState::Counted). metrics() has
-/// a row that describes each number. Shadow is below 0.5. Fractions are of n, and 0 when n is 0. False shadow and false
-/// light are the sums of their parts. `flip` compares pictures over all pixels.
+/// Error metrics of a picture's visibility V against the reference R over the n counted pixels (PixelState::Counted).
+/// metrics() has a row that describes each number. A visibility below 0.5 is shadow. Fractions are of n, and 0 when n
+/// is 0. False shadow and false light are the sums of their parts. `flip` compares pictures over all pixels.
 struct ErrorMetrics {
     std::size_t counted = 0;
     double false_shadow = 0, false_light = 0, acne = 0, leak = 0, light_bleeding = 0, bias_false_light = 0,
@@ -69,7 +73,7 @@ struct ErrorMetrics {
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
 };
 
-/// Direction in which a metric improves.
+/// Direction in which the value of an error metric improves.
 enum class Better {
     Less,
     NearZero,  ///< for signed metrics
@@ -77,11 +81,13 @@ enum class Better {
     Neither,   ///< neutral fact
 };
 
-/// Returns the distance of a metric's value from the best one, so that less is better; NaN for Better::Neither.
+/// Returns the distance of an error metric's value from its best value, so that less is better; NaN for
+/// Better::Neither.
 double distance_from_best(Better better, double value);
 
 inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
-/// Row of the table of error metrics: JSON, tables, plots, searches and the documentation are generated from it.
+/// Error metric: its key, unit, formula and value. JSON, tables, plots, searches and the documentation are generated
+/// from the table of these rows.
 struct Metric {
     std::string_view key;  ///< field of `error` in JSON, its objects' fields after a dot
     std::string_view label;
@@ -108,11 +114,11 @@ struct Metric {
 
 /// Returns the table of error metrics; the first is the default of searches and plots.
 std::span<const Metric> metrics();
-/// Returns the error metric with this key, or null.
+/// Returns the error metric with this key; null: there is none.
 const Metric* find_metric(std::string_view key);
 
-/// Sums over the counted pixels of a picture, from which error metrics follow. The GPU computes them per tile
-/// (shaders/passes/error_tiles.frag.glsl).
+/// Sums over the counted pixels of a picture, from which metrics_of() computes error metrics. The GPU computes the sums
+/// by tile (shaders/passes/error_tiles.frag.glsl).
 struct PixelSums {
     std::array<double, kArtefacts> dark{}, bright{};  ///< false shadow and false light by cause; None: without one
     double outside = 0, any_acne = 0, visible_acne = 0, any_leak = 0, within_noise = 0;
@@ -120,7 +126,8 @@ struct PixelSums {
     double both = 0, either = 0;                ///< pixels in shadow by V and R, and by at least one of them
 };
 
-/// Computes error metrics from sums over pixels, except boundary_px_*, which are NaN.
+/// Computes the error metrics of a picture from sums over its pixels. boundary_px_* are NaN, as sums do not give them.
+/// @param reference reference with which the pixels were compared
 ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference);
 
 /// Computes error metrics from classified pixels and their reference.

@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Map look-ups that the GPU made for a picture's pixels, top row first.
+/// Shadow map look-ups that the GPU made for a picture's pixels, read back, top row first.
 struct DrawnLookUps {
     SurfaceIds ids;
     FloatImage uvd;  ///< four channels: map coordinates, depth before bias, 1 + layer (0: no look-up)
@@ -32,9 +32,10 @@ struct Precision {
     PrecisionSpread ulps;
 };
 
-/// Measures the rounding errors of a picture's map look-ups against double precision.
-/// @param camera, light the camera and light of the frame that made the look-ups @param resolution texels per side of
-/// the map
+/// Measures the rounding errors of a picture's shadow map look-ups, which the GPU computes in single precision, by
+/// comparing them with double precision.
+/// @param camera,light camera and light of the frame that made the look-ups
+/// @param size texels of the light's maps
 Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, MapSize size,
                             const DrawnLookUps& drawn);
 

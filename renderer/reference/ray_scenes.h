@@ -11,8 +11,8 @@
 
 namespace si {
 
-/// Cache of ray-tracing hierarchies by ReferenceGeometry::key. Finds those that are still referenced elsewhere, and
-/// keeps the last one alive. Usable from any thread.
+/// Cache of ray-tracing hierarchies by ReferenceGeometry::key, so that references and searches over the same casters
+/// share one. Finds hierarchies that are still in use elsewhere, and keeps the last one alive. Usable from any thread.
 class RaySceneCache {
 public:
     /// Returns the ray-tracing hierarchy of a geometry; builds it on a miss. Waits when another thread is building the
@@ -21,16 +21,16 @@ public:
                                               const Workers& workers = {});
     /// Returns the cached hierarchy with this ReferenceGeometry::key, or null. Never builds one.
     std::shared_ptr<const ReferenceScene> find(std::uint64_t key) const;
-    /// Returns the geometry (placed triangles) of a cached hierarchy for the scene; without one, makes it from the
-    /// scene's triangles.
+    /// Returns the geometry (placed triangles) of a scene for ray tracing: that of a cached hierarchy if there is one,
+    /// else a new one from the scene's triangles.
     std::shared_ptr<const ReferenceGeometry> geometry(const Scene& scene, const Settings& settings) const;
-    /// Returns the number of ray-tracing hierarchies in memory.
+    /// Returns the number of this cache's ray-tracing hierarchies that are in memory.
     std::size_t size() const;
-    /// Drops the ray-tracing hierarchy that only this cache keeps alive.
+    /// Releases the ray-tracing hierarchy that this cache keeps alive. Hierarchies in use elsewhere stay in memory.
     void clear();
 
 private:
-    /// Entry of the cache: a hierarchy, and the lock held while it is built.
+    /// Entry of the cache: a ray-tracing hierarchy, and the lock that is held while it is built.
     struct Entry {
         std::timed_mutex building;
         std::weak_ptr<const ReferenceScene> scene;  ///< under RaySceneCache::mutex_

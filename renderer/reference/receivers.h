@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Surface point that a pixel shows, with its triangle.
+/// Surface point that a pixel shows (the receiver of shadows), with its triangle.
 struct Receiver {
     static constexpr std::uint32_t kNothing = 0xffffffff;
     glm::dvec3 position_ws{0};
@@ -26,18 +26,18 @@ struct Receiver {
     bool hit() const { return object != kNothing; }
 };
 
-/// Returns the origin for rays from a receiver, in the unit frame. The point is shifted off its surface by the largest
-/// rounding error of single precision.
+/// Returns the start of shadow rays from a receiver, in the unit frame (UnitFrame). The point is shifted off its
+/// surface by the largest rounding error of single precision, so that a ray does not hit it.
 glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& receiver);
 
-/// Start of the rays from one receiver: a compact copy, half as large, of what most rays need.
+/// Compact copy of a receiver for tracing, half as large, with all that most shadow rays need.
 struct RayStart {
     glm::vec3 origin{0};  ///< ray_origin()
     glm::vec3 normal{0};
     std::uint32_t object = Receiver::kNothing;
 };
 
-/// Surface points of all pixels of a picture, top row first.
+/// Surface points (receivers of shadows) of all pixels of a picture, top row first.
 struct Receivers {
     int width = 0, height = 0;
     BigArray<Receiver> pixels;
@@ -58,10 +58,11 @@ struct PixelRaster {
     int rows() const { return (height + step - 1) / step; }
 };
 
-/// Reconstructs the surface point of each pixel in double precision: intersects the pixel's ray with the plane of the
-/// triangle that the GPU drew there, and clamps the point to the triangle. The ray may miss it slightly, as rasterisers
-/// snap corners.
-/// @param ids Outputs::surface_ids of a frame of the same scene and camera, those of the raster
+/// Reconstructs the surface point of each sampled pixel in double precision: intersects the pixel's ray with the plane
+/// of the triangle that the GPU drew there, and clamps the point to the triangle. The ray may miss the triangle
+/// slightly, as rasterisers snap corners.
+/// @param ids Outputs::surface_ids of a frame of the same scene and camera, at the sampled pixels
+/// @param raster sampled pixels of the picture
 /// @throws Cancelled; Error when an id names no triangle of the geometry
 Receivers reconstruct_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                                 const PixelRaster& raster, const Workers& workers);

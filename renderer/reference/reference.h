@@ -38,7 +38,7 @@ constexpr bool is_traced(PixelState s) {
     return s == PixelState::Counted || s == PixelState::OutsideCone || s == PixelState::BeyondRange;
 }
 
-/// Options of tracing a reference.
+/// Options for tracing a reference: kind of light, culling, number of rays and resolution.
 struct ReferenceOptions {
     bool area = false;           ///< area light of the light's size; else a point or a direction
     bool as_rasterised = false;  ///< faces that culling removes from the shadow map cast no shadow here either
@@ -53,7 +53,7 @@ struct ReferenceOptions {
 /// Returns the reference options that the settings truth.* select.
 ReferenceOptions reference_options(const Settings& settings);
 
-/// Light, objects and options that a reference is traced for.
+/// Light, shadow settings of objects, and options for tracing a reference.
 struct ReferenceQuery {
     Emitter emitter;
     std::vector<ObjectTraits> traits;  ///< one per object of the scene
@@ -113,13 +113,14 @@ struct Reference {
     bool is_area() const { return !standard_error.data.empty(); }
 };
 
-/// Caster nearest the light over a receiver, among those that the map does not hold.
+/// Caster that shadows a receiver, but that the shadow map does not hold.
 struct MissingCaster {
     std::uint32_t object = 0;  ///< index in ReferenceGeometry::objects
     bool culled = false;       ///< face culling left it out; else the near plane
 };
-/// Finds the caster nearest the light over a receiver that culling or the near plane kept out of the map; nullopt:
-/// none.
+/// Finds a caster that shadows a receiver, but that face culling or the near plane kept out of the shadow map. Of
+/// several it is the one nearest the light; nullopt: none.
+/// @param query light, culling and views of the map
 std::optional<MissingCaster> missing_caster(const ReferenceScene& scene, const Receiver& receiver,
                                             const ReferenceQuery& query);
 

@@ -26,7 +26,7 @@ struct ReferenceMesh {
     std::size_t triangles() const { return indices.size() / 3; }
 };
 
-/// Placed mesh for ray tracing.
+/// Object of a scene for ray tracing: a mesh with its place in the world.
 struct ReferenceObject {
     std::shared_ptr<const ReferenceMesh> mesh;
     glm::dmat4 world{1.0};
@@ -47,7 +47,7 @@ struct UnitFrame {
     glm::dvec3 to_unit(const glm::dvec3& position_ws) const { return (position_ws - centre) * scale; }
 };
 
-/// Triangles of all objects of a scene for ray tracing, by index in Scene::objects.
+/// Triangles of all objects of a scene for ray tracing, independent of later changes of the scene.
 struct ReferenceGeometry {
     std::vector<ReferenceObject> objects;
     Bounds bounds;
@@ -55,29 +55,36 @@ struct ReferenceGeometry {
     std::uint64_t key = 0;
 
     ReferenceGeometry(const Scene& scene, const Settings& settings);
-    /// Returns the number of triangles of all objects that cast shadows, instances counted.
+    /// Returns the number of triangles of all objects that cast shadows. Each instance of a mesh counts.
     std::size_t caster_triangles() const;
-    /// Returns the world-space corners of a triangle. @param primitive index within the object
+    /// Returns the corners of a triangle in world space.
+    /// @param object index in Scene::objects
+    /// @param primitive index of the triangle within the object
     TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
-    /// Returns the smooth normal at a point of a triangle, interpolated from its corners: unit length, on either side;
-    /// 0 where they cancel, or where there are none.
+    /// Returns the smooth normal at a point of a triangle, interpolated from those of its corners. It has unit length
+    /// and may point to either side of the triangle. It is 0 where the corners' normals cancel, or where the mesh has
+    /// none.
+    /// @param object index in Scene::objects
+    /// @param primitive index of the triangle within the object
     glm::dvec3 smooth_normal(std::uint32_t object, std::uint32_t primitive, const glm::dvec3& position_ws) const;
     /// Returns the coordinate frame in which rays are traced, so that single precision suffices: centred on the scene's
     /// main part and about one unit long.
     UnitFrame unit_frame() const;
-    /// Adds the content of the geometry to a cache key that is the same in every process.
+    /// Adds the content of this geometry (triangles, transforms, alpha masks) to a cache key that is equal in every
+    /// process.
     void add_content(Key& key) const;
 };
 
-/// Returns the cache key of a scene's ReferenceGeometry: scene, casting objects, and the treatment of blended ones.
+/// Returns the cache key of a scene's ReferenceGeometry. It depends on the scene, on which objects cast shadows, and on
+/// whether blended ones do.
 Key reference_geometry_key(const Scene& scene, const Settings& settings);
 
-/// Settings of one object that a reference depends on besides its geometry.
+/// Shadow settings of one object that its reference depends on besides the geometry.
 struct ObjectTraits {
     bool receives = true;
     Cull cull = Cull::None;  ///< face culling in the shadow map; the object's own setting overrides the scene's
 };
-/// Returns the shadow settings of each object for ray tracing and the probe, by index in Scene::objects.
+/// Returns the shadow settings of each object, by index in Scene::objects, for ray tracing and for diagnosing pixels.
 std::vector<ObjectTraits> object_traits(const Scene& scene, const Settings& settings);
 
 }  // namespace si

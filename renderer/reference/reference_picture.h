@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Traced reference that a frame compares its shadows with.
+/// Traced reference as an input of a frame, which compares its shadows with it pixel by pixel.
 struct ReferencePicture {
     std::uint64_t key = 0;      ///< reference_key() of the frames that may use it
     std::uint64_t version = 0;  ///< unique per content

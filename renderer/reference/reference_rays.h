@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Casting object in the ray-tracing hierarchy; its index is the id of its Embree geometry or instance.
+/// Object that casts shadows, in the ray-tracing hierarchy. Its index is the id of its Embree geometry or instance.
 struct Caster {
     std::uint32_t object = 0;
     bool mirrored = false;  ///< flattened with a mirroring transform: its winding is reversed
@@ -28,8 +28,8 @@ struct RayHierarchy : UnitFrame {
     std::size_t triangles = 0, instances = 0;
 };
 
-/// Ray at a grazing angle to its receiver, for which single precision is not enough: hits are tested again in double,
-/// without the receiver's own triangle.
+/// Shadow ray at a grazing angle to its receiver, for which single precision is not enough. Its hits are tested again
+/// in double precision, without the receiver's own triangle.
 struct ExactRay {
     glm::dvec3 origin{0}, direction{0};  ///< unit frame, unit length
     double length = 0;
@@ -38,7 +38,8 @@ struct ExactRay {
 /// Cosine between surface normal and ray below which a ray is traced as an ExactRay.
 inline constexpr double kGrazingCosine = 1e-3;
 
-/// Rules by which hits of a shadow ray count: face culling by object, and double-precision tests of grazing rays.
+/// Rules that decide which hits of a shadow ray count: face culling by object, and double-precision tests of grazing
+/// rays.
 struct HitRules {
     std::span<const ObjectTraits> culls;  ///< one per object; empty: every face counts
     std::span<const ExactRay> exact;      ///< index: the ray's id; empty: none
@@ -50,18 +51,21 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
     return {origin.x, origin.y, origin.z, 0, direction.x, direction.y, direction.z, 0, length, ~0u, id, 0};
 }
 
-/// Tests shadow rays for occlusion and marks occluded ones by a negative tfar.
+/// Tests shadow rays for occlusion by casters. An occluded ray gets a negative `tfar`.
+/// @param rays ray segments from make_ray(), in the scene's unit frame
+/// @param rules decide which hits count
 void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules);
 
-/// One intersection of a ray with a caster.
+/// Intersection of a ray with a caster's triangle.
 struct Hit {
     float t = 0;          ///< distance in lengths of the ray's direction
     bool culled = false;  ///< removed by HitRules::culls
     std::uint32_t object = 0;
     std::uint32_t primitive = 0;  ///< triangle within the object
 };
-/// Collects all hits of a ray with casters up to the ray's end, culled ones included, in no order.
-/// @param out receives the hits
+/// Collects all intersections of a ray with casters up to the ray's end, in no order. Faces removed by culling are
+/// included and marked (Hit::culled).
+/// @param out receives the intersections
 void collect_hits(const RayHierarchy& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
 
 }  // namespace si

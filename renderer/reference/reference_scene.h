@@ -9,10 +9,11 @@
 
 namespace si {
 
-struct RayHierarchy;  // renderer/reference/reference_rays.h
+/// Ray-tracing hierarchy in Embree, defined in renderer/reference/reference_rays.h.
+struct RayHierarchy;
 
-/// Sharing of triangles between objects of one mesh in the ray-tracing hierarchy. Shared triangles (instances) take
-/// memory once. Flattened ones are traced faster and transformed in double precision.
+/// Choice whether objects of one mesh share its triangles in the ray-tracing hierarchy. Shared triangles (instances)
+/// take memory once. Flattened copies are traced faster and transformed in double precision.
 enum class Instancing {
     Automatic,  ///< shares when flattening would exceed kMaxFlattenedTriangles
     Never,      ///< flattens all objects
@@ -36,7 +37,7 @@ public:
     const ReferenceGeometry& geometry() const { return *geometry_; }
     /// Returns shared ownership of the geometry that the hierarchy was built from.
     std::shared_ptr<const ReferenceGeometry> shared_geometry() const { return geometry_; }
-    /// Returns the number of triangles in the ray-tracing hierarchy, instances counted.
+    /// Returns the number of triangles in the ray-tracing hierarchy. Each instance of a mesh counts.
     std::size_t triangle_count() const;
     /// Returns the number of objects that are instances in the ray-tracing hierarchy.
     std::size_t instance_count() const;

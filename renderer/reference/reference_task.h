@@ -37,14 +37,15 @@ struct ReferenceTask {
 std::uint64_t reference_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
                             const std::vector<FittedLight>& lights, int light, const ReferenceOptions& options);
 
-/// Subsamples an image: every `step`-th pixel across and down, from the top left.
+/// Returns every `step`-th pixel of an image, across and down, from the top left.
 FloatImage subsample(const FloatImage& image, int step);
 
-/// Collects the input for tracing the reference of a drawn frame. Shares the triangles of the scene, or of
-/// ray_scenes().
+/// Collects the input for tracing the reference of one light in a drawn frame. Triangles are shared with the scene, or
+/// with a hierarchy in ray_scenes(), not copied.
 /// @param frame a frame drawn in a picture of `width` x `height` pixels
 /// @param ids triangles of all pixels: FrameResult::surface_ids read back
-/// @param light index of light.*. @throws Error when there is no such light
+/// @param light index of light.*
+/// @throws Error when there is no such light
 ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,
                              const SurfaceIds& ids, int width, int height, int light, const ReferenceOptions& options);
 
@@ -62,7 +63,7 @@ struct TracedReference {
     double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
-/// Cache of the last receivers, references and ray-tracing hierarchy. Used by one thread at a time.
+/// Cache of the last traced references, with their receivers and ray-tracing hierarchy. Used by one thread at a time.
 class ReferenceCache {
 public:
     /// Traces the reference of a task, or returns it from the cache.
@@ -78,7 +79,7 @@ private:
     std::shared_ptr<const ReferenceScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;
-    /// Cached reference of one light, with the cache key of its task.
+    /// Cached reference of one light, with the cache key of the task that traced it.
     struct Known {
         std::uint64_t key = 0, receivers_key = 0;
         std::shared_ptr<const Reference> reference;

@@ -11,40 +11,45 @@
 
 namespace si {
 
-/// State of a sample point on a light, as seen from a surface point.
+/// Result of tracing a shadow ray from a surface point to a sample point on a light.
 enum class Seen : std::uint8_t {
     Below,  ///< below the surface's horizon
     Dark,
     Lit
 };
 
-/// Estimated visible share of a light, and its standard error; NaN: unknown.
+/// Estimate of the visible share of an area light, from samples, and its standard error; NaN: unknown.
 struct Estimate {
     double visibility = 1, error = 0;
     std::size_t samples = 0, rays = 0;
 };
 
-/// Light as one surface point sees it: a grid of 2^n equal cells. A cell has the state of its own sample point. A cell
-/// without a sample has the state of the larger cell that was halved, if all neighbours of that cell had it, too. So
-/// the samples that a finer grid takes grow with the length of the shadow's edge on the light, not with its area. Where
-/// shadows seem narrower than cells, all cells are sampled.
+/// Area light as one surface point sees it, for estimating its visible share with few rays: a grid of 2^n equal cells.
+/// A cell has the state of its own sample point. A cell without a sample takes the state of the larger cell from which
+/// it was halved; all neighbours of the larger cell then had the same state. So the samples that a finer grid takes
+/// grow with the length of the shadow's edge on the light, not with its area. Where shadows seem narrower than cells,
+/// all cells are sampled.
 class SeenLight {
 public:
-    /// Starts with the states of the first sample points, at least one.
+    /// Starts the grid on the light with the results of the first shadow rays.
+    /// @param samples sample points on the light
+    /// @param seen results for the first sample points, at least one
     void start(const LightSamples& samples, std::span<const Seen> seen);
 
-    /// Halves the cells. Returns the sample points to trace before set_wanted(): those of both halves of each cell that
-    /// differs from a neighbour. They stay valid until the next call.
-    /// @param end sample points from this one on are not used @param everywhere samples all halves
+    /// Halves all cells of the light's grid. Returns the sample points to trace, for set_wanted(): those in halves of
+    /// cells that differed from a neighbour. The span stays valid until the next call.
+    /// @param end sample points from this index on are not used
+    /// @param everywhere true: returns the sample points of all cells
     std::span<const std::uint32_t> halve(const LightSamples& samples, std::uint32_t end, bool everywhere);
-    /// Sets the states of the sample points that halve() returned.
+    /// Stores the results of the sample points that halve() returned, after they were traced.
     void set_wanted(std::span<const Seen> seen);
 
     /// Returns the number of samples that a grid of this size takes when every cell is sampled.
     std::uint32_t fineness() const { return fineness_; }
 
-    /// Estimates the visible share of the light's part above the surface's horizon.
-    /// @param hard share when nothing of it is above the horizon
+    /// Estimates the visible share of the light from all samples so far. Only the part of the light above the surface's
+    /// horizon counts.
+    /// @param hard visibility to return when no sample lies above the horizon
     Estimate estimate(double hard) const;
 
 private:
@@ -64,20 +69,42 @@ private:
     std::size_t words_per_row() const { return (across() + 63) / 64; }
     std::size_t words() const { return words_per_row() << digits_ / 2; }
     std::uint64_t columns() const { return ~std::uint64_t{0} >> (63 - (across() - 1) % 64); }
+    /// Place of a grid cell in a set of bits: index of the word, and a mask with the cell's bit.
     struct BitPlace {
         std::size_t word;
         std::uint64_t bit;
     };
+    /// Returns the place of a cell of the light's grid in a set of bits: index of the word, and mask of the bit.
     BitPlace place_of(std::size_t cell) const;
+    /// Returns the index of the word with the bits of the grid cells one row above; in the first row `word` itself.
+    /// @param word index of a word in a set of bits, one bit a cell
     std::size_t row_above(std::size_t word) const;
+    /// Returns the index of the word with the bits of the grid cells one row below; in the last row `word` itself.
+    /// @param word index of a word in a set of bits, one bit a cell
     std::size_t row_below(std::size_t word) const;
+    /// Returns, for the grid cells of one word, the bits of their left neighbours. A cell at the border has its own
+    /// bit.
+    /// @param bits one bit for each cell of the light's grid
+    /// @param word index of the word
     std::uint64_t left(const Bits& bits, std::size_t word) const;
+    /// Returns, for the grid cells of one word, the bits of their right neighbours. A cell at the border has its own
+    /// bit.
+    /// @param bits one bit for each cell of the light's grid
+    /// @param word index of the word
     std::uint64_t right(const Bits& bits, std::size_t word) const;
+    /// Returns the other half of the larger cell from which a cell of the light's grid was halved.
     std::size_t other_half(std::size_t cell) const;
+    /// Stores the state of a cell of the light's grid: lit, dark, or below the surface's horizon.
     void set(std::size_t cell, Seen seen);
+    /// Converts a set of bits to the grid with halved cells: both halves of a cell get the cell's bit.
     void double_cells(Bits& bits);
+    /// Marks the cells of the light's grid that differ from one of their eight neighbours, to be halved and sampled.
     void find_differing();
+    /// Returns true when shadows on the light, or gaps between them, seem narrower than cells: several cells differ
+    /// from all four neighbours, or most cells of the rarer state lie in no 2x2 square of that state.
     bool has_narrow_shadows();
+    /// Returns a bit for each cell of the light's grid that is above the surface's horizon. Cells are left out that
+    /// have no sample because the sample points ran out.
     Bits own_samples() const;
 };
 

@@ -11,9 +11,10 @@
 
 namespace si {
 
-/// Widths of the lit or shadowed stretches around each pixel, in metres perpendicular to the light's rays, along the
-/// two axes of the light's map. Lit and in shadow are those of the reference for a light without size. Infinite where
-/// the reference does not change within kRunReach pixels, or up to the end of the surface.
+/// Widths of the lit or shadowed stretch (run) around each pixel, which tell how narrow a shadow map's texels have to
+/// be. In metres perpendicular to the light's rays, along the two axes of the light's map. Lit and shadowed are as in
+/// the reference of a light without size. Infinite where the reference does not change within kRunReach pixels, or up
+/// to the end of the surface.
 struct ShadowRuns {
     /// Smallest texel that is too wide for the pixel: wider than the pixel's own run, or spanning from it across a
     /// narrower neighbouring run (a thin bar's shadow next to a lit pixel).
@@ -25,18 +26,18 @@ struct ShadowRuns {
 /// find no narrower run.
 inline constexpr int kRunReach = 64;
 
-/// Measures shadow runs from pixel to pixel on the surface that the camera sees, also where something occludes part of
-/// it. Traces no rays. A part of a picture gives the same numbers as the whole where the part extends kRunReach around
-/// a pixel.
-/// @param raster the pixels of the picture that the reference samples
-/// @param query query that the reference answers; without views everything is infinite
+/// Measures the widths of lit and shadowed stretches in a reference, from pixel to pixel along the surface that the
+/// camera sees. Continues behind objects that occlude a part of the surface. Traces no rays. A part of a picture gives
+/// the same numbers as the whole if it extends kRunReach pixels around a pixel.
+/// @param raster pixels of the picture that the reference samples
+/// @param query query that the reference answers; without views all widths are infinite
 /// @throws Cancelled
 ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
                        const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers);
 
-/// Returns true when shadow_runs() of two references is certainly equal, for the same camera and receivers: lit and in
-/// shadow are the same pixels, and the maps have the same axes. Depth range, extent and resolution of the maps, and
-/// cascades of a light with parallel rays, do not matter.
+/// Returns true when shadow_runs() gives equal widths for two references of the same camera and receivers, so that they
+/// need not be measured again. This holds if the same pixels are lit and the maps have the same axes. Depth range,
+/// extent and resolution of the maps, and cascades of a light with parallel rays, do not matter.
 bool have_same_runs(const Reference& a, const ReferenceQuery& query_a, const Reference& b,
                     const ReferenceQuery& query_b);
 

@@ -11,20 +11,21 @@
 
 namespace si {
 
-/// Visibility of the pixels that are traced so far. The tracing threads add tiles while another thread reads. Pixels of
-/// an area light come again with less noise.
+/// Visibility of all pixels that a running trace has finished so far, for showing the reference while it is traced.
+/// Tracing threads add tiles while another thread reads. Pixels of an area light are added again with less noise.
 class TracedSoFar {
 public:
-    /// Adds the visibility of one tile's pixels from a reference that is still being traced. All references have the
-    /// same size.
-    /// @param first the tile's upper left pixel @param end the pixel after its lower right one
+    /// Adds the visibility of one tile's pixels from a reference that is still being traced. All added tiles come from
+    /// references of one size.
+    /// @param first the tile's upper left pixel
+    /// @param end the pixel after the tile's lower right one
     void add_tile(const Reference& reference, glm::ivec2 first, glm::ivec2 end);
-    /// Returns the share of pixels that were added at least once, 0 to 1.
+    /// Returns the share of the reference's pixels that were traced at least once, 0 to 1.
     double share() const;
     /// Returns the number of tiles added so far, which grows with each change of the picture.
     std::size_t tiles() const { return tiles_; }
-    /// Returns the visibility as colours of the sequential scale, top row first. Pixels without a surface or not traced
-    /// yet have alpha 0. Empty before the first tile.
+    /// Returns a picture of the visibility traced so far, in the sequential colour scale of the overlays, top row
+    /// first. Pixels without a surface or not traced yet have alpha 0. Empty before the first tile.
     ByteImage picture() const;
 
 private:

@@ -7,19 +7,22 @@
 
 namespace si {
 
-/// Umbra of one reference, as far as it is traced, for the last few reaches and maps. Any thread may use it.
+/// Cache of which pixels of a reference lie in full shadow (umbra) at a kernel's reach, for the last few reaches and
+/// maps. Any thread may use it.
 class UmbraCache {
 public:
     /// Pixel of the umbra's image.
     enum class State : std::uint8_t { Unknown, Outside, Inside };
-    /// Returns the known states of all pixels under `key`, Unknown where not traced.
+    /// Returns which pixels are known to lie inside or outside the umbra; Unknown where no ray was traced yet.
+    /// @param key key of kernel reach and map
+    /// @param pixels number of pixels of the reference
     std::vector<State> find(std::uint64_t key, std::size_t pixels) const;
-    /// Stores the umbra states (lit, umbra, penumbra) of all pixels under `key`.
+    /// Stores which pixels lie inside or outside the umbra. @param key key of kernel reach and map
     void store(std::uint64_t key, std::vector<State> states);
 
 private:
     static constexpr std::size_t kMaxReaches = 4;
-    /// Umbra states (lit, umbra, penumbra) of all pixels, computed for one kernel reach and one map.
+    /// Umbra states of all pixels (inside, outside, unknown) for one kernel reach and one map.
     struct Known {
         std::uint64_t key = 0;
         std::vector<State> states;
