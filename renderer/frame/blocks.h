@@ -9,18 +9,19 @@ struct FrameState;
 namespace shared {
 struct FrameBlock;
 }
-/// Returns the contents of the frame's uniform block: camera matrices, lights, map views. Call after the lights are
-/// fitted.
+/// Returns the contents of the uniform block that all shaders of a frame read: camera matrices, lights and map views.
+/// Call after the lights are fitted.
 shared::FrameBlock make_frame_block(const FrameState& f);
-/// Uploads other contents for the frame's uniform block, for a pass with another camera.
+/// Overwrites the frame's uniform block on the GPU, for a pass that draws with another camera matrix. Such a pass
+/// restores the block afterwards by a call with make_frame_block().
 /// @param block complete contents, usually a changed make_frame_block()
 void replace_frame_block(const FrameState& f, const shared::FrameBlock& block);
-/// Uploads the uniform blocks of frame and settings and the kernel's disk samples. Also sets the samplers of the shadow
-/// maps.
+/// Uploads the data that all shaders of a frame read: the uniform blocks of frame and settings, and the sample
+/// positions of disk kernels. Also sets wrap, filter and compare modes of the shadow maps' samplers.
 void upload_blocks(const FrameState& f);
 
-/// Returns GLSL text that declares the uniform blocks; every shader begins with it.
-/// @param as_images true: reads the numbers from buffer textures in place of uniform blocks; both ways give equal bits
+/// Returns GLSL text that declares the uniform blocks of frame and settings. Every shader begins with this text.
+/// @param as_images true: shaders read the numbers from buffer images in place of uniform blocks, with the same results
 std::string blocks_glsl(bool as_images);
 
 }  // namespace si

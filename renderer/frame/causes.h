@@ -40,8 +40,9 @@ enum class Artefact : std::uint8_t {
 /// Number of Artefact values.
 inline constexpr std::size_t kArtefacts = 16;
 
-/// Results of the trials of one pixel, in the order of shaders/passes/evidence.frag.glsl, four to an image. Depths are
-/// in depth-buffer units; visibilities are 1 (lit) to 0. "Bare": without the normal offset.
+/// Results of the trials of one pixel. A trial repeats the pixel's shadow test with one change, such as no normal
+/// offset, to find the cause of an error. Members are in the order of shaders/passes/evidence.frag.glsl, four to an
+/// image. Depths are in depth-buffer units; visibilities are 1 (lit) to 0. "Bare": without the normal offset.
 struct CauseEvidence {
     static constexpr float kInside = shared::PLACE_INSIDE, kOutside = shared::PLACE_OUTSIDE,
                            kLedOutside = shared::PLACE_OFFSET_OUTSIDE;
@@ -70,7 +71,7 @@ struct CauseEvidence {
 inline constexpr int kEvidenceImages = 8;
 static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 
-/// Renderer settings that decide which causes of a wrong pixel are possible. The GPU's classification gets them as
+/// Renderer settings that decide which causes of a wrong pixel are possible. Shaders that classify pixels get them as
 /// defines.
 struct CauseContext {
     bool has_map = true;             ///< light.source is a shadow map
@@ -89,7 +90,7 @@ struct ReferencePixel {
     bool hard_lit = true;              ///< lit by the light without its size
 };
 
-/// Classification of one pixel: its artefact, and further causes that apply.
+/// Classification of one pixel by the cause of its shadow error: the artefact, and further causes that apply.
 struct Cause {
     Artefact artefact = Artefact::None;
     std::uint32_t also = 0;  ///< bits 1 << Artefact: causes that also have to be fixed, or whose fix would do as well
@@ -97,12 +98,13 @@ struct Cause {
     bool faint = false;      ///< not wrong, but darkened by acne
 };
 
-/// Returns true when a drawn pixel's visibility contradicts the reference. Both must lie on different sides of 0.5 and
-/// differ by more than three times the reference's noise.
-/// @param visibility 1 lit, 0 in shadow
+/// Returns true when the drawn visibility of a pixel contradicts its ray-traced reference. The two visibilities then
+/// lie on different sides of 0.5 and differ by more than three times the reference's noise.
+/// @param visibility drawn visibility: 1 lit, 0 in shadow
 bool is_wrong(double visibility, const ReferencePixel& reference);
 
-/// Classifies a wrong or darkened pixel by the cause of its error, from the results of its shadow-test trials.
+/// Classifies one pixel with a shadow error by its cause, from the results of its shadow-test trials. Also recognises
+/// lit pixels that acne darkens without making them wrong (Cause::faint).
 /// @param evidence trials of the pixel
 /// @param context settings that decide which causes are possible
 Cause cause_of(const CauseEvidence& evidence, const ReferencePixel& reference, const CauseContext& context);
@@ -110,7 +112,7 @@ Cause cause_of(const CauseEvidence& evidence, const ReferencePixel& reference, c
 /// Tolerance of visibility: a fully lit pixel counts as darkened below 1 minus this number.
 inline constexpr double kRightVisibility = 1e-3;
 
-/// Collects the settings that decide which causes of a light's shadow errors are possible.
+/// Collects the settings that decide which causes of a light's shadow errors are possible, as input of cause_of().
 /// @param map_size texels of the light's maps
 /// @param mask_levels true: alpha masks of casters have mip levels
 CauseContext cause_context(const Settings& settings, const FittedLight& light, MapSize map_size, bool mask_levels);

@@ -11,7 +11,7 @@ namespace si {
 /// @throws Error when the context is older than OpenGL 4.5; the message names the version found
 DriverInfo query_driver();
 
-/// Returns the OpenGL internal format for map.format.
+/// Returns the OpenGL internal format of shadow map textures for a value of the setting map.format.
 GLenum map_internal_format(MapFormat format);
 
 }  // namespace si

@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Abilities, limits and measured traits of one OpenGL driver.
+/// Abilities, limits and measured traits of one OpenGL driver, from query_driver() and calibration.
 struct DriverInfo : RasterTraits {
     std::string vendor, renderer, version, glsl;
     int max_texture_size = 0, max_samples = 0;

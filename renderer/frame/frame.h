@@ -52,7 +52,8 @@ struct Outputs {
     bool operator==(const Outputs&) const = default;
 };
 
-/// Camera that shadow maps are fitted to, where it differs from the picture's camera.
+/// Camera that shadow maps are fitted to in place of the picture's camera. Used to show the maps of one camera from
+/// another place.
 struct MapCamera {
     Camera camera;
     /// Measured depth range of this camera's surfaces, metres: FrameResult::seen_m of its own picture.
@@ -60,7 +61,8 @@ struct MapCamera {
     bool operator==(const MapCamera&) const = default;
 };
 
-/// Index of one shadow map image of a light: the whole map, a cube face or a cascade.
+/// Index of one shadow map image: the light, and its view (0 for a single map, else the number of the cube face,
+/// cascade or clip level).
 struct MapOfLight {
     int light = 0, view = 0;
     bool operator==(const MapOfLight&) const = default;
@@ -71,7 +73,7 @@ inline constexpr int kMaxSmoothedShadings = 8;
 /// Name of the pass that makes FrameResult::smooth.
 inline constexpr std::string_view kSmoothingPass = "smoothing of a static view";
 
-/// Request for one frame: size, outputs, and ray-traced data that its lights need.
+/// Request for one frame: size, outputs, and ray-traced data that its lights need. Input of Renderer::render().
 struct FrameRequest {
     int width = 1280, height = 720;  ///< size of each pane's picture, pixels
     Outputs outputs;
@@ -101,14 +103,15 @@ struct FrameRequest {
 /// Execution state of a pass in a frame: drawn now, kept from an earlier frame, or not needed.
 enum class PassState { Drawn, Cached, Skipped };
 
-/// Category of a pass's time in reports.
+/// Category under which reports sum the times of passes.
 enum class PassCategory {
     Maps,     ///< draws or prepares shadow maps, or what replaces them
     Picture,  ///< shades, with the look-ups
     Tool,     ///< measures, classifies or shows; no part of a real engine's frame
 };
 
-/// Report on one part of a pass: a cascade, a cube face, or the casters of a map.
+/// Report on one part of a pass, such as a cascade, a cube face, or the casters of a map: state, reason and draw
+/// counts.
 struct PartInfo {
     std::string name;  ///< "cascade 2 of light 0"
     PassState state = PassState::Skipped;
@@ -135,13 +138,14 @@ struct PassInfo {
     double wall_ms = 0;              ///< elapsed time where gpu_ms is processor time; otherwise 0
 };
 
-/// Texture of a frame: an OpenGL name that the user interface shows and the renderer reads back.
+/// Reference to a texture that a frame drew: its OpenGL name and size. The user interface shows the texture, and the
+/// renderer reads it back.
 struct Image {
     unsigned texture = 0;
     int width = 0, height = 0;
 };
 
-/// One of the pictures side by side (view.panes), with the images drawn for it.
+/// One of the pictures that the split view shows side by side (view.panes), with the images drawn for it.
 struct Pane {
     Image picture;    ///< RGBA8, sRGB-encoded, bottom row first; the shaded picture when nothing is drawn over it
     Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay
@@ -151,15 +155,15 @@ struct Pane {
     bool lacks_reference = false;            ///< overlay not drawn, as FrameRequest lacks its reference
 };
 
-/// Report of a drawn frame: the ray-traced reference that it depends on, and whether FrameRequest had it. If not, the
-/// caller traces that reference and draws again.
+/// Report on the ray-traced reference that a drawn frame depends on, and whether FrameRequest had that reference. If
+/// not, the caller traces the reference and draws again.
 struct ReferenceNeed {
     std::uint64_t key = 0;  ///< reference_key() of this frame; 0: not needed, or there is no light
     bool met = false;       ///< true: FrameRequest::reference has the needed key
 };
 
-/// Report of a drawn frame: the light map that a light depends on, and whether FrameRequest had it. If not, the caller
-/// bakes that map and draws again.
+/// Report on the baked light map that a light of a drawn frame depends on, and whether FrameRequest had that map. If
+/// not, the caller bakes the map and draws again.
 struct LightMapNeed {
     std::uint64_t key = 0;        ///< light_map_key() of this frame; 0: the light's source is another
     bool met = false;             ///< true: FrameRequest::light_maps held the map with the needed key
@@ -172,9 +176,11 @@ struct LightMapNeed {
     bool from_disk = false;
 };
 
-/// Identity of a frame's images in the renderer. A later frame may overwrite them: see Renderer::has_images_of().
+/// Record of the images that a frame left in the renderer, with their cache keys. A later frame may overwrite the
+/// images: Renderer::has_images_of() compares the keys.
 struct FrameContents {
-    /// Image of a frame with the key that it had. Renderer::has_images_of() compares it with the image's present key.
+    /// Image of a frame's result with its cache key after that frame. Renderer::has_images_of() compares this key with
+    /// the image's current key.
     struct Part {
         Result of;
         const gl::Target* image;     ///< first image of the result; owned by the renderer
@@ -185,7 +191,7 @@ struct FrameContents {
     std::vector<Part> parts;
 };
 
-/// Description of the depth image that a frame's map viewer shows.
+/// Description of the depth image that a frame's map viewer shows: source, light, face, channel and mip level.
 struct ShownMap {
     MapSource source = MapSource::Light;
     int light = -1, face = 0;  ///< light -1: none is shown
@@ -241,21 +247,21 @@ struct FrameResult {
     float map_black = 0, map_white = 1;  ///< the grey range in use, as view.map_black and view.map_white count it
     std::string clock;                   ///< clock that measured gpu_ms
     FrameContents contents;
-    /// Returns the report on the pass of this name; null if the frame has none.
+    /// Returns the frame's report on the pass called `name`; null if the frame has no such pass.
     const PassInfo* pass(std::string_view name) const;
-    /// Returns the report on the first pass that draws this result, such as Result::ShadowMaps; null if no pass of the
-    /// frame does.
+    /// Returns the frame's report on the first pass whose main result (PassInfo::makes) is `makes`, such as
+    /// Result::ShadowMaps; null if there is none.
     const PassInfo* pass(Result makes) const;
 };
 
-/// Object and triangle number of each pixel, top row first. x: 1 + index in Scene::objects, 0 for nothing. y: triangle
-/// number in the draw; modulo the mesh's triangle count the number in the mesh, as some drivers count on through
-/// instances.
+/// Object and triangle number of each pixel, read back from the GPU, top row first. x: 1 + index in Scene::objects; 0
+/// where no object is visible. y: triangle number in the draw call. Some drivers continue the count through instances.
+/// Therefore y modulo the mesh's triangle count is the number in the mesh.
 struct SurfaceIds {
     int width = 0, height = 0;
     std::vector<glm::uvec2> data;
 };
-/// RGBA8 image read back from the GPU, top row first.
+/// Image with four channels of 8 bits (RGBA), read back from the GPU, top row first.
 struct ByteImage {
     int width = 0, height = 0;  ///< RGBA
     std::vector<std::uint8_t> data;

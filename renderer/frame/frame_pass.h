@@ -5,8 +5,8 @@ namespace si {
 
 struct FrameState;
 
-/// One drawing pass of the frame, or a few passes that share targets. The targets are members: they outlast a frame and
-/// keep their addresses, on which Pass::cached and Plan rely.
+/// Interface of one drawing pass of a frame, or of a few passes that share targets. A pass owns its targets (textures
+/// to draw into) as members. Targets outlast a frame and keep their addresses, as Pass::cached and Plan need.
 class FramePass {
 public:
     FramePass() = default;
@@ -14,8 +14,8 @@ public:
     FramePass& operator=(const FramePass&) = delete;
     virtual ~FramePass() = default;
 
-    /// Adds the pass to `f.plan`: its reads, writes and key, the reason when the scene does not need the pass, and the
-    /// place of its results. Draws nothing. `f` must stay at its address until the plan has run.
+    /// Adds the pass to the frame's plan (`f.plan`): its reads, writes and key, the reason when the scene does not need
+    /// the pass, and the place of its results. Draws nothing. `f` must stay at its address until the plan has run.
     virtual void declare(FrameState& f) = 0;
 };
 

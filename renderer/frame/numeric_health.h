@@ -13,7 +13,7 @@
 
 namespace si {
 
-/// Kind of an invalid number in a map, picture or matrix.
+/// Kind of an invalid number that a search finds in a shadow map, picture or matrix.
 enum class NumberFault {
     NotANumber,
     Infinite,
@@ -24,12 +24,13 @@ enum class NumberFault {
 /// Number of NumberFault values.
 inline constexpr std::size_t kNumberFaults = 5;
 
-/// Returns a fault's name for JSON: "nan", "negative_variance".
+/// Returns the JSON name of a kind of invalid number, such as "nan" or "negative_variance".
 std::string_view fault_key(NumberFault fault);
-/// Returns a fault's name for people: "NaN", "a variance below 0".
+/// Returns the name for people of a kind of invalid number, such as "NaN" or "a variance below 0".
 std::string_view fault_label(NumberFault fault);
 
-/// All invalid numbers of one kind in one image (a layer at one mip level), matrix or uniform block.
+/// Report on all invalid numbers of one kind, such as NaN, in one image layer, matrix or uniform block. An image is
+/// searched layer by layer and mip level by mip level.
 struct NumberFinding {
     NumberFault fault = NumberFault::NotANumber;
     std::optional<Result> image;  ///< result with the fault; nullopt: a matrix or block
@@ -44,8 +45,8 @@ struct NumberFinding {
     std::string unit;  ///< "texel", "pixel", "number"
 };
 
-/// Result of the search for invalid numbers in a frame's maps, pictures and matrices; findings are empty if all are
-/// sound.
+/// Result of the search for invalid numbers (NaN, infinite, out of range) in a frame's maps, pictures and matrices.
+/// `findings` is empty if none was found.
 struct NumericHealth {
     std::vector<NumberFinding> findings;
     std::size_t images = 0;     ///< searched layers and mip levels
@@ -54,11 +55,11 @@ struct NumericHealth {
     bool sound() const { return findings.empty(); }
 };
 
-/// Returns one sentence about a finding: "NaN in 3 texels of the shadow map, cascade 2 of light 0: first at texel 12,
-/// 40".
+/// Returns one sentence about invalid numbers of one kind: "NaN in 3 texels of the shadow map, cascade 2 of light 0:
+/// first at texel 12, 40".
 std::string finding_text(const NumberFinding& finding);
-/// Returns one line about a frame's number faults: the first few with their places. Without faults the line says how
-/// much was searched.
+/// Returns one line about the invalid numbers (NaN, infinite, out of range) found in a frame: the first few with their
+/// places. Without any the line says how much was searched.
 std::string health_text(const NumericHealth& health);
 
 }  // namespace si

@@ -29,7 +29,7 @@ enum class Optimisation {
 /// Number of optimisations.
 inline constexpr std::size_t kOptimisations = std::size_t(Optimisation::kCount);
 
-/// Set of optimisations.
+/// Set of optimisations, such as those that a frame request switches off (FrameRequest::forced).
 class OptimisationSet {
 public:
     /// Makes an empty set of optimisations.

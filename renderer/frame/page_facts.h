@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Statistics of virtual shadow map pages in one frame, over all lights.
+/// Statistics of the pages of virtual shadow maps in one frame, over all lights: pages wanted, drawn, cached and
+/// stored.
 struct PageFacts {
     int page_texels = 0;          ///< texels along a page's side
     int wanted = 0;               ///< pages that look-ups may read
@@ -30,7 +31,7 @@ private:
     std::uint64_t texels(int pages) const { return std::uint64_t(pages) * std::uint64_t(page_texels) * page_texels; }
 };
 
-/// Returns one line about a frame's pages: "214 pages requested, 12 drawn, 202 cached; ..."
+/// Returns one line about a frame's pages of virtual shadow maps: "214 pages requested, 12 drawn, 202 cached; ..."
 std::string page_facts_text(const PageFacts& facts);
 
 }  // namespace si

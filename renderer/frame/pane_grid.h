@@ -8,7 +8,8 @@
 
 namespace si {
 
-/// Layout of equally large panes in one picture, with a gap between them. Pixels; row 0 is the top.
+/// Layout of the split view: columns and rows of equally large panes in one picture, with a gap between them. All sizes
+/// are in pixels; row 0 is the top.
 struct PaneGrid {
     int columns = 1, rows = 1;
     int width = 0, height = 0;  ///< size of each pane
@@ -17,17 +18,19 @@ struct PaneGrid {
     int count() const { return columns * rows; }
     /// Returns the upper left pixel of a pane in the whole picture.
     glm::ivec2 corner(int pane) const { return {pane % columns * (width + gap), pane / columns * (height + gap)}; }
-    /// Index of a pane, and a pixel counted within that pane.
+    /// Index of a pane of the split view, and a pixel counted within that pane.
     struct Place {
         int pane;
         glm::ivec2 pixel;  ///< position within the pane
     };
-    /// Returns the pane and its local pixel at a pixel of the whole picture. Returns nullopt in a gap or outside.
+    /// Finds the pane of the split view that contains a pixel of the whole picture. Returns the pane and the pixel
+    /// counted within it; nullopt in a gap or outside all panes.
     std::optional<Place> pane_at(glm::ivec2 pixel) const;
 };
 
-/// Computes the layout of view.panes in a picture of `width` x `height` pixels. Each pane is at least one pixel large.
-/// @param gap the pixels between two panes
+/// Computes the layout of the split view (view.panes) in a picture of `width` x `height` pixels. Each pane is at least
+/// one pixel large.
+/// @param gap pixels between two panes
 PaneGrid pane_grid(Panes panes, int width, int height, int gap = 0);
 
 }  // namespace si

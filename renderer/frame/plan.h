@@ -13,7 +13,7 @@
 
 namespace si {
 
-/// Declaration of one pass of a frame: inputs, outputs, cache key and draw function.
+/// Declaration of one pass in the plan of a frame: inputs, outputs, cache key and draw function.
 struct Pass {
     std::string name;
     PassCategory category = PassCategory::Picture;
@@ -34,47 +34,53 @@ struct Pass {
     std::string idle_reason = "no pass reads it";  ///< reason to report when no running pass reads the result
 };
 
-/// Decides which passes run, walking back from the `wanted` results. A pass is live when its result is wanted or read
-/// by a live pass. Dead and unneeded passes are skipped; passes with an unchanged key are cached; others are drawn.
+/// Decides which passes of a frame are drawn, and returns a report on each with the reason. Walks back from the
+/// `wanted` results: a pass is live when one of its results is wanted or read by a live pass. Other passes are skipped,
+/// and so are passes that the scene does not need (Pass::unneeded). Live passes with an unchanged key are cached. All
+/// others are drawn.
+/// @param passes passes in drawing order
 /// @param force true: draws cached passes too
 /// @param draw_unneeded true: draws live passes even where the scene does not need them
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
                                   bool draw_unneeded);
 
-/// Image that holds a result of the plan, with the texture unit at which shaders read it.
+/// Image that holds a pass's result, with the texture unit at which shaders read the image.
 struct PlacedImage {
     const gl::Target* target;
     int unit = -1;                         ///< texture unit; below 0: no shader samples the image
     const gl::Sampler* sampler = nullptr;  ///< sampler object; null: the texture's own state
 };
 
-/// Ordered passes of one frame, and the images of their results.
+/// Ordered passes of one frame, and the images of their results. Each pass adds itself before the frame is drawn.
 class Plan {
 public:
-    /// Appends a pass and completes its key by the keys of its inputs. Passes that write the inputs must be added
-    /// before.
+    /// Appends a pass to the frame's plan, and adds the keys of the pass's inputs to its own cache key. Passes that
+    /// write the inputs must be added before.
     void add_pass(Pass pass);
     /// Appends a pass that the scene does not need, with the reason.
     void skip_pass(Pass pass, std::string reason) {
         pass.unneeded = std::move(reason);
         add_pass(std::move(pass));
     }
-    /// Registers an image of a result, where it lies once its pass has run. Call once for each image of the result, and
-    /// once for each texture unit.
+    /// Registers an image that holds a result once its pass has run, so that other passes can bind the image. Call once
+    /// for each image of the result, and once for each texture unit.
     void place_result(const ResultRef& result, PlacedImage image);
     /// Registers a function that frees memory no longer needed; run_releases() calls it when the plan is carried out.
     void release_later(std::function<void()> what) { releases_.push_back(std::move(what)); }
 
     /// Returns the passes in the order of their declaration.
     const std::vector<Pass>& passes() const { return passes_; }
-    /// Returns the images of a result; an empty list where no pass of the frame makes it.
+    /// Returns the registered images that hold a pass's result; an empty list where no pass of the frame makes the
+    /// result.
     const std::vector<PlacedImage>& images(const ResultRef& result) const;
-    /// Returns one image of a result. The target has no texture where no pass of the frame makes the result.
+    /// Returns one image of a pass's result. The target has no texture where no pass of the frame makes the result.
+    /// @param image index among the images of the result
     const gl::Target& target(const ResultRef& result, std::size_t image = 0) const;
-    /// Returns the combined cache key of all passes added so far that write `result`, except passes that only save work
-    /// (Pass::only_saves_work).
+    /// Returns the combined cache key of all passes added so far that write `result`. Passes that only save other
+    /// passes work (Pass::only_saves_work) do not count.
     std::uint64_t key_of(const ResultRef& result) const;
-    /// Returns true when a result's images already hold what the passes added so far would write.
+    /// Returns true when the images of `result` already hold what the passes added so far would draw, so that those
+    /// passes will be cached.
     bool is_current(const ResultRef& result) const;
     /// Calls the functions that release_later() registered, which free memory.
     void run_releases() const {

@@ -18,10 +18,10 @@ void flip_rows(std::vector<T>& data, int width, int height, int channels) {
         std::swap_ranges(data.begin() + y * row, data.begin() + (y + 1) * row, data.begin() + (height - 1 - y) * row);
 }
 
-/// Reads back a texture as floats, top row first.
-/// @param channels 1 to 4, from red on
+/// Reads a texture of a frame back from the GPU as floats, top row first.
+/// @param channels number of channels to read, 1 (red) to 4
 FloatImage read_floats(const Image& image, int channels);
-/// Reads back the object and triangle numbers of all pixels, top row first.
+/// Reads the object and triangle numbers of all pixels back from the GPU, top row first.
 /// @param image FrameResult::surface_ids
 SurfaceIds read_ids(const Image& image);
 

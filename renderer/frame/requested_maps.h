@@ -8,12 +8,13 @@
 
 namespace si {
 
-/// Returns the maps that a request gives a light, as images or as views alone; null for a light without any.
+/// Returns the maps that a frame request gives a light, as images or as views alone; null for a light without any.
 inline const ImportedMaps* requested_maps(const FrameRequest& request, std::size_t light) {
     return light < request.imported.size() ? request.imported[light].get() : nullptr;
 }
 
-/// Returns the raster state in which casters are drawn into a view of a light; null: as the settings say.
+/// Returns the raster state (such as culling and polygon offset) with which a frame request draws casters into a view
+/// of a light; null: as the settings say.
 inline const CasterRaster* requested_raster(const FrameRequest& request, std::size_t light, std::size_t view) {
     const ImportedMaps* maps = requested_maps(request, light);
     return maps && view < maps->raster.size() ? &maps->raster[view] : nullptr;

@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// Kind of image or buffer that one pass writes and others read.
+/// Kind of image or buffer that one pass of a frame writes and others read.
 enum class Result {
     VisibleDepths,        ///< depth range of visible surfaces, measured before the plan
     PagesWanted,          ///< pages of virtual maps that look-ups read
@@ -45,11 +45,11 @@ enum class Result {
     Health,               ///< invalid numbers in all other results
 };
 
-/// Returns a result's name for people: "shadow maps".
+/// Returns a short name of a pass's result for reports, such as "shadow maps".
 std::string_view result_name(Result result);
 
-/// Reference to a result. `slot` is the index of the pane, from 0, for a result that each pane has of its own
-/// (ShownPane::slot); 0 for other results.
+/// Reference to a result: an image or buffer that one pass writes and others read. `slot` is the index of the pane,
+/// from 0, for a result that each pane has of its own (ShownPane::slot); 0 for other results.
 struct ResultRef {
     Result what;
     int slot = 0;

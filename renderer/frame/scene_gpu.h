@@ -16,7 +16,8 @@
 
 namespace si {
 
-/// Run of instances that one draw call covers, with the state that they share.
+/// Consecutive instances of one mesh that a single draw call draws, with their common state: textures, alpha mode,
+/// culling and casting.
 struct Batch {
     GLsizei index_count = 0;
     std::size_t first_index = 0;
@@ -46,19 +47,20 @@ public:
     explicit SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before = {});
     /// Returns Scene::id of the uploaded scene.
     std::uint64_t scene_id() const { return scene_id_; }
-    /// Switches to another scene without an upload. Returns false when meshes or textures differ, and a new SceneGpu is
-    /// needed; only nodes and objects may differ.
+    /// Replaces the scene on the GPU by `scene` without an upload, if both have equal meshes and textures. Nodes and
+    /// objects may differ. Returns false otherwise: the caller then creates a new SceneGpu.
     bool adopt_if_compatible(const Scene& scene);
 
-    /// Sorts the scene's objects into batches by material and object settings, large meshes after small ones. Cheap
-    /// when nothing changed.
+    /// Sorts the scene's objects into batches (instances of a mesh in one draw call) by material and object settings.
+    /// Batches of large meshes come after those of small ones. Cheap when nothing changed.
     void update_batches(const Scene& scene, const Settings& settings);
     /// Returns the batches of all objects, as lights draw them.
     const std::vector<Batch>& batches() const { return batches_; }
-    /// Binds positions and indices of all triangles, as the camera draws them, for shaders/lib/triangle_corners.glsl.
+    /// Binds the scene's vertex positions and the indices of its triangles as storage buffers. Shaders that read the
+    /// corners of their own triangle need them (shaders/lib/triangle_corners.glsl).
     void bind_triangles() const;
     /// Sets the instances that the camera draws, and their order. Used for frustum culling and front-to-back order.
-    /// @param instances the indices of the instances, in the order of instance_objects()
+    /// @param instances indices of the instances, in the order of instance_objects()
     void set_camera_instances(std::span<const std::uint32_t> instances);
     /// Returns the batches that the camera draws, see set_camera_instances().
     const std::vector<Batch>& seen_batches() const { return seen_batches_; }
@@ -67,20 +69,23 @@ public:
     /// Returns the key of the batches: scene, and the settings of casting, culling and receiving.
     const Key& key() const { return arrangement_; }
 
-    /// User of instance transforms. Seen: the camera, with seen_batches() and per-triangle normals. Casters, Volumes:
-    /// lights and shadow volumes, with all batches and an origin each.
+    /// User of the instance transforms. Seen: the camera, with seen_batches() and per-triangle normals. Casters,
+    /// Volumes: lights and shadow volumes, with all batches and an origin each.
     enum class Drawn { Seen, Casters, Volumes };
-    /// Binds the vertex array for drawing batches, with instance transforms relative to `origin`, world metres.
+    /// Binds the scene's vertex array for draw_batch(), with instance transforms relative to `origin`.
+    /// @param origin world, metres
+    /// @param drawn user of the transforms: camera, maps or shadow volumes
     void bind_vertices(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn);
-    /// Draws one batch. Call bind_vertices() before.
+    /// Draws all instances of one batch of the scene in one draw call. Call bind_vertices() before.
     void draw_batch(const Batch& batch) const;
     /// Returns the index in Scene::objects of each instance, in batch order.
     const std::vector<std::uint32_t>& instance_objects() const { return order_; }
     /// Returns the batch number of each instance.
     const std::vector<std::uint32_t>& instance_batches() const { return batch_of_; }
-    /// Lets another vertex array read the instance transforms of the last bind_vertices(): matrix rows at locations 4
-    /// to 6.
+    /// Attaches the instance transforms of the last bind_vertices() to another vertex array, such as that of shadow
+    /// volumes. Matrix rows are attributes 4 to 6.
     /// @param binding vertex buffer binding index in `vao`
+    /// @param drawn user whose transforms are attached
     void bind_transforms(const gl::VertexArray& vao, GLuint binding, Drawn drawn) const;
 
 private:
@@ -90,14 +95,14 @@ private:
     gl::VertexArray vao_;
     gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
     gl::Buffer indices_, faced_indices_;  ///< for lights, and for the camera: see face_normals.h
-    /// Texture of the scene as uploaded, with a view of its finest mip level.
+    /// Texture of the scene on the GPU, with a texture view of its finest mip level.
     struct SceneTexture {
         gl::Texture whole;
         gl::Texture finest;  ///< view of the finest mip level; empty if it has only one
         GLuint finest_id() const { return finest ? finest.id() : whole.id(); }
     };
     std::vector<SceneTexture> textures_;
-    /// Place of a mesh in the shared vertex and index buffers.
+    /// Range of one mesh in the vertex and index buffers that all meshes of the scene share.
     struct MeshRange {
         std::size_t first_index = 0;
         GLsizei index_count = 0;
@@ -115,23 +120,25 @@ private:
     std::vector<std::uint32_t> seen_order_;  // objects as the camera draws them
     std::vector<Batch> seen_batches_;
     Key arrangement_, seen_arrangement_;
-    /// Buffer of instance transforms, with the key of its contents.
+    /// GPU buffer of instance transforms, with the cache key of its contents.
     struct Slot {
         gl::Buffer buffer;
         std::uint64_t key = 0;
     };
     std::array<Slot, 3> slots_;  // by Drawn
 
-    /// Returns true when the uploaded textures are those of a scene.
+    /// Returns true when the textures on the GPU are those of `scene`, so that they need no upload.
     bool has_textures_of(const Scene& scene) const;
-    /// Checks which meshes are watertight.
-    /// @param before the previous scene, whose results are reused for equal meshes; may be null
+    /// Checks which meshes of the scene are watertight. Back faces of such casters can be skipped in shadow maps.
+    /// @param before previous scene, whose results are reused for equal meshes; may be null
     void find_watertight_meshes(const Scene& scene, SceneGpu* before);
-    /// Uploads the vertices and indices of all meshes.
+    /// Uploads the vertices and indices of all meshes of the scene to the GPU.
     void upload_geometry(const Scene& scene);
     /// Uploads tangents and texture coordinates for normal maps, for meshes whose material has one.
+    /// @param vertex_count number of vertices of all meshes together
     void upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count);
     /// Uploads the scene's textures with mip levels.
+    /// @param anisotropy true: textures get anisotropic filtering
     /// @throws Error when the driver is out of memory
     void upload_textures(const Scene& scene, bool anisotropy);
 };

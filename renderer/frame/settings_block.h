@@ -12,17 +12,18 @@
 
 namespace si {
 
-/// Returns a define for each setting that selects shader code (Cost::Program rows): "map_wrap" 3.
+/// Returns the shader defines of all settings that select shader code: rows with Cost::Program and settings with
+/// choices. Name and number make a define, such as map_wrap with value 3.
 std::vector<gl::Define> settings_defines(const Settings& s);
-/// Returns GLSL text that declares the settings for shaders, independent of their values. It has a define per choice
-/// ("map_wrap_range" 3) and a member of a std140 block per other setting.
+/// Returns GLSL text that declares the settings for shaders, independent of their values. The text has a define for
+/// each choice, such as map_wrap_range with value 3, and a std140 block with a member for each numeric setting.
 /// @param as_image true: the numbers are texels of a buffer image in place of block members
 std::string settings_block_text(bool as_image);
-/// Returns the contents of the settings block or image for these settings; a multiple of 16 bytes.
+/// Returns the contents of the settings' uniform block or buffer image for these values; a multiple of 16 bytes.
 std::vector<std::byte> settings_block_bytes(const Settings& s);
-/// Adds to `key` the value of one setting.
+/// Adds the value of one setting to a cache key, so that a result depends on that setting.
 void add_value(Key& key, const Settings& s, const SettingRef& ref);
-/// Adds to `key` the value of every setting that shaders see.
+/// Adds the value of every setting that shaders see to a cache key.
 void add_shader_settings(Key& key, const Settings& s);
 
 }  // namespace si

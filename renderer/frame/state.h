@@ -33,14 +33,14 @@ inline constexpr int kMaxPanes = 4;
 /// Number of images that hold the visible surfaces.
 inline constexpr int kVisibleSurfaceImages = 5;  ///< see lib/seen_surface.glsl
 
-/// Measured depth range of the surfaces that a camera sees.
+/// Measured depth range of the surfaces that a camera sees, for fits that narrow maps to it (light.depth_bounds sdsm).
 struct VisibleDepths {
     std::uint64_t key = 0;          ///< FrameState::surfaces_key() at the measurement
     std::optional<DepthSpan> span;  ///< metres; nullopt: no surface is visible
     PassInfo info;
 };
 
-/// Buffers of the uniform blocks that all shaders read: see frame/blocks.h.
+/// GPU buffers of the uniform blocks that all shaders read: see frame/blocks.h.
 struct Blocks {
     TexelBuffer frame{"frame uniforms"}, settings{"settings uniforms"};
     TexelBuffer disk{"places of disks"};  ///< sample positions of disk kernels
@@ -76,8 +76,8 @@ inline Image image_of(const gl::Target& target) {
     return {target.texture.id(), target.width, target.height};
 }
 
-/// State of one frame during planning and drawing: inputs, values derived from them (camera, fitted lights, keys), plan
-/// and resources.
+/// State of one frame while it is planned and drawn: inputs, values derived from them (camera, fitted lights, keys),
+/// plan and resources. Passes read it.
 struct FrameState {
     const Scene& scene;
     Settings settings;  ///< sanitised and within the driver's limits
@@ -93,17 +93,23 @@ struct FrameState {
     MapSize map_size;
     /// Returns the layer count of map textures; 0 for a single view, which is a plain 2-D texture.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
-    /// Returns the OpenGL format of map textures.
+    /// Returns the OpenGL format of shadow map textures under the frame's settings.
     GLenum map_format() const;
     /// Returns true when map.blur_texels blurs stored depths of some map.
     bool blurs_depths() const { return settings.map.blur_texels > 0 && view_count > 0; }
-    /// Returns true when contact shadows darken a light.
+    /// Returns true when contact shadows (short rays through the picture's depths, light.contact) darken surfaces under
+    /// a light.
+    /// @param light index of the light
     bool has_contact_shadows(std::size_t light) const;
     /// Returns true when a light may change the picture; shading leaves out other lights.
+    /// @param light index of the light
     bool may_light_picture(std::size_t light) const;
-    /// Returns true when shading treats a light as unshadowed and skips its look-up: see is_always_lit().
+    /// Returns true when shading treats a light as unshadowed and skips its shadow map look-up: see is_always_lit().
+    /// @param light index of the light
     bool shades_as_lit(std::size_t light) const;
-    /// Returns the maps of a light that are given instead of drawn; null: they are drawn.
+    /// Returns the imported shadow maps of a light, whose images are given instead of drawn; null when the light's maps
+    /// are drawn or it has none.
+    /// @param light index of the light
     const ImportedMaps* imported(std::size_t light) const;
     bool paged = false;                      ///< maps are virtual and drawn by pages (map.virtual)
     std::string separate_visibility_reason;  ///< reason why visibility has a texture of its own; empty: it has none
@@ -115,8 +121,8 @@ struct FrameState {
     Key geometry_key, camera_key, lights_key;  ///< cache keys of scene, camera and lights
     std::vector<std::string> notes;
 
-    /// One of the pictures side by side (view.panes). Panes with the same overlay share images: their slot is the
-    /// number of the first of them.
+    /// One of the pictures that the split view shows side by side (view.panes). Panes with the same overlay share
+    /// images: their slot is the number of the first of them.
     struct ShownPane {
         int overlay = 0;  ///< as view.overlay
         int slot = 0;
@@ -146,44 +152,53 @@ struct FrameState {
     bool blocks_as_images() const { return request.blocks_as_images.value_or(driver.blocks_as_images); }
     /// Returns an image of a result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
-    /// Places a texture array as the maps that look-ups compare with: at the unit for reading depths and, unless depths
-    /// are stored as colour, at the unit of the comparing sampler.
+    /// Registers a texture array in the plan as the shadow maps that look-ups compare with (Result::ShadowMaps). It
+    /// gets the texture unit for reading depths. Unless depths are stored as colour, it also gets the unit of the
+    /// comparison sampler.
     void place_compared_maps(const gl::Target& maps);
-    /// Binds results to the texture units at which the plan placed them. Done for each pass before it runs, for its
-    /// reads.
+    /// Binds the images of these results to the texture units that the plan assigned. The renderer does this before
+    /// each pass, for the results that the pass reads.
     void bind_results(std::span<const ResultRef> results) const;
-    /// Binds results to their texture units.
+    /// Binds the images of these results to the texture units that the plan assigned.
     void bind_results(std::initializer_list<ResultRef> results) const {
         bind_results(std::span(results.begin(), results.size()));
     }
 
-    /// Returns the map view of view.light and view.face; null without a map.
+    /// Returns the light view whose map the map viewer shows (view.light and view.face); null when that light has no
+    /// map.
     /// @param[out] layer layer of this view in the map textures
     const LightView* shown_view(int* layer = nullptr) const;
-    /// Returns the depth curve of the image in the map viewer; null when the viewer shows none.
+    /// Returns the depth curve (mapping from distance to stored depth) of the image in the map viewer; null when the
+    /// viewer shows none.
     const DepthCurve* shown_curve() const;
-    /// Returns the mip level of the moments that the map viewer shows.
+    /// Returns the mip level of the moments image that the map viewer shows; 0 is the finest.
     int shown_mip() const;
-    /// Returns true when the map viewer's grey range follows the drawn depths (view.map_fit).
+    /// Returns true when the map viewer's grey range follows the drawn depths: by view.map_fit, or by automatic
+    /// contrast (view.map_contrast).
     bool fits_grey_range() const;
-    /// Returns the key of the surfaces that the camera sees, at the picture's size.
+    /// Returns the cache key of the surfaces that the camera sees, at the picture's size.
     Key surfaces_key() const { return Key(geometry_key).add(camera_key).add(gl.programs.source().generation()); }
-    /// Returns the key `from` with the settings added to its hash that this kind of pass reads itself (Param::read_by),
-    /// except those without effect now.
+    /// Returns a cache key: `from`, and the values of the settings that this kind of pass reads itself
+    /// (Param::read_by). Settings without effect now are left out.
+    /// @param from key to extend
+    /// @param pass kind of pass
     Key with_settings(Key from, ReadBy pass) const;
-    /// Returns the key of visible surfaces, lights and look-ups, without the contents of sampled textures.
+    /// Returns the cache key of visible surfaces, lights and look-ups, without the contents of sampled textures.
     Key lighting_key() const { return surfaces_key().add(lights_key); }
     /// Returns lighting_key() for a pass that evaluates view.light alone.
     Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
     /// Returns the result that is the picture below overlays and quads.
     Result base_picture_result() const { return studio ? Result::Creases : Result::Shaded; }
-    /// Returns true when a pane's overlay is darkened where the picture is dark (view.overlay_blend).
+    /// Returns true when a pane's overlay is multiplied by the picture, so that the overlay is dark where the picture
+    /// is dark (view.overlay_blend).
     bool tints(const ShownPane& pane) const;
-    /// Returns the result that is a pane's finished picture.
+    /// Returns the result that holds a pane's finished picture: with texel quads, with the overlay, or the shaded
+    /// picture alone.
     ResultRef pane_picture_result(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's mask may be sampled at a coarser mip level
-    /// Returns true when the unfiltered map differs from the map as drawn and needs a pass of its own.
+    /// Returns true when the unfiltered shadow map, without polygon offset and with alpha masks at their finest mip
+    /// level, differs from the map as drawn. A pass then draws it.
     bool needs_unfiltered_map() const;
     bool surface_flags = false;  ///< some object or material needs the per-object flags
 
@@ -192,40 +207,53 @@ struct FrameState {
     /// @throws Error when a shader does not compile
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
     /// Returns true when a fragment shader reads the corners of its triangle. It needs them for the unit of polygon
-    /// offset, which in float formats depends on the triangle's greatest depth. Draws with such a shader bind the
-    /// scene's triangles.
-    bool reads_corners(std::string_view fragment) const;
-    /// Draws the opaque and masked batches that the camera sees, with textures bound.
+    /// offset, which in float formats depends on the triangle's greatest depth. Draws with such a shader call
+    /// SceneGpu::bind_triangles() first.
     /// @param fragment fragment shader file
+    bool reads_corners(std::string_view fragment) const;
+    /// Draws the opaque and masked batches that the camera sees, with their textures, into the bound framebuffer.
+    /// @param fragment fragment shader file
+    /// @param extra more defines, as for program()
     /// @param[out] info draw and triangle counts
     void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;
-    /// Returns the shader program for one batch, with the defines for its material.
+    /// Returns the shader program that draws one batch, with the defines for the batch's material; compiled on first
+    /// use.
+    /// @param extra more defines, as for program()
     /// @param alpha_only true: leaves out textures other than the alpha mask
     GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
                          const Batch& batch, bool alpha_only) const;
-    /// Tells a program in use which faces of a batch are not drawn into shadow maps.
+    /// Sets the uniform `faces_left_out` of a program in use: the faces of a batch (front, back, both, none) that are
+    /// not drawn into shadow maps.
     void set_faces_left_out(GLuint program, const Batch& batch) const;
-    /// Tells a program in use how an engine has moved the casters of each view, if it asks.
+    /// Sets the uniform `caster_shift` of a program in use, if the program has it: for each map view, how far an engine
+    /// moved casters away from the light before drawing them.
     void set_caster_shifts(GLuint program) const;
-    /// Draws one batch. Call SceneGpu::bind_vertices() before.
+    /// Draws one batch of the scene and counts it. Call SceneGpu::bind_vertices() before.
     /// @param[out] info draw and triangle counts
     void draw_batch(const Batch& batch, PassInfo& info) const;
-    /// Binds the textures that a batch's fragments sample.
+    /// Binds the textures that the fragment shader samples for a batch: base colour and normal map.
     void bind_textures(const Batch& batch) const;
-    /// Binds a framebuffer of the picture's size and sets depth test, clip control and blending for drawing from the
-    /// camera. CameraDrawing does this for the picture's own passes.
+    /// Binds a framebuffer of the picture's size, and sets viewport, depth test, clip control and blending for drawing
+    /// from the camera. CameraDrawing does this for the picture's own passes.
     void begin_camera_pass(GLuint framebuffer) const;
-    /// Binds a framebuffer and sets the state for computing every pixel by one triangle. Follow with draw_fullscreen().
+    /// Binds a framebuffer, and sets the state for a full-screen pass, which computes all pixels with one triangle.
+    /// Follow with draw_fullscreen().
     /// @param width, height pixels
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
-    /// Creates a framebuffer that draws into the image or into one layer of it, and begins a pass over all its pixels.
+    /// Creates a framebuffer over an image, and begins a full-screen pass that computes all pixels of the image. Keep
+    /// the framebuffer until draw_fullscreen().
+    /// @param label name of the framebuffer in frame debuggers
+    /// @param layer layer of an array texture to draw into; -1: the whole image
     gl::Framebuffer begin_fullscreen_pass(std::string_view label, const gl::Target& into, int layer = -1) const;
     /// Binds the program of a full-screen pass, see program(), and returns it for setting uniforms.
     GLuint use_fullscreen(std::string_view fragment, std::vector<gl::Define> extra = {}) const;
-    /// Draws one triangle over the whole viewport, after begin_fullscreen_pass().
+    /// Draws one triangle over the whole viewport, after begin_fullscreen_pass(). The fragment shader in use computes
+    /// each pixel.
     /// @param[out] info draw and triangle counts
     static void draw_fullscreen(PassInfo& info);
-    /// Draws one triangle over these rectangles of the viewport only, after begin_fullscreen_pass().
+    /// Draws one triangle over some rectangles of the viewport only, after begin_fullscreen_pass(). The fragment shader
+    /// in use computes each pixel of the rectangles.
+    /// @param rects rectangles in pixels, from the lower left
     /// @param[out] info draw and triangle counts
     static void draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info);
 };

@@ -7,17 +7,17 @@
 
 namespace si {
 
-/// Smallest and largest value of a colour scale.
+/// Smallest and largest value of the colour scale with which an overlay is shown.
 struct ValueRange {
     float min = 0, max = 1;
     bool operator==(const ValueRange&) const = default;
 };
 
-/// Fits a colour scale to overlay values: from the 1st to the 99th percentile of finite values. Extreme pixels
-/// therefore do not flatten the scale. The range is at least a thousandth of its largest value wide.
+/// Fits the range of a colour scale to overlay values: from the 1st to the 99th percentile of finite values. Extreme
+/// pixels therefore do not flatten the scale. The range is at least a thousandth of its largest value wide.
 /// @param values RGBA as in FrameResult::overlay: the first channel is the value, the fourth is above 0 where something
 /// was drawn
-/// @param diverging true: the scale is centred on zero: the range is symmetric
+/// @param diverging true: the range is symmetric about zero
 /// @return nullopt when no pixel has a value
 std::optional<ValueRange> fitted_range(const FloatImage& values, bool diverging);
 

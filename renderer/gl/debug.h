@@ -9,18 +9,21 @@
 
 namespace si::gl {
 
-/// Collector of OpenGL errors and high-severity driver messages of the current context, for its own lifetime.
+/// Collector of OpenGL errors and high-severity driver messages of the current context, from construction to
+/// destruction.
 class MessageLog {
 public:
     MessageLog();
     ~MessageLog();
     MessageLog(const MessageLog&) = delete;
     MessageLog& operator=(const MessageLog&) = delete;
-    /// Returns and forgets the driver messages and glGetError() codes collected since the last call.
+    /// Returns the driver messages and glGetError() codes collected since the last call, and clears the log.
     std::vector<std::string> take_messages();
 
 private:
-    /// Receives one driver message (glDebugMessageCallback); `user` is the MessageLog.
+    /// Stores one driver message in a MessageLog. OpenGL calls this function as debug callback
+    /// (glDebugMessageCallback).
+    /// @param user the MessageLog
     static void GLAPIENTRY on_message(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                                       const GLchar* message, const void* user);
     std::vector<std::string> messages_;
@@ -28,7 +31,7 @@ private:
     void* outer_user_ = nullptr;
 };
 
-/// Named KHR_debug group that lasts as long as this object; frame debuggers show its GL calls under the name.
+/// Scope that groups OpenGL calls under a name in frame debuggers (KHR_debug), from construction to destruction.
 struct DebugGroup {
     explicit DebugGroup(std::string_view name) {
         glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, GLsizei(name.size()), name.data());

@@ -14,12 +14,12 @@
 
 namespace si::gl {
 
-/// Exception: the driver has no memory for an image or a buffer. A smaller one may succeed.
+/// Exception: the driver has no memory for an image or a buffer. The same call with a smaller size may succeed.
 struct OutOfMemory : Error {
     using Error::Error;
 };
 
-/// Exception: the OpenGL context and all its objects are lost. Only a new context draws again.
+/// Exception: the driver lost the OpenGL context and all its objects. Drawing needs a new context.
 struct ContextLost : Error {
     using Error::Error;
 };
@@ -27,7 +27,7 @@ struct ContextLost : Error {
 /// Kinds of driver failures that tests can inject.
 enum class DriverFailure { Memory, Shader, Context };
 
-/// Driver failures that a test injects into all contexts of the process. By default none.
+/// Driver failures that a test injects into all OpenGL contexts of the process. By default none.
 struct FaultInjection {
     /// Called at each OpenGL call that may fail in this way; true makes the call fail.
     std::function<bool(DriverFailure, std::string_view what)> fails;
@@ -36,13 +36,19 @@ struct FaultInjection {
     /// Limit of cached programs from frame to frame; 0: the usual one.
     std::size_t max_programs = 0;
 };
-/// Returns the process-wide failures to inject; tests assign its members.
+/// Returns the driver failures that are injected in the whole process; tests assign the members.
 FaultInjection& fault_injection();
-/// Returns true when a test injects a failure into this call. @param what the object that the call is about
+/// Returns true when a test wants the current OpenGL call to fail. Code that calls the driver then acts as if the
+/// driver had failed.
+/// @param kind kind of failure that the call may have
+/// @param what object that the call is about, such as a texture's name
 bool is_injected_failure(DriverFailure kind, std::string_view what);
 
 /// Allocates a buffer and copies `size` bytes into it (glNamedBufferData).
-/// @param bytes the bytes to store; null: contents stay undefined @throws OutOfMemory, ContextLost
+/// @param label name of the buffer in error messages and the memory report
+/// @param bytes the bytes to store; null: contents stay undefined
+/// @param usage as for glNamedBufferData()
+/// @throws OutOfMemory, ContextLost
 void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
 /// Replaces a buffer's contents by an array; an empty array gives room for one element, as OpenGL has no empty buffers.
 /// @throws OutOfMemory
@@ -59,15 +65,19 @@ Buffer make_buffer(std::string_view label, const std::vector<T>& data) {
     return buffer;
 }
 /// Allocates immutable storage for a buffer and copies `size` bytes into it (glNamedBufferStorage).
-/// @param bytes the bytes to store; null: contents stay undefined @throws OutOfMemory, ContextLost
+/// @param label name of the buffer in error messages and the memory report
+/// @param bytes the bytes to store; null: contents stay undefined
+/// @param flags as for glNamedBufferStorage()
+/// @throws OutOfMemory, ContextLost
 void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags);
-/// Discards pending OpenGL errors, so that check_memory_errors() sees only those of later calls.
+/// Discards pending OpenGL errors, so that check_memory_errors() reports only errors of later calls.
 void clear_gl_errors();
-/// Throws when a call since clear_gl_errors() ran out of memory or lost the context.
-/// @param what the allocated object: "the shadow maps (1024 x 1024 x 4)" @param fix clause with advice for the user
+/// Throws when an OpenGL call since clear_gl_errors() ran out of memory or lost the context.
+/// @param what allocated object, for the message: "the shadow maps (1024 x 1024 x 4)"
+/// @param fix clause with advice for the user
 /// @throws OutOfMemory, ContextLost
 void check_memory_errors(std::string_view what, std::string_view fix);
-/// Throws when the current OpenGL context was lost by a reset of the driver. @throws ContextLost
+/// Throws when a reset of the graphics driver has destroyed the current OpenGL context. @throws ContextLost
 void check_context_alive();
 
 }  // namespace si::gl

@@ -68,7 +68,7 @@ struct ObjectTraits {
     }
     static void destroy(GLuint id) { Delete(1, &id); }
 };
-/// Creation and deletion of OpenGL programs, for Handle.
+/// Creation and deletion of OpenGL programs, as Handle (the owner of an OpenGL object) needs them.
 struct ProgramTraits {
     static constexpr GLenum kIdentifier = GL_PROGRAM;
     static GLuint create() { return glCreateProgram(); }

@@ -13,22 +13,22 @@
 
 namespace si::gl {
 
-/// Way in which a PassClock measures.
+/// Way in which a PassClock measures the time of a render pass.
 enum class ClockKind {
     Queries,    ///< OpenGL timer queries
     Processor,  ///< processor time of the drawing thread and the driver's workers
     Wall,       ///< elapsed time
 };
 
-/// Returns the name of a clock for reports: "GPU timer queries".
+/// Returns the name of a kind of clock for reports, such as "GPU timer queries".
 std::string_view name(ClockKind kind);
 
-/// Stopwatch for render passes of the current context, used on one thread.
+/// Stopwatch for render passes of the current OpenGL context, used on one thread.
 class PassClock {
 public:
-    /// Draws a known pass, and chooses the kind of clock. It is Processor on a CPU rasteriser. Elsewhere it is Queries
-    /// if they report 0.5 to 2 times the pass's wall time, otherwise Wall.
-    /// @param cpu_rasteriser the driver draws on the CPU
+    /// Draws a known pass, and chooses how later passes are timed (ClockKind): Processor on a CPU rasteriser. Elsewhere
+    /// Queries if they report 0.5 to 2 times the known pass's wall time, otherwise Wall.
+    /// @param cpu_rasteriser true: the driver draws on the CPU
     explicit PassClock(bool cpu_rasteriser);
     /// Returns the way in which passes are timed.
     ClockKind kind() const { return kind_; }
@@ -37,10 +37,11 @@ public:
 
     /// Starts timing a render pass; end() stops it.
     void begin();
-    /// Stops timing the render pass begun last. Returns its slot for milliseconds().
+    /// Stops timing the render pass begun last. Returns the number under which milliseconds() gives the pass's time.
     std::size_t end();
-    /// Returns the time of a pass in milliseconds, by kind(). Waits for the GPU when queries are used.
-    /// @param slot the slot that end() returned
+    /// Returns the measured time of a render pass in milliseconds, by the clock's kind. Waits for the GPU when timer
+    /// queries are used.
+    /// @param slot number that end() returned
     double milliseconds(std::size_t slot);
     /// Returns the elapsed time of a pass in milliseconds, up to its last pixel; 0 when queries are used.
     /// @param slot the slot that end() returned
@@ -52,12 +53,12 @@ private:
     ClockKind kind_ = ClockKind::Queries;
     double query_share_ = 0;
     std::vector<ThreadId> workers_;  ///< the driver's own threads that draw
-    /// Queries or times of one timed pass.
+    /// Timer queries or measured times of one render pass.
     struct Slot {
         Query start, stop;
         double processor_ms = 0, wall_ms = 0;
     };
-    /// Returns the processor time that this thread and the driver's workers have used, milliseconds.
+    /// Returns the processor time in milliseconds that this thread and the driver's worker threads have used so far.
     double drawing_ms() const;
 
     std::vector<Slot> slots_;

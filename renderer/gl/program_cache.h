@@ -15,7 +15,7 @@ struct Define {
     std::string name, value;
 };
 
-/// Description of an OpenGL program to compile: source files, includes and defines. Key of the ProgramCache.
+/// Description of an OpenGL program to compile: source files, includes and defines. Used as key of the ProgramCache.
 struct ProgramRequest {
     std::string_view vertex, fragment;  ///< below shaders/
     IncludeNames includes;
@@ -23,7 +23,8 @@ struct ProgramRequest {
     std::string preamble;         ///< text after the defines, e.g. a uniform block made from the settings table
 };
 
-/// Cache of linked OpenGL programs; compiles on a miss and again after a shader file changed. For one context.
+/// Cache of linked OpenGL programs of one context. Compiles a program on the first request, and again after a shader
+/// file changed.
 class ProgramCache {
 public:
     /// Limit of cached programs. A frame uses 5 to 40. On llvmpipe each takes some 4 MB of machine code and
@@ -32,8 +33,8 @@ public:
     static constexpr std::size_t kMaxPrograms = 64;
     /// @param source shader files to compile from
     explicit ProgramCache(ShaderSource source = ShaderSource()) : source_(std::move(source)) {}
-    /// Returns the OpenGL name of the linked program for a request; compiles it on a miss. When a changed shader file
-    /// does not compile, the last good program is returned.
+    /// Returns the OpenGL name of the linked program for a request; compiles the program if the cache lacks it. When a
+    /// changed shader file does not compile, the last good program is returned.
     /// @throws Error with the compile log and the file names when there is no good program.
     GLuint get(const ProgramRequest& request);
     /// Returns the GLSL sources that programs are compiled from.
@@ -42,12 +43,13 @@ public:
     const std::string& log() const { return log_; }
     /// Returns the number of programs in the cache.
     std::size_t size() const { return programs_.size(); }
-    /// Ends a frame: deletes the least recently used programs until `most` are left. Programs that the frame used stay.
-    /// 0: the usual limit.
+    /// Marks the end of a frame for the program cache: deletes the least recently used programs until `most` are left.
+    /// Programs that the frame used stay.
+    /// @param most largest number of programs to keep; 0: kMaxPrograms
     void end_frame(std::size_t most = 0);
 
 private:
-    /// Linked shader program in the cache, and the last frame that used it.
+    /// Linked shader program in the program cache, and the last frame that used it.
     struct Kept {
         Program program;
         std::uint64_t used = 0;  ///< last frame that used the program
@@ -60,7 +62,10 @@ private:
     std::string log_;
     /// Marks a cached program as used in this frame and returns its OpenGL name.
     GLuint use(Kept& kept) const;
-    /// Compiles and links a program from two final GLSL texts. @throws Error with the compile log and `files`
+    /// Compiles and links a program from the complete GLSL texts of its two shaders.
+    /// @param label name of the program in frame debuggers
+    /// @param files source files, for the error message
+    /// @throws Error with the compile log
     Program build(const std::string& vertex, const std::string& fragment, std::string_view label,
                   const std::vector<std::string>& files) const;
 };

@@ -11,10 +11,11 @@ namespace si {
 
 inline constexpr std::size_t kMapFormats = 6;  ///< number of MapFormat values
 
-/// Depth shift that a driver makes of glPolygonOffset(factor, units) in maps of one format, as measured. OpenGL 4.5,
-/// 14.6.5: offset = m factor + r units. m lies between the larger of |dz/dx| and |dz/dy| and their length. r is "the
-/// smallest value that is guaranteed to produce a resolvable offset": a step of the format, for float formats at the
-/// largest depth of the triangle. Without a measurement the values are the least that OpenGL allows.
+/// Measured depth shift by which a driver implements glPolygonOffset(factor, units) in shadow maps of one format.
+/// OpenGL 4.5, 14.6.5: offset = m factor + r units. m lies between the larger of |dz/dx| and |dz/dy| and the length of
+/// (dz/dx, dz/dy). r is "the smallest value that is guaranteed to produce a resolvable offset": a step of the format,
+/// for float formats at the largest depth of the triangle. Without a measurement the values are the least that OpenGL
+/// allows.
 struct PolygonOffset {
     bool measured = false;
     /// r = unit_depth + unit_steps x the format's step at the depth; one of the two is 0.
@@ -31,8 +32,8 @@ struct PolygonOffset {
     }
 };
 
-/// Properties of the driver's rasteriser that bias depends on: sub-pixel bits, and the effect of glPolygonOffset for
-/// each map format.
+/// Properties of the driver's rasteriser on which shadow bias depends: sub-pixel bits, and the effect of
+/// glPolygonOffset for each map format.
 struct RasterTraits {
     int subpixel_bits = 0;                            ///< GL_SUBPIXEL_BITS
     std::array<PolygonOffset, kMapFormats> offset{};  ///< by MapFormat

@@ -15,14 +15,14 @@ constexpr int mip_levels(int texels) {
     return std::bit_width(unsigned(texels));
 }
 
-/// Mip levels and samples of a render target.
+/// Number of mip levels, and of samples per texel, of a texture to draw into.
 struct TargetExtent {
     int levels = 1;   ///< mip levels
     int samples = 0;  ///< samples of a multisampled texture (one layer and level); 0: not multisampled
     bool operator==(const TargetExtent&) const = default;
 };
 
-/// A 2-D texture or texture array to draw into, with its size and the key of its contents.
+/// Texture or texture array (2-D) to draw into, with its size and the cache key of its contents.
 struct Target {
     Texture texture;
     int width = 0, height = 0, layers = 0;
@@ -41,22 +41,32 @@ struct Target {
 /// Counts the bytes of a texture's images in the memory report, by its format and size. @param holder see TrackedMemory
 void track_image_memory(Texture& texture, std::string_view holder, const TargetExtent& extent = {});
 
-/// Creates a framebuffer with at most one colour and one depth attachment; null attaches none.
+/// Creates a framebuffer with at most one colour and one depth attachment.
+/// @param label name in frame debuggers and error messages
+/// @param colour,depth textures to attach; null: none
 /// @param colour_layer,depth_layer layer of an array texture; -1: all layers
+/// @throws Error when the driver cannot draw into them
 Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer = -1,
                              int depth_layer = -1);
 
-/// Creates a framebuffer with several colour attachments, in their order, and a depth attachment.
+/// Creates a framebuffer with several colour attachments, in the order of `colours`, and a depth attachment.
+/// @param label name in frame debuggers and error messages
+/// @throws Error when the driver cannot draw into them
 Framebuffer make_framebuffer(std::string_view label, std::span<const Target> colours, const Target& depth);
 
-/// Creates a framebuffer in which each layer of an array texture is a colour attachment.
+/// Creates a framebuffer in which each layer of an array texture is a colour attachment, so that one draw writes all
+/// layers.
+/// @param label name in frame debuggers and error messages
+/// @throws Error when the driver cannot draw into them
 Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours);
 
-/// Returns the pixel format for reading back an image with one channel: GL_RED, or GL_DEPTH_COMPONENT for depths.
+/// Returns the pixel format for reading back an image with one channel: GL_RED for R32F and R16, GL_DEPTH_COMPONENT for
+/// depth formats.
 GLenum single_channel_format(GLenum internal_format);
 
-/// Prepares OpenGL for reading pixels into memory: packs rows without gaps and waits for pending draws. OpenGL promises
-/// the wait, but llvmpipe (Mesa 22.3) sometimes returns the old contents of a target for which only a clear is pending.
+/// Prepares OpenGL for reading pixels into memory: packs rows without gaps and waits for pending draws. OpenGL itself
+/// promises this wait. However, llvmpipe (Mesa 22.3) sometimes returns the old contents of a texture for which only a
+/// clear is pending.
 void prepare_read_back();
 
 /// Reads back the finest level of a texture, bottom row first.

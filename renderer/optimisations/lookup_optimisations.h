@@ -13,20 +13,20 @@ namespace si {
 inline constexpr std::string_view kMapBoundsWaitReason =
     "the maps are drawn again: finding bounds would take longer than it saves";
 
-/// Returns the reason why look-ups of the frame do not test depth bounds of the maps first (Optimisation::EarlyOut);
-/// empty: they do. Call after the passes that draw the maps are planned.
+/// Returns the reason why shadow map look-ups of the frame do not test the maps' depth bounds before they fetch taps
+/// (Optimisation::EarlyOut); empty when they do. Call after the passes that draw the maps are planned.
 std::string map_bounds_skip_reason(const FrameState& f);
 
-/// Returns the shader defines that switch the look-up optimisations of a frame on or off.
+/// Returns the shader defines that switch the optimisations of shadow map look-ups on or off in a frame.
 std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 
-/// Adds the shader defines for the kernel's taps to the frame: unrolled with constant positions, or in loops that
-/// look-ups can leave early.
+/// Adds the shader defines for the taps of the filter kernel to the frame (FrameState::defines). Taps are unrolled with
+/// constant positions, or run in loops that a look-up can leave early.
 /// @param asks_bounds true: look-ups test the maps' depth bounds before they fetch taps
 void define_kernel_taps(FrameState& f, bool asks_bounds);
 
-/// Returns the radius in map cells around a block of texels within which a kernel centred in the block may read, under
-/// one light. The depth bounds of the block cover that many cells more at each side.
+/// Returns how many map cells (kBoundsCell texels wide) beyond a block of texels a kernel centred in the block may
+/// read, under one light. The depth bounds of the block include that many cells at each side.
 int bounds_reach_cells(const FrameState& f, const FittedLight& light);
 
 /// Texels a side of a block, for which one pair of depth bounds is stored.

@@ -8,18 +8,20 @@
 
 namespace si {
 
-/// Returns true when an output of the frame besides the picture may read any texel of the maps, such as an overlay, a
-/// probe or the map viewer.
+/// Returns true when any texel of the shadow maps may be read, and not only those for the picture: for an overlay, a
+/// probe or the map viewer, or when the request switches Optimisation::UnreadViews off.
 bool reads_whole_maps(const FrameState& f);
 
-/// Reports texels that a pass over all maps skips because nothing reads them. Call after the maps' passes are planned.
-/// @param name name of the part @param[in,out] info report on the pass; unchanged if it skips no texel
+/// Adds to the report on a pass over all shadow maps how many texels it skips because no visible surface reads them.
+/// Call after the passes that draw the maps are planned.
+/// @param name name of the part in the report
+/// @param[in,out] info report on the pass; unchanged if it skips no texel
 void add_unread_texels_part(const FrameState& f, std::string name, PassInfo& info);
 
-/// Returns the cells of a casting light's maps that the frame reads (Optimisation::UnreadViews). Cached until camera,
-/// scene or maps change.
+/// Returns the parts of a casting light's shadow maps that the frame reads, as cells of a grid over each map. Other
+/// cells need not be drawn (Optimisation::UnreadViews). The result is cached until camera, scene or maps change.
 /// @param light index of the light
-/// @param maps key of the content drawn into its maps
+/// @param maps cache key of the content drawn into the light's maps
 NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps);
 
 }  // namespace si

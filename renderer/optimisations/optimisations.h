@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Row of the table of optimisations: key, label and help.
+/// Row of the table of optimisations (work that a frame skips without changing its picture): key, label and help.
 struct OptimisationRow {
     std::string_view key;    ///< name in commands and JSON
     std::string_view label;  ///< name in the editor
@@ -18,7 +18,7 @@ struct OptimisationRow {
 
 /// Returns all rows of the table of optimisations, in the order of Optimisation.
 std::span<const OptimisationRow> optimisation_rows();
-/// Returns the table row of an optimisation.
+/// Returns the row of an optimisation in the table of optimisations: key, label and help.
 const OptimisationRow& row_of(Optimisation optimisation);
 
 }  // namespace si

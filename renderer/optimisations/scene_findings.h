@@ -13,17 +13,18 @@
 
 namespace si {
 
-/// Bounding boxes of the clusters and index runs of one mesh.
+/// Bounding boxes of parts of one mesh: of clusters (groups of near triangles) and of runs of consecutive indices. Used
+/// to cull parts of large meshes.
 struct MeshBoxes {
     std::vector<Cluster> clusters;            ///< build_clusters(); empty until needed
     std::optional<std::vector<Bounds>> runs;  ///< index_run_boxes(); empty until needed
 };
 
-/// Cache of the objects that the camera sees and of the map cells that it reads, by light.
+/// Cache of the objects that the camera sees, and of the shadow map cells that the picture reads, by light.
 struct CameraMapReads {
     std::uint64_t key = 0;  ///< cache key of camera and scene
     std::optional<VisibleBodies> bodies;
-    /// Cells of one light's maps that look-ups read, with the key they were found for.
+    /// Cells of one light's shadow maps that look-ups read, with the cache key of the inputs.
     struct LightReads {
         std::uint64_t key = 0;
         NeededMaps needed;
@@ -31,20 +32,20 @@ struct CameraMapReads {
     std::array<LightReads, kMaxLights> lights;
 };
 
-/// Cache of mesh boxes and of the parts of the scene that the camera sees, each computed on first use. One object a
-/// renderer (Resources::found).
+/// Cache of mesh boxes and of the parts of the scene that the camera sees, each computed on first use. Each renderer
+/// has one (Resources::found).
 struct SceneFindings {
     OfMeshes<MeshBoxes> boxes;
     CameraMapReads seen;          ///< map cells read
     VisibleObjects seen_objects;  ///< draw order of the picture
 };
 
-/// Returns the clusters of a mesh's triangles (build_clusters()), cached in the renderer; empty for a mesh that is
-/// deformed by the pose.
+/// Returns the clusters of a mesh's triangles (build_clusters()), cached in the renderer. Empty for a mesh that an
+/// animation deforms.
 /// @param mesh index into Scene::meshes
 std::span<const Cluster> mesh_clusters(const FrameState& f, std::size_t mesh);
-/// Returns the bounding boxes of runs of a mesh's indices (index_run_boxes()), cached in the renderer; empty for a mesh
-/// that is deformed by the pose.
+/// Returns the bounding boxes of runs of consecutive indices of a mesh (index_run_boxes()), cached in the renderer.
+/// Empty for a mesh that an animation deforms.
 /// @param mesh index into Scene::meshes
 std::span<const Bounds> mesh_run_boxes(const FrameState& f, std::size_t mesh);
 

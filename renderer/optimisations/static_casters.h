@@ -11,17 +11,17 @@
 
 namespace si {
 
-/// Group of casters with equal content keys (CasterContent): same mesh, place and state, hence the same depths.
-/// Candidate for the cache of static casters.
+/// Group of shadow casters with equal content keys (CasterContent): same mesh, place and state, hence the same depths
+/// in a map. If none of them moves, the group can be drawn once and cached.
 struct StaticCandidate {
     std::uint64_t content = 0;    ///< CasterContent key
     std::uint64_t triangles = 0;  ///< triangles of all casters with the content
     bool operator==(const StaticCandidate&) const = default;
 };
 
-/// Merges casters with equal content keys (CasterContent) and sorts them by key. Leaves out casters with key 0, which
-/// never cast.
-/// @param contents,triangles the content key and triangle count by caster
+/// Groups shadow casters with equal content keys (CasterContent) and sorts the groups by key. Casters with key 0, which
+/// never cast, are left out.
+/// @param contents,triangles content key and triangle count by caster
 std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> contents,
                                               std::span<const std::uint64_t> triangles);
 
@@ -30,7 +30,7 @@ std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> con
 /// --benchmark_filter=moving_box`).
 inline constexpr std::uint64_t kMaxTrianglesPerStatic = 16;
 
-/// State of one view of a light whose static casters are cached.
+/// State of one map view (cascade or cube face) of a light whose static casters are cached.
 struct StaticView {
     bool cached = false;    ///< static casters of the view are in the cached map
     MapCells cached_cells;  ///< cells drawn in the cached map
@@ -38,22 +38,26 @@ struct StaticView {
     MapCells moving_cells;  ///< cells with moving casters
 };
 
-/// Decides frame by frame which casters of one light are static, and whether to cache them.
+/// Decision, frame by frame, which shadow casters of one light are static, and whether their map is cached.
 class StaticCasters {
 public:
-    /// Casters that a frame draws into a light's map: all, static and moving ones apart, or moving ones alone.
+    /// Choice of the casters that a frame draws into a light's map: all, static and moving ones separately, or moving
+    /// ones alone.
     enum class Draws {
         All,              ///< all casters; there is no cache
         StaticAndMoving,  ///< static casters into the cached map, moving ones over its copy
         MovingOnly,       ///< moving casters over a copy of the cached map
     };
 
-    /// Decides which casters of a light this frame draws, and stores them for the next decision.
-    /// @param of_views the key of all inputs of the light's maps except casters
+    /// Decides which casters of a light this frame draws: all, or moving ones over a cached map of static ones.
+    /// Remembers the casters for the decision of the next frame.
+    /// @param of_views cache key of all inputs of the light's maps except casters
+    /// @param casters casters of this frame, from group_by_content()
     /// @param[out] reason clause that explains why all casters are drawn; unchanged if the views are new
     Draws choose(std::uint64_t of_views, std::vector<StaticCandidate> casters, std::string_view& reason);
 
-    /// Returns true when a caster is in the cached map of static casters.
+    /// Returns true when a caster is in the cached map of a light's static casters.
+    /// @param content content key of the caster
     bool is_static(std::uint64_t content) const;
     /// Returns true when a cached map of static casters exists for a key of the light's views.
     bool has_cache_for(std::uint64_t of_views) const { return of_views == views_ && !static_casters_.empty(); }
@@ -70,11 +74,11 @@ private:
     /// cost of a refill.
     std::uint64_t drawn_in_vain_ = 0;
 
-    /// Fills the cache again with the casters that did not move, if they have enough triangles
-    /// (kMaxTrianglesPerStatic). Call when cached casters have moved, or when drawing static casters again and again
-    /// has cost as much as a refill. Returns which casters to draw.
+    /// Chooses again which casters of a light are static: those that did not move, if they have enough triangles
+    /// (kMaxTrianglesPerStatic). Call when cached casters have moved. Call also when casters at rest, drawn with the
+    /// moving ones, have cost as much as filling the cache again. Returns which casters to draw.
     /// @param rested casters with the same content key in the last two frames
-    /// @param[out] reason why no cache is made
+    /// @param[out] reason reason why no cache is made
     Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);
 };
 

@@ -12,11 +12,12 @@ namespace si {
 
 struct FrameState;
 
-/// Culls objects by the camera's frustum and sorts the visible ones front to back.
+/// Draw order of the objects in the picture: culls objects by the camera's frustum and sorts the visible ones front to
+/// back.
 class VisibleObjects {
 public:
-    /// Culls the objects outside the frame's view frustum, sorts the others front to back, and passes the draw order to
-    /// the scene on the GPU (SceneGpu::set_camera_instances()). Does nothing while camera and objects are unchanged.
+    /// Culls the objects outside the camera's view frustum, sorts the others front to back, and passes the draw order
+    /// to the scene on the GPU (SceneGpu::set_camera_instances()). Does nothing while camera and objects are unchanged.
     void arrange(const FrameState& f);
     /// Returns the number of objects outside the view frustum, which are not drawn.
     std::size_t skipped_count() const { return skipped_; }
@@ -28,7 +29,7 @@ private:
     std::optional<std::vector<BoxPair>> touching_;  ///< touching_boxes() of `boxes_`
     std::size_t skipped_ = 0;
 
-    /// Computes the boxes of all instances if the scene has changed.
+    /// Computes the world-space boxes of all objects, for culling, if the scene has changed.
     void update_boxes(const FrameState& f);
 };
 

@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// Draws a soft disc below each caster, for lights whose source is blobs.
+/// Pass that draws blob shadows: a soft disc below each caster, for lights whose source is blobs (light.source).
 class BlobPass : public FramePass {
 public:
     void declare(FrameState& f) override;

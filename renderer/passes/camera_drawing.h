@@ -5,8 +5,8 @@
 
 namespace si {
 
-/// Helper of passes that draw visible surfaces: binds their images with the shared camera depth, clears them, and draws
-/// the scene. It is no FramePass: a pass makes one while it runs. The first of a frame draws the camera depth too.
+/// Helper of passes that draw visible surfaces into images: binds the images with the shared camera depth, clears them,
+/// and draws the scene. A pass constructs one while it runs. The first of a frame draws the camera depth too.
 class CameraDrawing {
 public:
     /// Resizes the images where needed, without keeping their contents, and binds them for drawing.
@@ -19,9 +19,9 @@ public:
     CameraDrawing(FrameState& f, std::string_view label, const gl::Target& image, int layer);
     /// Binds no image, for drawing the camera's depth alone.
     explicit CameraDrawing(FrameState& f) : CameraDrawing(f, "camera depth", GL_NONE, {}) {}
-    /// Clears all bound images to a value.
+    /// Clears all bound images to a value, and returns this object for chaining.
     CameraDrawing& clear(const glm::vec4& value);
-    /// Clears all bound integer images to a value.
+    /// Clears all bound integer images to a value, and returns this object for chaining.
     CameraDrawing& clear(const glm::uvec4& value);
     /// Draws all opaque and masked objects with a fragment shader.
     /// @param[out] info draw counts
@@ -30,7 +30,8 @@ public:
     }
 
 private:
-    /// Binds the framebuffer, and clears the camera depth if no pass of the frame has drawn it yet.
+    /// Begins drawing visible surfaces: binds the framebuffer, and clears the camera depth if no pass of the frame has
+    /// drawn it yet.
     void begin();
 
     FrameState& f_;

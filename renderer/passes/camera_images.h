@@ -11,18 +11,19 @@
 namespace si {
 
 /// Draws the camera's depth and reads back the nearest and farthest visible depth, metres. Returns nullopt when no
-/// surface is visible. Used by light.depth_bounds sdsm, before a frame is planned.
+/// surface is visible. Used before a frame is planned, for fits that narrow maps to visible depths (light.depth_bounds
+/// sdsm).
 /// @param[out] info report on the drawing
 std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info);
 
-/// Draws the depth of visible surfaces (Resources::camera_depth) for passes that read it. Does nothing where another
-/// pass from the camera (CameraDrawing) has already drawn the depth.
+/// Pass that draws the depth of visible surfaces (Resources::camera_depth) for passes that read it. Does nothing where
+/// another pass from the camera (CameraDrawing) has already drawn the depth.
 class CameraDepthPass : public FramePass {
 public:
     void declare(FrameState& f) override;
 };
 
-/// Draws the object and triangle number that each pixel shows, see SurfaceIds.
+/// Pass that draws the object and triangle number that each pixel shows, see SurfaceIds.
 class SurfaceIdsPass : public FramePass {
 public:
     void declare(FrameState& f) override;
@@ -31,8 +32,8 @@ private:
     gl::Target ids_;  ///< RG32UI
 };
 
-/// Draws position and normals of every pixel's surface. The images are kept while camera and scene stay, for passes
-/// that evaluate pixels again.
+/// Pass that draws position and normals of every pixel's surface. The images are kept while camera and scene stay
+/// unchanged, so that passes can evaluate shadows of the pixels again without drawing the scene.
 class VisibleSurfacesPass : public FramePass {
 public:
     void declare(FrameState& f) override;
@@ -42,7 +43,7 @@ private:
     std::size_t drawn_ = 0;                                 ///< number of images that were drawn last
 };
 
-/// Draws for each pixel the map coordinates of the kernel's centre, in the map of view.light.
+/// Pass that draws for each pixel the map coordinates at which its shadow look-up is centred, in the map of view.light.
 class MapCoordinatesPass : public FramePass {
 public:
     void declare(FrameState& f) override;
@@ -51,7 +52,9 @@ private:
     gl::Target coordinates_;  ///< RGBA32F
 };
 
-/// Binds another set of surface images in place of the frame's, for evaluating other pixels with the same shaders.
+/// Binds other images of surfaces (positions and normals) in place of the frame's visible surfaces, so that the same
+/// shaders evaluate other pixels.
+/// @param seen images as VisibleSurfacesPass draws them
 void bind_visible_surfaces(std::span<const gl::Target, kVisibleSurfaceImages> seen);
 
 }  // namespace si

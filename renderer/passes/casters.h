@@ -11,7 +11,7 @@ namespace si {
 
 struct CasterRaster;
 
-/// Choice of the casters to draw into a map, by needed cells and by instance.
+/// Choice of the casters to draw into a shadow map, by needed map cells and by instance.
 struct CasterChoice {
     const MapCells* needed = nullptr;         ///< map cells that look-ups read; null: all
     const std::vector<bool>* only = nullptr;  ///< instances to draw, in the order of SceneGpu; null: all
@@ -20,7 +20,7 @@ struct CasterChoice {
     const CasterRaster* raster = nullptr;     ///< raster state of the map; null: as the settings say
 };
 
-/// View from a light for drawing casters: projection, origin and size.
+/// Light view from which casters are drawn into a map: projection, origin, size and raster options.
 struct CasterView {
     glm::dmat4 clip_from_relative{1.0};  ///< from positions relative to `origin`
     DepthCurve curve;
@@ -34,33 +34,36 @@ struct CasterView {
     CasterShift shift;      ///< of all casters
 };
 
-/// Range of a mesh's indices, counted from the mesh's first.
+/// Range of a mesh's triangle indices, counted from the first index of the mesh.
 struct IndexRange {
     std::size_t first = 0;
     GLsizei count = 0;
 };
 
-/// Appends an index range to `parts`. Extends the last range where `next` begins at its end, to save draw calls.
+/// Appends a range of a mesh's indices to a list of ranges to draw. If `next` begins where the last range ends, extends
+/// that range instead, to save draw calls.
 void append_index_range(std::vector<IndexRange>& parts, IndexRange next);
 
-/// Part of an instance that a map needs: nothing, the whole mesh, or some of its index ranges.
+/// Part of an instance that is drawn into a map: nothing, the whole mesh, or some of its index ranges.
 enum class InstanceParts { Nothing, Whole, Parts };
 
 /// Callback that returns which part of an instance to draw. Instances count in the order of SceneGpu.
 /// @param[out] parts index ranges to draw for InstanceParts::Parts
 using InstancePartsQuery = std::function<InstanceParts(std::size_t instance, std::vector<IndexRange>& parts)>;
 
-/// Returns true when an object may cast shadows: it is no ground disc, its own settings let it cast, and it is not
-/// blended, unless caster.blend lets blended objects cast. Alpha masks and culling are not considered.
+/// Returns true when an object may cast shadows. It must not be the ground disc, and its own settings must let it cast.
+/// A blended object casts only if caster.blend lets it. Alpha masks and culling are not considered.
 bool can_cast(const Scene& scene, const Settings& settings, const Object& object);
-/// Returns true when a batch is drawn into shadow maps. Blended materials can cast by their alpha mask alone.
+/// Returns true when a batch of instances is drawn into shadow maps. Batches with blended materials are drawn only if
+/// caster.blend lets them cast, by their alpha mask.
 bool is_drawn_into_maps(const FrameState& f, const Batch& batch);
 
-/// Clears the bound framebuffer to the far depth, within the scissor rectangle if enabled.
+/// Clears a framebuffer of a shadow map to the far depth, within the scissor rectangle if enabled.
 /// @param framebuffer the bound framebuffer
+/// @param convention depth convention, which decides the value of the far depth
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
 
-/// Counts of casters that a map culled, or drew by front faces alone or without a fragment shader.
+/// Counts of the casters that drawing a shadow map skipped, or drew by front faces alone or without a fragment shader.
 struct SkippedCasters {
     std::uint64_t outside_map = 0;       ///< instances entirely outside the map
     std::uint64_t unread = 0;            ///< instances that cover no needed cell
@@ -68,9 +71,9 @@ struct SkippedCasters {
     std::uint64_t without_shader = 0;    ///< instances drawn without a fragment shader
 };
 
-/// Draws casters into the bound framebuffer and viewport, for a view given by its matrix. Used for pages of virtual
-/// maps.
-/// @param seen the parts to draw of each instance; empty: every caster as a whole
+/// Draws casters into the bound framebuffer and viewport, as seen from a light. Used for pages of virtual shadow maps.
+/// Returns the counts of skipped casters.
+/// @param seen callback that returns the parts to draw of each instance; empty: every caster as a whole
 /// @param[out] info draw counts
 SkippedCasters draw_casters(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, PassInfo& info);
 /// Draws the casters inside one of a light's views into the framebuffer of a whole map.

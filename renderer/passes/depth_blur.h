@@ -6,7 +6,8 @@
 
 namespace si {
 
-/// Averages the stored depths of the shadow maps themselves (map.blur_texels), to demonstrate why that fails.
+/// Pass that blurs the stored depths of the shadow maps (map.blur_texels), to demonstrate why averaged depths give
+/// wrong shadows.
 class DepthBlurPass : public FramePass {
 public:
     /// Images that DepthBlurPass draws and keeps between frames: the blurred depths, and depths blurred along x alone.
@@ -17,8 +18,9 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Blurs all map layers by a box filter. Called when the plan runs the pass.
-    /// @param radius texels on each side
+    /// Blurs the depths in all layers of the shadow maps by a box filter. Called when the plan runs the pass.
+    /// @param radius texels on each side of a texel
+    /// @param[out] info draw counts
     void run(FrameState& f, int radius, PassInfo& info);
 
     Targets targets_;

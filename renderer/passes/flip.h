@@ -6,7 +6,8 @@
 
 namespace si {
 
-/// Reads back both pictures, computes LDR-FLIP on the CPU (flip_difference()) and uploads it for the overlay.
+/// Pass that measures how different the picture looks from the picture with the reference's shadows. Reads back both
+/// pictures, computes LDR-FLIP on the CPU (flip_difference()) and uploads the result for an overlay.
 class FlipPass : public FramePass {
 public:
     void declare(FrameState& f) override;

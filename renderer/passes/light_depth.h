@@ -13,7 +13,7 @@ namespace si {
 
 class PagePasses;
 
-/// Cached static-caster map of one light: its casters and the keys of its contents.
+/// Cached map of the static casters of one light: those casters, and the cache keys of the map's contents.
 struct StaticMapState {
     StaticCasters casters;
     std::uint64_t geometry = 0;  ///< cache key of the geometry drawn last
@@ -31,7 +31,7 @@ struct DrawnMaps {
     std::array<StaticMapState, kMaxLights> static_states;
 };
 
-/// Draws the shadow maps: the scene's depth from each light, one pass for each light.
+/// Passes that draw the shadow maps: the scene's depth from each light, one pass for each light.
 class LightDepthPasses : public FramePass {
 public:
     void declare(FrameState& f) override;
@@ -42,15 +42,16 @@ private:
     DrawnMaps maps_;
 };
 
-/// Draws the shadow maps without polygon offset and with masks at their finest mip level. Trials of wrong pixels read
-/// them to find the caster's true depth.
+/// Pass that draws the shadow maps without polygon offset and with alpha masks at their finest mip level. Trials of
+/// wrong pixels read these maps to find the true depth of casters.
 class UnfilteredMapPass : public FramePass {
 public:
     UnfilteredMapPass(LightDepthPasses& light_depth, PagePasses& pages) : light_depth_(light_depth), pages_(pages) {}
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the unfiltered maps of all lights. Called when the plan runs the pass.
+    /// Draws the shadow maps of all lights without polygon offset and with alpha masks at their finest mip level.
+    /// Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// Uploads baked visibility for lights whose source is a light map. The atlas has a layer for each light; buffers map
-/// each triangle to its chart.
+/// Pass that uploads baked visibility for lights whose source is a light map. The atlas texture has a layer for each
+/// light. Buffers map each triangle to its chart, the part of the atlas with the triangle's texels.
 class LightMapPass : public FramePass {
 public:
     /// Image and buffers that LightMapPass keeps between frames: the GPU copy of the baked light maps.
@@ -25,8 +25,8 @@ public:
     void bind_buffers(const FrameState& f) const;
 
 private:
-    /// Uploads baked light maps, one atlas layer each. Called when the plan runs the pass.
-    /// @param maps the frame's light maps, not null, all with one layout
+    /// Uploads the baked light maps of a frame, one atlas layer each. Called when the plan runs the pass.
+    /// @param maps the frame's light maps, not null, all with the same atlas layout
     /// @param[in,out] info sizes are appended to its reason
     void run(const std::vector<const LightMap*>& maps, PassInfo& info);
 

@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Draws the map viewer's picture of a shadow map or of the camera's depth. Three passes: the shown moment
-/// (Result::MapChannel), the drawn depth range (Result::DepthRange) and the picture (Result::MapView).
+/// Passes that draw the map viewer's picture of a shadow map or of the camera's depth. There are three: the shown
+/// moment (Result::MapChannel), the drawn depth range (Result::DepthRange) and the picture (Result::MapView).
 class MapViewPasses : public FramePass {
 public:
     /// Images that MapViewPasses draws and keeps between frames for the map viewer, and the range of the depths in the
@@ -18,14 +18,15 @@ public:
     };
 
     void declare(FrameState& f) override;
-    /// Returns the values shown black and white, on the scale of shown_depth(). They are fitted to drawn depths
-    /// (view.map_fit), or view.map_black and view.map_white.
+    /// Returns the depths that the map viewer shows black (x) and white (y), on the scale of shown_depth(). They are
+    /// fitted to the drawn depths (view.map_fit), or equal view.map_black and view.map_white.
     glm::vec2 grey_range(const FrameState& f) const;
 
 private:
     /// Draws the map viewer's picture. Called when the plan runs the pass.
-    /// @param camera true: shows the camera's depth in place of a map
-    /// @param layer layer of the shadow maps
+    /// @param camera true: shows the camera's depth in place of a shadow map
+    /// @param layer layer of the shadow map textures to show
+    /// @param[out] info draw counts
     void run(FrameState& f, bool camera, int layer, PassInfo& info);
 
     Targets targets_;

@@ -8,15 +8,16 @@
 
 namespace si {
 
-/// Returns the results that a pass reads when it evaluates the filter kernel, for Pass::reads.
+/// Returns the images that a pass reads when it evaluates the filter kernel: the shadow maps, and moments or depth
+/// bounds. Used to fill in Pass::reads.
 std::vector<ResultRef> kernel_inputs(const FrameState& f);
 
-/// Computes functions of the maps' depths, averaged around each texel. Kernels with pre-filtered maps (VSM, ESM, MSM)
-/// read these moments in place of depths.
+/// Pass that computes moments of the shadow maps: functions of depth, averaged around each texel. Filter kernels with
+/// pre-filtered maps (VSM, ESM, MSM) read the moments in place of depths.
 class MomentsPass : public FramePass {
 public:
-    /// Images that MomentsPass draws and keeps between frames: the moments of moment kernels (VSM, ESM, EVSM, MSM), and
-    /// intermediate steps.
+    /// Images that MomentsPass draws and keeps between frames: the moments (averaged functions of depth) of kernels
+    /// such as VSM, ESM, EVSM and MSM, and intermediate steps.
     struct Targets {
         gl::Target moments;   ///< a layer for each view
         gl::Target steps[2];  ///< intermediate layer between two draws
@@ -26,7 +27,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Computes the moments of all map layers. Called when the plan runs the pass.
+    /// Computes the moments (averaged functions of depth) of all shadow map layers. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

@@ -14,13 +14,13 @@ namespace si {
 
 class PagePasses;
 
-/// Pages of one virtual map that are searched for invalid numbers, with the place that a finding names.
+/// Pages of one virtual shadow map that are searched for invalid numbers, and the name of the map for findings.
 struct SearchedPages {
     NumberFinding place;
     std::vector<PlacedPage> pages;
 };
 
-/// Read-back of the fault counts in a page pool, one tile for each page.
+/// Counts of invalid numbers in a pool of virtual shadow map pages, one tile for each page, as copied from the GPU.
 struct PoolTiles {
     gl::Buffer read_back;  ///< copy of `found` for the CPU
     glm::ivec2 tiles{0};   ///< columns and rows
@@ -28,15 +28,16 @@ struct PoolTiles {
     std::vector<SearchedPages> layers;
 };
 
-/// Searches the frame's maps and visibility for NaN, infinity and other invalid numbers.
+/// Pass that searches the frame's shadow maps, moments, visibility, camera depth and matrices for NaN, infinity and
+/// other invalid numbers.
 class NumericHealthPass : public FramePass {
 public:
-    /// Deleter of fences.
+    /// Deleter for smart pointers to OpenGL fences.
     struct DeleteSync {
         void operator()(GLsync sync) const { glDeleteSync(sync); }
     };
-    /// Targets of NumericHealthPass, kept between frames: GPU images and buffers of the search, and its findings so
-    /// far.
+    /// Data of NumericHealthPass that stay between frames: GPU images and buffers of the search for invalid numbers,
+    /// and its findings so far.
     struct Targets {
         gl::Target tiles, found;  ///< RGBA32UI, a layer for each kind of fault
         gl::Buffer read_back;     ///< copy of `found` for the CPU
@@ -49,7 +50,8 @@ public:
 
     explicit NumericHealthPass(const PagePasses& pages) : pages_(pages) {}
     void declare(FrameState& f) override;
-    /// Returns the findings of the last search; null while the GPU has not finished it.
+    /// Returns the invalid numbers that the last search found in a frame; null while the GPU has not finished the
+    /// search, or before any.
     /// @param wait true: waits for the GPU
     std::shared_ptr<const NumericHealth> read_result(bool wait);
 

@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Grid of pages of one layer of a virtual map: square, from the lower left.
+/// Square grid of the pages of one layer (view) of a virtual shadow map, counted from the lower left.
 struct PageGrid {
     int side = 0;      ///< pages along a side
     int coarser = -1;  ///< layer of the next coarser level of the same light; -1: none
@@ -19,7 +19,7 @@ struct PageGrid {
     glm::i64vec2 corner{0};
 };
 
-/// Entry of the page table that shaders read: place of a page in the pool (shared/pages.h).
+/// Entry of the page table of virtual shadow maps, which shaders read: place of a page in the pool (shared/pages.h).
 struct PageEntry {
     glm::u16vec2 at{0};        ///< place in the pool, in pages
     glm::u8vec2 part{0};       ///< position within a coarser page, in pages of this level
@@ -28,7 +28,7 @@ struct PageEntry {
 };
 static_assert(sizeof(PageEntry) == 8);
 
-/// Page of a virtual map with its place in the pool and its content key.
+/// Page of a virtual shadow map with its place in the pool and the cache key of its contents.
 struct PlacedPage {
     int layer = 0;
     glm::ivec2 page{0};  ///< position in the layer's grid
@@ -37,7 +37,8 @@ struct PlacedPage {
     std::uint64_t key = 0;
 };
 
-/// Pages of the pool that one frame reads, those to draw, and the page table.
+/// Choice of the virtual shadow map pages for one frame: pages that the frame reads, those among them to draw, and the
+/// page table.
 struct PageChoice {
     std::vector<PageEntry> table;  ///< layer by layer, each `table_side` rows and columns
     int table_side = 0;
@@ -55,15 +56,18 @@ struct PageChoice {
     const PageEntry& entry(int layer, glm::ivec2 page) const { return table[index(layer, page)]; }
 };
 
-/// Cache of virtual shadow map pages by content key, with least-recently-used eviction.
+/// Cache of virtual shadow map pages by content key (hash of all that a page's depths depend on). The least recently
+/// read pages are evicted first.
 class PageCache {
 public:
-    /// Assigns a place in the pool to every wanted page. Where they are more than `most`, pages of the finest levels
-    /// are replaced by the coarser pages that contain them. The coarsest level is always kept.
+    /// Assigns a place in the pool of virtual shadow map pages to every wanted page, and decides which pages to draw.
+    /// If more than `most` pages are wanted, pages of the finest levels are replaced by the coarser pages that contain
+    /// them. The coarsest level is always kept.
+    /// @param grids grids of pages by layer
     /// @param wanted a byte for each page, laid out as PageChoice::table; 0: not wanted
     /// @param table_side rows and columns of a layer's table
-    /// @param most the capacity in pages
-    /// @param key_of hash of everything that a page's contents depend on; pages with equal keys are shared
+    /// @param most largest number of pages to place
+    /// @param key_of returns the hash of everything that a page's contents depend on; pages with equal keys are shared
     PageChoice choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
                             int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
     /// Returns the pages along the pool's side. choose_pages() may enlarge the pool, which drops all pages.
@@ -72,15 +76,18 @@ public:
     int held() const { return int(by_key_.size()); }
     /// Returns the capacity of the pool in pages.
     int room() const { return int(slots_.size()); }
-    /// Drops all pages from the cache.
+    /// Drops all pages from the cache of virtual shadow map pages.
     void clear();
 
 private:
-    /// Place in the pool, with the key of its page and the frame that read it last.
+    /// Place for one page in the pool of virtual shadow map pages: key of the page, and number of the frame that read
+    /// it last.
     struct Slot {
         std::uint64_t key = 0, last_read = 0;
     };
-    /// Enlarges the pool to hold this many pages, which drops all pages.
+    /// Enlarges the pool of virtual shadow map pages to this capacity, which drops all pages. Does nothing if it is
+    /// large enough.
+    /// @param pages new capacity in pages
     void grow_pool(int pages);
     int side_ = 0;
     std::vector<Slot> slots_;

@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Boxes and content keys of casters for drawing pages, by instance in the order of SceneGpu.
+/// Boxes and content keys of casters, by which pages of virtual shadow maps choose what to draw. Members are by
+/// instance, in the order of SceneGpu.
 struct PagedCasters {
     std::uint64_t key = 0;                ///< CasterContent::key from which this was made
     std::vector<std::uint64_t> content;   ///< content key of each instance's depths; 0: never casts
@@ -18,15 +19,15 @@ struct PagedCasters {
     std::vector<std::vector<Box>> parts;  ///< boxes of the parts of large meshes; else empty
 };
 
-/// Layer of the shadow map textures for read-back, with its storage and depth curve.
+/// Description of one layer of the shadow map textures for reading it back: depth curve and kind of storage.
 struct MapLayer {
     DepthCurve curve;
     int layer = 0;
     bool paged = false, holds_distances = false;
 };
 
-/// Finds the pages of virtual maps that look-ups may read, and draws those that are not cached. Replaces the passes
-/// that draw whole maps.
+/// Passes for virtual shadow maps: one finds the pages that look-ups may read, one draws those that are not cached.
+/// They replace the passes that draw unpaged maps.
 class PagePasses : public FramePass {
 public:
     /// Images that PagePasses draws and keeps between frames for virtual maps, with the page cache and the choice of
@@ -46,26 +47,30 @@ public:
     };
 
     void declare(FrameState& f) override;
-    /// Adds to the plan the pass that draws the pages without polygon offset and with masks at their finest mip level.
-    /// Trials of wrong pixels read them to find the caster's true depth.
+    /// Adds a pass to the frame's plan that draws the pages of virtual shadow maps without polygon offset and with
+    /// alpha masks at their finest mip level. Trials of wrong pixels read these pages to find the true depth of
+    /// casters.
     /// @param pass pass with its name and reasons filled in
     void declare_unfiltered(FrameState& f, Pass pass);
 
     /// Reads back stored depths of a rectangle of one shadow map layer, bottom row first. Works for depth formats,
     /// colour formats and virtual maps.
-    /// @param maps textures of maps that are not virtual
+    /// @param maps textures of the shadow maps; ignored for virtual maps
+    /// @param of layer to read
     /// @param first lower left texel
     /// @param size width and height in texels
     std::vector<float> read_map_depths(const gl::Target& maps, const MapLayer& of, glm::ivec2 first,
                                        glm::ivec2 size) const;
     /// Returns the pages that the last frame read, for the search for number faults.
     const std::vector<PlacedPage>& read_pages() const { return targets_.choice.read; }
-    /// Returns statistics of the frame's pages.
-    /// @param drawn true: this frame drew the page pass; false: it was cached
+    /// Returns statistics of the pages of virtual shadow maps in the current frame.
+    /// @param drawn true: this frame drew pages; false: all pages were cached
     PageFacts page_facts(bool drawn) const;
 
 private:
-    /// Reads back stored depths of a rectangle of one virtual map layer, bottom row first.
+    /// Reads back stored depths of a rectangle of one virtual shadow map layer, bottom row first.
+    /// @param first lower left texel
+    /// @param size width and height in texels
     /// @param empty_depth value for texels without a page
     std::vector<float> read_depths(int layer, glm::ivec2 first, glm::ivec2 size, float empty_depth) const;
 

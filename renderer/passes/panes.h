@@ -9,13 +9,14 @@
 
 namespace si {
 
-/// Draws each pane: overlay values, the picture with the overlay over it, and texels of a map as quads on top.
+/// Passes that draw the panes of the split view. Each pane has overlay values, the picture with the overlay over it,
+/// and on top texels of a map as quads.
 class PanePasses : public FramePass {
 public:
     using ShownPane = FrameState::ShownPane;
 
-    /// Images that PanePasses draws and keeps between frames for one pane, and the colour scale fitted to the values of
-    /// its overlay.
+    /// Images that PanePasses draws and keeps between frames for one pane of the split view, and the colour scale
+    /// fitted to the values of the pane's overlay.
     struct Targets {
         gl::Target values, composed;
         ValueRange fitted;
@@ -24,16 +25,16 @@ public:
 
     explicit PanePasses(const PagePasses& pages) : slabs_(pages) {}
     void declare(FrameState& f) override;
-    /// Returns the colour scale of a pane's overlay. A fitted scale reads back the pane's values, once for each change
-    /// of them.
+    /// Returns the range of the colour scale with which a pane's overlay is shown. A fitted scale reads the overlay's
+    /// values back from the GPU, once after each change.
     ValueRange range_of(const FrameState& f, const ShownPane& pane);
 
 private:
-    /// Returns the pass that draws a pane's overlay values.
+    /// Returns the pass that draws the values of a pane's overlay, such as bias slack, before they are coloured.
     Pass values_pass(FrameState& f, const ShownPane& pane);
-    /// Returns the pass that blends a pane's overlay over the picture.
+    /// Returns the pass that colours the values of a pane's overlay and blends them over the picture.
     Pass compose_pass(FrameState& f, const ShownPane& pane);
-    /// Returns the pass that draws texels of the shown map as quads over a pane's picture.
+    /// Returns the pass that draws texels of the shown shadow map as quads over a pane's picture (view.slabs).
     Pass slabs_pass(FrameState& f, const ShownPane& pane);
     /// Returns the images of the pane's slot.
     Targets& targets_of(const ShownPane& pane) { return slots_[std::size_t(pane.slot)]; }

@@ -10,8 +10,8 @@ namespace si {
 
 struct Precision;
 
-/// Compares the map coordinates that the GPU computes in single precision with double precision on the CPU, for
-/// view.light.
+/// Pass that measures rounding errors of shadow map look-ups for view.light. Compares the map coordinates that the GPU
+/// computes in single precision with double precision on the CPU.
 class PrecisionPass : public FramePass {
 public:
     void declare(FrameState& f) override;
@@ -19,7 +19,8 @@ public:
     const std::shared_ptr<const Precision>& found() const { return found_; }
 
 private:
-    /// Draws the look-up coordinates, reads them back and compares them on the CPU. Called when the plan runs the pass.
+    /// Draws the map coordinates of all pixels' look-ups, reads them back and compares them with double precision on
+    /// the CPU. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

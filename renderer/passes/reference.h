@@ -10,23 +10,24 @@
 
 namespace si {
 
-/// Returns the defines for shaders that read the ray-traced reference (lib/truth.glsl).
+/// Returns the defines for shaders that compare with the ray-traced reference (lib/truth.glsl).
 std::vector<gl::Define> reference_defines(const FrameState& f);
-/// Returns the reason why a frame without FrameState::reference lacks it: not needed, or not traced.
+/// Returns the reason why a frame has no ray-traced reference, for reports on skipped passes: not needed, or not
+/// traced.
 std::string missing_reference_reason(const FrameState& f);
-/// Draws the results of the shadow test of every pixel under varied conditions (no bias, no filter, ...) into eight
-/// colour attachments, see CauseEvidence.
+/// Repeats the shadow test of every pixel under varied conditions (no bias, no filter, ...) and draws the results into
+/// eight colour attachments, see CauseEvidence. They show the causes of wrong pixels.
 /// @param light light index
 /// @param reference_known true: a reference of this light is uploaded
 /// @param[out] info draw counts
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info);
 
-/// Uploads the ray-traced reference, compares each pixel with it, classifies wrong pixels by cause, and computes error
-/// metrics.
+/// Passes that compare the picture with the ray-traced reference. They upload the reference, compare each pixel with
+/// it, classify wrong pixels by cause, and compute error metrics.
 class ReferencePasses : public FramePass {
 public:
-    /// Images that ReferencePasses draws and keeps between frames: the uploaded reference, the comparison with it,
-    /// causes of errors, and metrics.
+    /// Images that ReferencePasses draws and keeps between frames: the uploaded ray-traced reference, the comparison of
+    /// the picture with it, causes of errors, and metrics.
     struct Targets {
         gl::Target reference, more_reference;  ///< uploaded values of the reference
         gl::Target classified;                 ///< RG32F, see classification() in lib/truth.glsl

@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Draws the shaded picture. Evaluates visibility in the same shader unless a separate visibility image exists. While
-/// the view is static, also accumulates the mean of jittered pictures (Result::Smooth).
+/// Passes that draw the shaded picture. Visibility is evaluated in the same shader unless a separate visibility image
+/// exists. While the view is static, they also accumulate the mean of pictures by a jittered camera (Result::Smooth).
 class ShadePasses : public FramePass {
 public:
     /// Images that ShadePasses draws and keeps between frames for view.smooth: the accumulated mean of jittered
@@ -22,23 +22,26 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Adds the contact darkening of the look "studio" to the plan (Result::Creases).
+    /// Adds to the frame's plan the pass that darkens creases of the picture, for the look "studio" (Result::Creases).
     void declare_creases(FrameState& f);
-    /// Adds the accumulation of jittered pictures to the plan.
-    /// @param of the key of the picture to average
+    /// Adds to the frame's plan the pass that averages pictures by a jittered camera, which smooths edges of a static
+    /// view (Result::Smooth).
+    /// @param of cache key of the picture to average; another key starts the mean again
     void declare_smooth(FrameState& f, std::uint64_t of);
 
     gl::Target picture_, creases_, crease_shares_;
     SmoothTargets smooth_;
 };
 
-/// Draws the picture with the ray-traced visibility of view.light in place of its shadow map.
+/// Pass that draws the picture with the ray-traced visibility of view.light in place of the visibility by that light's
+/// shadow map.
 class ReferenceShadePass : public FramePass {
 public:
     void declare(FrameState& f) override;
 
 private:
-    /// Uploads the ray-traced visibility and draws the picture with it. Called when the plan runs the pass.
+    /// Uploads the ray-traced visibility of view.light and shades the picture with it. Called when the plan runs the
+    /// pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

@@ -34,28 +34,31 @@ public:
     /// unless volumes.allow_large, as each such triangle adds side faces.
     static constexpr std::size_t kMaxOpenTriangles = 20'000;
 
-    /// Builds the volumes of the frame's lights where they changed, and decides which are too large to draw.
+    /// Builds the stencil shadow volumes of the frame's lights where they changed, and decides which are too large to
+    /// draw.
     void prepare(const FrameState& f);
     /// Returns true when the light's volumes are drawn.
     bool draws(std::size_t light) const { return lights_[light].used && lights_[light].refusal.empty(); }
     /// Returns the reason why a light's volumes are not drawn. Empty: they are drawn, or the light has another source.
     const std::string& refusal(std::size_t light) const { return lights_[light].refusal; }
-    /// Returns the pass that draws the shadow volumes of a light into its layer of the texture lit().
+    /// Returns the pass that counts the shadow volumes of a light in the stencil buffer, and draws the light's
+    /// visibility into a layer of lit().
+    /// @param light light index
     Pass make_pass(FrameState& f, std::size_t light);
     /// Returns the visibility image: R8, a layer for each light, 1 where the visible surface lies in no volume.
     const gl::Target& lit() const { return lit_; }
-    /// Frees the geometry of lights that draw no shadow volumes in this frame. Call once the frame is planned, before
-    /// its passes run.
+    /// Frees the geometry of lights that draw no shadow volumes in this frame. Call after the frame is planned and
+    /// before its passes run.
     void release_unused();
 
 private:
-    /// Index ranges of the shadow volume of one caster instance: caps, reversed caps and sides.
+    /// Index ranges of the shadow volume of one caster instance: light caps, reversed caps and sides.
     struct Part {
         std::uint32_t instance = 0;  ///< index into SceneGpu's transforms
         std::uint32_t mesh = 0;
         std::array<std::size_t, 4> first{};  ///< first index: caps, reversed caps, sides, end
     };
-    /// Shadow volumes of one light, with cache keys of the triangles computed, uploaded and drawn.
+    /// Stencil shadow volumes of one light, with cache keys of the triangles computed, uploaded and drawn.
     struct Light {
         bool used = false;
         bool before = false;  ///< z-pass: counts faces in front of the surface
@@ -69,24 +72,28 @@ private:
         std::uint64_t drawn = 0;     ///< cache key of the light's layer
     };
 
-    /// Drops the edge lists of all meshes when the frame has another scene.
+    /// Drops the edge lists of all meshes, from which shadow volumes are built, when the frame has another scene.
     void reset_volume_meshes(const FrameState& f);
-    /// Builds the volume triangles of all casters for one light, and the edge lists of meshes met for the first time.
+    /// Builds the shadow volumes of all casters for one light. Also builds the edge lists of meshes that had none.
     /// @param light light index
+    /// @param source direction or position of the light
     void build_volume_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
-    /// Returns an estimate of a light's drawing cost in words: triangles and how many times their area covers the
-    /// picture.
+    /// Returns an estimate of what drawing a light's shadow volumes costs, in words: number of triangles, and how many
+    /// times their area covers the picture. Used to explain why they are not drawn.
     std::string describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const;
-    /// Uploads the corners of all casting meshes, once for a scene.
+    /// Uploads the vertex positions of all casting meshes for shadow volumes, once for a scene.
     void upload_corners();
-    /// Copies the camera's depth into the depth and stencil buffer of the shadow volumes, unless the copy is current.
+    /// Copies the camera's depth into the depth and stencil buffer against which faces of shadow volumes are tested,
+    /// unless the copy is current.
+    /// @param[out] info draw counts
     void copy_depth(const FrameState& f, PassInfo& info);
-    /// Counts a light's volumes at each pixel in the stencil buffer, and marks lit pixels.
+    /// Counts in the stencil buffer how many shadow volumes of a light contain each pixel's surface, and marks pixels
+    /// in none as lit.
     /// @param light light index
     /// @param[out] info draw counts
     void count_volumes(const FrameState& f, std::size_t light, PassInfo& info);
-    /// Draws some of a light's volume faces.
-    /// @param first, last range of each part's lists: 0 caps, 1 reversed caps, 2 sides
+    /// Draws the caps or sides of a light's shadow volumes into the stencil buffer.
+    /// @param first, last kinds of faces to draw, from `first` to `last`: 0 caps, 1 reversed caps, 2 sides
     /// @param[out] info draw counts
     void draw_faces(const Light& light, int first, int last, PassInfo& info) const;
 
@@ -101,7 +108,7 @@ private:
     gl::Framebuffer counting_, marking_;
 };
 
-/// Draws stencil shadow volumes of each light whose light.source is shadow volumes.
+/// Passes that draw stencil shadow volumes, one for each light whose light.source is shadow volumes.
 class ShadowVolumePasses : public FramePass {
 public:
     void declare(FrameState& f) override;

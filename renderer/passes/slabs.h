@@ -11,11 +11,12 @@ namespace si {
 
 class PagePasses;
 
-/// Draws texels of the shown light's map as quads over a pane's picture. Member of PanePasses.
+/// Drawing of shadow map texels of the shown light as quads over the picture of a pane (view.slabs). Member of
+/// PanePasses.
 class TexelSlabs {
 public:
     /// Images and buffers that TexelSlabs keeps between frames: for each pane the picture with map texels drawn over it
-    /// as quads; the instance data of the quads, and the stored depths they were made from.
+    /// as quads, the instance data of the quads, and the stored depths from which the quads were made.
     struct Targets {
         std::array<gl::Target, kMaxPanes> pictures;
         gl::VertexArray vao;
@@ -26,7 +27,8 @@ public:
     };
 
     explicit TexelSlabs(const PagePasses& pages) : pages_(pages) {}
-    /// Returns the pass that draws the quads over a pane's picture. The caller sets name, reads and writes.
+    /// Returns the pass that draws texels of a shadow map as quads over a pane's picture. The caller sets the pass's
+    /// name, reads and writes.
     Pass make_pass(FrameState& f, const FrameState::ShownPane& pane);
 
 private:

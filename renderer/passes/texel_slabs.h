@@ -10,38 +10,44 @@
 
 namespace si {
 
-/// Rectangle of map texels: x to the right, y up.
+/// Rectangle of shadow map texels: first texel and size, x to the right, y up.
 struct TexelRegion {
     glm::ivec2 first{0}, size{0};
     bool operator==(const TexelRegion&) const = default;
 };
 
-/// Returns the square of view.slabs_texels texels around view.slabs_u, view.slabs_v, clipped to the map.
-/// @param resolution texels along the map's side
+/// Returns the square region of a shadow map whose texels are shown as quads in the scene (view.slabs):
+/// view.slabs_texels wide, around view.slabs_u and view.slabs_v, clipped to the map.
+/// @param size texels of the map
 TexelRegion slab_region(const ViewSettings& view, MapSize size);
 
-/// Quad in the scene that shows one map texel, at its stored depth or at the depth that compares equal with bias.
+/// Quad in the scene that shows one shadow map texel, at its stored depth or at the depth that compares equal with
+/// bias.
 struct TexelSlab {
     glm::ivec2 texel{0};
     bool biased = false;
     std::array<glm::dvec3, 4> corners;  ///< world; (u, v) = (0,0), (1,0), (0,1), (1,1) of the texel
 };
 
-/// Returns the distance along the light's axis, metres, at which a fragment compares equal to a map texel under
-/// bias.constant, for the texel quads in the scene (view.slabs): the z with depth(z) - b(z) = stored (+ b under
-/// reversed depth). With z0 the stored distance and c the constant, by its unit:
+/// Returns the distance along the light's axis, metres, at which a fragment compares equal to a shadow map texel under
+/// bias.constant. Used for the quads that show texels in the scene (view.slabs). The distance is the z with
+/// depth(z) - b(z) = stored (+ b under reversed depth). With z0 the stored distance and c the constant, by its unit:
 ///   depth:  distance(stored + c)
 ///   metres: z0 + c,              perspective z0/2 (1 + sqrt(1 + 4 c / z0)), as b(z) = c |d depth / d z|
 ///   texels: z0 + c texel(z0),    perspective likewise z0 (1 + c texel(1 m) / 1 m), as a texel grows with z
+/// @param stored depth that the texel holds
 /// @param uv map coordinates of the texel; matter for warped views only
 /// @return nullopt when no fragment compares equal
 std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, MapSize size, double stored,
                                         const glm::dvec2& uv);
 
-/// Returns quads in the scene that show a rectangle of map texels. A quad lies at the stored depth, or at the depth
-/// whose comparison under the bias gives equality (compared_distance()). Texels that hold the far plane have no quad.
+/// Returns quads in the scene that show the texels of a rectangle of a shadow map (view.slabs). A quad lies at the
+/// stored depth, or at the depth that compares equal to it under the bias (compared_distance()). Texels that hold the
+/// far plane have no quad.
+/// @param size texels of the map
+/// @param region the rectangle of texels
 /// @param depths one channel, the region's stored depths, bottom row first
-/// @param which the depths to show (view.slabs): stored, with bias, or both
+/// @param which the depths to show: stored, with bias, or both
 std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, MapSize size,
                                    const TexelRegion& region, const std::vector<float>& depths, Slabs which);
 

@@ -6,10 +6,11 @@
 
 namespace si {
 
-/// Marks exactly the texels of the shown map that the kernels of all pixels fetch.
+/// Pass that marks exactly the texels of the shown shadow map that the filter kernels of all pixels fetch.
 class TexelsReadPass : public FramePass {
 public:
-    /// Images that TexelsReadPass draws and keeps between frames: marks of the map texels that the picture reads.
+    /// Images that TexelsReadPass draws and keeps between frames: marks of the shadow map texels that the picture
+    /// reads.
     struct Targets {
         gl::Target marks;    ///< R32F, the map's resolution: 1 where a kernel fetches the texel
         gl::Target nothing;  ///< unused image of the picture's size, as OpenGL needs an attachment
@@ -18,8 +19,10 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Evaluates all pixels' kernels and marks each fetched texel. Called when the plan runs the pass.
-    /// @param layer layer of the shadow maps
+    /// Evaluates the filter kernels of all pixels and marks each shadow map texel that they fetch. Called when the plan
+    /// runs the pass.
+    /// @param layer layer of the shadow map textures
+    /// @param[out] info draw counts
     void run(const FrameState& f, int layer, PassInfo& info);
 
     Targets targets_;

@@ -9,7 +9,8 @@ namespace si {
 class LightMapPass;
 class ShadowVolumePasses;
 
-/// Draws the visibility of each light into a layer, by the light's source, with contact shadows.
+/// Pass that draws the visibility of lights into an image, one layer for each light: by shadow map, blobs, shadow
+/// volumes, light map or traced rays (light.source), with contact shadows.
 class VisibilityPass : public FramePass {
 public:
     /// Image that VisibilityPass draws and keeps between frames: the visibility of all lights, one layer each.
@@ -22,15 +23,17 @@ public:
     VisibilityPass(const ShadowVolumePasses& volumes, const LightMapPass& light_maps)
         : volumes_(volumes), light_maps_(light_maps) {}
     void declare(FrameState& f) override;
-    /// Returns one light's visibility layer as a 2-D texture, for showing and read-back.
+    /// Returns the visibility of one light as a 2-D texture, for showing and read-back.
+    /// @param light light index
     Image layer_image(int light);
 
 private:
-    /// Draws the visibility of all lights. Called when the plan runs the pass.
+    /// Draws the visibility of all lights, one image layer each. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
-    /// Returns the shader file that evaluates a light's source. Empty: no drawing is needed, as the layer is fully lit
-    /// or already uploaded.
+    /// Returns the shader file that evaluates a light's visibility by its source (light.source). Empty when the layer
+    /// is not drawn: it is fully lit, or traced visibility is uploaded into it.
+    /// @param light light index
     std::string_view source_file(const FrameState& f, std::size_t light) const;
 
     Targets targets_;
@@ -38,7 +41,9 @@ private:
     const LightMapPass& light_maps_;
 };
 
-/// Uploads a ray-traced visibility into a light's layer of a visibility image of the frame's size.
+/// Uploads ray-traced visibility into a light's layer of a visibility image.
+/// @param visibility image of the frame's size
+/// @param light index of the layer
 void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light);
 
 }  // namespace si

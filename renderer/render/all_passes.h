@@ -24,7 +24,7 @@
 
 namespace si {
 
-/// All pass objects of a renderer. Passes that use another pass get it by their constructor.
+/// All pass objects of a renderer. A pass that uses another pass gets a reference to it in its constructor.
 struct AllPasses {
     PagePasses pages;
     LightDepthPasses light_depth;

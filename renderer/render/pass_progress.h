@@ -8,10 +8,11 @@
 
 namespace si {
 
-/// Progress of one frame: current pass and number of finished ones. The drawing thread writes it, any thread reads it.
+/// Progress of drawing one frame: current pass and number of finished ones. The drawing thread writes it, any thread
+/// reads it.
 class PassProgress {
 public:
-    /// Snapshot of the progress of one frame, in passes.
+    /// Copy of the progress of one frame: current pass, finished passes and their total.
     struct State {
         std::string pass;              ///< pass begun last; empty: none yet
         std::size_t done = 0, of = 0;  ///< finished passes; all passes
@@ -33,7 +34,8 @@ private:
     State state_;
 };
 
-/// Scope in which frames drawn on this thread report to a PassProgress.
+/// Scope in which frames drawn on this thread report their progress to a PassProgress, from construction to
+/// destruction.
 class PassProgressScope {
 public:
     explicit PassProgressScope(PassProgress& progress) { current() = &progress; }

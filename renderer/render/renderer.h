@@ -13,7 +13,7 @@ namespace si {
 struct Probe;
 struct RendererImpl;
 
-/// Draws frames of a scene, reads their images back, and probes single pixels.
+/// Renderer of one OpenGL context: draws frames of a scene, reads their images back, and probes single pixels.
 class Renderer {
 public:
     /// Creates a renderer in the current context.
@@ -30,31 +30,33 @@ public:
     /// Callback that receives the invalid numbers found in a frame (NaN, infinite, out of range), and the frame's
     /// settings.
     using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
-    /// Sets a callback that receives the invalid numbers (NaN, infinite, out of range) found in every drawn frame.
-    /// Every frame is then searched as Outputs::health does, except timed frames.
-    /// @param watch the function to call, for faultless frames too; empty: stops watching
+    /// Sets a callback that receives the invalid numbers (NaN, infinite, out of range) found in drawn frames. Every
+    /// frame with a picture is then searched as Outputs::health does, except timed frames.
+    /// @param watch function to call, also for frames without invalid numbers; empty: stops the search
     void set_number_watcher(NumberWatcher watch);
 
-    /// Returns a key of the shader programs that render() would use. Frames of equal keys need no further compilation.
-    /// Draws nothing except depths that fits need.
+    /// Returns a key of the shader programs that render() would use. Frames of equal keys need the same programs, so
+    /// that none is left to compile. Draws nothing, except the visible depths where a fit of the maps needs them.
     std::uint64_t programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
     /// Reads back an RGBA8 image of a frame, top row first.
     ByteImage read_colour(const Image& image);
     /// Reads back a float image of a frame, top row first.
-    /// @param channels 1 to 4, from red on
+    /// @param channels number of channels to read, 1 (red) to 4
     FloatImage read_float(const Image& image, int channels);
-    /// Reads back FrameResult::surface_ids, top row first.
+    /// Reads back the object and triangle number of each pixel of a frame, top row first.
+    /// @param image FrameResult::surface_ids
     SurfaceIds read_surface_ids(const Image& image);
-    /// Returns true when no later frame has overwritten the images of `frame`. Otherwise draw the frame again before
-    /// showing or reading them.
+    /// Returns true when no later frame has overwritten the images of `frame`. If false, draw the frame again before
+    /// its images are shown or read back.
     bool has_images_of(const FrameResult& frame) const;
-    /// Reads back a light's shadow map of a frame: stored depths in [0, 1], top row first.
-    /// @param face index of a cube face or cascade
+    /// Reads back one shadow map that a light used in a frame: stored depths in [0, 1], top row first.
+    /// @param light index of the light
+    /// @param face index of a cube face or cascade; 0 for a single map
     /// @throws Error when the frame has no such map, holds only parts (FrameResult::maps_are_whole), or was overwritten
     FloatImage read_shadow_map(const FrameResult& frame, int light, int face);
-    /// Reads back the depth image behind the map viewer's picture: stored depths in [0, 1], top row first.
-    /// @throws Error as read_shadow_map() does
+    /// Reads back the depth image that a frame's map viewer shows: stored depths in [0, 1], top row first.
+    /// @throws Error when the frame has no such image, holds only parts, or was overwritten
     FloatImage read_map_view_depth(const FrameResult& frame);
     /// Returns the invalid numbers (NaN, infinite, out of range) found in a frame with Outputs::health; null while the
     /// GPU has not finished the search.
@@ -66,17 +68,19 @@ public:
     /// @param x, y pixel, row 0 at the top
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
 
-    /// Returns abilities and traits of the driver. The first call measures the clock and the polygon offsets of every
-    /// map format.
+    /// Returns abilities and measured traits of the OpenGL driver. The first call takes longer: it measures the clock
+    /// of passes and the polygon offsets of every map format.
     const DriverInfo& driver() const;
-    /// Returns and clears the driver's errors and high-severity messages since the last call.
+    /// Returns the driver's errors and high-severity messages since the last call, and clears them.
     std::vector<std::string> take_gl_messages();
-    /// Returns memory to the system that the driver and the heap hold but no result uses. Takes some milliseconds: call
-    /// while nothing is drawn.
+    /// Gives memory back to the operating system that the driver and the heap hold but no result uses. Takes some
+    /// milliseconds: call while nothing is drawn.
     void release_unused_memory();
-    /// Returns the last compile error of hot-reloaded shaders; empty when all compiled.
+    /// Returns the error of the last failed shader compilation; empty when all compiled. Development builds compile
+    /// shader files again when they are saved.
     std::string shader_log() const;
-    /// Returns true when a shader file on disk changed since the last frame (development builds).
+    /// Reads shader files again that were saved since the last call (development builds). Returns true when there were
+    /// any: the picture must be drawn again.
     bool shaders_changed();
 
 private:

@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// State of a Renderer: properties of the driver, GPU resources, passes and memory limits.
+/// Private state of a Renderer: properties of the driver, GPU resources, passes and memory limits.
 struct RendererImpl {
     DriverInfo driver;
     gl::MessageLog messages;
@@ -27,15 +27,15 @@ struct RendererImpl {
     };
     std::optional<Repaired> repaired;
 
-    /// Reduced map resolution after the driver ran out of memory. Applies while map.resolution keeps the value it had
-    /// then.
+    /// Limit on the map resolution after the driver ran out of memory. Valid while the setting map.resolution keeps the
+    /// value at which memory ran out.
     struct ReducedResolution {
         int requested = 0, max = 0;  ///< map.resolution of the settings; largest resolution tried
         std::string why;
     };
     std::optional<ReducedResolution> reduced_resolution;
 
-    /// Maps of map.bundle, moved with the scene.
+    /// Imported shadow maps of the bundle file that map.bundle names, transformed like the scene.
     struct PlacedBundle {
         std::shared_ptr<const GivenMaps> given;
         glm::dmat4 placement{1};
@@ -45,37 +45,42 @@ struct RendererImpl {
     std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::set_number_watcher()
 
     /// Queries the driver and creates the GPU resources in the current context.
-    /// @param programs shader program cache, not null
     /// @throws Error when the context lacks OpenGL 4.5
     RendererImpl();
-    /// Halves the map resolution after the driver ran out of memory. Returns true when drawing again may succeed.
-    /// @param why the message of the failure
+    /// Halves the limit on the map resolution after the driver ran out of memory. Returns true when drawing the frame
+    /// again may succeed; false when the maps are already too small to matter.
+    /// @param f frame that failed
+    /// @param why message of the failure
     bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);
-    /// Derives all values that a frame's passes read: repaired settings, camera, fitted lights, needs of its outputs.
-    /// Draws nothing except the visible depths, where a fit of light.depth_bounds needs them.
+    /// Derives all values that the passes of a frame read: repaired settings, camera, fitted lights, needs of its
+    /// outputs. Draws nothing except the visible depths, where a fit by light.depth_bounds sdsm needs them.
     FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Derives the values of a frame as prepare_frame() does, from the visible depths measured so far.
+    /// Derives the values of a frame like prepare_frame(), but measures nothing: uses the visible depths of an earlier
+    /// measurement.
     FrameState derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Puts the maps of map.bundle into the frame's request, unless it has maps of its own. @throws Error for a bundle
-    /// that cannot be read
+    /// Puts the shadow maps of the file in map.bundle into the frame's request, unless the request has imported maps
+    /// already.
+    /// @throws Error for a bundle that cannot be read
     void take_bundle_maps(FrameState& f);
-    /// Draws one frame for Renderer::render(), which may then call `watch`, the callback that receives invalid numbers
-    /// found in the frame.
+    /// Draws one frame for Renderer::render(): prepares it, plans its passes and runs them. When memory runs out, tries
+    /// again with smaller shadow maps.
+    /// @throws Error when memory runs out even so
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Runs the passes of a planned frame, and returns its result.
+    /// Draws the passes of a planned frame that are neither cached nor skipped, and returns the frame's result.
     FrameResult run_plan(FrameState& f);
-    /// Lets all passes declare themselves in the frame's plan.
+    /// Lets all passes of the renderer add themselves to the frame's plan. Draws nothing.
     void plan_frame(FrameState& f);
-    /// Fills `result` with the frame's images, camera, lights and measured numbers.
-    /// @param[in,out] result has the pass reports already
+    /// Fills in the result of a drawn frame: images, camera, lights and measured numbers.
+    /// @param[in,out] result contains the pass reports already
     void describe_frame(FrameState& f, FrameResult& result);
-    /// Returns the clock that times passes, and calibrates it on the first call.
+    /// Returns the clock that times passes. The first call creates and calibrates the clock.
     gl::PassClock& pass_clock();
     /// Measures the driver's polygon offset for a map format, on the first call for this format.
     void calibrate_offset(MapFormat map_format);
 };
 
-/// Returns which images a frame's passes left in the renderer, with their keys.
+/// Returns a record of the images that a frame's passes left in the renderer, with their cache keys.
+/// @param infos reports on the passes
 FrameContents contents_of(const FrameState& f, const std::vector<PassInfo>& infos);
 
 }  // namespace si

@@ -5,13 +5,13 @@
 
 namespace si {
 
-/// Returns true for a driver that draws on the CPU.
-/// @param renderer GL_RENDERER
+/// Returns true for an OpenGL driver that draws on the CPU, such as llvmpipe.
+/// @param renderer the driver's GL_RENDERER string
 bool draws_on_cpu(std::string_view renderer);
 
-/// Returns true when shaders of the current context should read uniform blocks as images, which is faster on CPU
+/// Returns true when shaders of the current context should read uniform blocks as buffer images, which is faster on CPU
 /// drivers (see TexelBuffer).
-/// @param renderer GL_RENDERER
+/// @param renderer the driver's GL_RENDERER string
 bool reads_blocks_as_images(std::string_view renderer);
 
 }  // namespace si
