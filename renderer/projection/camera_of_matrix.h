@@ -7,23 +7,27 @@
 
 namespace si {
 
-/// Camera that a matrix describes. Rectangles are in tangents, for parallel rays in metres.
+/// Camera found from a view-projection matrix, such as that of an engine's picture. The picture's rectangle is in
+/// tangents; for parallel rays it is in metres.
 struct MatrixCamera {
     glm::dvec3 eye{0};     ///< world; for parallel rays on the near plane
     glm::dmat3 axes{1.0};  ///< columns right, up, back
     bool orthographic = false;
     glm::dvec2 lo{0}, hi{0};   ///< picture's corners across the axis, at one metre in perspective
     double near = 0, far = 0;  ///< metres along the axis; 0: none, as for an infinite far plane
-    /// Returns the vertical field of view of the symmetric picture of this height, radians; for perspective.
+    /// Returns the vertical field of view of this perspective camera, radians. For a picture off its axis: that of a
+    /// centred picture of the same height.
     double fov_y_rad() const;
-    /// Returns true when the axis does not pass through the picture's middle.
+    /// Returns true when the camera's viewing axis does not pass through the middle of its picture, as with a shifted
+    /// lens.
     bool is_off_axis() const;
 };
 
-/// Returns the camera of a picture whose clip-space matrix is known. A picture that clip space turns upside down, as in
-/// Vulkan, is turned back.
-/// @param clip_from_world any positive multiple
-/// @throws Error if the matrix is not finite, or names no camera
+/// Finds the camera of a picture from its view-projection matrix, such as an engine's. A picture that clip space turns
+/// upside down, as in Vulkan, is turned back.
+/// @param clip_from_world view-projection matrix, or a positive multiple of it
+/// @param convention depth convention of the matrix
+/// @throws Error if the matrix is not finite or describes no camera
 MatrixCamera camera_of_matrix(const glm::dmat4& clip_from_world, const DepthConvention& convention);
 
 }  // namespace si

@@ -10,19 +10,19 @@
 
 namespace si {
 
-/// Size of a texel in metres, measured across the light's axis, along its longest and shortest direction. Both are
-/// equal in a square map of a view that is as wide as high and not warped.
+/// Size of a shadow map texel in metres, measured across the light's axis, along its longest and shortest direction.
+/// Both lengths are equal in a square map of an unwarped view whose width equals its height.
 struct TexelSize {
     double longest = 0, shortest = 0;
 };
 
-/// Rectangle across a light view's axis: metres, or in perspective tangents.
+/// Rectangle that a light view covers across its axis: metres for parallel rays, tangents in perspective.
 struct CrossSection {
     glm::dvec2 lo{0}, hi{0};
 };
 
-/// Way of casters along a view's axis, away from the light, before they are drawn: the bias of some engines, by the
-/// shader that draws casters.
+/// Distance by which casters move along a light view's axis, away from the light, before they are drawn. Some engines
+/// bias shadows this way, in the vertex shader of casters.
 struct CasterShift {
     double all_m = 0;      ///< metres at any angle
     double grazing_m = 0;  ///< metres times 1 - |n . axis|, with the vertex's normal
@@ -33,7 +33,8 @@ struct CasterShift {
 };
 
 /// View and projection of one shadow map: a directional or spot map, a cube face, a cascade or a clip level. The matrix
-/// decides what the map covers; set_half_extents() makes a centred one, view_of_matrix() takes any.
+/// decides what the map covers. set_half_extents() makes a projection centred on the axis; view_of_matrix() accepts
+/// any.
 struct LightView {
     glm::dvec3 eye{0};     ///< world
     glm::dmat3 axes{1.0};  ///< columns right, up, back (the view looks along -back)
@@ -43,49 +44,58 @@ struct LightView {
     DepthCurve curve;          ///< depth range
     bool clamps_near = false;  ///< casters before the near plane are drawn on it (pancaking)
     CasterShift caster_shift;  ///< of an engine's maps
-    /// Sets the projection to one that is centred on the axis, by `curve`.
+    /// Sets the light view's projection to one that is centred on the axis, with the depth range of `curve`.
     /// @param half half of the width and height: metres, or in perspective tangents of half the angles
     void set_half_extents(const glm::dvec2& half);
-    /// Sets the depth rows of the projection by `curve`. The projection has its axis in the middle; width and height
-    /// stay.
+    /// Updates the light view's projection matrix after a change of the depth range (`curve`). The projection must be
+    /// centred on the axis; its width and height stay.
     void update_depth();
-    /// Returns the light view's matrix to clip space from positions relative to `origin` (world), composed in double
+    /// Returns the light view's view-projection matrix for positions relative to `origin`, composed in double
     /// precision.
+    /// @param origin world
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
     /// Returns true for parallel rays whose texels are not squares of one size, or whose depth range differs from row
     /// to row: a clip-space w that changes across the rays (light.fit lispsm), shear, or unequal width and height.
     bool warped() const { return curve.warp.has_value(); }
-    /// Returns true for an unwarped view whose texels are no squares.
+    /// Returns true for an unwarped light view whose shadow map texels are wider than high, or higher than wide.
     /// @param size texels of the map
     bool stretched(MapSize size) const;
-    /// Returns the rectangle around the map across the view's axis.
+    /// Returns the bounding rectangle of the shadow map across the light view's axis: metres for parallel rays,
+    /// tangents in perspective.
     CrossSection cross_section() const;
-    /// Returns half of the width and height of a centred view. For other views: the largest distance of the map's sides
-    /// from the axis, horizontally and vertically. Metres, or in perspective tangents.
+    /// Returns half of the width and height of what a light view covers. For views not centred on the axis: the largest
+    /// distance of the map's sides from the axis, horizontally and vertically. Metres, or in perspective tangents.
     glm::dvec2 half_extents() const;
-    /// Returns the larger of half_extents().
+    /// Returns the larger one of half the width and half the height of what a light view covers, see half_extents().
+    /// Metres, or in perspective a tangent.
     double half_extent() const;
-    /// Returns the world-space position at shadow map coordinates `uv` and distance z along the light's axis, metres.
+    /// Returns the world-space position at shadow map coordinates `uv` and distance z along the light's axis.
+    /// @param uv map coordinates in [0,1]
+    /// @param z metres
     glm::dvec3 position_ws(const glm::dvec2& uv, double z) const;
     /// Returns the longest side of a shadow map's texel in metres at distance z along the axis. Not valid for a warped
     /// view.
     /// @param size texels of the map
     double texel_size(double z, MapSize size) const { return texel_sizes(z, size).longest; }
-    /// Returns the world size of the shadow map texel that contains a point, measured across the light's axis.
+    /// Returns the size in world space of the shadow map texel that contains a point, measured across the light's axis.
     /// @param size texels of the map
     TexelSize texel_size_at(const glm::dvec3& point_ws, MapSize size) const;
-    /// Returns the sizes of the smallest and largest texels of the shadow map; in perspective those within the depth
-    /// range.
+    /// Returns the longest side of the largest texels of the shadow map and the shortest side of the smallest; in
+    /// perspective of texels within the depth range.
     /// @param size texels of the map
     TexelSize texel_size_range(MapSize size) const;
-    /// Returns the depth curve along the light's ray through a world-space point.
+    /// Returns the depth curve (mapping from distance to depth-buffer value) along the light's ray through a
+    /// world-space point. It differs from `curve` in warped maps only.
     DepthCurve ray_depth_curve(const glm::dvec3& point_ws) const;
     /// Returns the relative change of clip-space w per metre across the light direction (LiSPSM) at a point; 0 for
-    /// unwarped views.
+    /// unwarped views. Used to bound the rounding errors of compared depths.
     double relative_dw_per_m(const glm::dvec3& point_ws) const;
 
 private:
-    /// Returns the sizes of texels of an unwarped view at distance z along the axis.
+    /// Returns the longest and shortest side of a shadow map's texels at distance z along the axis, for an unwarped
+    /// light view.
+    /// @param z metres
+    /// @param size texels of the map
     TexelSize texel_sizes(double z, MapSize size) const;
 };
 

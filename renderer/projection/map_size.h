@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// Texels of one shadow map across and down. One number makes a square map.
+/// Width and height of a shadow map in texels. One number makes a square map.
 struct MapSize {
     int width = 0, height = 0;
     constexpr MapSize() = default;

@@ -16,14 +16,17 @@ constexpr double flat_tolerance(double radius) {
 }
 
 /// Returns the plane that contains all vertices of a mesh, in the space of the mesh; empty if the mesh is not flat. The
-/// tolerance is flat_tolerance(), or the rounding of single-precision coordinates up to 1/10,000 of the radius.
+/// tolerance is flat_tolerance(). Where coordinates are rounded more coarsely in single precision, it is their
+/// rounding, up to 1/10,000 of the radius.
 std::optional<HalfSpace> mesh_plane(const Mesh& mesh);
 
-/// Returns true when no front face of a mesh can lie in the shadow of the mesh: no vertex lies in front of the plane of
-/// any triangle. Meshes too large for the test return false.
+/// Returns true when a mesh cannot shadow its own front faces: no vertex lies in front of the plane of any triangle.
+/// Meshes too large for the test return false.
 bool is_convex(const Mesh& mesh);
 
-/// Returns a plane after an affine transform to world space; empty if the transform collapses the plane.
+/// Transforms a plane by an affine matrix to world space. Returns nothing if the transform collapses the plane to a
+/// line or point.
+/// @param world matrix to world space
 std::optional<HalfSpace> transform_plane(const HalfSpace& plane, const glm::dmat4& world);
 
 }  // namespace si

@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Half-space dot(normal, p) + offset >= 0, given by its plane.
+/// Half of space on the positive side of a plane: all points p with dot(normal, p) + offset >= 0.
 struct HalfSpace {
     glm::dvec3 normal{0, 1, 0};  ///< unit vector towards the positive side
     double offset = 0;           ///< signed distance from the plane to the origin, metres

@@ -15,7 +15,8 @@
 
 namespace si {
 
-/// Bounding boxes of the objects of a scene with their shadow flags: the input of light placement and map fitting.
+/// Bounding boxes of a scene's objects, with flags for casting and receiving shadows. Input of light placement and of
+/// fitting shadow maps.
 struct SceneShape {
     glm::dvec3 centre{0};
     double radius = 1;                     ///< radius of the sphere around the bounds, metres; never 0
@@ -42,55 +43,62 @@ struct SceneShape {
 /// Returns true when no corner of a box is NaN or infinite.
 bool is_finite(const Box& box);
 
-/// Computes the boxes of all objects, over the whole animation after measure_animation_bounds(). Above 20,000 objects
-/// one box stands for the scene. Reads meshes to find flat ones. The result is finite, also for empty scenes.
+/// Computes the bounding boxes of all objects of a scene, as fits of shadow maps need them. Boxes cover the whole
+/// animation after measure_animation_bounds(). Above 20,000 objects one box stands for the scene. Reads meshes to find
+/// flat ones. The result is finite, also for empty scenes.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
 
-/// Returns a shape whose ground is reduced to the part that casters can shadow under one light, so that a large ground
-/// does not widen that light's maps.
-/// @param scene the scene that `shape` was computed from
+/// Returns a copy of a scene's boxes in which the ground under a model is reduced to the part that casters can shadow
+/// under one light. A large ground then does not widen that light's maps.
+/// @param shape boxes of a scene with a ground (SceneShape::ground)
+/// @param scene the scene from which `shape` was computed
 SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, const PlacedLight& light);
 
 /// Extent of points in a light's view: x and y across the axis in metres, z metres along the axis, positive in front.
 using ViewExtent = Bounds;
 
-/// Returns the extent of world-space points in a light's view.
+/// Returns the bounding box of world-space points in the axes of a light's view, metres.
 ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& view);
-/// Returns the extent of all boxes of a shape in a light's view. A ground under a model counts along the light's axis
-/// only.
+/// Returns the bounding box of all objects of a scene in the axes of a light's view, metres. A ground under a model
+/// counts along the light's axis only.
 ViewExtent extent_in_view(const SceneShape& shape, const LightView& view);
 
-/// Returns the corners of the part of a perspective view between two distances from its eye, in metres.
-/// @param widening factor on the pyramid's width
+/// Returns the corners of the part of a perspective light view between two distances from its eye, in metres.
+/// @param near,far the two distances along the axis, metres
+/// @param widening factor on the width of the pyramid
 Box view_pyramid(const LightView& view, double near, double far, double widening = 1);
 
-/// Returns the extent of the part of a world-space box between the four sides of a parallel light view.
+/// Clips a world-space box to the four sides of a light view with parallel rays. Returns the bounding box of the rest
+/// in the axes of the view, metres.
 ViewExtent extent_inside_view(const Box& box, const LightView& view);
-/// Returns the extent of the part of one box of a shape between the four sides of a parallel light view. For a ground,
-/// only its shadowed part counts.
+/// Clips the box of one object of a scene to the four sides of a light view with parallel rays. Returns the bounding
+/// box of the rest in the axes of the view, metres. For a ground, only its shadowed part counts.
 /// @param box index into SceneShape::boxes
 ViewExtent extent_inside_view(const SceneShape& shape, std::size_t box, const LightView& view);
 
-/// Returns points whose convex hull is the part of one box of a shape inside all of the half-spaces. For a ground, only
-/// its shadowed part counts.
+/// Returns points whose convex hull is the part of one object's box inside all of the half-spaces; none if no part is
+/// inside. For a ground, only its shadowed part counts.
 /// @param box index into SceneShape::boxes
+/// @param planes the half-spaces, such as the sides of a light's view
 std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_t box,
                                              std::span<const HalfSpace> planes);
 
-/// Widens a model's extent in a light's view to contain its shadows on the ground: in depth (z) always, in width and
-/// height (x, y) only where the shadows stick out by more than kMinGroundWidening.
+/// Widens the extent of a model in a light's view so that it contains the model's shadows on the ground. Depth (z) is
+/// always widened; width and height (x, y) only where the shadows stick out by more than kMinGroundWidening.
+/// @param[in,out] model extent of the model
+/// @param ground extent of the shadows on the ground
 void widen_for_ground_shadow(ViewExtent& model, const ViewExtent& ground);
 /// Least widening across the view as a share of the model's width; smaller differences are rounding.
 constexpr double kMinGroundWidening = 1e-6;
 
-/// Returns the smallest distance along the axis, in metres, at which a box can meet the pyramid of a perspective view;
-/// infinite if they do not meet.
-/// @param e extent of the box in the view
+/// Returns the smallest distance along the axis, in metres, at which a box can meet the pyramid of a perspective light
+/// view; infinite if they do not meet. Used to place the near plane.
+/// @param e extent of the box in the axes of the view
 /// @param sides LightView::cross_section()
 double pyramid_entry_m(const ViewExtent& e, const CrossSection& sides);
 
-/// Counts casters with a part in front of the near plane of any view, where the map cannot store them. Tests boxes, so
-/// the count is an upper bound.
+/// Counts the casters of a scene that have a part in front of the near plane of any of the light's views, where the map
+/// cannot store them. Tests boxes, so the count is an upper bound.
 int count_near_clipped_casters(const SceneShape& shape, const std::vector<LightView>& views);
 
 }  // namespace si

@@ -7,18 +7,21 @@
 
 namespace si {
 
-/// Returns the axes of an orbit camera as columns right, up, back. `right` depends on the azimuth alone, so views
-/// straight up and down are no special case.
+/// Returns the axes of a camera that orbits a target, as columns right, up, back. `right` depends on the azimuth alone,
+/// so views straight up and down are no special case.
+/// @param azimuth_deg,elevation_deg,roll_deg degrees
 glm::dmat3 orbit_axes(double azimuth_deg, double elevation_deg, double roll_deg);
 
-/// Moves the eye along the camera's back axis until the bounds fill the picture. Changes eye, focus and height.
+/// Places a camera so that it looks at the middle of the bounds and these fill the picture. The camera's axes stay;
+/// eye, focus and height change.
 void frame_bounds(Camera& c, const Bounds& bounds);
 
-/// Returns true when the automatic camera frames a model together with its shadow: for model files that stand on an
-/// automatic ground.
+/// Returns true when the automatic camera frames a model together with its shadow. It does so for models from files
+/// while the setting scene.ground is automatic.
 bool should_frame_shadow(const Scene& scene, const Settings& settings);
 
-/// Frames the model of a file together with its shadow. Raises the camera until enough of the shadow is visible.
+/// Places a camera so that a model and its shadow fill the picture. Raises the camera until enough of the shadow is
+/// visible.
 /// @param c camera with field of view and aspect set; axes, eye, focus and height are overwritten
 void frame_with_shadow(Camera& c, const Scene& scene);
 

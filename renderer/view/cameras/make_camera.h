@@ -19,11 +19,12 @@ namespace si {
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> fitted_without_camera = {});
 
-/// Returns manual camera settings for which make_camera() reproduces a camera. Near and far planes stay automatic.
+/// Converts a camera to manual camera settings, from which make_camera() makes the same camera. Near and far planes
+/// stay automatic.
 CameraSettings camera_settings(const Camera& camera);
 
-/// Returns the camera of make_camera() as manual settings, so that it can be moved. A light's near and far planes are
-/// dropped, since they would cut the scene once the camera moves.
+/// Returns the picture's camera (make_camera()) as manual camera settings, so that the user can move it. Near and far
+/// planes of a camera that looks through a light are dropped, since they would cut the scene once the camera moves.
 /// @param aspect width / height of the picture, on which automatic framing depends
 CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect = 16.0 / 9.0);
 

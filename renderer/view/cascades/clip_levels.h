@@ -18,14 +18,16 @@ namespace si {
 struct Camera;
 struct SceneShape;
 
-/// Views of a directional light's clip levels, with their grid positions and the choice among them.
+/// Clip levels of a directional light (concentric shadow maps around the camera): their views, grid positions, and the
+/// rule that chooses the level for a point.
 struct ClipLevels {
     std::vector<LightView> views;   ///< finest first; all share axes and depths
     std::vector<ClipLevel> levels;  ///< grid positions, in the order of `views`
     ViewChooser chooser;            ///< choice of the level for a point
 };
 
-/// Input of clip_levels(): light direction, resolution, number and density of the levels.
+/// Input for computing the clip levels of a directional light (concentric shadow maps around the camera): light
+/// direction, resolution, number and density of the levels.
 struct ClipLevelRequest {
     glm::dvec3 to_light{0, 1, 0};  ///< unit
     DepthConvention convention;
@@ -37,18 +39,20 @@ struct ClipLevelRequest {
     int picture_lines = 720;   ///< height of the picture in pixels
 };
 
-/// Computes the clip levels of a directional light for a camera. Each level's range of distances is chosen so that its
-/// texels are about as large as the picture's pixels there. A pure function.
+/// Computes the clip levels of a directional light: concentric shadow maps around the camera, each with texels twice as
+/// wide as the level before. Each level covers the distances at which its texels are about as large as the picture's
+/// pixels. A pure function.
 ClipLevels clip_levels(const ClipLevelRequest& request, const SceneShape& shape, const Camera& camera);
 
-/// Returns the world-space origin of positions in the shaders that draw pages: a grid point near the scene's centre. A
-/// grid point stays the same while casters move, so that cached pages stay valid.
+/// Returns the world-space point to which positions are relative when pages of virtual shadow maps are drawn: a grid
+/// point near the scene's centre. It stays the same while casters move a little, so that cached pages stay valid.
 glm::dvec3 page_origin(const SceneShape& shape);
 
 /// Pages along a side of a block. Each page is drawn as a part of its block, so its depths do not depend on the camera.
 inline constexpr int kBlockPages = 8;
 
-/// Returns the view of the block of pages that contains a page of a level's grid.
+/// Returns the light view of the block of pages (kBlockPages along a side) that contains a page of a clip level. A page
+/// is drawn as a part of its block, so that its depths do not depend on the camera.
 /// @param of_level the view of the level
 /// @param grid_page page counted from the world's origin
 /// @param[out] page place of the page within its block, 0 to kBlockPages - 1

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// World-space parallelepiped: a mesh's box after an affine transform.
+/// World-space parallelepiped: the bounding box of a mesh after an affine transform.
 struct SkewBox {
     glm::dvec3 centre{0};  ///< world
     glm::dmat3 half{0.0};  ///< columns: vectors from the centre to the centres of three faces
@@ -24,8 +24,8 @@ struct SkewBox {
     }
 };
 
-/// Frustum test of boxes against one view. Errs on the safe side: a box that might cover a texel is never reported as
-/// outside.
+/// Frustum test that finds the boxes that a view (of the camera or a light) need not draw. Errs on the safe side: a box
+/// that might cover a texel is never reported as outside.
 class BoxCuller {
 public:
     /// Makes the test from a view's matrix.
@@ -48,12 +48,13 @@ private:
     double texel_;  ///< width of a texel in normalised device coordinates
     /// Planes with values of 0 or more on their inner side: left, right, bottom, top, near, far, and w.
     std::array<glm::dvec4, 7> planes_;
-    /// Smallest and largest value of a frustum plane's equation over a box.
+    /// Smallest and largest value of the equation of a frustum plane over a box.
     struct Span {
         double min, max;
         double slack;  ///< float rounding of the value
     };
-    /// Returns the range that a frustum plane's value takes over a box, with its float rounding.
+    /// Returns the smallest and largest signed distance of a box from a frustum plane (values of the plane's equation),
+    /// with their float rounding.
     /// @param plane index into `planes_`
     Span span_of(std::size_t plane, const SkewBox& box) const;
 };

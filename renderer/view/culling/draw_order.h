@@ -15,8 +15,8 @@ namespace si {
 /// Indices of two boxes of a sequence, the smaller first.
 using BoxPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Returns the pairs of boxes that touch. Only touching boxes can hold coplanar surfaces, of which the draw order
-/// decides the visible one.
+/// Returns the pairs of boxes that touch each other. Only such boxes can contain coplanar surfaces. The draw order then
+/// decides which surface is visible, so sorting must not change it.
 /// @param room_m padding of the boxes in metres, for float rounding of surfaces
 /// @return empty optional when there are too many boxes or pairs to find in a few milliseconds
 std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxes, double room_m);
@@ -29,10 +29,10 @@ struct SortedBox {
     bool seen = false;  ///< visible; other objects are left out
 };
 
-/// Returns the indices of the visible boxes, by group and then front to back. Of two touching boxes the one with the
-/// smaller index stays first, so that the winner between coplanar surfaces does not depend on the camera. Above 512
-/// boxes distances are quantised, so that runs of equal batches stay together.
-/// @param touching the pairs of touching boxes, touching_boxes() of all boxes, visible or not
+/// Returns the indices of the visible objects' boxes in drawing order: by group, then front to back. Of two touching
+/// boxes the one with the smaller index stays first, so that the winner between coplanar surfaces does not depend on
+/// the camera. Above 512 boxes distances are quantised, so that runs of equal batches stay together.
+/// @param touching touching_boxes() of all boxes, visible or not
 std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, std::span<const BoxPair> touching);
 
 }  // namespace si

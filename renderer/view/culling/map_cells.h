@@ -13,46 +13,48 @@
 
 namespace si {
 
-/// Rectangle of texels, from the first to before the last.
+/// Rectangle of texels: `from` is its first texel, `to` lies one past its last.
 struct TexelRect {
     glm::ivec2 from{0}, to{0};
     bool operator==(const TexelRect&) const = default;
 };
 
-/// Returns the bounding rectangle of a box in map coordinates; empty if a part of the box lies behind the viewer, so
-/// that the rectangle has no bound.
+/// Projects a world-space box into a shadow map. Returns the bounding rectangle in map coordinates; empty if a part of
+/// the box lies behind the viewer, so that the rectangle has no bound.
 /// @param uvd_from_relative homogeneous map coordinates from positions relative to `origin` (world)
 /// @param min_w smallest clip-space w that counts as in front of the viewer
 std::optional<Bounds2> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
                                       double min_w);
 
-/// Set of cells of a shadow map. Marks the parts of the map that are read or drawn.
+/// Set of cells of a shadow map, which is divided into a grid of 64 x 64 cells. Marks the parts of the map that are
+/// read or drawn.
 class MapCells {
 public:
     static constexpr int kCells = 64;  ///< cells along a side
     /// Makes an empty set of map cells.
     MapCells() = default;
-    /// Returns the set of all cells of a map.
+    /// Returns the set of all cells of a shadow map.
     static MapCells whole();
-    /// Returns true when the set holds no cell of the map.
+    /// Returns true when the set contains no cell of the shadow map.
     bool empty() const;
-    /// Returns true when the set holds all cells of the map.
+    /// Returns true when the set contains all cells of the shadow map.
     bool is_whole() const;
-    /// Returns true when this set of map cells holds every cell of another set.
+    /// Returns true when this set of shadow map cells contains every cell of another set.
     bool contains(const MapCells& other) const;
-    /// Returns true when a rectangle of the map overlaps a cell of the set.
-    bool overlaps(const Bounds2& rect) const;
-    /// Adds the map cells that overlap a rectangle to the set.
+    /// Returns true when a rectangle of a shadow map overlaps a cell of the set.
     /// @param rect map coordinates
-    /// @param clamp true: the part of the rectangle outside the map adds the border cells (clamp to edge); false: the
-    ///     part outside adds nothing
+    bool overlaps(const Bounds2& rect) const;
+    /// Adds the shadow map cells that a rectangle overlaps to the set.
+    /// @param rect map coordinates
+    /// @param clamp decides about the part of the rectangle outside the map. true: adds the border cells (clamp to
+    /// edge); false: adds nothing
     void add(const Bounds2& rect, bool clamp);
-    /// Adds the cells along the four sides of the map to the set.
+    /// Adds the cells along the four sides of the shadow map to the set.
     void add_border_cells();
-    /// Adds all cells of another set of map cells.
+    /// Adds all cells of another set of shadow map cells to this set.
     void add(const MapCells& other);
-    /// Returns a few rectangles of texels that together cover the marked map cells, for copies and scissored draws.
-    /// Rectangles overlap only in texels that two cells share.
+    /// Returns a few rectangles of texels that together cover the marked cells of a shadow map, for copies and
+    /// scissored draws. Rectangles overlap only in texels that two cells share.
     /// @param size texels of the map
     std::vector<TexelRect> texel_rects(MapSize size) const;
     /// Adds the set of map cells to a cache key.

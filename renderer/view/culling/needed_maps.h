@@ -21,10 +21,10 @@ namespace si {
 inline constexpr const char* kLightAddsNothing =
     "the light adds nothing: it is off, or its colour or its intensity is 0";
 
-/// Returns true when light may reach the convex hull of world-space points by its range and cone, occluders aside.
+/// Returns true when a light's range and cone may reach the convex hull of world-space points. Occluders are ignored.
 bool may_illuminate(const FittedLight& light, std::span<const glm::dvec3> points);
 
-/// Bounds of surfaces that the camera may see: an object, or one cluster of its triangles.
+/// Bounds of surfaces that the camera may see: one object, or one cluster of an object's triangles.
 struct VisibleBody {
     Box box{};                     ///< world
     std::vector<glm::dvec3> seen;  ///< points around the visible part, world; empty: the whole box may be visible
@@ -37,7 +37,8 @@ struct VisibleBody {
     }
 };
 
-/// Boxes of the objects that one camera may see. Only the parts of a map that these objects look up are needed.
+/// Bounds of all surfaces that one camera may see. Only parts of shadow maps that look-ups at these surfaces read are
+/// needed.
 struct VisibleBodies {
     CameraSlice view;  ///< view frustum with padding for rounding
     std::vector<VisibleBody> bodies;
@@ -46,15 +47,15 @@ struct VisibleBodies {
     std::vector<glm::dmat4> mesh_from_world;
 };
 
-/// Finds the bodies (objects, or clusters of their triangles) inside a camera's view frustum. needed_maps() finds the
-/// needed parts of maps from them.
+/// Finds the objects, or clusters of their triangles, inside a camera's view frustum. From them needed_maps() finds the
+/// parts of shadow maps to draw.
 /// @param lines height of the picture in pixels
 /// @param clusters function that returns build_clusters() of a mesh; an empty result: the mesh is one cluster
 VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
                                   const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
 
-/// Extent of a picture's look-ups in a shadow map, from which needed_maps() finds the map cells to draw: kernel reach,
-/// normal offset, and treatment of look-ups outside the map (MapWrap).
+/// Extent of a picture's look-ups in a shadow map: kernel reach, normal offset, and treatment of look-ups outside the
+/// map (MapWrap). From it needed_maps() finds the map cells to draw.
 struct LookupArea {
     int resolution = 1;       ///< texels along the map's shorter side
     double reach_texels = 0;  ///< largest distance in texels between look-up and texels read, without the normal offset
@@ -66,15 +67,17 @@ struct LookupArea {
     bool only_lit_points = false;      ///< visibility counts only where light arrives
 };
 
-/// Parts of the maps of one light that look-ups read: one set of map cells (MapCells) for each view, which is a cascade
-/// or a cube face.
+/// Parts of one light's shadow maps that look-ups read: a set of map cells (MapCells) for each cascade or cube face.
+/// Other cells need not be drawn.
 struct NeededMaps {
     std::vector<MapCells> views;  ///< cells by view of the light
     std::string unneeded_reason;  ///< reason for all cells being empty; empty text: some cells are set
 };
 
-/// Finds the cells of a casting light's maps that look-ups at visible surfaces may read. Casters that cover none of the
-/// cells of a view need not be drawn into it.
+/// Finds the cells of a casting light's shadow maps that look-ups at visible surfaces may read. Casters that cover none
+/// of a map's needed cells need not be drawn into it.
+/// @param seen surfaces that the camera may see
+/// @param area extent of a look-up around a surface's place in the map
 NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, const LookupArea& area);
 
 }  // namespace si

@@ -6,12 +6,15 @@
 
 namespace si {
 
-/// Returns the facts of one map of a light. Width and texels are those of the longer side; in perspective the width is
-/// that in the middle of the depth range.
+/// Returns the size, depth range and format of one shadow map of a light. Engine profiles need these facts to convert
+/// bias numbers. Width and texels are those of the longer side; in perspective the width is that in the middle of the
+/// depth range.
+/// @param size texels of the map
 MapFacts map_facts(const LightView& view, const Settings& settings, MapSize size);
-/// Returns the facts of the first map of a light. Without a map: the facts of the worked example, with the settings'
-/// texels and format.
-/// @param light null: none @param size texels of its maps
+/// Returns the size, depth range and format of the first shadow map of a light. Engine profiles need these facts to
+/// convert bias numbers. Without a map: the lengths of the worked example, with the format of the settings.
+/// @param light null: none
+/// @param size texels of its maps
 MapFacts map_facts(const FittedLight* light, const Settings& settings, MapSize size);
 
 }  // namespace si

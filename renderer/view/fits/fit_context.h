@@ -26,7 +26,7 @@ inline constexpr double kMinSeenDepthShare = 1e-3;
 /// Margin at each end of the depth range, as a share of the range.
 inline constexpr double kDepthMargin = 1e-4;
 
-/// Input of fitting the maps of one light: scene, settings, resolution and camera.
+/// Input for fitting the shadow maps of one light: scene, settings, resolution and camera.
 struct FitContext {
     const Scene& scene;
     const SceneShape& shape;
@@ -45,41 +45,43 @@ struct FitContext {
 /// Adds a message to the notes of a light, unless the light has it already.
 void add_note(PlacedLight& light, std::string text);
 
-/// Returns the distance in metres by which a parallel view moves its eye forward so that near and far stay exact in
-/// single precision: `near` if the range is tiny compared with its distance, else 0. Parallel rays look the same from
-/// anywhere along them.
+/// Returns the distance in metres by which a light view with parallel rays moves its eye forward, so that near and far
+/// stay exact in single precision. The distance is `near` if the range is tiny compared with its distance from the eye,
+/// else 0. Parallel rays look the same from anywhere along them.
+/// @param near,far depth range before the move, metres
 double eye_advance_m(double near, double far);
 
-/// Returns the half extent of a map after adding a margin in texels at each side. The half extent before the margin
+/// Returns half the width of a shadow map after adding a margin in texels at each side. The half width without margin
 /// counts as at least 2^-13 of `scale`, a thousand steps of single precision.
-/// @param half the half extent without margin: metres, or in perspective the tangent of half the angle
-/// @param scale the size of the scene in the same unit, such as its radius
+/// @param half half width without margin: metres, or in perspective the tangent of half the angle
+/// @param scale size of the scene in the same unit, such as its radius
+/// @param resolution texels a side of the map
 /// @param margin texels
 double half_extent_with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
 
-/// Applies manual range and stretch to a view, widens a degenerate range, computes the projection, and adds the view to
-/// the light.
+/// Completes a light view and adds it to the light's views: applies manual depth range and stretch of the settings,
+/// widens a depth range that is too small, and computes the projection.
 /// @param reference_z distance in metres at which texels are measured
 void add_finished_view(FittedLight& light, LightView view, const FitContext& c, double reference_z);
 
-/// Returns the margin in texels around each of six cube faces, for kernels that cross into the next face and for the
-/// normal offset.
+/// Returns the margin in texels around each of the six cube faces of a point light's map. Kernels and normal offsets
+/// that cross an edge between faces then find their texels.
 double face_margin_texels(const Settings& settings);
 
-/// Computes the map views of the six cube faces of a point light or a wide cone. All share one depth range, so a stored
-/// depth means the same distance in each.
+/// Computes the six cube face views of a point light or of a spot light with a wide cone. All share one depth range, so
+/// a stored depth means the same distance in each.
 void fit_faces(FittedLight& light, const FitContext& c);
 
-/// Fits the single shadow map of a directional light or a spot light.
+/// Fits the single shadow map of a directional light or a spot light, and adds its view to the light.
 void fit_one_view(FittedLight& light, const FitContext& c);
 
-/// Adds a view that contains given points and is warped towards the camera (LiSPSM): texels near the camera are smaller
-/// than far ones.
+/// Adds a warped view (LiSPSM) to a light, whose texels near the camera are smaller than far ones. The map contains all
+/// given receiver points.
 /// Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004.
 /// @param view view with its axes set; the third one points to the light
 /// @param points receiver points, world; at least one
-/// @param on_ground the receiver points on a ground under a model, world; they widen the map only where they lie
-/// outside of it
+/// @param on_ground receiver points on a ground under a model, world; they widen the map only where they lie outside of
+/// it
 /// @param margin texels at each side
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
                 std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin);

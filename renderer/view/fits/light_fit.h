@@ -12,30 +12,31 @@ namespace si {
 
 struct Camera;
 
-/// Returns true when shading may skip a light: no surface receives light from it, and the composition does not show its
-/// visibility alone.
+/// Returns true when shading may skip a light: no surface receives light from it, and the picture does not show the
+/// light's visibility alone (shading.composition).
 bool adds_no_light(const FittedLight& light, const Settings& settings);
 
-/// Returns true when every look-up in a light's shadow maps would return 1 (lit): the maps hold no caster, and no
-/// setting darkens points outside the maps. Shaders then skip the look-ups.
+/// Returns true when every look-up in a light's shadow maps would return 1 (lit): the maps contain no caster, and
+/// neither bias and kernel nor map.outside can darken a surface. Shaders then skip the look-ups.
 bool is_always_lit(const FittedLight& light, const Settings& settings);
 
-/// Places the lights of the settings in the scene, without maps. Spot and point intensities fall with the square of the
-/// distance; they are scaled together so that the brightest contributes 1 at the scene's centre.
+/// Places the lights of the settings in the scene, without shadow maps. Intensities of spot and point lights fall with
+/// the square of the distance. They are scaled together so that the brightest contributes 1 at the scene's centre.
 PlacedLights place_lights(const Scene& scene, const Settings& settings);
 
-/// Returns the margin in texels around the region that a fit narrows a map to: kernel reach, normal offset and two
-/// texels more. The margin grows in steps of 1/64 of the map, so that most kernels and resolutions share a region, and
-/// a traced reference serves all of them. The normal offset counts at least with its default.
+/// Returns the margin in texels that a fit adds around the region that a shadow map has to cover: kernel reach, normal
+/// offset and two texels more. The margin grows in steps of 1/64 of the map. Most kernels and resolutions therefore
+/// share a region, and one traced reference serves all of them. The normal offset counts as 3 to 32 texels.
 /// @param resolution texels a side of the map
 double fit_margin_texels(const Settings& settings, int resolution);
 
-/// Computes the shadow map views of every placed light. A pure function.
-/// @param scene the scene that the lights were placed in
+/// Computes the shadow map views of every placed light: what each map covers, by the fit in the settings. A pure
+/// function.
+/// @param scene the scene in which the lights were placed
 /// @param camera camera of the picture; null: fits that depend on a camera cover the whole scene
 /// @param max_resolution the GL limit on texture size
-/// @param picture_lines height of the picture in pixels, for clip levels
 /// @param seen_m camera depths of all visible surfaces, as measured for light.depth_bounds sdsm
+/// @param picture_lines height of the picture in pixels, for clip levels
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
                                   const Camera* camera, int max_resolution = 16384,
                                   const std::optional<DepthSpan>& seen_m = std::nullopt, int picture_lines = 720);

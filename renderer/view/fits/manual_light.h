@@ -6,12 +6,12 @@
 
 namespace si {
 
-/// Returns light settings with all fitted values written out under light.fit = manual: distance, near, far, extent and
-/// place. fit_lights() then finds the same views within rounding. Use it before the user changes one value by hand.
-/// @param fitted fit_lights() of `settings`
+/// Returns light settings in which all fitted values are written out (light.fit = manual): distance, near, far, extent
+/// and place. fit_lights() then finds the same views within rounding. Used before the user changes one value by hand.
+/// @param fitted the light, from fit_lights() with `settings`
 LightSettings manual_light(const LightSettings& settings, const FittedLight& fitted);
 
-/// Returns the world-space point to which light.N.target_x, target_y and target_z are relative.
+/// Returns the world-space point from which the target of a light is counted (light.N.target_x, target_y and target_z).
 glm::dvec3 target_origin(const LightSettings& settings, const FittedLight& fitted);
 
 }  // namespace si

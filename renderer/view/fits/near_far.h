@@ -6,28 +6,28 @@
 
 namespace si {
 
-/// Sets near and far planes of a parallel view whose width is set.
-/// @param found the depth range along the axis that the fit needs, metres
+/// Sets near and far planes of a light view with parallel rays whose width is set already, by light.near_far.
+/// @param found depth range along the axis that the fit found, metres
 /// @param receivers depth range of the receivers; null: all receivers between the map's sides
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers = nullptr);
 
-/// Returns the distance in metres that the near plane of a pancaked map needs in front of the nearest receiver, for the
-/// bias and the kernel of the settings. Casters clamped to the near plane then stay in front of every compared depth.
-/// @param texel_m width of a texel
-/// @param range_m depth range without the margin
+/// Returns the distance in metres that the near plane needs in front of the nearest receiver when casters before it are
+/// flattened onto it (pancaking). Such casters then stay in front of every compared depth, in spite of bias and kernel.
+/// @param texel_m width of a texel, metres
+/// @param range_m depth range without the margin, metres
 double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_m);
 
-/// Returns the distance in metres by which the far plane moves back on a ground under a model, since kernels read
-/// around the end of a shadow there. Returns 0 without a ground.
-/// @param texel_m width of a texel across the rays
+/// Returns the distance in metres by which the far plane of a directional light moves back for a ground under a model.
+/// Kernels at the end of a shadow on the ground read around it. Returns 0 without a ground.
+/// @param texel_m width of a texel across the rays, metres
 double ground_kernel_depth_m(const LightView& view, const FitContext& c, double texel_m);
 
-/// Sets near and far planes of a perspective view whose width is set, from the boxes inside its pyramid and the range
-/// of the light.
+/// Sets near and far planes of a perspective light view whose width is set already, by light.near_far: from the boxes
+/// inside its pyramid and the range of the light.
 void set_perspective_range(LightView& view, const FitContext& c);
 
-/// Returns the largest distance in texels between a surface's place in the map and a texel that its look-up reads:
-/// kernel reach, normal offset, depth blur, and half a texel at each end.
+/// Returns the largest distance in texels between the place of a surface in a shadow map and a texel that its look-up
+/// reads: kernel reach, normal offset, depth blur, and half a texel at each end.
 double lookup_reach_texels(const Settings& settings);
 
 }  // namespace si

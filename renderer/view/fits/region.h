@@ -13,10 +13,10 @@ namespace si {
 
 class CameraSlice;
 
-/// Receivers whose shadows a fit takes into account: all, those of the model, or the generated ground.
+/// Choice of the receivers whose shadows a map has to cover: all, those of the model, or the generated ground.
 enum class ReceiverFilter { All, Model, Ground };
 
-/// Input of a fit: scene, light view, camera and receivers.
+/// Input for finding the region that a light's shadow map has to cover: scene, light view, camera and receivers.
 struct FitInput {
     const Scene& scene;
     const SceneShape& shape;  ///< boxes of the scene
@@ -42,15 +42,18 @@ using MapRegion = Bounds2;
 /// sees. An empty result gives no guarantee: the map then covers the whole scene.
 using FitFunction = std::optional<MapRegion> (*)(const FitInput&);
 
-/// Returns a region that contains every place where a caster shadows a receiver facing the light; empty without any
-/// shadow. Tests boxes. Flat casters and large convex casters are also clipped by their planes and outlines, since they
-/// cannot shadow their own lit side. Back-facing triangles of single-sided receivers are skipped.
+/// Returns a region of a light's view that contains every place where a caster shadows a receiver facing the light;
+/// empty without any shadow. Shadow maps need cover no more. Tests boxes. Flat casters and large convex casters are
+/// also clipped by their planes and outlines, since they cannot shadow their own lit side. Back-facing triangles of
+/// single-sided receivers are skipped.
 /// @param seen a slice of the camera's frustum; only the parts of receivers inside it count
 std::optional<MapRegion> shadowed_region(const FitInput& in, const CameraSlice* seen = nullptr);
 
-/// Returns the region in which casters shadow any receiver (light.fit casters).
+/// Returns the region of a light's view in which casters shadow any receiver (light.fit casters). The shadow map then
+/// covers the region. Empty if there is no shadow.
 std::optional<MapRegion> fit_casters(const FitInput&);
-/// Returns the region in which casters shadow receivers that the camera sees (light.fit view).
+/// Returns the region of a light's view in which casters shadow receivers that the camera sees (light.fit view);
+/// without a camera, any receivers. The shadow map then covers the region. Empty if there is no shadow.
 std::optional<MapRegion> fit_view(const FitInput&);
 
 }  // namespace si

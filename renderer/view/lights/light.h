@@ -17,8 +17,8 @@ namespace si {
 
 struct SceneShape;
 
-/// Grid position of a clip level on the light's plane. Texels are 2^exponent m wide; `corner` is the level's first
-/// page, counted from the world's origin.
+/// Grid position of a clip level (one of the concentric shadow maps of a directional light) on the plane across the
+/// light. Texels are 2^exponent m wide; `corner` is the level's first page, counted from the world's origin.
 struct ClipLevel {
     int exponent = 0;
     glm::i64vec2 corner{0};  ///< page at the lower left
@@ -27,7 +27,8 @@ struct ClipLevel {
     double texel_m() const { return std::exp2(double(exponent)); }
 };
 
-/// Limits of a shadow map that no bias or kernel can overcome; computed by map_limits().
+/// Result of testing whether a shadow map is too coarse for the scene, which no bias or kernel can overcome; from
+/// map_limits().
 struct MapLimits {
     bool one_depth_step = false;  ///< all depths fall into one step of the map format
     bool one_texel = false;       ///< a texel is larger than the scene
@@ -39,7 +40,7 @@ struct MapLimits {
     bool any() const { return one_depth_step || one_texel; }
 };
 
-/// Light as the settings place it, before it has a map. Independent of the camera.
+/// Light as the settings place it in the scene, before its shadow maps are fitted. Independent of the camera.
 struct PlacedLight {
     LightType type = LightType::Directional;
     glm::dvec3 position{0};        ///< world; for a directional light before a fit centres the map
@@ -57,10 +58,10 @@ struct PlacedLight {
     std::vector<std::string> notes;  ///< messages about clamped values and limits of the map
 };
 
-/// Origin of a light's shadow maps: drawn from the scene's casters, or given as images.
+/// Origin of a light's shadow maps: drawn from the scene's casters, or imported as images.
 enum class MapProvider { Drawn, Imported };
 
-/// Placed light together with the views of its shadow maps.
+/// Light placed in the scene, together with the views of its shadow maps.
 struct FittedLight : PlacedLight {
     bool shadowed = false;                      ///< light.cast is on, and the scene has casters and receivers
     bool casts = false;                         ///< has shadow maps: shadowed, and the source is a shadow map
@@ -103,8 +104,8 @@ constexpr bool within_range(double distance_m, double range_m) {
     return range_m <= 0 || distance_m < range_m;
 }
 
-/// Lights 0 to light_count - 1 of the settings, placed in a scene, with the scene shape (object boxes) that the maps of
-/// each have to cover.
+/// Lights of the settings, from 0 to light_count - 1, placed in a scene. For each light also the boxes of objects
+/// (SceneShape) that its shadow maps have to cover.
 struct PlacedLights {
     std::shared_ptr<const SceneShape> shape;  ///< shape of the whole scene
     std::vector<PlacedLight> lights;

@@ -22,16 +22,16 @@
 
 namespace si {
 
-/// Triangles of a mesh for shadow volumes: corners at the same position are joined, so that neighbouring triangles
-/// share edges.
+/// Triangles of a mesh for building shadow volumes: corners at the same position are joined, so that neighbouring
+/// triangles share edges.
 struct VolumeMesh {
-    /// Triangle of a shadow volume's mesh, with its corners and edges.
+    /// Triangle of a mesh from which shadow volumes are built, with its corners and edges.
     struct Triangle {
         std::array<std::uint32_t, 3> corners{};  ///< indices into `positions`, in the camera's winding order
         std::array<std::uint32_t, 3> edges{};    ///< edge from each corner to the next
         std::uint32_t part = 0;                  ///< index into `parts`
     };
-    /// Connected component of a shadow volume's mesh: triangles joined by common edges.
+    /// Connected component of a mesh from which shadow volumes are built: triangles joined by common edges.
     struct Part {
         bool closed = false;      ///< every edge joins two triangles in opposite directions
         bool inside_out = false;  ///< closed, with normals that point inwards
@@ -42,20 +42,21 @@ struct VolumeMesh {
     std::size_t edges = 0;           ///< number of edges
     std::size_t open_triangles = 0;  ///< triangles in parts that are not closed
 
-    /// Joins the corners of a mesh that share a place, and finds its closed parts.
+    /// Prepares a mesh for building shadow volumes: joins corners at the same position, and finds its closed parts.
     explicit VolumeMesh(const Mesh& mesh);
 };
 
-/// Light of a shadow volume: a direction for parallel light, else a position.
+/// Light that casts a shadow volume: a direction for parallel light, else a position.
 struct VolumeLight {
     bool parallel = true;
     glm::dvec3 to_light{0, 1, 0};  ///< unit vector, for parallel light
     glm::dvec3 position_ws{0};     ///< world, for other light
 };
 
-/// Triangles of shadow volumes, three corner indices each. Index 2v is corner v of the mesh, and 2v + 1 its copy far
-/// away from the light. Seen from outside the volume triangles turn counter-clockwise, except `clockwise_caps`: light
-/// caps keep the camera's order, so that both draw bit-equal depths.
+/// Triangles of shadow volumes, three corner indices each. Index 2v is corner v of the mesh, and 2v + 1 is the copy of
+/// this corner moved far away from the light. Seen from outside the volume, triangles wind counter-clockwise, except
+/// `clockwise_caps`. Light caps keep the winding with which the camera draws the same triangles, so that both draw
+/// bit-equal depths.
 struct VolumeTriangles {
     std::vector<std::uint32_t> caps;            ///< light caps
     std::vector<std::uint32_t> clockwise_caps;  ///< light caps that turn clockwise
@@ -64,15 +65,17 @@ struct VolumeTriangles {
     std::size_t triangles() const { return (caps.size() + clockwise_caps.size() + rest.size()) / 3; }
 };
 
-/// Adds the shadow volume of one object to lists of triangles.
+/// Builds the shadow volume of one object under a light, and appends its triangles to `out`.
 /// @param world world_from_mesh of the object
-/// @param ends_apart true: the far copies of corners lie apart, so dark caps are needed; false for parallel light
-/// extruded to infinity, where they coincide
+/// @param ends_apart true: the far copies of corners are distinct points, so dark caps (the far ends of the volume) are
+/// needed; false for parallel light extruded to infinity, where the copies coincide
+/// @param[in,out] out lists of triangles
 void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool ends_apart,
                        VolumeTriangles& out);
 
-/// Returns the pixels that one triangle covers in a picture.
+/// Returns how many pixels of a picture one triangle covers. Used to predict the cost of shadow volumes.
 /// @param clip clip coordinates of its corners; z is ignored, w may have any sign
+/// @param width,height size of the picture in pixels
 double covered_pixels(const std::array<glm::dvec4, 3>& clip, int width, int height);
 
 /// Estimates the pixels that a list of triangles covers in a picture, with overlapping triangles counted each. Used to

@@ -20,15 +20,16 @@ struct Sky {
     double glow = 0;             ///< extra brightness around the sun, as a share
 };
 
-/// Returns the unit direction to the brightest directional light; a default sun half way up without one.
+/// Returns the unit direction to the brightest directional light; without one, to a default sun half way up. Used to
+/// draw the sky.
 glm::dvec3 direction_to_brightest_sun(std::span<const FittedLight> lights);
 
-/// Returns the sky colours for a sun direction, interpolated by the sun's height: day, low sun, or dusk below the
-/// horizon.
-/// @param to_sun unit
+/// Returns the colours of the sky and its ambient light for a sun direction. They are interpolated by the sun's height:
+/// day, low sun, or dusk below the horizon.
+/// @param to_sun unit direction to the sun
 Sky sky_for_sun(const glm::dvec3& to_sun);
 
-/// Returns the relative luminance of a linear Rec. 709 colour.
+/// Returns the relative luminance of a linear Rec. 709 colour, that is its brightness by one number; 1 for white.
 double luminance(const glm::dvec3& colour);
 
 }  // namespace si
