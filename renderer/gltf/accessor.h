@@ -11,14 +11,14 @@
 
 namespace si::gltf {
 
-/// Reader of the accessors of one glTF file.
+/// Reader of the accessors (typed arrays) of one glTF file. Returns their elements as floats, matrices or indices.
 class Accessors {
 public:
     Accessors(Context& context, const tinygltf::Model& model, Buffers& buffers);
 
-    /// Returns the number of elements of a glTF accessor (an index of the file).
+    /// Returns the number of elements of a glTF accessor. @param accessor index in the file
     std::size_t count(int accessor) const;
-    /// Returns the number of components of a glTF accessor's elements: 3 for VEC3.
+    /// Returns the number of components of an element of a glTF accessor, such as 3 for VEC3.
     int width(int accessor) const;
 
     /// Reads a glTF accessor as elements of N floats. Normalised integers are mapped to [0,1] or [-1,1], others keep
@@ -28,27 +28,37 @@ public:
     template <int N>
     std::vector<glm::vec<N, float>> floats(int accessor, const Place& place, std::span<const std::uint32_t> pick = {});
 
-    /// Reads a glTF accessor as floats, `width` for each element. @param place position in the JSON, for errors
-    /// @throws Error when the element type has another width
+    /// Reads all elements of a glTF accessor as floats, one element after the other.
+    /// @param place position in the JSON, for errors @param width expected number of components per element
+    /// @throws Error when the elements have another number of components
     std::vector<float> numbers(int accessor, const Place& place, int width);
-    /// Reads a glTF accessor of 4 x 4 matrices. @param place position in the JSON, for errors
+    /// Reads a glTF accessor of 4 x 4 matrices, such as inverse bind matrices. @param place position in the JSON, for
+    /// errors
+    /// @throws Error unless the accessor is of type MAT4 with floats
     std::vector<glm::mat4> matrices(int accessor, const Place& place);
-    /// Reads a glTF accessor of unsigned integers below `limit`. The largest value of the type, which glTF forbids, is
-    /// an index with a warning. @throws Error naming the largest number when it is not below
+    /// Reads a glTF accessor of unsigned integers, such as the vertex indices of a primitive. The largest value of the
+    /// integer type, which glTF forbids, is read as an index with a warning.
+    /// @param place position in the JSON, for errors @param limit number of vertices
+    /// @throws Error naming the largest index unless it is below `limit`
     std::vector<std::uint32_t> indices(int accessor, const Place& place, std::size_t limit);
 
 private:
-    /// Converts elements of a glTF accessor to floats, `width` per element, into `out`.
-    /// @param pick indices of the elements, in this order; empty: all @param place position in the JSON, for errors
+    /// Converts elements of a glTF accessor to floats and writes them to `out`, `width` floats per element.
+    /// @param place position in the JSON, for errors @param pick indices of the elements to convert, in this order;
+    /// empty: all
     void read(int accessor, const Place& place, int width, std::span<const std::uint32_t> pick, float* out);
-    /// Overwrites elements in `out` by the sparse values of a glTF accessor.
+    /// Replaces elements in `out` by the sparse values of a glTF accessor.
+    /// @param place position in the JSON, for errors @param width floats per element @param out all elements of the
+    /// accessor
     void overlay_sparse(int accessor, const Place& place, int width, float* out);
-    /// Returns the indices of the elements that a sparse glTF accessor overwrites.
+    /// Returns the indices of the elements that a sparse glTF accessor overwrites, in ascending order.
+    /// @param place position in the JSON, for errors
     std::vector<std::uint32_t> sparse_positions(int accessor, const Place& place);
-    /// Adds to the count of decoded bytes, for the limit on a file's decoded size. @throws Error above the limit, so
-    /// that a small file that refers to the same data a million times is refused
+    /// Adds `bytes` to the decoded size of the file's accessors and reports progress. The limit of this size refuses a
+    /// small file that refers to the same data a million times.
+    /// @param place position in the JSON, for errors @throws Error above the limit
     void spend(int accessor, std::size_t bytes, const Place& place);
-    /// Throws Error when the elements of a glTF accessor do not have `width` components.
+    /// Throws Error unless the elements of a glTF accessor have `width` components.
     void expect_width(int accessor, int width, const Place& place) const;
 
     Context& context_;

@@ -10,17 +10,18 @@
 
 namespace si::gltf {
 
-/// Buffers and buffer views of one glTF file, loaded on first use and limited in total size.
+/// Buffers and buffer views of one glTF file. Buffers are loaded on first use, and their total size is limited.
 class Buffers {
 public:
     /// `root` and the bytes behind `container` must outlive this object.
     Buffers(Context& context, const Json& root, const Container& container);
     /// Returns the bytes of glTF buffer `i`; loads them on first use. @throws Error when they cannot be loaded.
     std::span<const std::uint8_t> buffer(std::size_t i);
-    /// Returns the bytes of glTF buffer view `i`, whose range was validated by check_data(); empty for a faulty view,
-    /// which no accessor reads.
+    /// Returns the bytes of glTF buffer view `i`. check_data() has validated the range of the view. Empty for a faulty
+    /// view, which no accessor reads.
     std::span<const std::uint8_t> view(std::size_t i);
-    /// Appends a buffer of decoded bytes, whose index is the number of those before. The document needs it too.
+    /// Appends a buffer of decoded bytes, such as decompressed vertices. Its index is the previous number of buffers.
+    /// The caller adds the same buffer to the JSON document.
     void add(std::vector<std::uint8_t> bytes);
     /// Returns the bytes that files and data URIs may still take.
     std::size_t bytes_left() const { return bytes_left_; }
@@ -30,7 +31,8 @@ public:
     void spend(std::size_t bytes) { bytes_left_ -= std::min(bytes, bytes_left_); }
 
 private:
-    /// Loads the bytes of a glTF buffer from a data URI or a file. @throws Error
+    /// Loads the bytes of a glTF buffer from a data URI or a file.
+    /// @param buffer JSON of the buffer @param place position in the JSON, for errors @throws Error
     Bytes load(const Json& buffer, const Place& place);
 
     Context& context_;

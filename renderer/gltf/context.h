@@ -11,8 +11,8 @@
 
 namespace si::gltf {
 
-/// Position in the JSON of a glTF file, "meshes[3].primitives[0].attributes", for errors and warnings. A chain of
-/// pointers to parents: only text() allocates.
+/// Position in the JSON of a glTF file, such as "meshes[3].primitives[0].attributes", for errors and warnings. Holds a
+/// pointer to the position of the parent, so that only text() allocates memory.
 struct Place {
     const Place* up = nullptr;
     std::string_view name;
@@ -23,14 +23,14 @@ struct Place {
     Place(const Place& up_, std::string_view name_) : up(&up_), name(name_) {}
     Place(const Place& up_, std::string_view name_, std::integral auto index_)
         : up(&up_), name(name_), index(std::int64_t(index_)) {}
-    /// Formats a position in a glTF file: "meshes[3].primitives[0]".
+    /// Formats this position in a glTF file as text: "meshes[3].primitives[0]".
     std::string text() const;
 };
 
 /// Fix that errors name where a file violates the format.
 inline constexpr std::string_view kRepairHint = "repair the file or export it again";
 
-/// Errors, warnings and progress of loading one glTF file.
+/// State that all steps of loading one glTF file share: path, options, errors, warnings, progress, and the files read.
 class Context {
 public:
     Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings);
@@ -40,18 +40,20 @@ public:
     [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view fix = kRepairHint) const;
     /// Throws Error "FILE: what; fix" for a problem of the whole glTF file.
     [[noreturn]] void fail(std::string_view what, std::string_view fix) const;
-    /// Records a warning about a position in the glTF file; after the first hundred it only counts them.
+    /// Records a warning about a position in the glTF file. After the first hundred, warnings are only counted.
     void warn(const Place& place, std::string_view what);
-    /// Records a warning about the whole glTF file; after the first hundred it only counts them.
+    /// Records a warning about the whole glTF file. After the first hundred, warnings are only counted.
     void warn(std::string_view what);
-    /// Appends a last warning with the number of those that were counted but not listed. Call once, at the end.
+    /// Appends a last warning that states how many warnings were counted but not listed. Call once, after loading.
     void close_warnings();
 
-    /// Reports loading progress 0..1 to the caller's callback, never less than before.
-    /// @throws Error "cancelled" when the callback returns false.
+    /// Reports loading progress, 0 to 1, to the caller's callback (GltfOptions::progress). The reported value never
+    /// decreases.
+    /// @throws Error "cancelled" when the callback returns false
     void progress(double fraction);
 
-    /// Records a file that the scene depends on. Call before reading it, even if it is missing.
+    /// Records a file that the scene is loaded from, with its time stamp, so that later changes of the file are
+    /// noticed. Call before reading the file, even if it is missing.
     void note_file(const std::filesystem::path& path);
     /// Returns the recorded files.
     std::vector<StampedFile> take_files() { return std::move(files_); }

@@ -5,9 +5,10 @@
 
 namespace si::gltf {
 
-/// Decodes the buffer views of EXT_meshopt_compression and the primitives of KHR_draco_mesh_compression, and rewrites
-/// `root` to refer to decoded buffers. Decoded numbers are unchecked: the rules of any other document follow.
-/// @throws Error naming the place
+/// Decodes the buffer views of EXT_meshopt_compression and the primitives of KHR_draco_mesh_compression. Rewrites
+/// `root` to refer to the decoded buffers, so that later steps see a document without compression. Does not validate
+/// the decoded numbers: check_data() and check_graph() follow.
+/// @throws Error naming the position in the file
 void decompress(Context& context, Json& root, Buffers& buffers);
 
 }  // namespace si::gltf

@@ -11,7 +11,7 @@
 
 namespace si::gltf {
 
-/// Attribute of a compressed mesh, and the type of its glTF accessor.
+/// Vertex attribute of a Draco-compressed mesh, and the number type of its glTF accessor.
 struct DracoAttribute {
     std::uint32_t id = 0;    ///< unique id within the Draco data
     int component_type = 0;  ///< glTF componentType
@@ -20,13 +20,13 @@ struct DracoAttribute {
     bool operator==(const DracoAttribute&) const = default;
 };
 
-/// Compressed mesh.
+/// Draco-compressed mesh: its bytes, and the vertex attributes to decode.
 struct DracoMesh {
     std::span<const std::uint8_t> bytes;
     std::vector<DracoAttribute> attributes;
 };
 
-/// Decoded mesh, or the reason why it could not be decoded.
+/// Layout of one decoded Draco mesh in DracoResults::bytes, or the reason why the mesh could not be decoded.
 struct DracoResult {
     std::string error;  ///< empty: decoded
     std::uint64_t points = 0, faces = 0;
@@ -34,7 +34,7 @@ struct DracoResult {
     std::vector<std::size_t> attributes_at;  ///< offset of each requested attribute, `points` elements without gaps
 };
 
-/// Meshes decoded together, and the bytes that their offsets refer to.
+/// Draco meshes that were decoded together, with the bytes of their vertices and indices.
 struct DracoResults {
     std::vector<DracoResult> meshes;  ///< for each request, in its order
     std::vector<std::uint8_t> bytes;
@@ -43,15 +43,19 @@ struct DracoResults {
 /// Job that decodes meshes in a child process.
 extern const ForeignJob kDracoJob;
 
-/// Decodes meshes in a child process. Indices are below the number of points; values are unchecked.
-/// @param progress as of run_foreign_job() @throws Error a sentence without the file's name, or "cancelled"
+/// Decodes Draco meshes in a child process, which confines crashes of the decoder. Vertex indices are below the number
+/// of points; attribute values are not validated.
+/// @param progress receives 0..1; returning false cancels
+/// @throws Error a sentence without the file's name, or "cancelled"
 DracoResults decode_draco(std::span<const DracoMesh> meshes, const std::function<bool(double)>& progress);
 
-/// Decodes the packed meshes of a request in this process. The child process of decode_draco() runs it. @throws Error
+/// Decodes the Draco meshes of a request from pack_draco() in this process. The child process of decode_draco() runs
+/// it.
+/// @param progress receives 0..1 @throws Error
 std::vector<std::uint8_t> decode_packed_draco(std::span<const std::uint8_t> request,
                                               const std::function<void(double)>& progress);
 
-/// Packs a request of decode_packed_draco().
+/// Packs Draco meshes into the bytes of a request for decode_packed_draco().
 std::vector<std::uint8_t> pack_draco(std::span<const DracoMesh> meshes);
 
 }  // namespace si::gltf

@@ -14,7 +14,8 @@
 
 namespace si {
 
-/// Options of load_gltf().
+/// Options for loading a glTF file: progress callback, size limit, up axis and unit, and access to the files that it
+/// names.
 struct GltfOptions {
     /// Progress callback, called with 0..1; returning false cancels (load_gltf throws Error "cancelled").
     std::function<bool(double)> progress;
@@ -29,9 +30,9 @@ struct GltfOptions {
 /// Loads a scene from a .gltf or .glb file. @throws Error naming the file, the position in the file, and a fix.
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
 
-/// Loads a scene from the bytes of a .gltf or .glb file that lies in a bundle. Files that it names are read by
-/// GltfOptions::read_file, which has to be set.
-/// @param path the file, for messages and Scene::name @throws Error as load_gltf()
+/// Loads a scene from the bytes of a .gltf or .glb file in a bundle (one frame of an engine as files). Buffers and
+/// images that the bytes name are read by GltfOptions::read_file, which must be set.
+/// @param path path of the .gltf or .glb file, for messages and Scene::name @throws Error as load_gltf()
 Scene load_gltf_bytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
                       const GltfOptions& options);
 
@@ -41,15 +42,16 @@ Scene load_gltf_bytes(std::span<const std::uint8_t> bytes, const std::filesystem
 Scene load_converted(std::span<const std::uint8_t> glb, const std::filesystem::path& path,
                      const GltfOptions& options = {});
 
-/// Saves a scene as one self-contained file, atomically: .gltf (JSON with embedded buffers) or .glb, by extension.
+/// Saves a scene as one self-contained file. The file's extension chooses .gltf (JSON with embedded buffers) or .glb.
+/// Writes atomically: after an error an earlier file is still there.
 /// @throws Error naming the file
 void save_gltf(const Scene& scene, const std::filesystem::path& path);
 
-/// Returns a scene as the bytes of a .glb file. @throws Error above 4 GiB
+/// Returns a scene as the bytes of a .glb file (binary glTF). @throws Error above 4 GiB
 std::string glb_bytes(const Scene& scene);
 
-/// Lists what save_gltf() bakes or drops of a scene, one sentence each: pose, skins, morph targets, animations,
-/// placement, and parts of its file that the scene does not hold.
+/// Lists the parts of a scene that save_gltf() bakes into vertices and nodes or drops, one sentence each. These are
+/// pose, skins, morph targets, animations, placement, and parts of the loaded file that Scene does not hold.
 std::vector<std::string> export_notes(const Scene& scene);
 
 }  // namespace si

@@ -18,7 +18,8 @@ struct Image {
 
 /// Decodes a PNG or JPEG file in memory to RGBA8 (stb_image). Failures are reported in Image::error.
 Image decode_image(std::span<const std::uint8_t> bytes);
-/// Estimates the peak memory of decode_image() in bytes from the image's header; 0 when the header is unreadable.
+/// Estimates the peak memory of decode_image() in bytes from the image's header, to refuse images that are too large. 0
+/// when the header is unreadable.
 std::size_t decoding_bytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace si::gltf

@@ -8,9 +8,9 @@
 
 namespace si::gltf {
 
-/// Returns why an image file that stb_image refuses cannot be decoded, as a clause: "the PNG is cut inside its chunk
-/// IDAT". Follows the chunks of a PNG or the segments of a JPEG to the first fault; without one, the compressed data is
-/// damaged.
+/// Explains why stb_image cannot decode an image file, as a clause such as "the PNG is cut inside its chunk IDAT".
+/// Searches the chunks of a PNG or the segments of a JPEG for the first fault. If there is none, the clause blames the
+/// compressed data.
 std::string image_fault(std::span<const std::uint8_t> bytes);
 
 }  // namespace si::gltf

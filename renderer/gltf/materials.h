@@ -5,7 +5,8 @@
 
 namespace si::gltf {
 
-/// Texture coordinates that one texture reads: the set (texCoord) and its transform (KHR_texture_transform).
+/// Source of the texture coordinates of one texture: the vertex attribute (texCoord) and the transform
+/// (KHR_texture_transform).
 struct UvSource {
     int set = -1;  ///< index of TEXCOORD_n; -1: no texture
     glm::dvec2 offset{0}, scale{1};
@@ -14,30 +15,32 @@ struct UvSource {
     bool operator==(const UvSource&) const = default;
     /// Returns true when texture coordinates are not transformed.
     bool is_plain() const { return offset == glm::dvec2(0) && scale == glm::dvec2(1) && rotation_rad == 0; }
-    /// Applies KHR_texture_transform to texture coordinates in place.
+    /// Transforms texture coordinates in place by the offset, rotation and scale of KHR_texture_transform.
     void apply(std::vector<glm::vec2>& uv) const;
 };
 
-/// Texture coordinate sets of a glTF material's base colour texture and normal texture.
+/// Texture coordinate sources of a glTF material, for its base colour texture and its normal texture.
 struct MaterialUv {
     UvSource base_colour, normal;
 };
 
-/// Makes materials opaque that blend with alpha 1 at every texel and vertex, with a warning for each: blending with it
-/// changes no pixel, and an opaque surface casts a shadow. Call after Textures::decode().
+/// Makes blended materials opaque whose alpha is 1 at every texel and vertex, with a warning for each. Blending changes
+/// no pixel there, and only an opaque surface casts a shadow by default. Call after Textures::decode().
+/// @param root the glTF document
 void make_full_blends_opaque(Context& context, const Json& root, Scene& scene);
 
-/// Materials of one glTF file; textures are requested when a material is first used.
+/// Materials of one glTF file. The first use of a material requests its textures.
 class Materials {
 public:
     /// Copies all materials into the scene, still without textures.
     Materials(Context& context, const Json& root, const tinygltf::Model& model, Textures& textures, Scene& scene);
-    /// Marks a glTF material (index; -1: the default one) as used, which requests its textures the first time. Returns
-    /// the texture coordinates that it reads.
+    /// Marks a glTF material as used, which requests its textures the first time. Returns the sources of the texture
+    /// coordinates of these textures. @param i index of the material; -1: the default one
     const MaterialUv& use(int i);
 
 private:
-    /// Reads texCoord and KHR_texture_transform of a texture reference.
+    /// Reads texCoord and KHR_texture_transform of a material's reference to a texture (textureInfo). An invalid
+    /// transform is ignored with a warning.
     UvSource uv_source(const Json& texture_info, const Place& place);
 
     Context& context_;

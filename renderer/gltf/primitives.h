@@ -13,27 +13,32 @@ class Primitives {
 public:
     Primitives(Context& context, const tinygltf::Model& model, Accessors& accessors, Materials& materials,
                Scene& scene);
-    /// Returns the scene's mesh indices for glTF mesh `mesh`; builds the meshes on first use. Points, lines and
-    /// unusable primitives are skipped.
+    /// Returns the indices in Scene::meshes of the meshes made from the primitives of a glTF mesh. Builds them on first
+    /// use. Points, lines and unusable primitives are skipped. @param mesh index in the file
     const std::vector<int>& of_mesh(int mesh);
 
-    /// Converts a glTF primitive to a mesh that shares nothing. Returns nothing, with a warning, when it has no
-    /// triangles.
-    /// @param pick receives the file's vertices that the mesh uses, in its order; empty: all, in the file's order
+    /// Converts a glTF primitive to a new mesh that no other primitive shares, as deformed meshes need. Returns
+    /// nullopt, with a warning, when the primitive has no triangles.
+    /// @param place position in the JSON, for errors @param name name of the mesh
+    /// @param pick receives the file's vertex index of each vertex of the mesh; empty: all vertices in the file's order
     std::optional<Mesh> make(const tinygltf::Primitive& primitive, const Place& place, const std::string& name,
                              std::vector<std::uint32_t>& pick);
 
 private:
-    /// Returns the scene's mesh index of a glTF primitive, or -1 when there is nothing to draw. Equal primitives share
-    /// one mesh.
+    /// Returns the index in Scene::meshes of the mesh made from a glTF primitive; -1 when there is nothing to draw.
+    /// Equal primitives share one mesh.
     int share(const tinygltf::Primitive& primitive, const Place& place, const std::string& name);
-    /// Reads the vertex attributes of a glTF primitive into `mesh`. @param pick the vertices to read; empty: all
+    /// Reads the vertex attributes of a glTF primitive into `mesh`.
+    /// @param place position in the JSON, for errors @param pick indices of the vertices to read; empty: all
     void read_attributes(const tinygltf::Primitive& primitive, const Place& place, std::span<const std::uint32_t> pick,
                          Mesh& mesh);
-    /// Reads the texture coordinates that a texture of the primitive's material uses, with its transform applied.
+    /// Reads the texture coordinates of a glTF primitive for one texture, with the texture's transform applied. Empty,
+    /// with a warning, when the primitive lacks them.
+    /// @param source attribute and transform @param pick indices of the vertices to read; empty: all
     std::vector<glm::vec2> coordinates(const tinygltf::Primitive& primitive, const Place& place, const UvSource& source,
                                        std::span<const std::uint32_t> pick);
-    /// Renumbers `indices` without unused vertices. Returns the used vertices, in the order of first use.
+    /// Renumbers vertex indices so that only used vertices are counted. Returns the old index of each used vertex, in
+    /// the order of first use. @param vertex_count number of vertices before
     std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& indices, std::size_t vertex_count);
 
     Context& context_;
@@ -46,7 +51,7 @@ private:
     std::vector<std::uint32_t> scratch_;
 };
 
-/// Returns the number of morph targets of glTF mesh `mesh`.
+/// Returns the number of morph targets of a glTF mesh; 0 for a `mesh` of -1.
 std::size_t target_count(const tinygltf::Model& model, int mesh);
 
 }  // namespace si::gltf

@@ -6,13 +6,14 @@
 
 namespace si::gltf {
 
-/// Adds the deformed meshes of the nodes in `placed` and the animations of a glTF file to a scene, and applies the rest
-/// pose. A scene without animation gets no rig.
+/// Adds skinned and morphed meshes and the animations of a glTF file to a scene, and applies the rest pose. A scene
+/// without animations and deformed meshes gets no rig.
+/// @param placed nodes of the file that place_nodes() has added
 void add_rig(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
              Primitives& primitives, const PlacedNodes& placed, Scene& scene);
 
-/// Reads the animations of a glTF file; an invalid one is skipped with a warning.
-/// @param scene_node scene node of each glTF node; -1: not in the scene
+/// Reads the animations of a glTF file. Invalid animations are skipped with a warning.
+/// @param scene_node index in Scene::nodes of each glTF node; -1: not in the scene
 std::vector<Animation> read_animations(Context& context, const Json& root, const tinygltf::Model& model,
                                        Accessors& accessors, const std::vector<int>& scene_node);
 

@@ -12,32 +12,34 @@
 
 namespace si::gltf {
 
-/// Textures of one glTF file: collects the textures that materials use, then decodes their images in parallel.
+/// Textures of one glTF file. Collects the textures that materials use, then decodes their images in parallel.
 class Textures {
 public:
     Textures(Context& context, const Json& root, const tinygltf::Model& model, Buffers& buffers, Scene& scene);
-    /// Requests a glTF texture. Returns its index in the scene; -1, with a warning, when it cannot be shown.
+    /// Requests a glTF texture for a material. Returns its index in Scene::textures; -1, with a warning, when no
+    /// readable image provides it. decode() decodes all requested textures later.
     /// @param srgb true for colours, false for data such as normals
     int use(int texture, bool srgb);
-    /// Warns that the shadow of a material is wrong, because the image that holds its alpha is not read.
-    /// @param material index; nothing happens for an opaque one @param is_ktx2 true where it can be converted
+    /// Warns that a material's shadow is wrong because the image with its alpha channel is not read. Does nothing for
+    /// an opaque material.
+    /// @param material index in Scene::materials @param is_ktx2 true: the warning advises to convert KTX2 images
     void warn_lost_alpha(std::size_t material, bool is_ktx2);
-    /// Returns true when a glTF texture has no other image than a KTX2 one.
+    /// Returns true when KTX2, which is not read, is the only image format of a glTF texture.
     bool is_ktx2_alone(int texture) const;
-    /// Decodes all requested textures on all processors. Textures that fail are removed from the scene and its
-    /// materials.
+    /// Decodes the images of all requested textures, in parallel. Textures whose images fail are removed from the scene
+    /// and from its materials, with a warning.
     void decode();
 
 private:
     /// Reason why a texture of the scene has no pixels.
     enum class Failure { None, Unreadable, Ktx2 };
-    /// A requested texture whose image has to be decoded.
+    /// Requested texture whose image is still encoded.
     struct Job {
         int image = -1;
         std::size_t scene_texture = 0;
         bool says_webp = false;  ///< its texture has EXT_texture_webp
     };
-    /// An image that another thread decodes, with its encoded bytes.
+    /// Image that another thread or a child process decodes, with its encoded bytes.
     struct Decoding {
         Bytes storage;
         std::string error;
@@ -45,21 +47,26 @@ private:
         std::span<const std::uint8_t> webp;  ///< bytes of a WebP image, which decode_webp_images() decodes
         std::future<Image> image;  ///< valid without `error` and `webp`; last, so that it ends before its bytes do
     };
-    /// Starts decoding the image of a texture on another thread.
+    /// Starts decoding a texture's image on another thread. A WebP image is only fetched; decode_webp_images() decodes
+    /// it.
     Decoding start(const Job& job);
-    /// Returns the image of a glTF texture by EXT_texture_webp; nothing where it has none.
+    /// Returns the index of the WebP image that EXT_texture_webp names for a glTF texture; nullopt without this
+    /// extension.
     std::optional<int> webp_image(int texture) const;
-    /// Returns the image index of a glTF texture; nothing when only an extension that is not read provides one.
+    /// Returns the index of the image to decode for a glTF texture. Returns nullopt, with a warning, when the texture
+    /// has no image in a format that is read.
     std::optional<int> readable_image(int texture);
-    /// Decodes WebP images in child processes, several at once. Returns them in the order of `waiting`.
+    /// Decodes WebP images in several child processes at once. Returns the images in the order of `waiting`.
     std::vector<Image> decode_webp_images(const std::vector<Decoding>& waiting);
-    /// Keeps a decoded image in its texture. If decoding failed, warns with the reason and sets the Failure of the
-    /// texture.
+    /// Moves a decoded image into its texture of the scene. If decoding failed, warns with the reason and marks the
+    /// texture for remove_failed(). @param job the texture
     void keep(const Job& job, Image image);
-    /// Finds the encoded bytes of a glTF image. Returns an error text, empty on success.
-    /// @param storage owns the bytes when they come from a file or data URI
+    /// Finds the encoded bytes of a glTF image in a buffer view, a data URI or a file. Returns an error text; empty on
+    /// success.
+    /// @param image index in the file @param bytes receives the encoded bytes
+    /// @param storage receives ownership of the bytes when they come from a file or data URI
     std::string fetch(int image, std::span<const std::uint8_t>& bytes, Bytes& storage);
-    /// Removes textures that could not be decoded from the scene and its materials.
+    /// Removes the textures whose images could not be decoded from the scene and from its materials.
     void remove_failed();
 
     Context& context_;

@@ -19,8 +19,8 @@
 
 namespace si::gltf {
 
-/// Parses a validated glTF document with tinygltf, without buffers, images and extensions (see core_text()), so that
-/// tinygltf opens and decodes nothing. @throws Error with tinygltf's message
+/// Parses a validated glTF document with tinygltf. Buffers, images and extensions are left out (see core_text()), so
+/// that tinygltf opens no file and decodes nothing. @throws Error with tinygltf's message
 tinygltf::Model read_model(const Context& context, const Json& root);
 
 }  // namespace si::gltf

@@ -15,21 +15,25 @@ namespace si::gltf {
 /// Job that decodes images in a child process.
 extern const ForeignJob kWebpJob;
 
-/// Returns true for the bytes of a WebP file.
+/// Returns true when the bytes begin with the signature of a WebP file.
 bool is_webp(std::span<const std::uint8_t> bytes);
 
-/// Decodes WebP images in child processes. A failure is reported in Image::error of its image alone.
-/// @param max_image_bytes limit of the memory of one image while it is decoded
-/// @param bytes_left decoded bytes that may still be kept, which shrinks @param stop true ends it early
+/// Decodes WebP images in child processes, which confine crashes of the decoder. An image that fails has its reason in
+/// Image::error; the others are still decoded.
+/// @param max_image_bytes limit of the memory for decoding one image
+/// @param bytes_left limit of the decoded bytes of all images; the size of each image is subtracted
+/// @param stop set to true by another thread to cancel @throws Error "cancelled"
 std::vector<Image> decode_webp(std::span<const std::span<const std::uint8_t>> images, std::size_t max_image_bytes,
                                std::atomic<std::size_t>& bytes_left, const std::atomic<bool>& stop);
 
-/// Decodes the images of a request of pack_webp() in this process: as many as fit into one answer, but at least one.
-/// The child process of decode_webp() runs it.
+/// Decodes the WebP images of a request from pack_webp() in this process: as many as fit into one answer, but at least
+/// one. The child process of decode_webp() runs it.
+/// @param progress called after each image, to notice cancelling
 std::vector<std::uint8_t> decode_packed_webp(std::span<const std::uint8_t> request,
                                              const std::function<void(double)>& progress);
 
-/// Packs encoded images and their memory limit into a request for decode_packed_webp().
+/// Packs encoded WebP images into the bytes of a request for decode_packed_webp().
+/// @param max_image_bytes limit of the memory for decoding one image
 std::vector<std::uint8_t> pack_webp(std::span<const std::span<const std::uint8_t>> images, std::size_t max_image_bytes);
 
 }  // namespace si::gltf
